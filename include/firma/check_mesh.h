@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Judges a mesh file by its own numbers, exactly, before anything is snapped.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firma/level.h"
+#include "firma/result.h"
+
+namespace firma {
+
+enum class MeshFault : std::uint8_t {
+    kOpenEdge,      ///< an edge that fewer faces use one way than the other
+    kReversedFace,  ///< a face wound against the neighbours that it shares edges with
+};
+
+enum class MeshNote : std::uint8_t {
+    kNoArea,  ///< the face has no area in the file itself; it is dropped
+    kDropped, ///< the snap takes its area; it is dropped
+    kBent,    ///< flat in the file, not on the grid; it is divided
+    kTurned,  ///< the snap turns it over: its normals before and after point apart
+    kDivided, ///< not flat or not convex in the file itself; it is divided
+};
+
+/// A place in the mesh where something is wrong. Points as the file has them, nearest doubles.
+struct MeshFaultPlace {
+    MeshFault what = MeshFault::kOpenEdge;
+    std::uint32_t source = 0;  ///< face index in the file
+    std::uint32_t line = 0;    ///< of the face, from 1; 0 where the format has none
+    Vec3 from, to;             ///< ends of the edge; for a reversed face, of the first edge that tells
+    bool t_joint = false;      ///< an open edge that another vertex of the mesh lies on, exactly
+};
+
+struct MeshNotePlace {
+    MeshNote what = MeshNote::kNoArea;
+    std::uint32_t source = 0;
+    std::uint32_t line = 0;
+    Vec3 at;                   ///< its first corner
+};
+
+struct MeshCheck {
+    std::vector<MeshFaultPlace> faults;  ///< in order of face
+    std::vector<MeshNotePlace> notes;    ///< in order of face
+    std::uint32_t faces = 0;             ///< in the file
+    std::uint64_t vertices = 0;          ///< different positions used by faces
+    bool closed() const { return faults.empty(); }
+};
+
+/// Checks an .obj by the decimals it holds.
+/// @return kMalformed and others as read_obj()
+Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+
+/// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).
+Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name, const ReadOptions& options = {});
+
+/// Checks a file by its ending.
+Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
+
+}  // namespace firma

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Everything: levels in, worlds out, casts through them.
+#pragma once
+
+#include "firma/check_mesh.h"
+#include "firma/grid.h"
+#include "firma/hit.h"
+#include "firma/level.h"
+#include "firma/polygon.h"
+#include "firma/result.h"
+#include "firma/tolerance.h"
+#include "firma/tree_options.h"
+#include "firma/vec.h"
+#include "firma/world.h"

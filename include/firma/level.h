@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A level as read from a file: snapped vertices, convex planar faces, and an account of what was dropped or divided.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firma/grid.h"
+#include "firma/result.h"
+
+namespace firma {
+
+/// What a face was in its file.
+enum class FaceKind : std::uint8_t { kPolygon, kTriangleSoup, kPatch };
+
+/// A convex, exactly planar polygon with area: corners are Level::corners[first_corner .. + corner_count), at most 64.
+struct LevelFace {
+    std::uint32_t first_corner = 0;
+    std::uint32_t corner_count = 0;
+    std::uint32_t source = 0;    ///< index of the face in the file, from 0, dropped ones counted
+    std::uint32_t material = 0;  ///< index into Level::materials
+    std::uint32_t group = 0;     ///< index into Level::groups
+    FaceKind kind = FaceKind::kPolygon;
+    bool two_sided = false;
+    std::uint32_t mask = ~0u;    ///< casts with a mask that shares a bit meet it
+};
+
+/// Why a face of the file is not as it was.
+enum class FaceNote : std::uint8_t {
+    kNoArea,    ///< dropped: no area, in the file or after the snap
+    kSplit,     ///< not convex, not exactly planar on the grid, or of more than 64 corners: divided on its own outline
+    kCrossing,  ///< divided as well, though its outline crosses itself: pieces may overlap
+};
+
+struct LevelNote {
+    FaceNote what = FaceNote::kNoArea;
+    std::uint32_t source = 0;  ///< index of the face in the file
+    std::uint32_t line = 0;    ///< line of the file, from 1; 0 where the format has none
+};
+
+/// A level: what every reader makes and make_world() takes.
+struct Level {
+    std::string name;                      ///< the file's, for messages
+    std::vector<GridPoint> vertices;       ///< snapped; one entry a `v` of the file
+    std::vector<std::uint32_t> corners;    ///< indices into vertices
+    std::vector<LevelFace> faces;
+    std::vector<std::string> materials;    ///< at least one: "" is the name of none
+    std::vector<std::string> groups;       ///< at least one, likewise
+    std::vector<LevelNote> notes;          ///< in order of `source`
+    std::uint32_t source_faces = 0;        ///< faces in the file, dropped ones counted
+    std::uint64_t ignored_entries = 0;     ///< things in the file that are not geometry for casts (points, lines, flares ...)
+
+    std::size_t count(FaceNote what) const {
+        std::size_t n = 0;
+        for (const LevelNote& note : notes) n += note.what == what;
+        return n;
+    }
+};
+
+/// Options for reading. Defaults suit the format.
+struct ReadOptions {
+    double scale = 0;  ///< metres a unit; 0 takes the format's own: 1 for .obj, 1/32 for .bsp
+    /// Patches are divided until the surface is within this of the chords, metres.
+    double patch_tolerance = 0.01;
+};
+
+/// Reads a Wavefront .obj: v, f (n-gons, all index forms, negative too), g, o, usemtl; continued lines. Other entries are
+/// counted and ignored.
+///
+/// @param text  the whole file
+/// @param name  for messages
+/// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index that
+///         names no vertex, face with fewer than three corners, no face at all, counts beyond 2^31.
+Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+
+/// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces and triangle soups as their
+/// triangles, patches tessellated. Shader names become materials. Quake's units are scaled by 1/32 m unless told otherwise.
+///
+/// @param bytes  the whole file
+/// @return the level, or the first error with file, lump and entry.
+Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name, const ReadOptions& options = {});
+
+/// Reads a file by its ending (.obj, .bsp).
+Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
+
+}  // namespace firma

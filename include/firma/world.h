@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The World: one handle to rooms of immutable blocks, and the questions it answers.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firma/grid.h"
+#include "firma/hit.h"
+#include "firma/polygon.h"
+#include "firma/result.h"
+#include "firma/tolerance.h"
+#include "firma/tree_options.h"
+
+namespace firma {
+
+struct Level;
+struct WorldData;
+
+/// A face as the world holds it.
+struct Face {
+    FaceId id;
+    std::uint32_t source = 0;    ///< index of the face in the level's file
+    std::uint32_t material = 0;
+    std::uint32_t mask = ~0u;
+    bool two_sided = false;
+    std::vector<Vec3> corners;        ///< metres, exact
+    std::vector<FaceId> neighbours;   ///< across the edge from corner k to k + 1; invalid on an open edge
+    Vec3 normal;                      ///< unit
+};
+
+/// A value: copies are cheap, share everything, and never change. Any number of threads may ask the same World.
+/// Hold one copy for a job and pass references.
+class World {
+public:
+    World();
+    explicit World(std::shared_ptr<const WorldData> data);
+
+    std::uint64_t version() const;
+    std::size_t face_count() const;
+    std::size_t room_count() const;
+    /// Of all faces; empty for a world without any.
+    Box bounds() const;
+    const Tolerance& tolerance() const;
+    /// "" when there is no such material.
+    const std::string& material_name(std::uint32_t material) const;
+    /// Of all rooms together.
+    TreeStatistics statistics() const;
+
+    /// The face that a hit of this World names. Asking with another World's ref is the caller's mistake.
+    Face face(FaceRef ref) const;
+    /// The same by lasting id, through a search of all faces; nothing when this world has no such face.
+    std::optional<Face> find_face(FaceId id) const;
+    /// Every face, in order of id.
+    std::vector<Face> faces() const;
+
+    const WorldData& data() const { return *data_; }
+
+private:
+    std::shared_ptr<const WorldData> data_;
+};
+
+struct WorldOptions {
+    TreeOptions tree;
+    Tolerance tolerance;
+};
+
+/// Makes a world of a level: one room.
+/// @return kTooLarge beyond 2^31 faces; kInvalid when a face of the level is not convex, planar and of 3 to 64 corners (readers
+///         never make such), naming it.
+Result<World> make_world(const Level& level, const WorldOptions& options = {});
+
+/// What casts looked at. Add up over casts; a cast only ever adds.
+struct CastCounts {
+    std::uint64_t bins = 0;      ///< boxes of bins tested
+    std::uint64_t boxes = 0;     ///< boxes of faces tested
+    std::uint64_t faces = 0;     ///< faces whose geometry was looked at
+    std::uint64_t precise = 0;   ///< questions that double left open and more digits decided
+};
+
+struct CastOptions {
+    std::uint32_t mask = ~0u;        ///< faces that share a bit are met
+    Sides sides = Sides::kFront;     ///< kFront leaves the choice to the face; kBoth meets both sides of all
+    double skin = -1;                ///< metres for safe_fraction; negative takes the World's
+    CastCounts* counts = nullptr;    ///< added to, when given; not shared between threads
+};
+
+/// The first touch of a moving sphere with the world.
+///
+/// @param sphere  centre at the start and radius; both may lie outside the world
+/// @param path    motion (metres)
+/// @return as cast_polygon(), over all faces; of several at the smallest fraction the one with the lowest id.
+/// Never allocates, takes no lock and touches no reference count.
+Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
+
+/// Whether cast() would touch anything, without looking for the first.
+/// @return kHit, kTouching, kMiss or kInvalid; kHit also stands for a touch where another face would have said kTouching.
+Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
+
+/// Every face that the sphere would meet along the whole path, as if alone, by fraction, then id.
+/// @param hits  replaced; keeps its memory from call to call
+/// @return kMiss when there is none, else the first one's status; kInvalid as cast(), with no hits
+Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
+                const CastOptions& options = {});
+
+/// A face near a point.
+struct NearFace : ClosestPoint {
+    FaceId face;
+    FaceRef ref;
+    std::uint32_t source = 0;
+    std::uint32_t material = 0;
+};
+
+/// The faces that a closed ball touches, either side, in order of id. No tolerance.
+/// @param found  replaced
+/// @return kInvalid as for cast(); otherwise kTouching when anything was found, kMiss when not
+Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found, std::uint32_t mask = ~0u);
+
+/// The point of all faces nearest to `point`; of several faces at the same distance the lowest id.
+/// @param reach  metres; nothing farther is looked for. INFINITY looks everywhere
+/// @return nothing when no face lies within reach, or a number is not finite or too large
+std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY, std::uint32_t mask = ~0u);
+
+/// A broken invariant, named.
+struct WorldFault {
+    std::string what;
+    FaceId face;
+};
+
+/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins around what
+/// they hold; every face in exactly one bin; ids unique; neighbours mutual.
+std::optional<WorldFault> check_world(const World& world);
+
+}  // namespace firma

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Takes a file's vertices and faces and makes a Level: snaps, drops what has no area, divides what is not convex and planar.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "firma/level.h"
+
+namespace firma {
+
+class LevelBuilder {
+public:
+    explicit LevelBuilder(std::string name);
+
+    /// Snaps a vertex (metres, already scaled) and returns its index; nothing when it is not finite or outside the world, and
+    /// then nothing is added.
+    std::optional<std::uint32_t> add_vertex(const Vec3& position);
+
+    /// Index of a material or group of this name, added when new.
+    std::uint32_t material(std::string_view name);
+    std::uint32_t group(std::string_view name);
+
+    /// What all pieces of one face of the file share.
+    struct FaceInfo {
+        std::uint32_t source = 0;
+        std::uint32_t line = 0;  ///< 0 where the format has none
+        std::uint32_t material = 0;
+        std::uint32_t group = 0;
+        FaceKind kind = FaceKind::kPolygon;
+        bool two_sided = false;
+        std::uint32_t mask = ~0u;
+    };
+
+    /// Adds a face by its outline (vertex indices, >= 3): whole when convex and exactly planar after the snap, else in triangles
+    /// on its own outline; without area it is dropped. Notes say which.
+    void add_face(std::span<const std::uint32_t> outline, const FaceInfo& info);
+
+    /// The level; the builder is empty afterwards.
+    Level finish(std::uint32_t source_faces, std::uint64_t ignored_entries);
+
+    std::size_t vertex_count() const { return level_.vertices.size(); }
+
+private:
+    void add_piece(std::span<const std::uint32_t> corners, const FaceInfo& info);
+
+    Level level_;
+    std::unordered_map<std::string, std::uint32_t> material_index_, group_index_;
+};
+
+}  // namespace firma
