@@ -19,11 +19,11 @@ enum class MeshFault : std::uint8_t {
 };
 
 enum class MeshNote : std::uint8_t {
-    kNoArea,  ///< the face has no area in the file itself; it is dropped
-    kDropped, ///< the snap takes its area; it is dropped
-    kBent,    ///< flat in the file, not on the grid; it is divided
-    kTurned,  ///< the snap turns it over: its normals before and after point apart
-    kDivided, ///< not flat or not convex in the file itself; it is divided
+    kNoArea,   ///< the face has no area in the file itself; it is dropped
+    kDropped,  ///< the snap takes its area; it is dropped
+    kBent,     ///< flat in the file, not on the grid; it is divided
+    kTurned,   ///< the snap turns it over: its normals before and after point apart
+    kDivided,  ///< not flat or not convex in the file itself; it is divided
 };
 
 /// A place in the mesh where something is wrong. Points as the file has them, nearest doubles.
@@ -39,7 +39,7 @@ struct MeshNotePlace {
     MeshNote what = MeshNote::kNoArea;
     std::uint32_t source = 0;
     std::uint32_t line = 0;
-    Vec3 at;                   ///< its first corner
+    Vec3 at;  ///< its first corner
 };
 
 struct MeshCheck {

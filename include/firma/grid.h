@@ -38,7 +38,8 @@ inline Vec3 to_metres(const GridPoint& p) {
 /// Snaps a point to the input grid: nearest multiple of 1/4096 m, halves to even.
 ///
 /// @param point  metres
-/// @return the point in surface steps (a multiple of 64 in each coordinate); nothing when a coordinate is not finite, or lies
+/// @return the point in surface steps (a multiple of 64 in each coordinate); nothing when a coordinate is not finite,
+/// or lies
 ///         outside the world once rounded.
 std::optional<GridPoint> snap(const Vec3& point);
 

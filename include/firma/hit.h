@@ -13,7 +13,8 @@ enum class Status : std::uint8_t {
     kMiss,      ///< nothing met; also for a zero path, and for a start in overlap that does not get deeper
     kHit,       ///< first touch at a fraction in (0, 1]
     kTouching,  ///< starts in touch or overlap and the distance is decreasing: fraction 0
-    kInvalid,   ///< a number is not finite or too large, or the radius negative: not a miss, nothing was asked of the world
+    kInvalid,   ///< a number is not finite or too large, or the radius negative: not a miss, nothing was asked of the
+                ///< world
 };
 
 enum class Feature : std::uint8_t { kFace, kEdge, kVertex };
@@ -62,15 +63,15 @@ struct RoomId {
 
 /// What a cast through a World met first.
 struct Hit : PolygonHit {
-    double safe_fraction = 0;       ///< how far to go so that the skin is kept along `normal`: within 0..fraction
-    FaceId face;                    ///< the face met; of several at the same fraction the lowest id
-    FaceId other_face;              ///< the neighbour across the edge met; invalid otherwise, and on an open edge
-    FaceRef ref;                    ///< for World::face, in the World that was asked
-    std::uint32_t source = 0;       ///< index of the face in the level's file, dropped ones counted
-    std::uint32_t material = 0;     ///< index into World::material_name
-    RoomId room;                    ///< of the contact
-    std::uint32_t rooms_passed = 1; ///< how many rooms the sweep went through, the first included
-    std::uint64_t version = 0;      ///< of the World that was asked
+    double safe_fraction = 0;        ///< how far to go so that the skin is kept along `normal`: within 0..fraction
+    FaceId face;                     ///< the face met; of several at the same fraction the lowest id
+    FaceId other_face;               ///< the neighbour across the edge met; invalid otherwise, and on an open edge
+    FaceRef ref;                     ///< for World::face, in the World that was asked
+    std::uint32_t source = 0;        ///< index of the face in the level's file, dropped ones counted
+    std::uint32_t material = 0;      ///< index into World::material_name
+    RoomId room;                     ///< of the contact
+    std::uint32_t rooms_passed = 1;  ///< how many rooms the sweep went through, the first included
+    std::uint64_t version = 0;       ///< of the World that was asked
 };
 
 }  // namespace firma

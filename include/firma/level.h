@@ -25,7 +25,7 @@ struct LevelFace {
     std::uint32_t group = 0;     ///< index into Level::groups
     FaceKind kind = FaceKind::kPolygon;
     bool two_sided = false;
-    std::uint32_t mask = ~0u;    ///< casts with a mask that shares a bit meet it
+    std::uint32_t mask = ~0u;  ///< casts with a mask that shares a bit meet it
 };
 
 /// Why a face of the file is not as it was.
@@ -43,15 +43,16 @@ struct LevelNote {
 
 /// A level: what every reader makes and make_world() takes.
 struct Level {
-    std::string name;                      ///< the file's, for messages
-    std::vector<GridPoint> vertices;       ///< snapped; one entry a `v` of the file
-    std::vector<std::uint32_t> corners;    ///< indices into vertices
+    std::string name;                    ///< the file's, for messages
+    std::vector<GridPoint> vertices;     ///< snapped; one entry a `v` of the file
+    std::vector<std::uint32_t> corners;  ///< indices into vertices
     std::vector<LevelFace> faces;
-    std::vector<std::string> materials;    ///< at least one: "" is the name of none
-    std::vector<std::string> groups;       ///< at least one, likewise
-    std::vector<LevelNote> notes;          ///< in order of `source`
-    std::uint32_t source_faces = 0;        ///< faces in the file, dropped ones counted
-    std::uint64_t ignored_entries = 0;     ///< things in the file that are not geometry for casts (points, lines, flares ...)
+    std::vector<std::string> materials;  ///< at least one: "" is the name of none
+    std::vector<std::string> groups;     ///< at least one, likewise
+    std::vector<LevelNote> notes;        ///< in order of `source`
+    std::uint32_t source_faces = 0;      ///< faces in the file, dropped ones counted
+    std::uint64_t ignored_entries =
+        0;  ///< things in the file that are not geometry for casts (points, lines, flares ...)
 
     std::size_t count(FaceNote what) const {
         std::size_t n = 0;
@@ -67,17 +68,19 @@ struct ReadOptions {
     double patch_tolerance = 0.01;
 };
 
-/// Reads a Wavefront .obj: v, f (n-gons, all index forms, negative too), g, o, usemtl; continued lines. Other entries are
-/// counted and ignored.
+/// Reads a Wavefront .obj: v, f (n-gons, all index forms, negative too), g, o, usemtl; continued lines. Other entries
+/// are counted and ignored.
 ///
 /// @param text  the whole file
 /// @param name  for messages
-/// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index that
+/// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
+/// that
 ///         names no vertex, face with fewer than three corners, no face at all, counts beyond 2^31.
 Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces and triangle soups as their
-/// triangles, patches tessellated. Shader names become materials. Quake's units are scaled by 1/32 m unless told otherwise.
+/// triangles, patches tessellated. Shader names become materials. Quake's units are scaled by 1/32 m unless told
+/// otherwise.
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One mover, one polygon: the pair functions, for people with geometry of their own.
 //
-// A polygon is its corners in order, counter-clockwise seen from its front [3 <= count], convex (corners may lie along a side),
-// exactly planar, each coordinate a multiple of 1/262144 m within the world's range. check_polygon() tells whether it is.
+// A polygon is its corners in order, counter-clockwise seen from its front [3 <= count], convex (corners may lie along
+// a side), exactly planar, each coordinate a multiple of 1/262144 m within the world's range. check_polygon() tells
+// whether it is.
 #pragma once
 
 #include <cstdint>
@@ -35,16 +36,18 @@ PolygonFault check_polygon(std::span<const Vec3> corners);
 
 /// Moves a sphere along a straight segment and finds its first touch with a polygon.
 ///
-/// @param sphere   centre at fraction 0 and radius (metres); radius 0 casts a particle, whose "inside" is decided exactly
+/// @param sphere   centre at fraction 0 and radius (metres); radius 0 casts a particle, whose "inside" is decided
+/// exactly
 /// @param path     motion (metres); a zero path (below 2^-250 m) is kMiss: use overlap()
 /// @param corners  the polygon, as the head of this file says; others give answers without meaning, never a crash
 /// @param sides    kFront: only when path . normal < 0 (exact sign), wherever the centre is
-/// @return kHit with fraction in (0, 1]; kTouching at fraction 0 when the distance at the start is at most the radius and
+/// @return kHit with fraction in (0, 1]; kTouching at fraction 0 when the distance at the start is at most the radius
+/// and
 ///         decreasing; kMiss otherwise, also when the sphere starts in touch and moves along or away.
 ///         An exact graze is a hit. kInvalid for a number that is not finite or beyond 2^200, or a negative radius.
 /// Never allocates, never throws.
-/// Source: J. Slagel's system as described in Game Developer Magazine, "Collision Detection Using Ray Casting"; the formulas
-/// are re-derived (docs/casting.md says which were wrong in print).
+/// Source: J. Slagel's system as described in Game Developer Magazine, "Collision Detection Using Ray Casting"; the
+/// formulas are re-derived (docs/casting.md says which were wrong in print).
 PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const Vec3> corners,
                         Sides sides = Sides::kFront);
 
@@ -60,7 +63,8 @@ struct ClosestPoint {
 /// @param corners  the polygon
 ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners);
 
-/// Whether a closed ball and a closed polygon share a point, from either side. No tolerance; false for what is not a number.
+/// Whether a closed ball and a closed polygon share a point, from either side. No tolerance; false for what is not a
+/// number.
 bool overlap(const Sphere& sphere, std::span<const Vec3> corners);
 
 /// Whether a segment meets a box: by outcodes at first, clipping only where they leave it open (Cohen and Sutherland).
@@ -68,7 +72,8 @@ bool overlap(const Sphere& sphere, std::span<const Vec3> corners);
 ///
 /// @param start, path  metres, finite
 /// @param box          closed; an empty box is never met
-/// @return whether some point start + f * path with f in [0, 1] may lie in the box: never false when one does (the box is
+/// @return whether some point start + f * path with f in [0, 1] may lie in the box: never false when one does (the box
+/// is
 ///         grown by the rounding of this very computation, at most 2^-48 of the largest number involved)
 bool clip_segment_box(const Vec3& start, const Vec3& path, const Box& box);
 

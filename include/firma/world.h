@@ -24,13 +24,13 @@ struct WorldData;
 /// A face as the world holds it.
 struct Face {
     FaceId id;
-    std::uint32_t source = 0;    ///< index of the face in the level's file
+    std::uint32_t source = 0;  ///< index of the face in the level's file
     std::uint32_t material = 0;
     std::uint32_t mask = ~0u;
     bool two_sided = false;
-    std::vector<Vec3> corners;        ///< metres, exact
-    std::vector<FaceId> neighbours;   ///< across the edge from corner k to k + 1; invalid on an open edge
-    Vec3 normal;                      ///< unit
+    std::vector<Vec3> corners;       ///< metres, exact
+    std::vector<FaceId> neighbours;  ///< across the edge from corner k to k + 1; invalid on an open edge
+    Vec3 normal;                     ///< unit
 };
 
 /// A value: copies are cheap, share everything, and never change. Any number of threads may ask the same World.
@@ -70,23 +70,24 @@ struct WorldOptions {
 };
 
 /// Makes a world of a level: one room.
-/// @return kTooLarge beyond 2^31 faces; kInvalid when a face of the level is not convex, planar and of 3 to 64 corners (readers
+/// @return kTooLarge beyond 2^31 faces; kInvalid when a face of the level is not convex, planar and of 3 to 64 corners
+/// (readers
 ///         never make such), naming it.
 Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// What casts looked at. Add up over casts; a cast only ever adds.
 struct CastCounts {
-    std::uint64_t bins = 0;      ///< boxes of bins tested
-    std::uint64_t boxes = 0;     ///< boxes of faces tested
-    std::uint64_t faces = 0;     ///< faces whose geometry was looked at
-    std::uint64_t precise = 0;   ///< questions that double left open and more digits decided
+    std::uint64_t bins = 0;     ///< boxes of bins tested
+    std::uint64_t boxes = 0;    ///< boxes of faces tested
+    std::uint64_t faces = 0;    ///< faces whose geometry was looked at
+    std::uint64_t precise = 0;  ///< questions that double left open and more digits decided
 };
 
 struct CastOptions {
-    std::uint32_t mask = ~0u;        ///< faces that share a bit are met
-    Sides sides = Sides::kFront;     ///< kFront leaves the choice to the face; kBoth meets both sides of all
-    double skin = -1;                ///< metres for safe_fraction; negative takes the World's
-    CastCounts* counts = nullptr;    ///< added to, when given; not shared between threads
+    std::uint32_t mask = ~0u;      ///< faces that share a bit are met
+    Sides sides = Sides::kFront;   ///< kFront leaves the choice to the face; kBoth meets both sides of all
+    double skin = -1;              ///< metres for safe_fraction; negative takes the World's
+    CastCounts* counts = nullptr;  ///< added to, when given; not shared between threads
 };
 
 /// The first touch of a moving sphere with the world.
@@ -98,7 +99,8 @@ struct CastOptions {
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 
 /// Whether cast() would touch anything, without looking for the first.
-/// @return kHit, kTouching, kMiss or kInvalid; kHit also stands for a touch where another face would have said kTouching.
+/// @return kHit, kTouching, kMiss or kInvalid; kHit also stands for a touch where another face would have said
+/// kTouching.
 Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 
 /// Every face that the sphere would meet along the whole path, as if alone, by fraction, then id.
@@ -123,7 +125,8 @@ Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& 
 /// The point of all faces nearest to `point`; of several faces at the same distance the lowest id.
 /// @param reach  metres; nothing farther is looked for. INFINITY looks everywhere
 /// @return nothing when no face lies within reach, or a number is not finite or too large
-std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY, std::uint32_t mask = ~0u);
+std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY,
+                                std::uint32_t mask = ~0u);
 
 /// A broken invariant, named.
 struct WorldFault {
@@ -131,8 +134,8 @@ struct WorldFault {
     FaceId face;
 };
 
-/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins around what
-/// they hold; every face in exactly one bin; ids unique; neighbours mutual.
+/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
+/// around what they hold; every face in exactly one bin; ids unique; neighbours mutual.
 std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// From a level to a world: one room, its faces in a tree.
+#include <string>
+
+#include "firma/level.h"
+#include "firma/world.h"
+#include "geometry/polygon_shape.h"
+#include "level/find_neighbours.h"
+#include "tree/build_blocks.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+Error face_error(const Level& level, std::size_t face, const char* reason) {
+    const std::string which = "face " + std::to_string(level.faces[face].source);
+    return {ErrorCode::kInvalid, level.name.empty() ? which : level.name + ": " + which, reason};
+}
+
+/// Why a face cannot enter a world, or null.
+const char* refusal(const Level& level, const LevelFace& face) {
+    if (face.corner_count < 3 || face.corner_count > std::uint32_t(kMaxCorners))
+        return "it does not have 3 to 64 corners";
+    if (std::size_t(face.first_corner) + face.corner_count > level.corners.size()) return "its corners are not there";
+    Vec3 corners[kMaxCorners];
+    for (std::uint32_t c = 0; c < face.corner_count; ++c) {
+        const std::uint32_t vertex = level.corners[face.first_corner + c];
+        if (vertex >= level.vertices.size()) return "a corner names no vertex";
+        corners[c] = to_metres(level.vertices[vertex]);
+    }
+    if (check_polygon({corners, face.corner_count}) != PolygonFault::kNone)
+        return "it is not convex and planar, with area";
+    return nullptr;
+}
+
+FaceSet face_set(const Level& level) {
+    FaceSet set;
+    set.vertices = level.vertices;
+    set.corners = level.corners;
+    set.corner_neighbours = find_neighbours(level);
+    set.faces.reserve(level.faces.size());
+    for (std::uint32_t k = 0; k < level.faces.size(); ++k) {
+        const LevelFace& face = level.faces[k];
+        set.faces.push_back(
+            {{k}, face.source, face.material, face.mask, face.first_corner, face.corner_count, face.two_sided});
+    }
+    return set;
+}
+
+}  // namespace
+
+Result<World> make_world(const Level& level, const WorldOptions& options) {
+    if (level.faces.size() >= (1u << 31) || level.corners.size() >= (1ull << 32))
+        return Error{ErrorCode::kTooLarge, level.name, "a world holds fewer than 2^31 faces"};
+    for (std::size_t k = 0; k < level.faces.size(); ++k)
+        if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);
+
+    Ref<Room> room(new Room);
+    room->tree = build_blocks(face_set(level), options.tree);
+    auto data = std::make_shared<WorldData>();
+    data->rooms.emplace_back(room.get());
+    data->materials = std::make_shared<std::vector<std::string>>(level.materials);
+    data->tolerance = options.tolerance;
+    data->face_count = level.faces.size();
+    data->next_face = std::uint32_t(level.faces.size());
+    return World(std::move(data));
+}
+
+}  // namespace firma

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// How a bin is divided.
+// Source: the article's "Putting Boxes into Bins"; I. Wald, On fast Construction of SAH-based Bounding Volume
+// Hierarchies, 2007.
+#include "tree/split_bin.h"
+
+#include <algorithm>
+#include <array>
+
+namespace firma {
+namespace {
+
+std::array<int, 3> axes_by_extent(const GridBox& box) {
+    std::array<int, 3> axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return box.extent(a) > box.extent(b); });
+    return axes;
+}
+
+template <class GoesLeft>
+std::size_t partition_items(std::span<BuildItem> items, const GoesLeft& goes_left) {
+    return std::size_t(std::stable_partition(items.begin(), items.end(), goes_left) - items.begin());
+}
+
+/// In half across the longest axis; across the next one when that leaves a side empty. 0 when none separates.
+std::size_t split_longest_axis(std::span<BuildItem> items, const GridBox& box) {
+    for (const int axis : axes_by_extent(box)) {
+        const std::int64_t middle = std::int64_t(box.low[axis]) + box.high[axis];
+        const std::size_t left =
+            partition_items(items, [&](const BuildItem& item) { return item.centre(axis) < middle; });
+        if (left != 0 && left != items.size()) return left;
+    }
+    return 0;
+}
+
+constexpr int kBuckets = 16;
+
+/// Where centres fall along one axis.
+struct Buckets {
+    std::int64_t low = 0, high = 0;
+
+    Buckets(std::span<const BuildItem> items, int axis) : low(items[0].centre(axis)), high(low) {
+        for (const BuildItem& item : items) {
+            low = std::min(low, item.centre(axis));
+            high = std::max(high, item.centre(axis));
+        }
+    }
+    int of(std::int64_t centre) const { return int((centre - low) * kBuckets / (high - low + 1)); }
+};
+
+struct Plane {
+    int axis = -1;
+    int bucket = 0;  ///< the last one that goes left
+    double cost = 0;
+};
+
+void improve_along_axis(std::span<const BuildItem> items, int axis, Plane& best) {
+    const Buckets buckets(items, axis);
+    if (buckets.low == buckets.high) return;
+    std::array<GridBox, kBuckets> boxes;
+    std::array<std::size_t, kBuckets> counts{};
+    for (const BuildItem& item : items) {
+        const int bucket = buckets.of(item.centre(axis));
+        boxes[bucket].add(item.box);
+        ++counts[bucket];
+    }
+    std::array<double, kBuckets> right_cost{};
+    GridBox box;
+    std::size_t count = 0;
+    for (int k = kBuckets - 1; k > 0; --k) {
+        if (counts[k]) box.add(boxes[k]);
+        count += counts[k];
+        right_cost[k - 1] = count ? box.half_area() * double(count) : -1;
+    }
+    box = {};
+    count = 0;
+    for (int k = 0; k + 1 < kBuckets; ++k) {
+        if (counts[k]) box.add(boxes[k]);
+        count += counts[k];
+        if (count == 0 || right_cost[k] < 0) continue;
+        const double cost = box.half_area() * double(count) + right_cost[k];
+        if (best.axis < 0 || cost < best.cost) best = {axis, k, cost};
+    }
+}
+
+std::size_t split_surface_area(std::span<BuildItem> items) {
+    Plane best;
+    for (int axis = 0; axis < 3; ++axis) improve_along_axis(items, axis, best);
+    if (best.axis < 0) return 0;
+    const Buckets buckets(items, best.axis);
+    return partition_items(items,
+                           [&](const BuildItem& item) { return buckets.of(item.centre(best.axis)) <= best.bucket; });
+}
+
+}  // namespace
+
+std::size_t split_by_count(std::span<BuildItem> items) {
+    const std::size_t left = items.size() / 2;
+    std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(left), items.end(),
+                     [](const BuildItem& a, const BuildItem& b) { return a.face < b.face; });
+    return left;
+}
+
+std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split) {
+    const std::size_t left = split == Split::kSurfaceArea ? split_surface_area(items) : split_longest_axis(items, box);
+    return left != 0 ? left : split_by_count(items);
+}
+
+}  // namespace firma

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Faces of a block as queries want them.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "firma/world.h"
+#include "geometry/polygon_shape.h"
+#include "tree/block.h"
+
+namespace firma {
+
+/// A face's corners in metres, on the stack, and the polygon that views them.
+class FaceShape {
+public:
+    FaceShape(const Block& block, const FaceRecord& face) {
+        std::size_t count = 0;
+        for (const std::uint16_t vertex : block.corners_of(face)) corners_[count++] = to_metres(block.vertices[vertex]);
+        polygon = make_shape({corners_.data(), count});
+    }
+    FaceShape(const FaceShape&) = delete;
+    FaceShape& operator=(const FaceShape&) = delete;
+
+    PolygonShape polygon;
+
+private:
+    std::array<Vec3, kMaxCorners> corners_;
+};
+
+/// A face as users see it.
+Face describe_face(const Block& block, const FaceRecord& face);
+
+}  // namespace firma

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What a World is a handle to. Nothing in it changes once published.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/ref.h"
+#include "firma/tolerance.h"
+#include "firma/world.h"
+#include "tree/block.h"
+
+namespace firma {
+
+/// A volume of air: its faces, in a tree. Rooms name each other by id, never by pointer.
+class Room : public RefCounted {
+public:
+    Ref<const Block> tree;  ///< null for a room without faces
+};
+
+struct WorldData {
+    std::vector<Ref<const Room>> rooms;
+    std::shared_ptr<const std::vector<std::string>> materials;
+    Tolerance tolerance;
+    std::uint64_t version = 0;
+    std::size_t face_count = 0;
+    std::uint32_t next_face = 0;  ///< the id that the next new face gets
+};
+
+}  // namespace firma
