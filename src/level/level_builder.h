@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes a file's vertices and faces and makes a Level: snaps, drops what has no area, divides what is not convex and planar.
+// Takes a file's vertices and faces and makes a Level: snaps, drops what has no area, divides what is not convex and
+// planar.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "firma/level.h"
 
@@ -17,8 +19,8 @@ class LevelBuilder {
 public:
     explicit LevelBuilder(std::string name);
 
-    /// Snaps a vertex (metres, already scaled) and returns its index; nothing when it is not finite or outside the world, and
-    /// then nothing is added.
+    /// Snaps a vertex (metres, already scaled) and returns its index; nothing when it is not finite or outside the
+    /// world, and then nothing is added.
     std::optional<std::uint32_t> add_vertex(const Vec3& position);
 
     /// Index of a material or group of this name, added when new.
@@ -36,19 +38,23 @@ public:
         std::uint32_t mask = ~0u;
     };
 
-    /// Adds a face by its outline (vertex indices, >= 3): whole when convex and exactly planar after the snap, else in triangles
-    /// on its own outline; without area it is dropped. Notes say which.
+    /// Adds a face by its outline (vertex indices, >= 3): whole when convex and exactly planar after the snap, else in
+    /// triangles on its own outline; without area it is dropped. Notes say which.
     void add_face(std::span<const std::uint32_t> outline, const FaceInfo& info);
 
     /// The level; the builder is empty afterwards.
     Level finish(std::uint32_t source_faces, std::uint64_t ignored_entries);
 
     std::size_t vertex_count() const { return level_.vertices.size(); }
+    std::size_t corner_count() const { return level_.corners.size(); }
+    /// What a Level can index; whoever reads a file stops when a count exceeds it.
+    static constexpr std::size_t kMaxCount = std::size_t(1) << 31;
 
 private:
     void add_piece(std::span<const std::uint32_t> corners, const FaceInfo& info);
 
     Level level_;
+    std::vector<GridPoint> outline_;  ///< of the face at hand
     std::unordered_map<std::string, std::uint32_t> material_index_, group_index_;
 };
 

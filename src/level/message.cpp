@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Words for errors about files.
+#include "level/message.h"
+
+#include <charconv>
+#include <utility>
+
+namespace firma {
+
+std::string quote(std::string_view text) {
+    constexpr std::size_t kLongest = 40;
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string quoted = "'";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool printable = byte >= 0x20 && byte < 0x7f;
+        if (quoted.size() - 1 + (printable ? 1 : 4) > kLongest) return quoted + "...'";
+        if (printable) {
+            quoted += c;
+        } else {
+            quoted += "\\x";
+            quoted += kDigits[byte >> 4];
+            quoted += kDigits[byte & 15];
+        }
+    }
+    return quoted + "'";
+}
+
+std::string number_text(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return {text, end};
+}
+
+Error error_at_line(ErrorCode code, std::string_view name, std::uint32_t line, std::string reason) {
+    return {code, std::string(name) + ":" + std::to_string(line), std::move(reason)};
+}
+
+}  // namespace firma

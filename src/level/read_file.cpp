@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The bytes of a file. By <cstdio>, as it says why something failed and exists wherever C does.
+#include "level/read_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+namespace firma {
+namespace {
+
+/// No format goes beyond it, and a device that never ends is noticed.
+constexpr std::uint64_t kLargestFile = std::uint64_t(1) << 32;
+
+Error cannot_read(const std::string& path, int reason) {
+    const std::string words = reason ? std::generic_category().message(reason) : "the read broke off";
+    return {ErrorCode::kCannotRead, path, "cannot be read: " + words};
+}
+
+struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path) {
+    errno = 0;
+    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+    if (!file) return cannot_read(path, errno);
+    std::string bytes;
+    for (std::size_t chunk = std::size_t(1) << 16;; chunk += chunk < (std::size_t(1) << 26) ? chunk : 0) {
+        const std::size_t before = bytes.size();
+        bytes.resize(before + chunk);
+        errno = 0;
+        const std::size_t count = std::fread(bytes.data() + before, 1, chunk, file.get());
+        bytes.resize(before + count);
+        if (bytes.size() > kLargestFile) return Error{ErrorCode::kTooLarge, path, "more than 4 GiB"};
+        if (count == chunk) continue;
+        if (std::ferror(file.get())) return cannot_read(path, errno);
+        return bytes;
+    }
+}
+
+Result<LevelFormat> level_format(const std::string& path) {
+    const std::size_t point = path.find_last_of("./\\");
+    std::string ending = point != std::string::npos && path[point] == '.' ? path.substr(point + 1) : "";
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    if (ending == "obj") return LevelFormat::kObj;
+    if (ending == "bsp") return LevelFormat::kBsp;
+    return Error{ErrorCode::kUnsupported, path, "the name ends in neither .obj nor .bsp"};
+}
+
+}  // namespace firma
