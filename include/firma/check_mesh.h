@@ -15,15 +15,15 @@ namespace firma {
 
 enum class MeshFault : std::uint8_t {
     kOpenEdge,      ///< an edge that fewer faces use one way than the other
-    kReversedFace,  ///< a face wound against the neighbours that it shares edges with
+    kReversedFace,  ///< a face wound against its neighbours; its edges are then judged as if it were turned over
 };
 
 enum class MeshNote : std::uint8_t {
-    kNoArea,   ///< the face has no area in the file itself; it is dropped
+    kNoArea,   ///< the face has no area in the file itself; it is dropped, unless the snap gives it one
     kDropped,  ///< the snap takes its area; it is dropped
     kBent,     ///< flat in the file, not on the grid; it is divided
     kTurned,   ///< the snap turns it over: its normals before and after point apart
-    kDivided,  ///< not flat or not convex in the file itself; it is divided
+    kDivided,  ///< not flat or not convex in the file itself, or of more than 64 corners; it is divided
 };
 
 /// A place in the mesh where something is wrong. Points as the file has them, nearest doubles.
@@ -50,8 +50,9 @@ struct MeshCheck {
     bool closed() const { return faults.empty(); }
 };
 
-/// Checks an .obj by the decimals it holds.
-/// @return kMalformed and others as read_obj()
+/// Checks an .obj by the decimals it holds: vertices are the same where their decimals are equal as numbers, whatever their
+/// indices. `options.scale` only says what the notes compare with.
+/// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent beyond 400
 Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).

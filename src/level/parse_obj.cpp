@@ -93,7 +93,7 @@ std::optional<Error> ObjParser::vertex() {
         double value = 0;
         if (auto error = number(word, count, value)) return error;
         if (count >= 3) continue;
-        if (auto error = visitor_.number(word, lines_.line())) return error;
+        if (auto error = visitor_.number(word, count, lines_.line())) return error;
         vertex.text[count] = word;
         vertex.position[int(count)] = value;
     }

@@ -30,11 +30,15 @@ struct ObjFace {
 /// What a file is handed to.
 class ObjVisitor {
 public:
+    /// A coordinate of the next vertex, as the file has it.
+    /// @return an error to stop with
+    virtual std::optional<Error> number(std::string_view /*word*/, std::size_t /*axis*/, std::uint32_t /*line*/) {
+        return std::nullopt;
+    }
     /// @return false when the vertex lies outside the world: parse_obj() then says so
     virtual bool vertex(const ObjVertex& vertex) = 0;
     /// @return an error to stop with
     virtual std::optional<Error> face(const ObjFace& face) = 0;
-    virtual std::optional<Error> number(std::string_view /*word*/, std::uint32_t /*line*/) { return std::nullopt; }
     virtual void material(std::string_view /*name*/) {}
     virtual void group(std::string_view /*name*/) {}
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Whether a mesh is closed: each edge used as often one way as the other.
+#pragma once
+
+#include <vector>
+
+#include "level/weld_positions.h"
+
+namespace firma {
+
+/// The faults of a mesh, in order of face; of a face first that it is reversed, then its open edges in order of corner.
+///
+/// A face is called reversed when it and a neighbour use an edge the same way, the two alone: of all faces that hang
+/// together by edges of two faces, the fewer are to blame (of two halves the one without the first face). Then edges
+/// are counted as if those faces were turned over. Of an edge with too many sides one way the last ones in the file are
+/// called open.
+std::vector<MeshFaultPlace> check_edges(const ExactMesh& mesh, const WeldedPositions& welded);
+
+}  // namespace firma
