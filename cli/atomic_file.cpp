@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Writes aside and renames; signals clean up by the one name in `aside_name`.
+#include "cli/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "cli/failure.h"
+
+namespace firma::cli {
+
+namespace {
+
+constexpr std::size_t kBufferBytes = 1 << 20;
+
+// The handler may run on any thread at any moment, so the name is set before the file is made and dropped after it is
+// gone.
+char aside_name[PATH_MAX + 64];
+std::atomic<bool> is_aside{false};
+
+extern "C" void on_signal(int) {
+    if (is_aside.load()) unlink(aside_name);
+    constexpr char kText[] = "\nfirma: stopped by a signal\n";
+    [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, kText, sizeof kText - 1);
+    _exit(2);
+}
+
+/// Number of the descriptor that a path like /dev/fd/5 stands for, or -1. Opening such a path anew would cut the file
+/// short.
+int descriptor_named(const std::string& path) {
+    if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!path.starts_with(folder)) continue;
+        const std::string digits = path.substr(folder.size());
+        if (digits.empty() || digits.size() > 6 || digits.find_first_not_of("0123456789") != std::string::npos)
+            return -1;
+        return std::atoi(digits.c_str());
+    }
+    return -1;
+}
+
+/// The path behind all links.
+std::string resolved(const std::string& path) {
+    const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr), &std::free);
+    if (!real) throw Failure(path, std::strerror(errno));
+    return real.get();
+}
+
+}  // namespace
+
+void end_cleanly_on_signals() {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction now{};
+        sigaction(number, nullptr, &now);
+        if (now.sa_handler == SIG_IGN) continue;  // nohup and background jobs of a shell
+        struct sigaction action{};
+        action.sa_handler = on_signal;
+        sigaction(number, &action, nullptr);
+    }
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool is_standard_output(const std::string& path) {
+    return descriptor_named(path) == STDOUT_FILENO;
+}
+
+void refuse_overwriting(const std::string& out, const std::string& input) {
+    std::error_code none;
+    if (std::filesystem::is_regular_file(out, none) && std::filesystem::equivalent(out, input, none))
+        throw Failure(out, "is an input as well; write to another file");
+}
+
+AtomicFile::AtomicFile(const std::string& path) : name_(path) {
+    if (path.empty()) throw Failure("--out", "is an empty name");
+    if (path.size() >= PATH_MAX) throw Failure("--out", std::strerror(ENAMETOOLONG));
+    buffer_.reserve(kBufferBytes);
+    if (const int descriptor = descriptor_named(path); descriptor >= 0) {
+        file_ = dup(descriptor);
+        if (file_ < 0) fail(errno);
+        return;
+    }
+    struct stat status{};
+    if (stat(path.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) throw Failure(path, "is a folder; name a file");
+        if (access(path.c_str(), W_OK) != 0) fail(errno);
+        if (S_ISREG(status.st_mode)) {
+            open_aside(resolved(path));
+            fchmod(file_, status.st_mode & 07777);
+        } else {
+            file_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+            if (file_ < 0) fail(errno);
+        }
+        return;
+    }
+    if (errno != ENOENT) fail(errno);
+    if (lstat(path.c_str(), &status) == 0) throw Failure(path, "is a link that leads nowhere");
+    if (path.back() == '/') throw Failure(path, "is a folder; name a file");
+    open_aside(path);
+}
+
+void AtomicFile::open_aside(const std::string& target) {
+    const std::size_t slash = target.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
+    for (int attempt = 0; file_ < 0; ++attempt) {
+        const std::string aside =
+            folder + ".firma-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".part";
+        if (aside.size() >= sizeof aside_name) fail(ENAMETOOLONG);
+        std::memcpy(aside_name, aside.c_str(), aside.size() + 1);
+        is_aside = true;
+        file_ = open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file_ >= 0) break;
+        is_aside = false;
+        if (errno != EEXIST || attempt == 100) fail(errno);
+    }
+    target_ = target;
+}
+
+AtomicFile::~AtomicFile() {
+    if (file_ >= 0) close(file_);
+    if (!target_.empty() && is_aside.load()) {
+        unlink(aside_name);
+        is_aside = false;
+    }
+}
+
+void AtomicFile::write(std::string_view text) {
+    if (buffer_.size() + text.size() > kBufferBytes) {
+        put(buffer_.data(), buffer_.size());
+        buffer_.clear();
+    }
+    if (text.size() >= kBufferBytes) {
+        put(text.data(), text.size());
+    } else {
+        buffer_ += text;
+    }
+}
+
+void AtomicFile::commit() {
+    put(buffer_.data(), buffer_.size());
+    buffer_.clear();
+    if (target_.empty()) return;
+    if (fsync(file_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
+    const int closed = close(file_);
+    file_ = -1;
+    if (closed != 0) fail(errno);
+    if (rename(aside_name, target_.c_str()) != 0) fail(errno);
+    is_aside = false;
+    target_.clear();
+}
+
+void AtomicFile::put(const char* from, std::size_t size) {
+    while (size > 0) {
+        const ssize_t written = ::write(file_, from, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(errno);
+        from += written;
+        size -= std::size_t(written);
+    }
+}
+
+void AtomicFile::fail(int code) const {
+    throw Failure(name_, std::string("cannot be written: ") + std::strerror(code));
+}
+
+}  // namespace firma::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A file that appears whole or not at all: written aside, flushed, then renamed into place.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace firma::cli {
+
+/// Makes SIGINT, SIGTERM and SIGHUP remove what is half-written and end with code 2; a closed pipe or a file grown too
+/// large becomes an error of the write. Call once, first thing in main().
+void end_cleanly_on_signals();
+
+/// One at a time. Until commit() a file that was there before stays as it was.
+class AtomicFile {
+public:
+    /// Opens at once, so that an output that cannot be written is known before the work.
+    ///
+    /// @param path  "-" and /dev/stdout are standard output; devices and pipes are written directly; everything else
+    /// aside
+    /// @throws Failure for a folder, a missing folder, no permission
+    explicit AtomicFile(const std::string& path);
+    /// Without commit(), leaves nothing behind.
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// @throws Failure when the disk is full, the pipe closed ...
+    void write(std::string_view text);
+    /// Flushes and puts the file in its place.
+    void commit();
+
+private:
+    void open_aside(const std::string& target);
+    void put(const char* from, std::size_t size);
+    [[noreturn]] void fail(int code) const;
+
+    std::string name_;    ///< as the user gave it
+    std::string target_;  ///< what to rename to; empty when written directly
+    std::string buffer_;
+    int file_ = -1;
+};
+
+/// Whether a path given as an output means standard output.
+bool is_standard_output(const std::string& path);
+
+/// Refuses an output that is one of the inputs.
+void refuse_overwriting(const std::string& out, const std::string& input);
+
+}  // namespace firma::cli

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Nothing here but +, -, *, / and sqrt, and no order that depends on addresses: the same walk on every machine.
+#include "cli/bounce.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "cli/failure.h"
+
+namespace firma::cli {
+
+namespace {
+
+/// Kept from faces, metres: a thousand times what casts are rounded by at 8 km, and little enough for the narrowest
+/// doors. Where not even that much room is left, the sphere goes up to the face itself.
+constexpr std::array<double, 2> kSkins{1e-6, 0};
+/// A start this much nearer than the radius, metres, is taken for touching: decimals are rounded.
+constexpr double kStartSlack = 1e-9;
+constexpr int kLooks = 8;        ///< directions compared at a bounce
+constexpr int kTightLooks = 32;  ///< more of them, out of the corner, where none of those goes anywhere
+constexpr int kSamples = 48;     ///< cells looked at along one flight
+constexpr double kRowsPerCell = 4;
+
+std::string point_text(const Vec3& p) {
+    return fmt::format("({}, {}, {})", p.x, p.y, p.z);
+}
+
+Vec3 unit(const Vec3& v) {
+    return v * (1 / length(v));
+}
+
+/// Of the air that the faces enclose, cubic metres; of the bounds when they enclose none.
+double volume_of(const World& world) {
+    const Box bounds = world.bounds();
+    const Vec3 size = bounds.high - bounds.low;
+    double six = 0;
+    for (const Face& face : world.faces()) {
+        const Vec3 first = face.corners[0] - bounds.low;
+        for (std::size_t k = 1; k + 1 < face.corners.size(); ++k)
+            six += dot(first, cross(face.corners[k] - bounds.low, face.corners[k + 1] - bounds.low));
+    }
+    const double volume = std::fabs(six) / 6;
+    return volume > 0 ? volume : size.x * size.y * size.z;
+}
+
+/// The largest power of two metres that gives each cell about kRowsPerCell rows.
+double choose_cell_size(double volume, std::uint64_t frames) {
+    double size = 1024;
+    while (size > 0x1p-10 && volume * kRowsPerCell < double(frames) * size * size * size) size /= 2;
+    return size;
+}
+
+}  // namespace
+
+std::size_t Bouncer::CellHash::operator()(const Cell& cell) const {
+    return scenes::Rng(std::uint64_t(cell.x) * 0x9E3779B97F4A7C15ull ^ std::uint64_t(cell.y) * 0xC2B2AE3D27D4EB4Full ^
+                       std::uint64_t(cell.z) * 0x165667B19E3779F9ull)
+        .next();
+}
+
+Bouncer::Bouncer(const World& world, const Sphere& start, std::uint64_t frames, std::uint64_t seed)
+    : world_(world), rng_(seed), place_(start.centre), radius_(start.radius) {
+    const Box bounds = world.bounds();
+    if (bounds.empty()) throw Failure("walk", "the level has no faces, so nothing holds the sphere");
+    for (int axis = 0; axis < 3; ++axis) {
+        if (place_[axis] - radius_ < bounds.low[axis] - kSkins[0] ||
+            place_[axis] + radius_ > bounds.high[axis] + kSkins[0])
+            throw Failure("--start",
+                          fmt::format("{} with radius {} lies outside of the level, {} .. {}", point_text(place_),
+                                      radius_, point_text(bounds.low), point_text(bounds.high)));
+    }
+    const std::optional<NearFace> nearest = closest(world, place_);
+    if (nearest && (nearest->distance < radius_ - kStartSlack || nearest->distance == 0))
+        throw Failure("--start", fmt::format("{} is {} m from face {}, nearer than the radius of {} m",
+                                             point_text(place_), nearest->distance, nearest->source, radius_));
+    const Vec3 size = bounds.high - bounds.low;
+    span_ = 2 * (length(size) + 1);
+    cell_size_ = choose_cell_size(volume_of(world), frames);
+    ++visits_[cell_at(place_)];
+}
+
+void Bouncer::step() {
+    // A flight that was seen from afar may turn out to end right here, by rounding; then another is chosen in the same
+    // frame.
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        if (!flying_ && !choose_flight()) break;
+        if (fly()) break;
+    }
+    ++visits_[cell_at(place_)];
+}
+
+/// Moves along the flight, no further than one frame goes. @return whether it moved at all
+bool Bouncer::fly() {
+    const Vec3 path = flight_.direction * (cell_size_ * rng_.uniform(0.5, 1.5));
+    CastOptions options;
+    options.sides = Sides::kBoth;
+    options.skin = flight_.skin;
+    const Hit hit = cast(world_, {place_, radius_}, path, options);
+    const Vec3 before = place_;
+    if (hit.touched()) {
+        place_ = place_ + path * hit.safe_fraction;
+        normal_ = hit.normal;
+        flying_ = false;
+    } else {
+        place_ = place_ + path;
+    }
+    return place_ != before;
+}
+
+/// Looks in several directions and sets out in the best. @return false when there is nowhere to go
+bool Bouncer::choose_flight() {
+    flight_ = {};
+    for (int k = 0; k < kLooks; ++k) {
+        const Flight seen = look(chalk_direction(normal_), kSkins[0]);
+        if (seen.length > 0 && seen.worth > flight_.worth) flight_ = seen;
+    }
+    const Vec3 away = flight_.length < cell_size_ / 64 ? away_from_faces() : Vec3{};
+    for (const double skin : kSkins) {
+        for (int k = 0; k < kTightLooks && flight_.length < cell_size_ / 64; ++k) {
+            const Flight seen = look(direction_near(away), skin);
+            if (seen.length > flight_.length) flight_ = seen;
+        }
+    }
+    flying_ = flight_.length > 0;
+    return flying_;
+}
+
+/// How far the sphere could go, and over what ground.
+Bouncer::Flight Bouncer::look(const Vec3& direction, double skin) const {
+    CastOptions options;
+    options.sides = Sides::kBoth;
+    options.skin = skin;
+    const Hit hit = cast(world_, {place_, radius_}, direction * span_, options);
+    if (!hit.touched())
+        throw Failure(
+            "walk", fmt::format("the level is not closed: from {} nothing stops the sphere along {} (see firma check)",
+                                point_text(place_), point_text(direction)));
+    Flight flight{direction, hit.safe_fraction * span_, skin, 0};
+    flight.worth = worth_of(flight);
+    return flight;
+}
+
+double Bouncer::worth_of(const Flight& flight) const {
+    const int samples = 1 + int(std::min(flight.length / cell_size_, double(kSamples - 1)));
+    double worth = 0;
+    for (int k = 0; k < samples; ++k) {
+        const auto found = visits_.find(cell_at(place_ + flight.direction * (flight.length * (k + 1) / samples)));
+        const double visits = found == visits_.end() ? 0 : found->second;
+        worth += 1 / ((1 + visits) * (1 + visits));
+    }
+    return worth / (samples + 1);
+}
+
+/// By the cosine law about a unit normal; evenly in all directions when there is none.
+Vec3 Bouncer::chalk_direction(const Vec3& normal) {
+    for (;;) {
+        const Vec3 v = rng_.direction() + normal;
+        if (dot(v, v) > 1e-6) return unit(v);
+    }
+}
+
+/// Narrower and narrower about a direction, by chance: the way out of a sharp corner is a thin cone.
+Vec3 Bouncer::direction_near(const Vec3& direction) {
+    const double width = std::ldexp(1.0, 1 - int(rng_.below(20)));
+    for (;;) {
+        const Vec3 v = direction + rng_.direction() * width;
+        if (dot(v, v) > 1e-12) return unit(v);
+    }
+}
+
+/// From all the faces in reach at once, unit; zero when none is, or they cancel out.
+Vec3 Bouncer::away_from_faces() const {
+    std::vector<NearFace> near;
+    overlap(world_, {place_, radius_ + 4 * kSkins[0]}, near);
+    Vec3 sum;
+    for (const NearFace& face : near) {
+        const Vec3 away = place_ - face.point;
+        if (dot(away, away) > 0) sum = sum + unit(away);
+    }
+    return dot(sum, sum) > 0 ? unit(sum) : Vec3{};
+}
+
+Bouncer::Cell Bouncer::cell_at(const Vec3& point) const {
+    const auto index = [&](double x) { return std::int64_t(std::floor(x / cell_size_)); };
+    return {index(point.x), index(point.y), index(point.z)};
+}
+
+}  // namespace firma::cli

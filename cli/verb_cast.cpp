@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Reads all queries, casts them in chunks on all cores, writes rows in order.
+#include "cli/verb_cast.h"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/atomic_file.h"
+#include "cli/failure.h"
+#include "cli/json.h"
+#include "cli/load_level.h"
+#include "cli/numbers.h"
+#include "cli/progress.h"
+#include "cli/read_queries.h"
+#include "cli/write_hits.h"
+
+namespace firma::cli {
+
+namespace {
+
+struct CastArguments {
+    LevelArguments level;
+    std::string queries, out, skin, threads;
+    bool two_sided = false;
+    bool json = false;
+};
+
+constexpr std::size_t kChunk = 1024;  // casts in a row before the pipeline hands them on
+
+constexpr const char* kFooter =
+    "Queries: csv with a header; the columns px,py,pz (start of the centre, metres), dx,dy,dz (path, metres) and "
+    "radius\n"
+    "(metres, 0 or more; 0 is a particle), all of them, no others, in any order. Decimal numbers; an empty line, a "
+    "missing\n"
+    "or additional field, NaN, infinity, a hexadecimal number or a negative radius is an error that names file and "
+    "line.\n"
+    "Lines count from 1, the header included. `-` reads standard input.\n\n"
+    "Hits: one row a query, in the order of the queries, the same bytes for any number of threads. Columns:\n"
+    "  query          row of the queries, from 0\n"
+    "  status         miss, hit, or touching (starts in touch or overlap and gets nearer); on a miss the rest is "
+    "empty\n"
+    "  fraction       of the path at first contact, 0 .. 1\n"
+    "  safe_fraction  how far to go so that the skin is kept, 0 .. fraction\n"
+    "  cx,cy,cz       centre at `fraction`, metres\n"
+    "  px,py,pz       contact point on the face, metres\n"
+    "  nx,ny,nz       unit contact normal, from the contact point toward the centre\n"
+    "  fnx,fny,fnz    unit normal of the face\n"
+    "  face           index of the face in the level's file, from 0, dropped ones counted\n"
+    "  feature        face, edge or vertex of it\n"
+    "  room           of the contact, from 0\n"
+    "Numbers have 17 significant digits. The file appears whole or not at all; `-` writes standard output.\n"
+    "--json: queries, hit, touching, miss, threads, read_seconds, build_seconds, queries_seconds, cast_seconds, out.\n";
+
+struct Tally {
+    std::size_t hit = 0, touching = 0, miss = 0;
+    void add(const Tally& other) {
+        hit += other.hit;
+        touching += other.touching;
+        miss += other.miss;
+    }
+};
+
+/// A chunk on its way through the pipeline.
+struct Rows {
+    std::string text;
+    std::size_t count = 0;
+    Tally tally;
+};
+
+Rows cast_chunk(const World& world, const std::vector<Query>& queries, std::size_t first, std::size_t last,
+                const CastOptions& options, const std::string& place) {
+    Rows rows;
+    rows.count = last - first;
+    rows.text.reserve(rows.count * 340);
+    for (std::size_t k = first; k < last; ++k) {
+        const Hit hit = cast(world, queries[k].sphere, queries[k].path, options);
+        if (hit.status == Status::kInvalid)  // the reader has refused all of these already, so this is belt and braces
+            throw Failure(fmt::format("{}:{}", place, k + 2), "a number is too large to be computed with");
+        rows.tally.hit += hit.status == Status::kHit;
+        rows.tally.touching += hit.status == Status::kTouching;
+        rows.tally.miss += hit.status == Status::kMiss;
+        append_hit(rows.text, k, hit);
+    }
+    return rows;
+}
+
+/// Casting runs in parallel, cutting up and writing in order.
+Tally cast_all_rows(const World& world, const std::vector<Query>& queries, const CastOptions& options, int threads,
+                    const std::string& place, AtomicFile& out) {
+    Progress progress("casting", queries.size());
+    Tally tally;
+    std::size_t begun = 0;
+    const auto next_chunk = [&](tbb::flow_control& flow) -> std::size_t {
+        const std::size_t first = begun;
+        if (first >= queries.size()) flow.stop();
+        begun = std::min(first + kChunk, queries.size());
+        return first;
+    };
+    const auto do_chunk = [&](std::size_t first) {
+        return std::make_shared<Rows>(
+            cast_chunk(world, queries, first, std::min(first + kChunk, queries.size()), options, place));
+    };
+    const auto put_chunk = [&](const std::shared_ptr<Rows>& rows) {
+        out.write(rows->text);
+        tally.add(rows->tally);
+        progress.add(rows->count);
+    };
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_pipeline(
+            std::size_t(threads) * 4,
+            tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, next_chunk) &
+                tbb::make_filter<std::size_t, std::shared_ptr<Rows>>(tbb::filter_mode::parallel, do_chunk) &
+                tbb::make_filter<std::shared_ptr<Rows>, void>(tbb::filter_mode::serial_in_order, put_chunk));
+    });
+    return tally;
+}
+
+struct Times {
+    double queries = 0, casting = 0;
+};
+
+std::string json_text(const CastArguments& arguments, const LoadedLevel& loaded, const Tally& tally, int threads,
+                      const Times& times) {
+    JsonWriter json;
+    json.open_object();
+    json.add("level", arguments.level.path);
+    json.add("queries", tally.hit + tally.touching + tally.miss);
+    json.add("hit", tally.hit);
+    json.add("touching", tally.touching);
+    json.add("miss", tally.miss);
+    json.add("threads", threads);
+    json.add("read_seconds", loaded.read_seconds);
+    json.add("build_seconds", loaded.build_seconds);
+    json.add("queries_seconds", times.queries);
+    json.add("cast_seconds", times.casting);
+    json.add("out", arguments.out);
+    json.close();
+    return json.text();
+}
+
+int run(const CastArguments& arguments) {
+    using Clock = std::chrono::steady_clock;
+    const auto seconds = [](Clock::time_point from) {
+        return std::chrono::duration<double>(Clock::now() - from).count();
+    };
+    CastOptions options;
+    if (arguments.two_sided) options.sides = Sides::kBoth;
+    if (!arguments.skin.empty()) options.skin = number_option("--skin", arguments.skin, 0, INFINITY);
+    const int threads = arguments.threads.empty() ? tbb::this_task_arena::max_concurrency()
+                                                  : int(count_option("--threads", arguments.threads, 1, 256));
+    refuse_json_beside(arguments.json, arguments.out);
+    refuse_overwriting(arguments.out, arguments.level.path);
+    refuse_overwriting(arguments.out, arguments.queries);
+    const LoadedLevel loaded = load_level(arguments.level);
+    Times times;
+    const auto start = Clock::now();
+    const std::vector<Query> queries = read_queries(arguments.queries);
+    times.queries = seconds(start);
+
+    AtomicFile out(arguments.out);
+    const auto ready = Clock::now();
+    out.write(kHitsHeader);
+    const Tally tally = cast_all_rows(loaded.world, queries, options, threads, arguments.queries, out);
+    out.commit();
+    times.casting = seconds(ready);
+
+    if (arguments.json) {
+        print(json_text(arguments, loaded, tally, threads, times));
+    } else if (may_print_beside(arguments.out)) {
+        print(fmt::format("{}: {} casts in {}: {} hit, {} touching, {} miss\n", arguments.out, grouped(queries.size()),
+                          seconds_text(times.casting), grouped(tally.hit), grouped(tally.touching),
+                          grouped(tally.miss)));
+    }
+    return 0;
+}
+
+}  // namespace
+
+Verb add_cast(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("cast", "Casts spheres and particles from a csv file through a level");
+    const auto arguments = std::make_shared<CastArguments>();
+    add_level_arguments(*command, arguments->level);
+    command->add_option("--queries", arguments->queries, "csv of casts, see below")->required()->type_name("FILE");
+    add_out_option(*command, arguments->out, "csv of hits to write, see below", true);
+    command->add_flag("--two-sided", arguments->two_sided, "meet both sides of every face, not only the front");
+    command
+        ->add_option("--skin", arguments->skin, "distance that safe_fraction keeps, metres, 0 or more (default 0.001)")
+        ->type_name("M");
+    command->add_option("--threads", arguments->threads, "1 .. 256 (default: one a core)")->type_name("N");
+    add_json_flag(*command, arguments->json);
+    command->footer(std::string(kFooter) + std::string(kExitCodes));
+    return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace firma::cli

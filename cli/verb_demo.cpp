@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// Fires casts, asks a twin without a tree whether they are right, prints a table, draws a picture.
+#include "cli/verb_demo.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/atomic_file.h"
+#include "cli/demo_casts.h"
+#include "cli/failure.h"
+#include "cli/json.h"
+#include "cli/load_level.h"
+#include "cli/numbers.h"
+#include "cli/progress.h"
+#include "cli/read_hits.h"
+#include "debug/draw_plan.h"
+#include "firma/polygon.h"
+
+namespace firma::cli {
+
+namespace {
+
+struct DemoArguments {
+    LevelArguments level;
+    std::string out, casts, seed;
+    bool json = false;
+};
+
+constexpr std::size_t kSample = 2000;
+constexpr std::size_t kMostTwinFaces = 200000000;  // faces the twin looks at in all; a smaller sample in huge levels
+constexpr std::size_t kDrawn = 60;
+
+constexpr const char* kFooter =
+    "Without LEVEL it takes levels/first.obj, here or in the folder that Firma was built from. The casts are seeded: "
+    "half of\n"
+    "them particles, half spheres of up to 0.5 m, paths from a thousandth of the level's diagonal to all of it. A "
+    "sample is\n"
+    "checked against a twin without a tree, which asks the pair function of every face; they must agree to the last "
+    "bit.\n"
+    "--json: faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),\n"
+    "casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, out.\n"
+    "Exit codes: 0 done; 1 the twin disagrees; 2 a bad call or bad input, with a message on stderr.\n";
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Results {
+    std::vector<Hit> hits;
+    std::size_t hit = 0, touching = 0, miss = 0;
+    CastCounts counts;
+    double seconds = 0, parallel_seconds = 0;  ///< of all casts on one thread, on all
+    int threads = 1;
+    std::size_t checked = 0, disagreements = 0;
+    std::string first_disagreement;
+};
+
+void fire(const World& world, const std::vector<Query>& queries, Results& results) {
+    results.hits.resize(queries.size());
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < queries.size(); ++k) results.hits[k] = cast(world, queries[k].sphere, queries[k].path);
+    results.seconds = seconds_since(start);
+
+    results.threads = tbb::this_task_arena::max_concurrency();
+    std::vector<Hit> again(queries.size());
+    const auto parallel_start = std::chrono::steady_clock::now();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), 512), [&](const auto& range) {
+        for (std::size_t k = range.begin(); k < range.end(); ++k)
+            again[k] = cast(world, queries[k].sphere, queries[k].path);
+    });
+    results.parallel_seconds = seconds_since(parallel_start);
+
+    CastOptions counting;
+    counting.counts = &results.counts;
+    for (const Query& query : queries) cast(world, query.sphere, query.path, counting);
+    for (const Hit& hit : results.hits) {
+        results.hit += hit.status == Status::kHit;
+        results.touching += hit.status == Status::kTouching;
+        results.miss += !hit.touched();
+    }
+}
+
+/// The first touch by asking every face, in order of id, by itself.
+struct TwinHit {
+    PolygonHit hit;
+    FaceId face;
+};
+TwinHit ask_every_face(const std::vector<Face>& faces, const Query& query) {
+    TwinHit first;
+    for (const Face& face : faces) {
+        const Sides sides = face.two_sided ? Sides::kBoth : Sides::kFront;
+        const PolygonHit hit = cast_polygon(query.sphere, query.path, face.corners, sides);
+        if (hit.touched() && (!first.hit.touched() || hit.fraction < first.hit.fraction)) first = {hit, face.id};
+    }
+    return first;
+}
+
+bool agree(const Hit& hit, const TwinHit& twin) {
+    if (hit.touched() != twin.hit.touched()) return false;
+    if (!hit.touched()) return hit.status == twin.hit.status;
+    return hit.status == twin.hit.status && hit.fraction == twin.hit.fraction && hit.face == twin.face;
+}
+
+std::string describe(const Query& query, const Hit& hit, const TwinHit& twin) {
+    const Vec3 &p = query.sphere.centre, &d = query.path;
+    return fmt::format(
+        "start {:.17g},{:.17g},{:.17g} path {:.17g},{:.17g},{:.17g} radius {:.17g}: world says status {} at {:.17g} "
+        "face "
+        "{}, twin says status {} at {:.17g} face {}",
+        p.x, p.y, p.z, d.x, d.y, d.z, query.sphere.radius, int(hit.status), hit.fraction, hit.face.value,
+        int(twin.hit.status), twin.hit.fraction, twin.face.value);
+}
+
+void check_sample(const World& world, const std::vector<Query>& queries, Results& results) {
+    const std::vector<Face> faces = world.faces();
+    if (faces.empty()) return;
+    results.checked = std::min({kSample, queries.size(), std::max<std::size_t>(kMostTwinFaces / faces.size(), 20)});
+    Progress progress("checking", results.checked);
+    std::vector<std::string> wrong(results.checked);
+    tbb::parallel_for(std::size_t(0), results.checked, [&](std::size_t k) {
+        const std::size_t which = k * queries.size() / results.checked;
+        const TwinHit twin = ask_every_face(faces, queries[which]);
+        if (!agree(results.hits[which], twin)) wrong[k] = describe(queries[which], results.hits[which], twin);
+        progress.add(1);
+    });
+    for (const std::string& text : wrong) {
+        if (text.empty()) continue;
+        if (results.disagreements++ == 0) results.first_disagreement = text;
+    }
+}
+
+debug::Plan draw(const World& world, const std::vector<Query>& queries, const Results& results,
+                 const std::string& title) {
+    std::vector<debug::DrawnCast> casts;
+    for (std::size_t k = 0; k < queries.size(); ++k) casts.push_back(drawn(queries[k], results.hits[k]));
+    debug::PlanOptions options;
+    options.title = title;
+    options.most_casts = kDrawn;
+    return debug::draw_plan(world, casts, options);
+}
+
+double per_cast(const Results& results) {
+    return results.hits.empty() ? 0 : double(results.counts.faces) / double(results.hits.size());
+}
+
+double rate(const Results& results, double seconds) {
+    return seconds > 0 ? double(results.hits.size()) / seconds : 0;
+}
+
+std::string text_for_people(const LoadedLevel& loaded, const Results& results, const std::string& out) {
+    std::string text;
+    const auto row = [&](const char* what, const std::string& value) {
+        text += fmt::format("{:<24} {}\n", what, value);
+    };
+    const double faces = double(std::max<std::size_t>(loaded.world.face_count(), 1));
+    row("level", loaded.level.name);
+    row("faces", grouped(loaded.world.face_count()));
+    row("time to read", seconds_text(loaded.read_seconds));
+    row("time to build", seconds_text(loaded.build_seconds));
+    row("casts", fmt::format("{}: {} hit, {} touching, {} miss", grouped(results.hits.size()), grouped(results.hit),
+                             grouped(results.touching), grouped(results.miss)));
+    row("casts a second",
+        fmt::format("{} on one thread, {} on {}", grouped(std::uint64_t(rate(results, results.seconds))),
+                    grouped(std::uint64_t(rate(results, results.parallel_seconds))), results.threads));
+    row("faces looked at a cast",
+        fmt::format("{:.1f}, {:.2f}% of all", per_cast(results), 100 * per_cast(results) / faces));
+    row("checked by the twin",
+        fmt::format("{} casts, {} disagreements", grouped(results.checked), grouped(results.disagreements)));
+    row("picture", out);
+    if (results.disagreements > 0)
+        text += "\nTHE TWIN DISAGREES: casts through the tree are not right. The first:\n" +
+                results.first_disagreement + "\n";
+    return text;
+}
+
+std::string json_text(const LoadedLevel& loaded, const Results& results, const std::string& out) {
+    const std::size_t faces = loaded.world.face_count();
+    JsonWriter json;
+    json.open_object();
+    json.add("level", loaded.level.name);
+    json.add("faces", faces);
+    json.add("read_seconds", loaded.read_seconds);
+    json.add("build_seconds", loaded.build_seconds);
+    json.add("casts", results.hits.size());
+    json.add("hit", results.hit);
+    json.add("touching", results.touching);
+    json.add("miss", results.miss);
+    json.add("casts_per_second", rate(results, results.seconds));
+    json.add("casts_per_second_all_threads", rate(results, results.parallel_seconds));
+    json.add("threads", results.threads);
+    json.add("faces_per_cast", per_cast(results));
+    json.add("share_of_faces", faces > 0 ? per_cast(results) / double(faces) : 0);
+    json.add("checked", results.checked);
+    json.add("disagreements", results.disagreements);
+    if (results.disagreements > 0) json.add("first_disagreement", results.first_disagreement);
+    json.add("out", out);
+    json.close();
+    return json.text();
+}
+
+std::string default_level() {
+    const std::string here = "levels/first.obj";
+    std::error_code none;
+    return std::filesystem::exists(here, none) ? here : std::string(FIRMA_ROOT) + "/" + here;
+}
+
+/// build/demo.svg in the folder of the project, else a file right here.
+std::string default_picture() {
+    std::error_code none;
+    return std::filesystem::exists("levels/first.obj", none) ? "build/demo.svg" : "firma_demo.svg";
+}
+
+void make_folder_of(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (folder.empty() || is_standard_output(path)) return;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Failure(folder.string(), "cannot be made: " + error.message());
+}
+
+int run(const DemoArguments& given) {
+    DemoArguments arguments = given;
+    if (arguments.level.path.empty()) arguments.level.path = default_level();
+    if (arguments.out.empty()) arguments.out = default_picture();
+    const std::size_t count = arguments.casts.empty() ? 100000 : count_option("--casts", arguments.casts, 1, 10000000);
+    const std::uint64_t seed =
+        arguments.seed.empty() ? 1 : count_option("--seed", arguments.seed, 0, ~std::uint64_t(0));
+    refuse_json_beside(arguments.json, arguments.out);
+    refuse_overwriting(arguments.out, arguments.level.path);
+    const LoadedLevel loaded = load_level(arguments.level);
+    make_folder_of(arguments.out);
+    AtomicFile out(arguments.out);
+
+    const std::vector<Query> queries = make_demo_casts(loaded.world, count, seed);
+    Results results;
+    fire(loaded.world, queries, results);
+    check_sample(loaded.world, queries, results);
+    out.write(draw(loaded.world, queries, results, short_name(arguments.level.path)).svg);
+    out.commit();
+    if (arguments.json) {
+        print(json_text(loaded, results, arguments.out));
+    } else if (may_print_beside(arguments.out)) {
+        print(text_for_people(loaded, results, arguments.out));
+    }
+    return results.disagreements > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+Verb add_demo(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("demo", "Fires 100,000 casts in our level, checks a sample, prints a table, draws");
+    const auto arguments = std::make_shared<DemoArguments>();
+    add_level_arguments(*command, arguments->level, false);
+    add_out_option(
+        *command, arguments->out,
+        "SVG to write; its folder is made when missing (default: build/demo.svg in the project's folder, else "
+        "firma_demo.svg)",
+        false);
+    command->add_option("--casts", arguments->casts, "how many, 1 .. 10000000 (default 100000)")->type_name("N");
+    command->add_option("--seed", arguments->seed, "of the random numbers, 0 .. 2^64 - 1 (default 1)")->type_name("S");
+    add_json_flag(*command, arguments->json);
+    command->footer(kFooter);
+    return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace firma::cli

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Reads a level, builds its tree, and tells about both.
+#include "cli/verb_info.h"
+
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "cli/failure.h"
+#include "cli/json.h"
+#include "cli/load_level.h"
+#include "cli/numbers.h"
+
+namespace firma::cli {
+
+namespace {
+
+struct InfoArguments {
+    LevelArguments level;
+    std::string split, max_depth, faces_per_bin, min_bin_volume;
+    bool json = false;
+};
+
+constexpr const char* kFooter =
+    "Lengths are metres, volumes cubic metres, times seconds.\n"
+    "A bin of the tree is divided until it meets any of the three stop rules. `overlap` is the mean share of a bin's\n"
+    "surface that both of its children cover, 0 .. 1.\n"
+    "--json: faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices, corners,\n"
+    "materials [names], groups, ignored_entries, bounds {low, high} or null, rooms, tree {...}, read_seconds,\n"
+    "build_seconds.\n";
+
+TreeOptions tree_options(const InfoArguments& arguments) {
+    TreeOptions options;
+    if (arguments.split == "surface-area") {
+        options.split = Split::kSurfaceArea;
+    } else if (!arguments.split.empty() && arguments.split != "longest-axis") {
+        throw Failure("--split", "'" + arguments.split + "' is neither longest-axis nor surface-area");
+    }
+    if (!arguments.max_depth.empty()) options.max_depth = int(count_option("--max-depth", arguments.max_depth, 0, 64));
+    if (!arguments.faces_per_bin.empty())
+        options.faces_per_bin = int(count_option("--faces-per-bin", arguments.faces_per_bin, 1, 1000000000));
+    if (!arguments.min_bin_volume.empty())
+        options.min_bin_volume = number_option("--min-bin-volume", arguments.min_bin_volume, 0, INFINITY);
+    return options;
+}
+
+struct KindCounts {
+    std::size_t polygons = 0, soup = 0, patches = 0;
+};
+
+KindCounts count_kinds(const Level& level) {
+    KindCounts counts;
+    for (const LevelFace& face : level.faces) {
+        counts.polygons += face.kind == FaceKind::kPolygon;
+        counts.soup += face.kind == FaceKind::kTriangleSoup;
+        counts.patches += face.kind == FaceKind::kPatch;
+    }
+    return counts;
+}
+
+/// Names of materials, without the empty one that stands for none.
+std::vector<std::string> material_names(const Level& level) {
+    std::vector<std::string> names;
+    for (const std::string& name : level.materials) {
+        if (!name.empty()) names.push_back(name);
+    }
+    return names;
+}
+
+std::string json_text(const LoadedLevel& loaded) {
+    const Level& level = loaded.level;
+    const KindCounts kinds = count_kinds(level);
+    const TreeStatistics tree = loaded.world.statistics();
+    JsonWriter json;
+    json.open_object();
+    json.add("level", level.name);
+    json.open_object("faces");
+    json.add("total", level.faces.size());
+    json.add("in_file", level.source_faces);
+    json.add("polygon", kinds.polygons);
+    json.add("triangle_soup", kinds.soup);
+    json.add("patch", kinds.patches);
+    json.add("dropped", level.count(FaceNote::kNoArea));
+    json.add("divided", level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing));
+    json.add("crossing", level.count(FaceNote::kCrossing));
+    json.close();
+    json.add("vertices", level.vertices.size());
+    json.add("corners", level.corners.size());
+    json.open_array("materials");
+    for (const std::string& name : material_names(level)) json.add({}, name);
+    json.close();
+    json.add("groups", level.groups.size());
+    json.add("ignored_entries", level.ignored_entries);
+    if (const Box bounds = loaded.world.bounds(); bounds.empty()) {
+        json.add_null("bounds");
+    } else {
+        json.open_object("bounds");
+        json.add("low", bounds.low);
+        json.add("high", bounds.high);
+        json.close();
+    }
+    json.add("rooms", loaded.world.room_count());
+    json.open_object("tree");
+    json.add("faces", tree.faces);
+    json.add("blocks", tree.blocks);
+    json.add("bins", tree.bins);
+    json.add("leaf_bins", tree.leaf_bins);
+    json.add("depth", tree.depth);
+    json.add("largest_bin", tree.largest_bin);
+    json.add("overlap", tree.overlap);
+    json.add("bytes", tree.bytes);
+    json.add("bytes_per_face", tree.bytes_per_face());
+    json.close();
+    json.add("read_seconds", loaded.read_seconds);
+    json.add("build_seconds", loaded.build_seconds);
+    json.close();
+    return json.text();
+}
+
+std::string kinds_text(const KindCounts& kinds) {
+    std::string text;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count == 0) return;
+        text += text.empty() ? "" : ", ";
+        text += fmt::format("{} {}", grouped(count), what);
+    };
+    add(kinds.polygons, "of polygons");
+    add(kinds.soup, "of triangle soups");
+    add(kinds.patches, "of patches");
+    return text.empty() ? "none" : text;
+}
+
+std::string text_for_people(const LoadedLevel& loaded) {
+    const Level& level = loaded.level;
+    const TreeStatistics tree = loaded.world.statistics();
+    const Box bounds = loaded.world.bounds();
+    std::string text;
+    const auto row = [&](const char* what, const std::string& value) {
+        text += fmt::format("{:<16}{}\n", what, value);
+    };
+    row("level", level.name);
+    row("faces", fmt::format("{} ({})", grouped(level.faces.size()), kinds_text(count_kinds(level))));
+    row("faces in file", fmt::format("{}: {} dropped (no area), {} divided ({} of them cross themselves)",
+                                     grouped(level.source_faces), grouped(level.count(FaceNote::kNoArea)),
+                                     grouped(level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing)),
+                                     grouped(level.count(FaceNote::kCrossing))));
+    row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
+    row("materials", grouped(material_names(level).size()));
+    row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));
+    if (!bounds.empty()) {
+        const Vec3 size = bounds.high - bounds.low;
+        row("bounds", fmt::format("({}, {}, {}) .. ({}, {}, {}) m", bounds.low.x, bounds.low.y, bounds.low.z,
+                                  bounds.high.x, bounds.high.y, bounds.high.z));
+        row("size", fmt::format("{} x {} x {} m", size.x, size.y, size.z));
+    }
+    row("rooms", grouped(loaded.world.room_count()));
+    row("tree", fmt::format("{} bins, {} of them leaves, in {} blocks; depth {}; fullest leaf {} faces; overlap {:.3f}",
+                            grouped(tree.bins), grouped(tree.leaf_bins), grouped(tree.blocks), tree.depth,
+                            grouped(tree.largest_bin), tree.overlap));
+    row("memory", fmt::format("{}, {:.0f} bytes a face", bytes_text(tree.bytes), tree.bytes_per_face()));
+    row("time",
+        fmt::format("{} to read, {} to build", seconds_text(loaded.read_seconds), seconds_text(loaded.build_seconds)));
+    return text;
+}
+
+int run(const InfoArguments& arguments) {
+    WorldOptions options;
+    options.tree = tree_options(arguments);
+    const LoadedLevel loaded = load_level(arguments.level, options);
+    print(arguments.json ? json_text(loaded) : text_for_people(loaded));
+    return 0;
+}
+
+}  // namespace
+
+Verb add_info(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("info", "Tells what a level is: faces by kind, bounds, tree, bytes, times");
+    const auto arguments = std::make_shared<InfoArguments>();
+    add_level_arguments(*command, arguments->level);
+    command->add_option("--split", arguments->split, "how bins divide: longest-axis (default) or surface-area")
+        ->type_name("HOW");
+    command->add_option("--max-depth", arguments->max_depth, "stop rule: bins above a bin, 0 .. 64 (default 48)")
+        ->type_name("N");
+    command
+        ->add_option("--faces-per-bin", arguments->faces_per_bin,
+                     "stop rule: a bin of at most this many faces (default 4)")
+        ->type_name("N");
+    command
+        ->add_option("--min-bin-volume", arguments->min_bin_volume,
+                     "stop rule: a bin of less volume, cubic metres (default 0)")
+        ->type_name("V");
+    add_json_flag(*command, arguments->json);
+    command->footer(std::string(kFooter) + std::string(kExitCodes));
+    return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace firma::cli

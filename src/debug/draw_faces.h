@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Faces as a draughtsman shows them: tinted by distance, far ones first, with the edges where the surface turns.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "debug/svg_text.h"
+#include "debug/view.h"
+#include "firma/world.h"
+
+namespace firma::debug {
+
+struct FaceLook {
+    std::string far_colour, near_colour;  ///< "#rrggbb" of the two ends of the tint
+    std::optional<double> cut;            ///< metres along the view's depth axis: what lies nearer is cut away
+    std::size_t most_bytes = 1 << 20;     ///< of SVG, about; the smallest faces are left out beyond that
+};
+
+struct FacesDrawn {
+    std::size_t drawn = 0;
+    std::size_t left_out = 0;  ///< would be seen, but are smaller than a fraction of a pixel, or too many
+};
+
+/// Draws the faces whose fronts the viewer sees (both sides of two-sided ones).
+///
+/// @param faces  of the whole world in order of id, as World::faces() gives them
+FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> faces, const FaceLook& look);
+
+/// Draws the lines in which faces meet the plane across the view's depth axis at `cut` metres. @return how many
+std::size_t draw_cut_lines(SvgText& svg, const View& view, std::span<const Face> faces, double cut);
+
+}  // namespace firma::debug

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A page with a plan and a section of a world, and casts in it, as SVG for people.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "debug/draw_casts.h"
+#include "firma/world.h"
+
+namespace firma::debug {
+
+struct PlanOptions {
+    std::string title;  ///< of the page; the level's name, say
+    int up = 2;         ///< axis that points up: the plan looks down on it
+    std::optional<double>
+        at;  ///< metres along the plan's vertical axis, where the section cuts; the middle unless given
+    std::size_t most_casts = 200;  ///< drawn at most, evenly taken from all
+};
+
+/// The page, and what is on it.
+struct Plan {
+    std::string svg;
+    double at = 0;     ///< where the section cuts, metres
+    int cut_axis = 1;  ///< along which axis that is
+    std::size_t faces_in_plan = 0, faces_in_section = 0, faces_cut = 0;
+    std::size_t faces_left_out = 0;  ///< too small to be seen, of both views
+    std::size_t casts_drawn = 0;
+};
+
+/// The plan looks along the `up` axis from above, the section along the next but one; both to one scale, one above the
+/// other.
+Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanOptions& options = {});
+
+}  // namespace firma::debug
