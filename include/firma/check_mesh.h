@@ -50,9 +50,10 @@ struct MeshCheck {
     bool closed() const { return faults.empty(); }
 };
 
-/// Checks an .obj by the decimals it holds: vertices are the same where their decimals are equal as numbers, whatever their
-/// indices. `options.scale` only says what the notes compare with.
-/// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent beyond 400
+/// Checks an .obj by the decimals it holds: vertices are the same where their decimals are equal as numbers, whatever
+/// their indices. `options.scale` only says what the notes compare with.
+/// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent
+///         beyond 400
 Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).

@@ -69,18 +69,18 @@ struct ReadOptions {
 };
 
 /// Reads a Wavefront .obj: v, f (n-gons, all index forms, negative too), g, o, usemtl; continued lines. Other entries
-/// are counted and ignored.
+/// are counted and ignored. A face's group is the last g or o before it, by the rest of that line.
 ///
 /// @param text  the whole file
 /// @param name  for messages
 /// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
-/// that
-///         names no vertex, face with fewer than three corners, no face at all, counts beyond 2^31.
+///         that names no vertex before the face, face with fewer than 3 or more than 4096 corners, no face at all,
+///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
 Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces and triangle soups as their
-/// triangles, patches tessellated. Shader names become materials. Quake's units are scaled by 1/32 m unless told
-/// otherwise.
+/// triangles, patches tessellated. Shader names become materials. Quake's units are scaled by 1/32 m, unless told
+/// otherwise by the options.
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.

@@ -37,8 +37,8 @@ WrittenFace judge_exactly(std::span<const Point> outline, const GridJudge::Norma
     return face;
 }
 
-/// A corner twice in a row, and two sides that run back over each other, enclose nothing. Whether no outline is left
-/// without them.
+/// A corner twice in a row, and two sides that run back over each other, enclose nothing. Whether without them no
+/// outline is left.
 bool collapses(std::span<const std::uint32_t> positions) {
     std::vector<std::uint32_t> kept;
     for (const std::uint32_t position : positions) {

@@ -17,25 +17,24 @@ namespace firma {
 
 /// Takes corners off an outline, one at a time, until nothing is left. Which one is next:
 ///
-///  1. a corner that repeats a neighbour, or at the tip of two sides that run back over each other: nothing is lost
-///  with it;
-///  2. an ear: a left turn whose triangle no other part of the outline enters, not even its third side. An outline that
-///  does not
-///     meet itself always has one, also when many corners lie along its sides, and stays such without it; so the
-///     steps below are for other outlines only;
-///  3. a corner along a side;
-///  4. a left turn; 5. a right turn.
+///  1. a spike: a corner that repeats a neighbour, or whose two sides run back over each other; nothing is lost with it
+///  2. an ear: a left turn whose triangle no other part of the outline enters, and whose third side none touches
+///  3. a corner along a side
+///  4. any left turn
+///  5. any right turn
 ///
-/// Of several the one whose third side is shortest, so that pieces stay compact and no corner gathers them all.
-/// A corner is judged again only when a neighbour goes: no other can turn into an ear.
+/// An outline that does not meet itself always has an ear, however many of its corners lie along its sides, and without
+/// that ear it still does not meet itself; so 3 to 5 are for other outlines only. Of several corners the one goes whose
+/// third side is shortest: pieces stay compact, and no corner gathers them all. A corner is judged again only when a
+/// neighbour goes, as no other can turn into an ear (O'Rourke).
 class EarClipper {
 public:
     /// @param outline  corners [n >= 3]; a view
     /// @param axis, flip  the plane is seen along this axis, or against it, so that the outline runs counter-clockwise
     EarClipper(std::span<const GridPoint> outline, int axis, bool flip);
 
-    /// The next corner with its neighbours, in order; nothing at the end. All have been judged by their projection: the
-    /// triangle may have an area in space when it has none there, or the other way round for none.
+    /// The next corner between its neighbours; nothing at the end. Judged by the projection alone: a triangle without
+    /// area there may have some in space.
     std::optional<std::array<std::uint32_t, 3>> next();
 
 private:
@@ -72,8 +71,8 @@ private:
 
     std::span<const GridPoint> outline_;
     std::vector<Corner> corners_;
-    std::vector<std::uint32_t>
-        inward_;  ///< corners that were no left turns at first, by u: only such can stand in an ear
+    /// Corners that were no left turns at first, by u: only such can stand in an ear.
+    std::vector<std::uint32_t> inward_;
     std::priority_queue<Candidate> queue_;
     std::size_t remaining_ = 0;
 };

@@ -14,8 +14,8 @@ namespace firma {
 using PositionPair = std::array<std::uint32_t, 2>;
 
 /// For each edge, whether another position that faces use lies exactly on its inside.
-/// Positions near an edge are found by a tree, so an edge costs little unless many positions lie within rounding of its
-/// line.
+/// Positions near an edge are found by a tree: an edge costs little, unless many positions lie within rounding of its
+/// line, yet not on it.
 std::vector<bool> find_t_joints(const ExactMesh& mesh, const WeldedPositions& welded,
                                 std::span<const PositionPair> edges);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Takes a file's vertices and faces and makes a Level: snaps, drops what has no area, divides what is not convex and
-// planar.
+// Makes a Level of a file's vertices and faces: snaps, drops what has no area, divides what is not convex and planar.
 #pragma once
 
 #include <cstdint>

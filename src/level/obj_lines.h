@@ -43,8 +43,8 @@ private:
     bool begun_ = false;
 };
 
-/// Offset of the first byte that no text holds (NUL and other control characters but tabs and line ends); size()
-/// without.
+/// Offset of the first byte that no text holds: NUL and other control characters but tabs and line ends. size() when
+/// there is none.
 std::size_t find_control_byte(std::string_view text);
 
 /// Number of the line that a byte lies on, from 1.

@@ -7,11 +7,12 @@
 
 namespace firma {
 
-/// Reads a whole word as a decimal number: digits with at most one point, a sign (+ too) and an exponent, as 1, -2.5,
+/// Reads a whole word as a decimal number: digits with at most one point, a sign (+ too), an exponent; such as 1, -2.5,
 /// .5, 5. or +1e-3.
-/// @return the nearest double; infinite when beyond the doubles; nothing when the word is not such a number
-/// (hexadecimal,
-///         "nan", "inf", anything before or after it)
+///
+/// @return the nearest double, infinite when beyond the doubles; nothing when the word is not such a number:
+/// hexadecimal,
+///         "nan", "inf", or with anything before or after it
 std::optional<double> parse_number(std::string_view word);
 
 }  // namespace firma

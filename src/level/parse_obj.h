@@ -21,8 +21,8 @@ struct ObjVertex {
 };
 
 struct ObjFace {
-    std::span<const std::uint32_t>
-        corners;               ///< vertices, from 0 [3 <= count <= kMaxOutlineCorners]; all have been handed on before
+    /// Vertices, from 0 [3 <= count <= kMaxOutlineCorners]; all have been handed on before.
+    std::span<const std::uint32_t> corners;
     std::uint32_t source = 0;  ///< index of the face in the file, from 0
     std::uint32_t line = 0;
 };

@@ -22,8 +22,8 @@ class SharedEdges {
 public:
     SharedEdges(const ExactMesh& mesh, const WeldedPositions& welded);
 
-    /// Calls visit(std::span<const FaceSide>) for each edge with its sides, in order of their corners. Sides without a
-    /// length are left out.
+    /// Calls visit(std::span<const FaceSide>) for each edge with its sides, in order of their corners. A side without
+    /// length belongs to none.
     template <class Visit>
     void for_each(Visit&& visit) const {
         for (std::size_t low = 0; low + 1 < first_.size(); ++low)
