@@ -114,8 +114,9 @@ private:
 
     void check_neighbours() {
         std::sort(neighbours_.begin(), neighbours_.end());
-        for (const auto& [face, neighbour] : neighbours_) {
+        for (const auto& [face, neighbour] : neighbours_)
             if (!ids_.contains(neighbour)) return report("a face has a neighbour that is not there", {face});
+        for (const auto& [face, neighbour] : neighbours_) {
             if (!std::binary_search(neighbours_.begin(), neighbours_.end(), std::pair(neighbour, face)))
                 return report("a face's neighbour does not know it", {face});
         }

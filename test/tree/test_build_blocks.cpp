@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// The bins: stop rules, blocks of up to 64 items, and what happens when nothing can be divided.
+#include "tree/build_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "scenes/rng.h"
+#include "tree/statistics.h"
+#include "tree/visit.h"
+
+namespace firma {
+namespace {
+
+FaceSet random_faces(std::uint32_t count, std::int32_t spread, std::int32_t size) {
+    scenes::Rng rng(41);
+    FaceSet set;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const auto offset = [&](std::int32_t range) {
+            return std::int32_t(rng.uniform(-range, range)) * kSurfacePerInput;
+        };
+        const GridPoint middle{offset(spread), offset(spread), offset(spread)};
+        FaceSet::Entry face;
+        face.id = {k};
+        face.first_corner = std::uint32_t(set.corners.size());
+        face.corner_count = 3;
+        for (int c = 0; c < 3; ++c) {
+            set.corners.push_back(std::uint32_t(set.vertices.size()));
+            set.corner_neighbours.push_back({});
+            set.vertices.push_back({middle.x + offset(size), middle.y + offset(size), middle.z + offset(size)});
+        }
+        set.faces.push_back(face);
+    }
+    return set;
+}
+
+std::size_t count_faces(const Block& root) {
+    std::vector<int> seen;
+    for_each_face_block(root, [&](const Block& block) {
+        EXPECT_LE(block.faces.size(), kBlockItems);
+        for (const FaceRecord& face : block.faces) {
+            if (face.id.value >= seen.size()) seen.resize(face.id.value + 1, 0);
+            ++seen[face.id.value];
+        }
+    });
+    for (const int times : seen) EXPECT_EQ(times, 1);
+    return seen.size();
+}
+
+TEST(BuildBlocks, NoFacesNoTree) {
+    EXPECT_FALSE(build_blocks({}, {}));
+}
+
+TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
+    for (const Split split : {Split::kLongestAxis, Split::kSurfaceArea})
+        for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 1000u, 20000u}) {
+            const Ref<const Block> root = build_blocks(random_faces(count, 100000, 2000), {.split = split});
+            EXPECT_EQ(count_faces(*root), count);
+            const TreeStatistics statistics = tree_statistics(*root);
+            EXPECT_EQ(statistics.faces, count);
+            EXPECT_LE(statistics.largest_bin, 4u);
+            EXPECT_LE(statistics.depth, 40);
+            EXPECT_GE(statistics.blocks, (count + 63) / 64);
+        }
+}
+
+TEST(BuildBlocks, StopRules) {
+    const FaceSet faces = random_faces(5000, 100000, 2000);
+    EXPECT_LE(tree_statistics(*build_blocks(faces, {.faces_per_bin = 16})).largest_bin, 16u);
+    EXPECT_EQ(tree_statistics(*build_blocks(faces, {.faces_per_bin = 1})).leaf_bins, 5000u);
+    EXPECT_LE(tree_statistics(*build_blocks(faces, {.max_depth = 8, .faces_per_bin = 1})).depth, 8);
+    const std::size_t all = tree_statistics(*build_blocks(faces, {})).bins;
+    const std::size_t coarse = tree_statistics(*build_blocks(faces, {.min_bin_volume = 1000})).bins;
+    EXPECT_LT(coarse, all / 4);
+    EXPECT_EQ(count_faces(*build_blocks(faces, {.max_depth = -5, .faces_per_bin = -5})), 5000u)
+        << "nonsense counts as the nearest end";
+}
+
+TEST(BuildBlocks, TooFullABinIsHalvedByCountUntilItFitsABlock) {
+    const TreeStatistics statistics =
+        tree_statistics(*build_blocks(random_faces(5000, 100000, 2000), {.max_depth = 0}));
+    EXPECT_LE(statistics.largest_bin, 64u);
+    EXPECT_LE(statistics.depth, 7);
+}
+
+TEST(BuildBlocks, CoincidingCentresAreWellBehaved) {
+    FaceSet faces = random_faces(10000, 1, 1000);
+    for (FaceSet::Entry& face : faces.faces) {  // all triangles in one place
+        for (int c = 0; c < 3; ++c) faces.corners[face.first_corner + std::uint32_t(c)] = std::uint32_t(c);
+    }
+    for (const Split split : {Split::kLongestAxis, Split::kSurfaceArea}) {
+        const Ref<const Block> root = build_blocks(faces, {.split = split});
+        EXPECT_EQ(count_faces(*root), 10000u);
+        EXPECT_LE(tree_statistics(*root).depth, 14) << "halved by count";
+    }
+}
+
+TEST(BuildBlocks, SameFacesSameTree) {
+    const FaceSet faces = random_faces(3000, 100000, 2000);
+    const Ref<const Block> a = build_blocks(faces, {}), b = build_blocks(faces, {});
+    std::vector<std::uint32_t> ids_a, ids_b;
+    for_each_face_block(*a, [&](const Block& block) {
+        for (const FaceRecord& f : block.faces) ids_a.push_back(f.id.value);
+    });
+    for_each_face_block(*b, [&](const Block& block) {
+        for (const FaceRecord& f : block.faces) ids_b.push_back(f.id.value);
+    });
+    EXPECT_EQ(ids_a, ids_b);
+}
+
+TEST(BuildBlocks, SurfaceAreaSplitsOverlapLess) {
+    const FaceSet faces = random_faces(5000, 100000, 8000);
+    EXPECT_LT(tree_statistics(*build_blocks(faces, {.split = Split::kSurfaceArea})).overlap,
+              tree_statistics(*build_blocks(faces, {})).overlap);
+}
+
+}  // namespace
+}  // namespace firma

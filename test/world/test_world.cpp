@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// The World as a value and the questions it answers, on a small closed room.
+#include "firma/world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "firma/level.h"
+#include "scenes/rng.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+/// A box of air, 4 x 4 x 3 m, wound inward, a material a side.
+Level box_room() {
+    Level level;
+    level.name = "box room";
+    level.materials = {"floor", "wall", "ceiling"};
+    level.groups = {""};
+    for (const int k : {0, 1, 2, 3, 4, 5, 6, 7}) {
+        const std::int32_t m = std::int32_t(kSurfaceSteps);
+        level.vertices.push_back({(k & 1) * 4 * m, (k >> 1 & 1) * 4 * m, (k >> 2) * 3 * m});
+    }
+    const int quads[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    const std::uint32_t materials[6] = {0, 2, 1, 1, 1, 1};
+    for (std::uint32_t f = 0; f < 6; ++f) {
+        LevelFace face;
+        face.first_corner = std::uint32_t(level.corners.size());
+        face.corner_count = 4;
+        face.source = f + 10;
+        face.material = materials[f];
+        face.mask = 1u << f;
+        level.faces.push_back(face);
+        for (const int corner : quads[f]) level.corners.push_back(std::uint32_t(corner));
+    }
+    level.source_faces = 16;
+    return level;
+}
+
+World room() {
+    return make_world(box_room()).value();
+}
+
+TEST(World, IsSoundAndDescribesItself) {
+    const World world = room();
+    EXPECT_FALSE(check_world(world)) << check_world(world)->what;
+    EXPECT_EQ(world.face_count(), 6u);
+    EXPECT_EQ(world.room_count(), 1u);
+    EXPECT_EQ(world.bounds(), (Box{{0, 0, 0}, {4, 4, 3}}));
+    EXPECT_EQ(world.material_name(2), "ceiling");
+    EXPECT_EQ(world.material_name(7), "");
+    const std::vector<Face> faces = world.faces();
+    ASSERT_EQ(faces.size(), 6u);
+    EXPECT_EQ(faces[0].normal, (Vec3{0, 0, 1})) << "the floor faces up, into the air";
+    for (const FaceId neighbour : faces[0].neighbours) EXPECT_TRUE(neighbour.valid());
+    EXPECT_EQ(world.find_face({3})->source, 13u);
+    EXPECT_FALSE(world.find_face({6}));
+}
+
+TEST(World, AnEmptyOneAnswersToo) {
+    const World world;
+    EXPECT_FALSE(check_world(world));
+    EXPECT_EQ(cast(world, {{0, 0, 0}, 1}, {1, 0, 0}).status, Status::kMiss);
+    EXPECT_TRUE(world.bounds().empty());
+    EXPECT_FALSE(closest(world, {0, 0, 0}));
+}
+
+TEST(World, AHitSaysWhatItMet) {
+    const World world = room();
+    const Hit hit = cast(world, {{1, 1, 1.5}, 0.5}, {0, 0, -2}, {.skin = 0.25});
+    EXPECT_EQ(hit.status, Status::kHit);
+    EXPECT_EQ(hit.fraction, 0.5);
+    EXPECT_EQ(hit.safe_fraction, 0.375);
+    EXPECT_EQ(hit.face, (FaceId{0}));
+    EXPECT_EQ(hit.source, 10u);
+    EXPECT_EQ(world.material_name(hit.material), "floor");
+    EXPECT_EQ(hit.room, RoomId{0});
+    EXPECT_EQ(hit.rooms_passed, 1u);
+    EXPECT_FALSE(hit.other_face.valid());
+    EXPECT_EQ(world.face(hit.ref).id, hit.face);
+}
+
+TEST(World, AHitEdgeNamesBothFaces) {
+    Level level = box_room();
+    for (LevelFace& face : level.faces) {  // turned inside out: a solid block in the exterior
+        std::reverse(level.corners.begin() + face.first_corner, level.corners.begin() + face.first_corner + 4);
+    }
+    const World world = make_world(level).value();
+    const Hit hit = cast(world, {{-2, 2, 5}, 1}, {4, 0, -4});
+    ASSERT_EQ(hit.status, Status::kHit);
+    ASSERT_EQ(hit.feature, Feature::kEdge);
+    const auto sides = std::minmax(hit.face, hit.other_face);
+    EXPECT_EQ(sides.first, (FaceId{1})) << "the lid";
+    EXPECT_EQ(sides.second, (FaceId{4})) << "and the side at x = 0";
+    EXPECT_EQ(hit.face, (FaceId{1})) << "at a tie the lowest id";
+}
+
+TEST(World, SafeFractionKeepsTheSkinWhateverTheSpeed) {
+    const World world = room();
+    for (const double speed : {2.0, 10.0, 1000.0, 1e6}) {
+        const Vec3 path{speed, 0, -speed};
+        const Hit hit = cast(world, {{0.5, 2, 2}, 0.25}, path);
+        const Vec3 stop = Vec3{0.5, 2, 2} + path * hit.safe_fraction;
+        EXPECT_NEAR(stop.z - 0.25, world.tolerance().skin, 1e-9) << speed;
+    }
+    const Hit close = cast(world, {{1, 1, 0.5005}, 0.5}, {0, 0, -1});
+    EXPECT_EQ(close.safe_fraction, 0) << "never negative";
+    EXPECT_GT(close.fraction, 0);
+}
+
+TEST(World, MasksChooseFaces) {
+    const World world = room();
+    EXPECT_EQ(cast(world, {{1, 1, 1.5}, 0}, {0, 0, -2}, {.mask = ~1u}).status, Status::kMiss);
+    EXPECT_EQ(cast(world, {{1, 1, 1.5}, 0}, {0, 0, -2}, {.mask = 1}).status, Status::kHit);
+    EXPECT_EQ(closest(world, {1, 1, 0.5}, INFINITY, 2)->face, (FaceId{1}));
+}
+
+TEST(World, SidesByFaceAndByCast) {
+    const World one = room();
+    EXPECT_EQ(cast(one, {{1, 1, -1}, 0}, {0, 0, 2}).status, Status::kMiss);
+    EXPECT_EQ(cast(one, {{1, 1, -1}, 0}, {0, 0, 2}, {.sides = Sides::kBoth}).status, Status::kHit);
+    Level level = box_room();
+    level.faces[0].two_sided = true;
+    EXPECT_EQ(cast(make_world(level).value(), {{1, 1, -1}, 0}, {0, 0, 2}).status, Status::kHit);
+}
+
+TEST(World, AnyAndAll) {
+    const World world = room();
+    EXPECT_EQ(cast_any(world, {{1, 1, 1}, 0}, {0, 0, -0.5}), Status::kMiss);
+    EXPECT_EQ(cast_any(world, {{1, 1, 1}, 0}, {0, 0, -1}), Status::kHit);
+    EXPECT_EQ(cast_any(world, {{1, 1, 1}, NAN}, {0, 0, -1}), Status::kInvalid);
+    std::vector<Hit> hits(3);
+    EXPECT_EQ(cast_all(world, {{1, 1, 1}, 0}, {0, 0, -0.5}, hits), Status::kMiss);
+    EXPECT_TRUE(hits.empty());
+    EXPECT_EQ(cast_all(world, {{-1, 2, 1}, 0}, {10, 0, 0}, hits, {.sides = Sides::kBoth}), Status::kHit);
+    ASSERT_EQ(hits.size(), 2u);
+    EXPECT_EQ(hits[0].face, (FaceId{4}));
+    EXPECT_EQ(hits[1].face, (FaceId{5}));
+    EXPECT_EQ(hits[1].fraction, 0.5);
+    EXPECT_EQ(cast_all(world, {{0, 0, INFINITY}, 0}, {0, 0, -1}, hits), Status::kInvalid);
+}
+
+TEST(World, OverlapAndClosest) {
+    const World world = room();
+    std::vector<NearFace> found;
+    EXPECT_EQ(overlap(world, {{1, 1, 1}, 0.5}, found), Status::kMiss);
+    EXPECT_EQ(overlap(world, {{1, 1, 1}, 1}, found), Status::kTouching);
+    ASSERT_EQ(found.size(), 3u) << "touch counts: floor and two walls";
+    EXPECT_EQ(found[0].face, (FaceId{0}));
+    EXPECT_EQ(overlap(world, {{1, 1, 1}, -1}, found), Status::kInvalid);
+    const auto near = closest(world, {2, 2, 2.5});
+    ASSERT_TRUE(near);
+    EXPECT_EQ(near->face, (FaceId{1}));
+    EXPECT_EQ(near->distance, 0.5);
+    EXPECT_EQ(near->point, (Vec3{2, 2, 3}));
+    EXPECT_FALSE(closest(world, {2, 2, 1.5}, 1));
+    EXPECT_FALSE(closest(world, {2, 2, NAN}));
+}
+
+TEST(World, RefusesALevelThatNoReaderMakes) {
+    Level level = box_room();
+    level.vertices[3].z += 64;
+    const auto bent = make_world(level);
+    ASSERT_FALSE(bent);
+    EXPECT_EQ(bent.error().text(), "box room: face 10: it is not convex and planar, with area");
+    level = box_room();
+    level.corners[5] = 99;
+    EXPECT_FALSE(make_world(level));
+    level = box_room();
+    level.faces[5].corner_count = 5;
+    EXPECT_FALSE(make_world(level));
+}
+
+TEST(World, CheckFindsWhatIsBroken) {
+    const World world = room();
+    const auto broken = [&](auto&& change) {
+        Ref<Room> spoilt(new Room);
+        Ref<Block> block(new Block);
+        const Block& sound = *world.data().rooms[0]->tree;
+        block->bins = sound.bins;
+        block->faces = sound.faces;
+        block->vertices = sound.vertices;
+        block->corner_vertices = sound.corner_vertices;
+        block->corner_neighbours = sound.corner_neighbours;
+        auto data = std::make_shared<WorldData>(world.data());
+        change(*block, *data);
+        spoilt->tree = Ref<const Block>(block.get());
+        data->rooms[0] = Ref<const Room>(spoilt.get());
+        const auto fault = check_world(World(std::move(data)));
+        return fault ? fault->what : "";
+    };
+    EXPECT_EQ(broken([](Block&, WorldData&) {}), "");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.vertices[0].z += 64; }), "a face is not planar");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[1].id = b.faces[0].id; }), "two faces have one id");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins[0].box.high[0] = 1; }), "a bin reaches out of its parent");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_neighbours[0] = {77}; }),
+              "a face has a neighbour that is not there");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_neighbours[0] = {}; }), "a face's neighbour does not know it");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.back().count = 60; }), "a bin holds items that are not there");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.clear(); }), "a block has no bins");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_vertices[2] = 99; }), "a corner has no vertex");
+    EXPECT_EQ(broken([](Block&, WorldData& d) { d.face_count = 7; }), "the count of faces is not how many there are");
+    EXPECT_EQ(broken([](Block&, WorldData& d) { d.next_face = 3; }), "a face's id is not below the next one");
+}
+
+TEST(WorldThreads, ManyThreadsAskOneWorld) {
+    const World world = room();
+    std::atomic<int> wrong{0};
+    const auto ask = [&](std::uint64_t seed) {
+        scenes::Rng rng(seed);
+        for (int k = 0; k < 20000; ++k) {
+            const Sphere sphere{{rng.uniform(0.5, 3.5), rng.uniform(0.5, 3.5), rng.uniform(0.5, 2.5)}, 0.25};
+            if (cast(world, sphere, rng.direction() * 10).status != Status::kHit) ++wrong;
+        }
+    };
+    std::thread a(ask, 1), b(ask, 2);
+    World copy = world;  // handles may come and go meanwhile
+    copy = World();
+    a.join();
+    b.join();
+    EXPECT_EQ(wrong, 0);
+}
+
+}  // namespace
+}  // namespace firma
