@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Same answers everywhere: a hash over every bit of many casts through our level, the same for every compiler and its options.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "firma/firma.h"
+#include "scenes/rng.h"
+
+namespace firma {
+namespace {
+
+/// FNV-1a over 64-bit words.
+class Hash {
+public:
+    void add(std::uint64_t word) {
+        for (int k = 0; k < 8; ++k) value_ = (value_ ^ (word >> (8 * k) & 0xff)) * 0x100000001b3ull;
+    }
+    void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+    void add(const Vec3& v) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+    void add(const Hit& hit) {
+        add(std::uint64_t(hit.status) | std::uint64_t(hit.feature) << 8 | std::uint64_t(hit.feature_index) << 16);
+        add(hit.fraction);
+        add(hit.safe_fraction);
+        add(hit.centre);
+        add(hit.point);
+        add(hit.normal);
+        add(hit.face_normal);
+        add(std::uint64_t(hit.face.value) << 32 | hit.other_face.value);
+        add(std::uint64_t(hit.source) << 32 | hit.material);
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0xcbf29ce484222325ull;
+};
+
+TEST(SameBits, AThousandsOfCastsThroughOurLevel) {
+    const Result<Level> level = read_level(FIRMA_ROOT "/levels/first.obj");
+    ASSERT_TRUE(level) << level.error().text();
+    const World world = make_world(level.value()).value();
+    const Box bounds = world.bounds();
+    scenes::Rng rng(7);
+    Hash hash;
+    int touched = 0;
+    for (int k = 0; k < 20000; ++k) {
+        Vec3 start;
+        for (int axis = 0; axis < 3; ++axis) start[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
+        const double radius = rng.chance(0.3) ? 0 : rng.uniform(0.01, 1);
+        const Vec3 path = rng.direction() * rng.uniform(0.1, rng.chance(0.5) ? 2 : 100);
+        const Hit hit = cast(world, {start, radius}, path, {.sides = rng.chance(0.5) ? Sides::kFront : Sides::kBoth});
+        hash.add(hit);
+        touched += hit.touched();
+    }
+    EXPECT_GT(touched, 5000);
+    EXPECT_EQ(hash.value(), 8081733056088716114ull) << std::hex << hash.value();
+}
+
+}  // namespace
+}  // namespace firma

@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Runs the large numbers: ./test --full [CLAIM...] | --list
+
+Each claim is a count of seeded checks to be made on the sources as they are. It is worked off in chunks; every chunk leaves a line
+in bench/results/full.txt with its seed, count, result and the commit it ran on. Lines count until a file the claim exercises changes;
+so a run can be broken off and resumed, and lines gathered in several goes add up.
+"""
+import datetime
+import os
+import subprocess
+import sys
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+RESULTS = os.path.join(ROOT, 'bench', 'results', 'full.txt')
+BUILD = os.path.join('build', 'test', 'bin')
+FUZZ = os.path.join('build', 'fuzz', 'bin')
+
+CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
+                'src/level/find_neighbours.cpp', 'CMakeLists.txt']
+READ_SOURCES = ['include', 'src/level', 'src/geometry']
+
+
+class Claim:
+    def __init__(self, name, what, need, chunk, unit, sources, preset, command):
+        self.name, self.what, self.need, self.chunk, self.unit = name, what, need, chunk, unit
+        self.sources, self.preset, self.command = sources, preset, command
+
+
+def casts(seed, count):
+    return [f'{BUILD}/full_casts', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
+def watertight(seed, count):
+    return [f'{BUILD}/full_watertight', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
+def fuzz(reader):
+    def command(seed, count):
+        scratch = os.path.join('build', 'fuzz', f'corpus_{reader}')
+        os.makedirs(os.path.join(ROOT, scratch), exist_ok=True)
+        return [f'{FUZZ}/fuzz_read_{reader}', f'-seed={seed}', f'-max_total_time={count}', '-rss_limit_mb=2048', '-timeout=20',
+                f'-artifact_prefix=build/fuzz/{reader}_', scratch, f'tests/fuzz/seeds/{reader}']
+    return command
+
+
+CLAIMS = [
+    Claim('casts_vs_twin', 'casts judged by the exact twin, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
+          CAST_SOURCES + ['scenes', 'tests/reference', 'tests/full/full_casts.cpp'], 'test', casts),
+    Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
+          CAST_SOURCES + ['scenes', 'tests/full/full_watertight.cpp'], 'test', watertight),
+    Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
+          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('obj')),
+    Claim('fuzz_read_bsp', 'seconds of fuzzing the .bsp reader and check, no crash, hang or broken level', 600, 300, 'seconds',
+          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('bsp')),
+]
+
+
+def git(*arguments):
+    return subprocess.run(['git', '-C', ROOT, *arguments], capture_output=True, text=True)
+
+
+def head():
+    return git('rev-parse', 'HEAD').stdout.strip()
+
+
+def same_sources(commit, claim):
+    """Whether nothing the claim exercises differs between that commit and the files as they are."""
+    return git('diff', '--quiet', commit, '--', *claim.sources).returncode == 0
+
+
+def fields(line):
+    return dict(part.split('=', 1) for part in line.split() if '=' in part)
+
+
+def lines_that_count(claim):
+    if not os.path.exists(RESULTS):
+        return []
+    known = {}
+    found = []
+    with open(RESULTS, encoding='utf-8') as file:
+        for line in file:
+            entry = fields(line)
+            if entry.get('claim') != claim.name or entry.get('result') != 'pass':
+                continue
+            commit = entry['commit']
+            if commit not in known:
+                known[commit] = same_sources(commit, claim)
+            if known[commit]:
+                found.append(entry)
+    return found
+
+
+def done(claim):
+    return sum(int(entry['count']) for entry in lines_that_count(claim))
+
+
+def next_seed(claim):
+    return 1 + max([int(entry['seed']) for entry in lines_that_count(claim)], default=0)
+
+
+def leave(line):
+    os.makedirs(os.path.dirname(RESULTS), exist_ok=True)
+    with open(RESULTS, 'a', encoding='utf-8') as file:
+        file.write(line + '\n')
+        file.flush()
+        os.fsync(file.fileno())
+    print(line, flush=True)
+
+
+def totals(output):
+    """What the chunk's program said of all families together, as fields; empty when it says nothing of the kind."""
+    for line in output.splitlines():
+        entry = fields(line)
+        if 'claim' in entry and entry.get('family', 'total') == 'total':
+            return entry
+    return {}
+
+
+def run_chunk(claim):
+    """Runs one chunk and leaves its line; False when it failed."""
+    if git('status', '--porcelain', '--', *claim.sources).stdout.strip():
+        print(f'{claim.name}: commit your changes first; a line must name the commit it ran on', file=sys.stderr)
+        return False
+    commit, seed = head(), next_seed(claim)
+    count = min(claim.chunk, claim.need - done(claim))
+    start = time.time()
+    process = subprocess.run(claim.command(seed, count), cwd=ROOT, capture_output=True, text=True)
+    result = 'pass' if process.returncode == 0 else 'fail'
+    said = totals(process.stdout)
+    line = {'claim': claim.name, 'count': said.get('count', count), 'unit': claim.unit, 'seed': seed}
+    line.update((key, value) for key, value in said.items() if key not in line and key not in ('family', 'result'))
+    line.update({'result': result, 'seconds': round(time.time() - start), 'commit': commit, 'date': datetime.date.today().isoformat()})
+    leave(' '.join(f'{key}={value}' for key, value in line.items()))
+    if result == 'fail':
+        print((process.stdout + process.stderr)[-4000:], file=sys.stderr)
+    return result == 'pass'
+
+
+def build(presets):
+    for preset in sorted(presets):
+        for command in (['cmake', '--preset', preset], ['cmake', '--build', '--preset', preset]):
+            process = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+            if process.returncode:
+                sys.exit((process.stdout + process.stderr)[-4000:])
+
+
+def summary(claim):
+    have = done(claim)
+    state = 'holds' if have >= claim.need else 'open'
+    print(f'{claim.name:18} {have:>10,} of {claim.need:,} {claim.unit}: {state}   ({claim.what})')
+    return have >= claim.need
+
+
+def main():
+    names = [argument for argument in sys.argv[1:] if not argument.startswith('-')]
+    options = [argument for argument in sys.argv[1:] if argument.startswith('-')]
+    unknown = [name for name in names if name not in [claim.name for claim in CLAIMS]]
+    if unknown or any(option != '--list' for option in options):
+        print(__doc__, 'claims: ' + ', '.join(claim.name for claim in CLAIMS), sep='\n', file=sys.stderr)
+        return 2
+    chosen = [claim for claim in CLAIMS if not names or claim.name in names]
+    if options:
+        return 0 if all([summary(claim) for claim in chosen]) else 1
+    open_claims = [claim for claim in chosen if done(claim) < claim.need]
+    build({claim.preset for claim in open_claims})
+    for claim in open_claims:
+        while done(claim) < claim.need:
+            if not run_chunk(claim):
+                break
+    return 0 if all([summary(claim) for claim in chosen]) else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())
