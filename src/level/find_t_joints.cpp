@@ -40,7 +40,6 @@ public:
         const double unit = trusted ? 1 / size : 0;
         for (const std::uint32_t vertex : welded.vertex) points_.push_back(mesh.nearest[vertex] * unit);
         order_.resize(points_.size());
-        axis_.resize(points_.size());
         std::iota(order_.begin(), order_.end(), 0u);
         build(0, order_.size());
     }
@@ -49,53 +48,62 @@ public:
         edge_ = edge;
         a_ = points_[edge[0]];
         along_ = points_[edge[1]] - a_;
-        return search(0, order_.size(), 0, 1);
+        for (int axis = 0; axis < 3; ++axis) inverse_[axis] = std::fabs(along_[axis]) > 0x1p-60 ? 1 / along_[axis] : 0;
+        return search(0);
     }
 
 private:
     static constexpr std::size_t kLeaf = 8;
 
-    /// Sorts a range of points by the median along its longest axis, and its halves likewise.
-    void build(std::size_t begin, std::size_t end) {
-        if (end - begin <= kLeaf) return;
+    /// A box around order_[begin .. end). Its first half, where it has halves, is the next node.
+    struct Node {
         Box box;
+        std::size_t begin = 0, end = 0;
+        std::size_t second_half = 0;  ///< 0 for a leaf
+    };
+
+    /// Halves a range of points by the median along the longest axis of their box, and its halves likewise.
+    void build(std::size_t begin, std::size_t end) {
+        const std::size_t node = nodes_.size();
+        nodes_.push_back({{}, begin, end, 0});
+        Box& box = nodes_.back().box;
         for (std::size_t k = begin; k < end; ++k) box.add(points_[order_[k]]);
+        if (end - begin <= kLeaf) return;
         const Vec3 size = box.high - box.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::size_t middle = begin + (end - begin) / 2;
         const auto at = [&](std::size_t k) { return order_.begin() + std::ptrdiff_t(k); };
         std::nth_element(at(begin), at(middle), at(end),
                          [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });
-        axis_[middle] = std::uint8_t(axis);
         build(begin, middle);
-        build(middle + 1, end);
+        nodes_[node].second_half = nodes_.size();
+        build(middle, end);
     }
 
-    /// Looks through a range for a point on the part a + t along, t0 <= t <= t1.
-    bool search(std::size_t begin, std::size_t end, double t0, double t1) {
-        if (t0 > t1) return false;
-        if (end - begin <= kLeaf) {
-            for (std::size_t k = begin; k < end; ++k)
-                if (lies_on(order_[k])) return true;
-            return false;
+    bool search(std::size_t index) {
+        const Node& node = nodes_[index];
+        if (!passes(node.box)) return false;
+        if (node.second_half != 0) return search(index + 1) || search(node.second_half);
+        for (std::size_t k = node.begin; k < node.end; ++k)
+            if (lies_on(order_[k])) return true;
+        return false;
+    }
+
+    /// Whether the edge may come within rounding of a box: the parts a + t along, 0 <= t <= 1, between its sides in
+    /// turn.
+    bool passes(const Box& box) const {
+        double first = 0, last = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box.low[axis] - slack_ - a_[axis], high = box.high[axis] + slack_ - a_[axis];
+            const double inverse = inverse_[axis];
+            if (inverse == 0) {
+                if (low > 0 || high < 0) return false;
+                continue;
+            }
+            first = std::max(first, (inverse > 0 ? low : high) * inverse);
+            last = std::min(last, (inverse > 0 ? high : low) * inverse);
         }
-        const std::size_t middle = begin + (end - begin) / 2;
-        if (lies_on(order_[middle])) return true;
-        const int axis = axis_[middle];
-        const double offset = points_[order_[middle]][axis] - a_[axis], speed = along_[axis];
-        // Points below the middle have t speed <= offset, those above t speed >= offset.
-        double below0 = t0, below1 = t1, above0 = t0, above1 = t1;
-        if (speed > 0) {
-            below1 = std::min(t1, (offset + slack_) / speed);
-            above0 = std::max(t0, (offset - slack_) / speed);
-        } else if (speed < 0) {
-            below0 = std::max(t0, (offset + slack_) / speed);
-            above1 = std::min(t1, (offset - slack_) / speed);
-        } else {
-            if (offset < -slack_) return search(middle + 1, end, t0, t1);
-            if (offset > slack_) return search(begin, middle, t0, t1);
-        }
-        return search(begin, middle, below0, below1) || search(middle + 1, end, above0, above1);
+        return first <= last;
     }
 
     bool lies_on(std::uint32_t position) {
@@ -118,12 +126,13 @@ private:
     const ExactMesh& mesh_;
     const WeldedPositions& welded_;
     std::vector<Vec3> points_;          ///< of positions, the largest coordinate taken as 1
-    std::vector<std::uint32_t> order_;  ///< the tree: of each range the middle parts the others
-    std::vector<std::uint8_t> axis_;    ///< along this axis, at the middle
+    std::vector<std::uint32_t> order_;  ///< positions, those of a node in a row
+    std::vector<Node> nodes_;           ///< the tree, the root first
     /// How far a coordinate may be off through rounding, many times over: of numbers near 1 in double, a few of 2^-53.
     double slack_ = 0x1p-45;
     PositionPair edge_{};
     Vec3 a_, along_;
+    Vec3 inverse_;  ///< of along; 0 where that is far below the slack
     std::vector<SmallPoint> small_;
     std::vector<BigPoint> big_;
 };
