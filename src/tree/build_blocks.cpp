@@ -70,7 +70,12 @@ private:
         nodes_.push_back(node);
 
         const bool is_done = done(node, depth);
-        if (is_done && count <= kBlockItems) return index;
+        if (is_done && count <= kBlockItems) {
+            // Standard libraries partition in different orders; faces lie in a bin by their own.
+            const std::span<BuildItem> bin = items(first, count);
+            std::sort(bin.begin(), bin.end(), [](const BuildItem& a, const BuildItem& b) { return a.face < b.face; });
+            return index;
+        }
         const auto left = std::uint32_t(is_done ? split_by_count(items(first, count))
                                                 : split_bin(items(first, count), node.box, options_.split));
         nodes_[index].left = divide(first, left, depth + 1);

@@ -12,13 +12,14 @@ namespace {
 
 std::array<int, 3> axes_by_extent(const GridBox& box) {
     std::array<int, 3> axes{0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return box.extent(a) > box.extent(b); });
+    std::sort(axes.begin(), axes.end(),
+              [&](int a, int b) { return box.extent(a) != box.extent(b) ? box.extent(a) > box.extent(b) : a < b; });
     return axes;
 }
 
 template <class GoesLeft>
 std::size_t partition_items(std::span<BuildItem> items, const GoesLeft& goes_left) {
-    return std::size_t(std::stable_partition(items.begin(), items.end(), goes_left) - items.begin());
+    return std::size_t(std::partition(items.begin(), items.end(), goes_left) - items.begin());
 }
 
 /// In half across the longest axis; across the next one when that leaves a side empty. 0 when none separates.
