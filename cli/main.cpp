@@ -66,6 +66,8 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", "firma " FIRMA_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(30);
+    app.get_formatter()->label("SUBCOMMAND", "VERB");
+    app.get_formatter()->label("Subcommands", "Verbs");
     const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),
                                   add_walk(app), add_draw(app),  add_demo(app)};
     refuse_unknown_verb(argc, argv, verbs);

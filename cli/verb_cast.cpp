@@ -189,7 +189,8 @@ int run(const CastArguments& arguments) {
 }  // namespace
 
 Verb add_cast(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("cast", "Casts spheres and particles from a csv file through a level");
+    CLI::App* command =
+        app.add_subcommand("cast", "Casts spheres and particles from a csv file through a level")->group("Verbs");
     const auto arguments = std::make_shared<CastArguments>();
     add_level_arguments(*command, arguments->level);
     command->add_option("--queries", arguments->queries, "csv of casts, see below")->required()->type_name("FILE");

@@ -193,8 +193,8 @@ int run(const CheckArguments& arguments) {
 }  // namespace
 
 Verb add_check(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("check", "Tells whether a level is sound: closed, wound one way, well built");
+    CLI::App* command = app.add_subcommand("check", "Tells whether a level is sound: closed, wound one way, well built")
+                            ->group("Verbs");
     const auto arguments = std::make_shared<CheckArguments>();
     add_level_arguments(*command, arguments->level);
     command->add_flag("--all", arguments->all, "every fault and note, not only the first 20 of each");

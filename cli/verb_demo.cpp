@@ -261,7 +261,8 @@ int run(const DemoArguments& given) {
 
 Verb add_demo(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("demo", "Fires 100,000 casts in our level, checks a sample, prints a table, draws");
+        app.add_subcommand("demo", "Fires 100,000 casts in our level, checks a sample, prints a table, draws")
+            ->group("Verbs");
     const auto arguments = std::make_shared<DemoArguments>();
     add_level_arguments(*command, arguments->level, false);
     add_out_option(

@@ -107,7 +107,8 @@ int run(const DrawArguments& arguments) {
 }  // namespace
 
 Verb add_draw(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("draw", "Draws a plan and a section of a level, with casts, as SVG");
+    CLI::App* command =
+        app.add_subcommand("draw", "Draws a plan and a section of a level, with casts, as SVG")->group("Verbs");
     const auto arguments = std::make_shared<DrawArguments>();
     add_level_arguments(*command, arguments->level);
     command->add_option("--queries", arguments->queries, "csv of casts to draw, as for `firma cast`")
@@ -115,7 +116,8 @@ Verb add_draw(CLI::App& app) {
     command->add_option("--casts", arguments->casts, "csv of their hits, as `firma cast` writes it")->type_name("FILE");
     add_out_option(*command, arguments->out, "SVG to write", true);
     command->add_option("--up", arguments->up, "the axis that points up: x, y or z (default z)")->type_name("AXIS");
-    command->add_option("--at", arguments->at, "where the section cuts, metres (default: the middle)")->type_name("M");
+    command->add_option("--at", arguments->at, "where the section cuts, metres (default: where it shows most)")
+        ->type_name("M");
     command->add_option("--most-casts", arguments->most_casts, "casts drawn at most, evenly taken (default 200)")
         ->type_name("N");
     add_json_flag(*command, arguments->json);

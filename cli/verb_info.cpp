@@ -177,7 +177,8 @@ int run(const InfoArguments& arguments) {
 }  // namespace
 
 Verb add_info(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("info", "Tells what a level is: faces by kind, bounds, tree, bytes, times");
+    CLI::App* command =
+        app.add_subcommand("info", "Tells what a level is: faces by kind, bounds, tree, bytes, times")->group("Verbs");
     const auto arguments = std::make_shared<InfoArguments>();
     add_level_arguments(*command, arguments->level);
     command->add_option("--split", arguments->split, "how bins divide: longest-axis (default) or surface-area")

@@ -127,7 +127,8 @@ int run(const WalkArguments& arguments) {
 }  // namespace
 
 Verb add_walk(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("walk", "Lets a sphere bounce about a closed room and writes where it was");
+    CLI::App* command =
+        app.add_subcommand("walk", "Lets a sphere bounce about a closed room and writes where it was")->group("Verbs");
     const auto arguments = std::make_shared<WalkArguments>();
     add_level_arguments(*command, arguments->level);
     command->add_option("--start", arguments->start, "place of the centre in frame 0, metres")

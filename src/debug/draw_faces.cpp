@@ -15,6 +15,7 @@ constexpr int kBands = 32;
 constexpr int kShades = 3;           // by steepness within a band
 constexpr double kLeastArea = 0.05;  // square pixels; smaller faces are not drawn
 constexpr double kLeastEdge = 0.4;   // pixels
+constexpr double kLeastCut = 0.1;    // pixels
 constexpr double kCrease = 0.966;    // cosine of 15 degrees: surfaces that turn more have an edge
 constexpr std::size_t kCornerBytes = 12;
 
@@ -27,7 +28,8 @@ struct Corner {
 struct Shape {
     std::vector<PagePoint> outline;
     std::vector<bool> edges;
-    double area = 0;  ///< square pixels
+    double area = 0;      ///< square pixels
+    double nearness = 0;  ///< metres
     int band = 0, shade = 0;
 };
 
@@ -92,7 +94,7 @@ double area_of(const std::vector<PagePoint>& outline) {
     return std::fabs(twice) / 2;
 }
 
-Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& corners, double far, double near) {
+Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& corners) {
     Shape shape;
     double sum = 0;
     for (const Corner& corner : corners) {
@@ -101,8 +103,7 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
         sum += view.nearness(corner.point);
     }
     shape.area = area_of(shape.outline);
-    const double share = near > far ? (sum / double(corners.size()) - far) / (near - far) : 0;
-    shape.band = std::clamp(int(share * kBands), 0, kBands - 1);
+    shape.nearness = sum / double(corners.size());
     shape.shade = std::clamp(int((1 - std::fabs(facing(view, face))) * kShades), 0, kShades - 1);
     return shape;
 }
@@ -110,16 +111,13 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
 /// What is worth drawing, and how much is not.
 std::vector<Shape> collect_shapes(const View& view, std::span<const Face> faces, const FaceLook& look,
                                   FacesDrawn& counts) {
-    double low = view.region.low[view.depth], high = view.region.high[view.depth];
-    if (look.cut) (view.toward > 0 ? high : low) = *look.cut;
-    const double far = view.toward > 0 ? low : -high, near = view.toward > 0 ? high : -low;
     std::vector<Shape> shapes;
     for (const Face& face : faces) {
         if (!seen(view, face)) continue;
         std::vector<Corner> corners = corners_of(view, faces, face);
         if (look.cut) corners = beyond_cut(view, corners, *look.cut);
         if (corners.size() < 3) continue;
-        Shape shape = shape_of(view, face, corners, far, near);
+        Shape shape = shape_of(view, face, corners);
         if (shape.area >= kLeastArea) {
             shapes.push_back(std::move(shape));
         } else {
@@ -141,6 +139,19 @@ void keep_to_budget(std::vector<Shape>& shapes, std::size_t most_bytes, FacesDra
     counts.left_out += shapes.size() - kept;
     counts.drawn = kept;
     shapes.resize(kept);
+}
+
+/// Spreads the bands over the depth that is seen.
+void set_bands(std::vector<Shape>& shapes) {
+    double far = INFINITY, near = -INFINITY;
+    for (const Shape& shape : shapes) {
+        far = std::min(far, shape.nearness);
+        near = std::max(near, shape.nearness);
+    }
+    for (Shape& shape : shapes) {
+        const double share = near > far ? (shape.nearness - far) / (near - far) : 0;
+        shape.band = std::clamp(int(share * kBands), 0, kBands - 1);
+    }
 }
 
 std::array<int, 3> rgb(const std::string& colour) {
@@ -189,12 +200,29 @@ void draw_edges(SvgText& svg, const std::vector<const Shape*>& shapes) {
     if (lines.size() > 0) svg.raw("<path class=\"edge\" d=\"").raw(lines.text()).raw("\"/>\n");
 }
 
+/// Where a convex face meets a plane across an axis. A corner in the plane counts as beyond it, so neighbours agree.
+struct CutLine {
+    Vec3 from, to;
+};
+std::optional<CutLine> cut_of(const Face& face, int axis, double at) {
+    Vec3 ends[2];
+    int found = 0;
+    for (std::size_t k = 0; k < face.corners.size() && found < 2; ++k) {
+        const Vec3 &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
+        const double before = a[axis] - at, after = b[axis] - at;
+        if ((before >= 0) != (after >= 0)) ends[found++] = a + (b - a) * (before / (before - after));
+    }
+    if (found < 2) return std::nullopt;
+    return CutLine{ends[0], ends[1]};
+}
+
 }  // namespace
 
 FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> faces, const FaceLook& look) {
     FacesDrawn counts;
     std::vector<Shape> shapes = collect_shapes(view, faces, look, counts);
     keep_to_budget(shapes, look.most_bytes, counts);
+    set_bands(shapes);
     std::array<std::array<std::vector<const Shape*>, kShades>, kBands> bands;
     for (const Shape& shape : shapes) bands[std::size_t(shape.band)][std::size_t(shape.shade)].push_back(&shape);
     for (int band = 0; band < kBands; ++band) {
@@ -205,20 +233,30 @@ FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> face
     return counts;
 }
 
+std::size_t cut_width(const View& view, std::span<const Face> faces, double cut) {
+    std::vector<bool> columns(std::size_t(view.width() / 2) + 1);
+    const auto column = [&](const Vec3& p) {
+        const double pixels = view.place(p).x - view.corner.x;
+        return std::size_t(std::clamp(pixels / 2, 0.0, double(columns.size() - 1)));
+    };
+    for (const Face& face : faces) {
+        const std::optional<CutLine> line = cut_of(face, view.depth, cut);
+        if (!line) continue;
+        const std::size_t a = column(line->from), b = column(line->to);
+        for (std::size_t k = std::min(a, b); k <= std::max(a, b); ++k) columns[k] = true;
+    }
+    return std::size_t(std::count(columns.begin(), columns.end(), true));
+}
+
 std::size_t draw_cut_lines(SvgText& svg, const View& view, std::span<const Face> faces, double cut) {
     std::size_t count = 0;
     SvgText lines;
     for (const Face& face : faces) {
-        PagePoint ends[2];
-        int found = 0;
-        for (std::size_t k = 0; k < face.corners.size() && found < 2; ++k) {
-            const Vec3 &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
-            const double from = a[view.depth] - cut, to = b[view.depth] - cut;
-            if ((from >= 0) != (to >= 0)) ends[found++] = view.place(a + (b - a) * (from / (from - to)));
-        }
-        if (found < 2) continue;
+        const std::optional<CutLine> line = cut_of(face, view.depth, cut);
+        if (!line) continue;
         ++count;
-        if (length_of(ends[0], ends[1]) >= 0.1) lines.raw("M").point(ends[0]).raw(" ").point(ends[1]);
+        const PagePoint from = view.place(line->from), to = view.place(line->to);
+        if (length_of(from, to) >= kLeastCut) lines.raw("M").point(from).raw(" ").point(to);
     }
     if (lines.size() > 0) svg.raw("<path class=\"cut\" d=\"").raw(lines.text()).raw("\"/>\n");
     return count;

@@ -29,6 +29,9 @@ struct FacesDrawn {
 /// @param faces  of the whole world in order of id, as World::faces() gives them
 FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> faces, const FaceLook& look);
 
+/// How much of a view's width, in columns of two pixels, lies in the cut that draw_cut_lines() would draw.
+std::size_t cut_width(const View& view, std::span<const Face> faces, double cut);
+
 /// Draws the lines in which faces meet the plane across the view's depth axis at `cut` metres. @return how many
 std::size_t draw_cut_lines(SvgText& svg, const View& view, std::span<const Face> faces, double cut);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "debug/draw_faces.h"
+#include "debug/draw_frame.h"
 #include "debug/view.h"
 
 namespace firma::debug {
@@ -14,7 +15,7 @@ namespace firma::debug {
 namespace {
 
 // The page, in pixels.
-constexpr double kLeft = 70, kTop = 84, kBetween = 92, kBottom = 64, kLegend = 250;
+constexpr double kLeft = 70, kTop = 96, kBetween = 92, kBottom = 64, kLegend = 270;
 constexpr double kMostWidth = 900, kMostPlanHeight = 900, kMostSectionHeight = 450, kLeastSide = 60;
 
 constexpr double kTickDistance = 80;  // pixels between numbers of an axis, about
@@ -29,27 +30,25 @@ constexpr const char* kSectionNear = "#cdd8dd";
 constexpr const char* kStyles =
     "text{font-family:'DejaVu Sans',Arial,sans-serif;font-size:12px;fill:#222}"
     ".title{font-size:19px;font-weight:bold}.head{font-size:14px;font-weight:bold}.small{font-size:11px;fill:#555}"
-    ".frame{fill:none;stroke:#999;stroke-width:1}.tick{stroke:#999;stroke-width:1}.grid{stroke:#000;stroke-opacity:.07}"
     ".edge{fill:none;stroke:#78909c;stroke-width:.6;stroke-linejoin:round}"
     ".cut{fill:none;stroke:#1c262b;stroke-width:1.8;stroke-linecap:round}"
-    ".where{stroke:#8e24aa;stroke-width:1.2;stroke-dasharray:9 4 2 4}.mark{fill:#8e24aa;font-weight:bold}"
-    ".bar{fill:#222}";
+    ".where{stroke:#8e24aa;stroke-width:1.2;stroke-dasharray:9 4 2 4}.mark{fill:#8e24aa;font-weight:bold}";
 
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double round_step(double least) {
-    double power = 1;
-    while (power > least) power /= 10;
-    while (power * 10 <= least) power *= 10;
-    for (const double times : {1.0, 2.0, 5.0}) {
-        if (power * times >= least) return power * times;
+/// Where a section shows most: of planes across the middle half, the one whose cut spans the greatest width; of several
+/// such the one nearest to the middle.
+double best_cut(std::span<const Face> faces, const Box& bounds, const View& section) {
+    constexpr int kPlanes = 33;
+    if (bounds.empty()) return 0;
+    const double low = bounds.low[section.depth], size = bounds.high[section.depth] - low;
+    double best = low + size / 2;
+    std::size_t most = 0;
+    for (int k = 0; k < kPlanes; ++k) {
+        const int outward = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // 0, -1, 1, -2, 2 ... steps from the middle
+        const double at = low + size * (0.5 + 0.5 * outward / kPlanes);
+        const std::size_t width = cut_width(section, faces, at);
+        if (double(width) > double(most) * 1.02) best = at, most = width;
     }
-    return power * 10;
-}
-
-int decimals_of(double step) {
-    int decimals = 0;
-    while (decimals < 9 && std::fabs(step - std::floor(step + 0.5)) > 1e-6 * step) step *= 10, ++decimals;
-    return decimals;
+    return best;
 }
 
 /// What both views show: the level, and casts a little way out of it.
@@ -98,50 +97,6 @@ Page lay_out(const Box& region, int up) {
     return page;
 }
 
-/// Lines and numbers of one axis, along the bottom or the left side of a view.
-void draw_axis(SvgText& svg, const View& view, int axis, bool upright) {
-    const double step = round_step(kTickDistance / view.scale);
-    const int decimals = decimals_of(step);
-    const double low = view.region.low[axis], high = view.region.high[axis];
-    const double left = view.corner.x, bottom = view.corner.y, right = left + view.width(),
-                 top = bottom - view.height();
-    for (double k = std::ceil(low / step); k * step <= high; ++k) {
-        Vec3 p = view.region.low;
-        p[axis] = k * step;
-        const PagePoint at = view.place(p);
-        const std::string number = short_number(k * step, decimals);
-        if (upright) {
-            svg.line({left, at.y}, {right, at.y}, "class=\"grid\"");
-            svg.line({left - 5, at.y}, {left, at.y}, "class=\"tick\"");
-            svg.label({left - 8, at.y + 4}, number, "class=\"small\" text-anchor=\"end\"");
-        } else {
-            svg.line({at.x, bottom}, {at.x, top}, "class=\"grid\"");
-            svg.line({at.x, bottom}, {at.x, bottom + 5}, "class=\"tick\"");
-            svg.label({at.x, bottom + 17}, number, "class=\"small\" text-anchor=\"middle\"");
-        }
-    }
-}
-
-void draw_frame(SvgText& svg, const View& view, const std::string& heading) {
-    const double left = view.corner.x, bottom = view.corner.y, width = view.width(), height = view.height();
-    svg.raw("<rect class=\"frame\" x=\"")
-        .number(left)
-        .raw("\" y=\"")
-        .number(bottom - height)
-        .raw("\" width=\"")
-        .number(width);
-    svg.raw("\" height=\"").number(height).raw("\"/>\n");
-    draw_axis(svg, view, view.across, false);
-    draw_axis(svg, view, view.upward, true);
-    svg.label({left, bottom - height - 10}, heading, "class=\"head\"");
-    const std::string unit = " (m)";
-    svg.label({left + width / 2, bottom + 34}, kAxisNames[view.across] + unit, "text-anchor=\"middle\"");
-    const double x = left - 48, y = bottom - height / 2;
-    svg.raw("<g transform=\"rotate(-90 ").number(x).raw(" ").number(y).raw(")\">");
-    svg.label({x, y}, kAxisNames[view.upward] + unit, "text-anchor=\"middle\"");
-    svg.raw("</g>\n");
-}
-
 /// The line in the plan along which the section cuts, with A at both ends and arrows the way the section looks.
 void draw_where(SvgText& svg, const View& plan, double at) {
     Vec3 p = plan.region.low;
@@ -174,9 +129,12 @@ public:
     void words(std::string_view text) {
         svg_.label({left_, y_}, text, "class=\"small\"");
         y_ += 16;
+        after_words_ = true;
     }
     /// A sample 44 pixels wide, whose markup is drawn about (0, 0), and what it stands for.
     void sample(std::string_view markup, std::string_view text) {
+        if (after_words_) y_ += 5;
+        after_words_ = false;
         svg_.raw("<g transform=\"translate(")
             .number(left_ + 22)
             .raw(" ")
@@ -192,17 +150,8 @@ public:
 private:
     SvgText& svg_;
     double left_, y_;
+    bool after_words_ = false;
 };
-
-void draw_scale_bar(SvgText& svg, const View& view, double left, double top) {
-    const double metres = round_step(70 / view.scale), width = metres * view.scale;
-    svg.raw("<rect class=\"bar\" x=\"").number(left).raw("\" y=\"").number(top).raw("\" width=\"").number(width / 2);
-    svg.raw("\" height=\"5\"/>\n<rect x=\"").number(left).raw("\" y=\"").number(top).raw("\" width=\"").number(width);
-    svg.raw("\" height=\"5\" fill=\"none\" stroke=\"#222\"/>\n");
-    svg.label({left, top + 20}, "0", "class=\"small\"");
-    svg.label({left + width, top + 20}, short_number(metres, decimals_of(metres)) + " m",
-              "class=\"small\" text-anchor=\"middle\"");
-}
 
 std::string tint(const char* low, const char* high, const char* name) {
     return std::string("<linearGradient id=\"") + name + "\"><stop offset=\"0\" stop-color=\"" + low +
@@ -222,7 +171,8 @@ void draw_cast_legend(Legend& legend, const CastCount& count, const Plan& plan, 
         "<path class=\"way hit\" d=\"M-20,0 12,0\"/><circle class=\"start hit\" cx=\"-20\" r=\"1.6\"/>"
         "<path class=\"normal\" d=\"M14,0 2,-7\"/><circle class=\"contact hit\" cx=\"14\" r=\"2.4\"/>",
         "hit (" + grouped_number(count.hit) + ")");
-    legend.words("open dot: start; full dot: contact point; black: normal");
+    legend.words("open dot: start; full dot: contact point;");
+    legend.words("black: contact normal");
     legend.sample(
         "<path class=\"way miss\" d=\"M-20,0 18,0\"/><circle class=\"start miss\" cx=\"-20\" r=\"1.6\"/>"
         "<circle class=\"end miss\" cx=\"18\" r=\"1.6\"/>",
@@ -264,7 +214,7 @@ void draw_legend(SvgText& svg, const Page& page, const Plan& plan, const CastCou
     legend.words("in the section: those that face the viewer");
     if (plan.faces_left_out > 0) legend.words("left out as too small: " + grouped_number(plan.faces_left_out));
     legend.heading("Scale");
-    draw_scale_bar(svg, page.plan, left, legend.y() - 8);
+    draw_scale_bar(svg, page.plan, {left, legend.y() - 8});
 }
 
 void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOptions& options) {
@@ -278,7 +228,7 @@ void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOpt
         .number(page.height)
         .raw("\">\n<title>")
         .words(options.title);
-    svg.raw("</title>\n<style>").raw(kStyles).raw(cast_styles()).raw("</style>\n");
+    svg.raw("</title>\n<style>").raw(kStyles).raw(frame_styles()).raw(cast_styles()).raw("</style>\n");
     svg.raw("<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
     svg.label({kLeft, 30}, options.title.empty() ? "A world" : options.title, "class=\"title\"");
     const Vec3 size = world.face_count() > 0 ? world.bounds().high - world.bounds().low : Vec3{};
@@ -295,10 +245,8 @@ Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanO
     Plan plan;
     plan.cut_axis = page.section.depth;
     const Box bounds = world.bounds();
-    const double low = bounds.empty() ? 0 : bounds.low[plan.cut_axis],
-                 high = bounds.empty() ? 0 : bounds.high[plan.cut_axis];
-    plan.at = options.at ? *options.at : (low + high) / 2;
-    const double slab = kSlab * (high - low);
+    plan.at = options.at ? *options.at : best_cut(faces, bounds, page.section);
+    const double slab = bounds.empty() ? 0 : kSlab * (bounds.high[plan.cut_axis] - bounds.low[plan.cut_axis]);
 
     SvgText svg;
     draw_head(svg, page, world, options);
