@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Makes a Level of a .bsp's drawn surfaces.
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "firma/level.h"
+#include "level/bsp_mesh.h"
+#include "level/divide_polygon.h"
+#include "level/level_builder.h"
+
+namespace firma {
+namespace {
+
+// Vertices of the level, one for each point: the faces of a .bsp bring their own, though they meet.
+class SharedVertices {
+public:
+    explicit SharedVertices(LevelBuilder& builder) : builder_(builder) {}
+
+    std::uint32_t at(const GridPoint& point) {
+        const auto [place, added] = index_.try_emplace(point, 0);
+        if (added) place->second = *builder_.add_vertex(to_metres(point));
+        return place->second;
+    }
+
+private:
+    struct Hash {
+        std::size_t operator()(const GridPoint& p) const {
+            std::uint64_t mixed = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                mixed = (mixed ^ std::uint32_t(p[axis])) * 0x9E3779B97F4A7C15u;
+                mixed ^= mixed >> 32;
+            }
+            return std::size_t(mixed);
+        }
+    };
+
+    LevelBuilder& builder_;
+    std::unordered_map<GridPoint, std::uint32_t, Hash> index_;
+};
+
+class LevelMaker {
+public:
+    LevelMaker(const BspFile& file, const BspSurfaces& surfaces, const BspMesh& mesh)
+        : surfaces_(surfaces), mesh_(mesh), builder_(file.name()), vertices_(builder_) {}
+
+    Level make() {
+        auto polygon = mesh_.polygons.begin();
+        for (std::uint32_t k = 0; k < surfaces_.surfaces.size(); ++k) {
+            begin(surfaces_.surfaces[k]);
+            for (; polygon != mesh_.polygons.end() && polygon->surface == k; ++polygon) add(*polygon);
+            // One note for a surface that came to nothing, however many pieces it had.
+            if (pieces_ == 0) builder_.add_face({}, info_);
+        }
+        return builder_.finish(surfaces_.face_count, surfaces_.ignored);
+    }
+
+private:
+    void begin(const BspSurface& surface) {
+        info_.source = surface.face;
+        info_.material = builder_.material(surfaces_.shaders[surface.shader]);
+        info_.group = builder_.group("model 0");
+        info_.kind = surface.kind;
+        pieces_ = 0;
+    }
+
+    void add(const BspMesh::Polygon& polygon) {
+        points_.clear();
+        outline_.clear();
+        for (const std::uint32_t corner : mesh_.corners_of(polygon)) {
+            const GridPoint& point = mesh_.snapped[corner];
+            if (!points_.empty() && points_.back() == point) continue;
+            points_.push_back(point);
+        }
+        while (points_.size() > 1 && points_.back() == points_.front()) points_.pop_back();
+        const Division division = divide_polygon(points_);
+        if (division.what == Division::What::kNoArea) return;
+        ++pieces_;
+        for (const GridPoint& point : points_) outline_.push_back(vertices_.at(point));
+        if (info_.kind == FaceKind::kPatch) {
+            add_cell(division);
+        } else {
+            builder_.add_face(outline_, info_);
+        }
+    }
+
+    // A cell is ours, not the file's: when it has to be divided, no face of the file is.
+    void add_cell(const Division& division) {
+        if (division.what == Division::What::kWhole) builder_.add_face(outline_, info_);
+        for (const auto& [a, b, c] : division.triangles) {
+            builder_.add_face(std::array{outline_[a], outline_[b], outline_[c]}, info_);
+        }
+    }
+
+    const BspSurfaces& surfaces_;
+    const BspMesh& mesh_;
+    LevelBuilder builder_;
+    SharedVertices vertices_;
+
+    LevelBuilder::FaceInfo info_;  // of the surface at hand
+    std::size_t pieces_ = 0;
+    std::vector<GridPoint> points_;  // of the polygon at hand
+    std::vector<std::uint32_t> outline_;
+};
+
+}  // namespace
+
+Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name, const ReadOptions& options) {
+    const Result<BspFile> file = BspFile::open(bytes, std::move(name));
+    if (!file) return file.error();
+    const Result<BspSurfaces> surfaces = read_surfaces(file.value(), options);
+    if (!surfaces) return surfaces.error();
+    const Result<BspMesh> mesh = make_bsp_mesh(file.value(), surfaces.value(), options.patch_tolerance);
+    if (!mesh) return mesh.error();
+    return LevelMaker(file.value(), surfaces.value(), mesh.value()).make();
+}
+
+}  // namespace firma

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The maps of OpenArena, where they are: FIRMA_OPENARENA names a folder of .bsp files (tools/unpack_openarena.sh makes
+// one).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "firma/firma.h"
+#include "level/bsp_file.h"
+
+namespace firma {
+namespace {
+
+struct Map {
+    std::string name;
+    std::vector<char> bytes;
+
+    std::span<const std::byte> span() const { return std::as_bytes(std::span(bytes)); }
+};
+
+std::vector<Map> load_maps() {
+    std::vector<Map> maps;
+    const char* folder = std::getenv("FIRMA_OPENARENA");
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder == nullptr ? "" : folder, none)) {
+        if (entry.path().extension() != ".bsp") continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        maps.push_back({entry.path().filename().string(), {std::istreambuf_iterator<char>(file), {}}});
+    }
+    std::sort(maps.begin(), maps.end(), [](const Map& a, const Map& b) { return a.name < b.name; });
+    return maps;
+}
+
+#define LOAD_MAPS_OR_SKIP(maps)                                                           \
+    const std::vector<Map> maps = load_maps();                                            \
+    if (maps.empty())                                                                     \
+    GTEST_SKIP() << "no .bsp files: FIRMA_OPENARENA names no folder of OpenArena's maps " \
+                    "(tools/unpack_openarena.sh makes one from Debian's openarena-081-maps)"
+
+std::vector<Vec3> corners_of(const Level& level, const LevelFace& face) {
+    std::vector<Vec3> corners;
+    for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+        corners.push_back(to_metres(level.vertices[level.corners[face.first_corner + k]]));
+    }
+    return corners;
+}
+
+Vec3 area_of(const std::vector<Vec3>& corners) {
+    Vec3 area;
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+        area = area + cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
+    }
+    return area * 0.5;
+}
+
+TEST(OpenArena, EveryMapIsReadAndEveryFaceIsSound) {
+    LOAD_MAPS_OR_SKIP(maps);
+    for (const Map& map : maps) {
+        const auto level = read_bsp(map.span(), map.name);
+        ASSERT_TRUE(level.ok()) << level.error().text();
+        EXPECT_EQ(level.value().count(FaceNote::kNoArea), 0u) << map.name;
+        std::vector<bool> seen(level.value().source_faces);
+        for (const LevelFace& face : level.value().faces) {
+            ASSERT_EQ(check_polygon(corners_of(level.value(), face)), PolygonFault::kNone) << map.name;
+            seen[face.source] = true;
+        }
+        const auto surfaces = std::size_t(std::count(seen.begin(), seen.end(), true));
+        EXPECT_EQ(surfaces + level.value().ignored_entries, level.value().source_faces) << map.name;
+    }
+}
+
+// What each planar face comes to points where the file says, and so does every piece of it, but for slivers that are
+// folded in the file itself.
+TEST(OpenArena, PlanarFacesFaceAsTheFileSays) {
+    LOAD_MAPS_OR_SKIP(maps);
+    constexpr double kSliver = 32 / 1024.0;  // square metres: 32 square units
+    double area = 0, folded_area = 0;
+    std::size_t faces = 0, pieces = 0, folded = 0;
+    for (const Map& map : maps) {
+        const auto file = BspFile::open(map.span(), map.name).value();
+        const auto in_file = file.records<BspFace>();
+        const Level level = read_bsp(map.span(), map.name).value();
+        std::map<std::uint32_t, Vec3> sums;
+        for (const LevelFace& face : level.faces) {
+            const auto [x, y, z] = in_file[face.source].normal;
+            if (face.kind != FaceKind::kPolygon || (x == 0 && y == 0 && z == 0)) continue;
+            const Vec3 piece = area_of(corners_of(level, face));
+            sums[face.source] = sums[face.source] + piece;
+            area += length(piece);
+            ++pieces;
+            if (dot(piece, {x, y, z}) > 0) continue;
+            ++folded;
+            folded_area += length(piece);
+            EXPECT_LT(length(piece), kSliver) << map.name << " face " << face.source;
+        }
+        for (const auto& [source, sum] : sums) {
+            const auto [x, y, z] = in_file[source].normal;
+            ++faces;
+            if (length(sum) <= kSliver) continue;
+            EXPECT_GT(dot(sum, {x, y, z}), 0.99 * length(sum)) << map.name << " face " << source;
+        }
+    }
+    EXPECT_LT(double(folded), 0.002 * double(pieces));
+    EXPECT_LT(folded_area, 1e-5 * area);
+    RecordProperty("planar_faces", int(faces));
+    RecordProperty("folded_slivers", int(folded));
+}
+
+TEST(OpenArena, PatchesFaceAsTheirNormalsSay) {
+    LOAD_MAPS_OR_SKIP(maps);
+    std::size_t agree = 0, against = 0;
+    for (const Map& map : maps) {
+        const auto file = BspFile::open(map.span(), map.name).value();
+        const auto in_file = file.records<BspFace>();
+        const auto vertices = file.records<BspVertex>();
+        const Level level = read_bsp(map.span(), map.name).value();
+        std::map<std::uint32_t, Vec3> sums;
+        for (const LevelFace& face : level.faces) {
+            if (face.kind == FaceKind::kPatch) sums[face.source] = sums[face.source] + area_of(corners_of(level, face));
+        }
+        for (const auto& [source, sum] : sums) {
+            Vec3 normal;
+            const BspFace face = in_file[source];
+            for (std::int32_t k = 0; k < face.vertex_count; ++k) {
+                const auto [x, y, z] = vertices[std::size_t(face.first_vertex + k)].normal;
+                normal = normal + Vec3{x, y, z};
+            }
+            // A patch that goes all round has no one direction.
+            if (length(normal) < 0.3 * face.vertex_count) continue;
+            (dot(sum, normal) > 0 ? agree : against) += 1;
+        }
+    }
+    EXPECT_GT(agree, 100u);
+    EXPECT_EQ(against, 0u);
+}
+
+TEST(OpenArena, EveryMapMakesASoundWorld) {
+    LOAD_MAPS_OR_SKIP(maps);
+    for (const Map& map : maps) {
+        const auto world = make_world(read_bsp(map.span(), map.name).value());
+        ASSERT_TRUE(world.ok()) << world.error().text();
+        const auto fault = check_world(world.value());
+        EXPECT_FALSE(fault.has_value()) << map.name << ": " << fault->what;
+    }
+}
+
+TEST(OpenArena, EveryMapIsChecked) {
+    LOAD_MAPS_OR_SKIP(maps);
+    for (const Map& map : maps) {
+        const auto check = check_bsp(map.span(), map.name);
+        ASSERT_TRUE(check.ok()) << check.error().text();
+        EXPECT_GT(check.value().vertices, 100u);
+    }
+}
+
+}  // namespace
+}  // namespace firma
