@@ -2,6 +2,8 @@
 // Checking meshes: closed or not by exact decimals, whom it blames, and what it says of the snap.
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -423,6 +425,53 @@ TEST(CheckMesh, JudgesPlanesAtEveryWidth) {
         ASSERT_EQ(bent.notes.size(), 1u);
         EXPECT_EQ(bent.notes[0].what, MeshNote::kDivided) << decimals;
     }
+}
+
+/// The same faces in units that make every number longer: notes stay as they are.
+TEST(CheckMesh, JudgesAlikeAtEveryWidth) {
+    scenes::Rng rng(6);
+    std::array<std::size_t, 5> seen{};
+    for (int round = 0; round < 400; ++round) {
+        std::array<std::string, 4> texts;
+        std::array<double, 4> scales;
+        const int size = 2 + int(rng.below(4)), count = 4 + int(rng.below(4));
+        std::vector<std::array<int, 3>> points(24);
+        for (auto& point : points) {
+            for (int& x : point) x = int(rng.below(unsigned(size)));
+            if (rng.chance(0.7)) point[2] = (point[0] + 2 * point[1]) * (round % 2);  // many in one plane
+        }
+        for (std::size_t width = 0; width < texts.size(); ++width) {
+            boost::multiprecision::cpp_int unit = 1;
+            for (std::size_t k = 0; k < 25 * width * width; ++k) unit *= 5;
+            scales[width] = 1 / unit.convert_to<double>();
+            for (const auto& point : points) {
+                texts[width] += "v";
+                for (const int x : point) texts[width] += " " + boost::multiprecision::cpp_int(unit * x).str() + "e-1";
+                texts[width] += "\n";
+            }
+        }
+        std::string faces;
+        for (int face = 0; face < 12; ++face) {
+            faces += "f";
+            for (int k = 0; k < count; ++k) faces += " " + std::to_string(1 + rng.below(24));
+            faces += "\n";
+        }
+        const auto notes_at = [&](std::size_t width) {
+            ReadOptions options;
+            options.scale = scales[width];
+            std::vector<std::pair<std::uint32_t, MeshNote>> notes;
+            for (const MeshNotePlace& note : check(texts[width] + faces, options).notes)
+                notes.push_back({note.source, note.what});
+            return notes;
+        };
+        const auto notes = notes_at(0);
+        for (const auto& [source, what] : notes) ++seen[std::size_t(what)];
+        for (std::size_t width = 1; width < texts.size(); ++width)
+            EXPECT_EQ(notes_at(width), notes) << texts[0] << faces;
+    }
+    EXPECT_GT(seen[std::size_t(MeshNote::kNoArea)], 20u);
+    EXPECT_GT(seen[std::size_t(MeshNote::kBent)], 5u);
+    EXPECT_GT(seen[std::size_t(MeshNote::kDivided)], 1000u);
 }
 
 TEST(CheckMesh, IsQuickOnLargeFiles) {
