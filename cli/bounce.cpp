@@ -16,15 +16,21 @@ namespace firma::cli {
 
 namespace {
 
-/// Kept from faces, metres: a thousand times what casts are rounded by at 8 km, and little enough for the narrowest
-/// doors. Where not even that much room is left, the sphere goes up to the face itself.
-constexpr std::array<double, 2> kSkins{1e-6, 0};
+// Kept from faces, metres: far more than casts are rounded by even at 8 km, and little enough for the narrowest doors.
+constexpr double kSkin = 1e-6;
+// Where not even that much room is left. A sphere may go up to the faces themselves; a particle would pass them by
+// rounding.
+constexpr double kTightSkin = 0, kTightParticleSkin = 1e-7;
+constexpr double kLeastSphere = 1e-6;  // metres of radius; smaller ones are treated as particles
 /// A start this much nearer than the radius, metres, is taken for touching: decimals are rounded.
 constexpr double kStartSlack = 1e-9;
-constexpr int kLooks = 8;        ///< directions compared at a bounce
-constexpr int kTightLooks = 32;  ///< more of them, out of the corner, where none of those goes anywhere
-constexpr int kSamples = 48;     ///< cells looked at along one flight
-constexpr double kRowsPerCell = 4;
+constexpr int kLooks = 16;      // directions compared at a bounce, at least ...
+constexpr int kMostLooks = 96;  // ... and at most, while none leads to new ground
+constexpr double kNewGround = 0.25;
+constexpr int kTightLooks = 32;     // more of them, out of the corner, where none of those goes anywhere
+constexpr int kSamples = 32;        // cells looked at along one flight, at most
+constexpr double kRowsPerCell = 8;  // on average, if all cells are visited alike
+constexpr double kTiny = 1.0 / 64;  // of a cell: a flight that does not count as going anywhere
 
 std::string point_text(const Vec3& p) {
     return fmt::format("({}, {}, {})", p.x, p.y, p.z);
@@ -32,6 +38,12 @@ std::string point_text(const Vec3& p) {
 
 Vec3 unit(const Vec3& v) {
     return v * (1 / length(v));
+}
+
+/// The part of a unit direction that leads along a face, unit; the direction itself where there is no such part.
+Vec3 along(const Vec3& direction, const Vec3& normal) {
+    const Vec3 flat = direction - normal * dot(direction, normal);
+    return dot(flat, flat) > 1e-6 ? unit(flat) : direction;
 }
 
 /// Of the air that the faces enclose, cubic metres; of the bounds when they enclose none.
@@ -48,10 +60,10 @@ double volume_of(const World& world) {
     return volume > 0 ? volume : size.x * size.y * size.z;
 }
 
-/// The largest power of two metres that gives each cell about kRowsPerCell rows.
+/// Metres, so that each cell gets about kRowsPerCell rows. (A cube root by the library differs between machines.)
 double choose_cell_size(double volume, std::uint64_t frames) {
     double size = 1024;
-    while (size > 0x1p-10 && volume * kRowsPerCell < double(frames) * size * size * size) size /= 2;
+    while (size > 0x1p-10 && volume * kRowsPerCell < double(frames) * size * size * size) size *= 0.875;
     return size;
 }
 
@@ -68,14 +80,15 @@ Bouncer::Bouncer(const World& world, const Sphere& start, std::uint64_t frames, 
     const Box bounds = world.bounds();
     if (bounds.empty()) throw Failure("walk", "the level has no faces, so nothing holds the sphere");
     for (int axis = 0; axis < 3; ++axis) {
-        if (place_[axis] - radius_ < bounds.low[axis] - kSkins[0] ||
-            place_[axis] + radius_ > bounds.high[axis] + kSkins[0])
+        if (place_[axis] - radius_ < bounds.low[axis] - kSkin || place_[axis] + radius_ > bounds.high[axis] + kSkin)
             throw Failure("--start",
                           fmt::format("{} with radius {} lies outside of the level, {} .. {}", point_text(place_),
                                       radius_, point_text(bounds.low), point_text(bounds.high)));
     }
     const std::optional<NearFace> nearest = closest(world, place_);
-    if (nearest && (nearest->distance < radius_ - kStartSlack || nearest->distance == 0))
+    if (nearest && nearest->distance == 0)
+        throw Failure("--start", fmt::format("{} lies on face {}", point_text(place_), nearest->source));
+    if (nearest && nearest->distance < radius_ - kStartSlack)
         throw Failure("--start", fmt::format("{} is {} m from face {}, nearer than the radius of {} m",
                                              point_text(place_), nearest->distance, nearest->source, radius_));
     const Vec3 size = bounds.high - bounds.low;
@@ -94,9 +107,9 @@ void Bouncer::step() {
     ++visits_[cell_at(place_)];
 }
 
-/// Moves along the flight, no further than one frame goes. @return whether it moved at all
+/// Moves along the flight, as far as one frame goes. @return whether it moved at all
 bool Bouncer::fly() {
-    const Vec3 path = flight_.direction * (cell_size_ * rng_.uniform(0.5, 1.5));
+    const Vec3 path = flight_.direction * (cell_size_ * rng_.uniform(1, 3));
     CastOptions options;
     options.sides = Sides::kBoth;
     options.skin = flight_.skin;
@@ -115,19 +128,30 @@ bool Bouncer::fly() {
 /// Looks in several directions and sets out in the best. @return false when there is nowhere to go
 bool Bouncer::choose_flight() {
     flight_ = {};
-    for (int k = 0; k < kLooks; ++k) {
-        const Flight seen = look(chalk_direction(normal_), kSkins[0]);
+    for (int k = 0; k < kMostLooks && (k < kLooks || flight_.worth < kNewGround); ++k) {
+        // Half of them nearer to the face than chalk would send them: that is the way along a corridor.
+        const Flight seen = look(k % 2 == 0 ? chalk_direction(normal_) : even_direction(normal_), kSkin);
         if (seen.length > 0 && seen.worth > flight_.worth) flight_ = seen;
     }
-    const Vec3 away = flight_.length < cell_size_ / 64 ? away_from_faces() : Vec3{};
-    for (const double skin : kSkins) {
-        for (int k = 0; k < kTightLooks && flight_.length < cell_size_ / 64; ++k) {
-            const Flight seen = look(direction_near(away), skin);
+    if (flight_.length < kTiny * cell_size_) look_for_a_way_out();
+    flying_ = flight_.length > 0;
+    return flying_;
+}
+
+/// In a sharp corner or a slot: away from all faces at once, ever more narrowly, or along one of them.
+void Bouncer::look_for_a_way_out() {
+    const std::vector<Vec3> normals = normals_in_reach();
+    Vec3 away;
+    for (const Vec3& normal : normals) away = away + normal;
+    for (const double skin : {kSkin, radius_ < kLeastSphere ? kTightParticleSkin : kTightSkin}) {
+        for (int k = 0; k < kTightLooks && flight_.length < kTiny * cell_size_; ++k) {
+            Vec3 direction = direction_near(away);
+            if (k % 2 == 1 && !normals.empty())
+                direction = along(direction, normals[rng_.below(std::uint32_t(normals.size()))]);
+            const Flight seen = look(direction, skin);
             if (seen.length > flight_.length) flight_ = seen;
         }
     }
-    flying_ = flight_.length > 0;
-    return flying_;
 }
 
 /// How far the sphere could go, and over what ground.
@@ -164,6 +188,12 @@ Vec3 Bouncer::chalk_direction(const Vec3& normal) {
     }
 }
 
+/// Evenly over the half of all directions that leads away from a face.
+Vec3 Bouncer::even_direction(const Vec3& normal) {
+    const Vec3 direction = rng_.direction();
+    return dot(direction, normal) < 0 ? -direction : direction;
+}
+
 /// Narrower and narrower about a direction, by chance: the way out of a sharp corner is a thin cone.
 Vec3 Bouncer::direction_near(const Vec3& direction) {
     const double width = std::ldexp(1.0, 1 - int(rng_.below(20)));
@@ -173,16 +203,16 @@ Vec3 Bouncer::direction_near(const Vec3& direction) {
     }
 }
 
-/// From all the faces in reach at once, unit; zero when none is, or they cancel out.
-Vec3 Bouncer::away_from_faces() const {
+/// From the faces about to be touched, unit.
+std::vector<Vec3> Bouncer::normals_in_reach() const {
     std::vector<NearFace> near;
-    overlap(world_, {place_, radius_ + 4 * kSkins[0]}, near);
-    Vec3 sum;
+    overlap(world_, {place_, radius_ + 4 * kSkin}, near);
+    std::vector<Vec3> normals;
     for (const NearFace& face : near) {
         const Vec3 away = place_ - face.point;
-        if (dot(away, away) > 0) sum = sum + unit(away);
+        if (dot(away, away) > 0) normals.push_back(unit(away));
     }
-    return dot(sum, sum) > 0 ? unit(sum) : Vec3{};
+    return normals;
 }
 
 Bouncer::Cell Bouncer::cell_at(const Vec3& point) const {

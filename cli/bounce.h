@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A sphere that bounces about a closed room and gets everywhere: one straight move a frame, by its own casts.
 //
-// The sphere flies straight until it meets a face; there it leaves in a random direction, as light leaves chalk (the
-// cosine law), which fills a room of any shape evenly. Of several such directions it takes the one that leads to the
+// The sphere flies straight until it meets a face and leaves it in a random direction, much as light leaves chalk (the
+// cosine law), which fills a room of any shape evenly. Of many such directions it takes the one that leads over the
 // least visited ground, so that narrow doors and long corridors need not be found by luck.
 #pragma once
 
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 #include "firma/hit.h"
 #include "firma/polygon.h"
@@ -41,12 +42,14 @@ private:
     };
 
     bool choose_flight();
+    void look_for_a_way_out();
     bool fly();
     Flight look(const Vec3& direction, double skin) const;
     double worth_of(const Flight& flight) const;
     Vec3 chalk_direction(const Vec3& normal);
+    Vec3 even_direction(const Vec3& normal);
     Vec3 direction_near(const Vec3& direction);
-    Vec3 away_from_faces() const;
+    std::vector<Vec3> normals_in_reach() const;
 
     struct Cell {
         std::int64_t x = 0, y = 0, z = 0;
