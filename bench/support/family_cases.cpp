@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Cases for when the shared ones are missing.
+#include "support/family_cases.h"
+
+#include <algorithm>
+
+#include "firma/world.h"
+#include "scenes/cast_families.h"
+
+namespace firma::bench {
+namespace {
+
+/// How deep the sphere would have got in a face, had it gone on: looked for in steps.
+double margin_of(const scenes::CastQuery& move, const std::vector<Vec3>& face) {
+    constexpr int kSteps = 256;
+    double nearest = INFINITY;
+    for (int step = 0; step <= kSteps; ++step) {
+        const Vec3 centre = move.sphere.centre + move.path * (double(step) / kSteps);
+        nearest = std::min(nearest, closest_point(centre, face).distance);
+    }
+    return std::max(0.0, move.sphere.radius - nearest);
+}
+
+ExactCase judged(std::string name, const scenes::CastScene& scene) {
+    ExactCase exact;
+    exact.name = std::move(name);
+    exact.level = scenes::level_of(scene.polygons);
+    exact.casts = scene.casts;
+    const World world = make_world(exact.level).value();
+    for (const scenes::GridPolygon& polygon : scene.polygons) exact.faces.push_back(scenes::to_metres(polygon));
+    for (const scenes::CastQuery& move : exact.casts) {
+        const Hit hit = cast(world, move.sphere, move.path);
+        Expected expected;
+        expected.status = hit.status;
+        expected.fraction = hit.fraction;
+        if (hit.touched()) {
+            expected.faces = {hit.source};
+            expected.margin = expected.first_margin = margin_of(move, exact.faces[hit.source]);
+        }
+        exact.expected.push_back(expected);
+    }
+    return exact;
+}
+
+}  // namespace
+
+std::vector<ExactCase> family_cases(std::size_t scenes_each) {
+    std::vector<ExactCase> cases;
+    for (const scenes::CastFamily& family : scenes::cast_families())
+        for (std::size_t k = 0; k < scenes_each; ++k)
+            cases.push_back(judged(std::string(family.name), scenes::make_cast_scene(family, 1, k)));
+    return cases;
+}
+
+}  // namespace firma::bench
