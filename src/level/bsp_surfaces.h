@@ -23,7 +23,7 @@ struct BspSurface {
     std::uint32_t shader = 0;
     std::uint32_t first_corner = 0;
     std::uint32_t corner_count = 0;
-    bool flat = false;        ///< the file gives a normal for it; compilers give none to bent planar faces (terrain)
+    bool flat = false;        ///< planar, and the file gives a normal that its corners bear out; terrain has none
     std::uint32_t width = 0;  ///< control points in a row of a patch
     std::uint32_t height = 0;
 };

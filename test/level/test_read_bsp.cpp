@@ -185,6 +185,14 @@ TEST(ReadBsp, BentPlanarFaceKeepsItsTriangles) {
     EXPECT_EQ(corners_of(level, level.faces[1])[1], (Vec3{1, 1, 0.25}));
     EXPECT_EQ(level.faces[1].source, 0u);
     EXPECT_TRUE(level.notes.empty());
+
+    // Nor does a normal make it flat.
+    writer.faces[0].normal = {0, 0, 1};
+    EXPECT_EQ(read(writer).value().faces.size(), 2u);
+    EXPECT_TRUE(read(writer).value().notes.empty());
+    writer.faces[0].normal = {0, 0, NAN};
+    EXPECT_EQ(read(writer).value().faces.size(), 2u);
+    EXPECT_TRUE(read(writer).value().notes.empty());
 }
 
 TEST(ReadBsp, SoupsStaySoups) {
