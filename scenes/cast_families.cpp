@@ -469,6 +469,21 @@ void in_double(Rng& rng, CastScene& scene) {
     kMake(builder);
 }
 
+/// Moves everything, kilometres away where there is room; the casts' starts are rounded once more.
+void move_scene(Rng& rng, CastScene& scene) {
+    Steps by = random_steps(rng, 8000 * kMetre);
+    by = {by.x / kInput * kInput, by.y / kInput * kInput, by.z / kInput * kInput};
+    if (rng.chance(0.3)) by = {by.x, 0, 0};
+    for (const GridPolygon& polygon : scene.polygons)
+        for (const GridPoint& p : polygon) {
+            const Steps to = steps(p) + by;
+            if (!all_in_world({&to, 1})) return;
+        }
+    for (GridPolygon& polygon : scene.polygons)
+        for (GridPoint& p : polygon) p = in_world(steps(p) + by);
+    for (CastQuery& cast : scene.casts) cast.sphere.centre = cast.sphere.centre + to_metres(by);
+}
+
 }  // namespace
 
 const std::vector<CastFamily>& cast_families() {
@@ -529,6 +544,7 @@ CastScene make_cast_scene(const CastFamily& family, std::uint64_t seed, std::uin
     rng.next();
     CastScene scene;
     family.make(rng, scene);
+    if (rng.chance(0.2)) move_scene(rng, scene);
     return scene;
 }
 

@@ -96,4 +96,20 @@ TEST(TreeEqualsBruteForce, OnClosedMeshes) {
     }
 }
 
+// Enough faces for blocks of blocks.
+TEST(TreeEqualsBruteForce, OnManyFaces) {
+    scenes::Rng rng(17);
+    scenes::CastScene scene;
+    for (int k = 0; k < 9000; ++k) {
+        const scenes::Steps centre = scenes::random_steps(rng, 40 * scenes::kMetre);
+        scene.polygons.push_back(
+            scenes::random_triangle(rng, centre, scenes::kMetre * (k % 100 ? 1 : 30), scenes::kInput));
+    }
+    for (int k = 0; k < 150; ++k) {
+        const Vec3 start{rng.uniform(-60, 60), rng.uniform(-60, 60), rng.uniform(-60, 60)};
+        scene.casts.push_back({{start, k % 3 ? rng.uniform(0, 2) : 0}, rng.direction() * rng.uniform(0, 120)});
+    }
+    compare(scene, "many faces");
+}
+
 }  // namespace
