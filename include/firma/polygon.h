@@ -38,7 +38,7 @@ PolygonFault check_polygon(std::span<const Vec3> corners);
 ///
 /// @param sphere   centre at fraction 0 and radius (metres); radius 0 casts a particle, whose "inside" is decided
 /// exactly
-/// @param path     motion (metres); a zero path (below 2^-250 m) is kMiss: use overlap()
+/// @param path     motion (metres); a zero path (below 2^-1000 m) is kMiss: use overlap()
 /// @param corners  the polygon, as the head of this file says; others give answers without meaning, never a crash
 /// @param sides    kFront: only when path . normal < 0 (exact sign), wherever the centre is
 /// @return kHit with fraction in (0, 1]; kTouching at fraction 0 when the distance at the start is at most the radius
@@ -60,7 +60,7 @@ struct ClosestPoint {
 };
 
 /// @param point    metres, finite
-/// @param corners  the polygon
+/// @param corners  the polygon; at an infinite distance when there are fewer than three, or one lies outside the world
 ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners);
 
 /// Whether a closed ball and a closed polygon share a point, from either side. No tolerance; false for what is not a

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "cast/cast_sphere_face.h"
+#include "cast/nearness.h"
 #include "cast/vector_of.h"
 #include "geometry/exact_predicates.h"
 #include "geometry/rounding.h"
@@ -42,6 +43,12 @@ int edge_side(const Sweep& sweep, const Vec3& a, const Projected& pa, const Vec3
     return exact_edge_side(sweep.start, sweep.direction, a, b);
 }
 
+/// Which side a particle at t is on. Of several sides in a row on one line the clipping knows only the line.
+std::uint32_t side_at(const Sweep& sweep, const PolygonShape& polygon, double t) {
+    const Closest closest = closest_on_rim((sweep.start - polygon.corners[0]) + sweep.direction * t, polygon);
+    return closest.index;  // a vertex stands for the side it begins
+}
+
 /// A path within the plane meets the polygon's rim: clipping by each side's half-plane, in double-double. The start is
 /// not on it.
 Contact cast_in_plane(const Sweep& sweep, const PolygonShape& polygon) {
@@ -69,9 +76,14 @@ Contact cast_in_plane(const Sweep& sweep, const PolygonShape& polygon) {
         }
     }
     const double slack = 8 * kDoubleDoubleRoundoff * (enters.high < 0 ? -enters.high : enters.high);
-    if (leaves + Real(slack) < enters) return {};
+    if (!contact.touched() || leaves + Real(slack) < enters) return {};
+    contact.index = side_at(sweep, polygon, contact.t);
     return contact;
 }
+
+/// A start that is off a plane at all is off by more than 2^-340 m times the normal; so a path below this never gets
+/// there, and its products would underflow.
+constexpr double kTooShortToCross = 0x1p-400;
 
 }  // namespace
 
@@ -92,12 +104,14 @@ Contact cast_particle_polygon(const Sweep& sweep, const PolygonShape& polygon, i
     const int side = exact_plane_side(sweep.start, polygon);
     if (facing == 0) {
         if (side != 0) return {};
-        const ClosestPoint closest = closest_point(sweep.start, polygon.corners);
-        return closest.distance == 0 ? Contact{} : cast_in_plane(sweep, polygon);
+        const Closest closest = closest_to(sweep.start - polygon.corners[0], polygon);
+        const bool on_it = nearness(sweep.start, 0, sweep.direction, facing, polygon, closest).on_it;
+        return on_it ? Contact{} : cast_in_plane(sweep, polygon);
     }
     if (side == facing) return {};  // beyond the plane, moving away
     if (!line_meets_polygon(sweep, polygon, facing)) return {};
     if (side == 0) return {Status::kTouching, Feature::kFace, 0, 0};
+    if (sweep.end < kTooShortToCross) return {};
     if (exact_plane_side(sweep.start, sweep.direction * sweep.end, polygon) == side) return {};
 
     Sweep particle = sweep;

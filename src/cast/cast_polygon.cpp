@@ -2,28 +2,18 @@
 // The public pair functions: one mover, one polygon.
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
+#include "cast/nearness.h"
 #include "firma/polygon.h"
 #include "geometry/rounding.h"
 
 namespace firma {
-namespace {
-
-bool castable(std::span<const Vec3> corners) {
-    if (corners.size() < 3) return false;
-    for (const Vec3& corner : corners)
-        if (!(largest(corner) <= kWorldRim)) return false;
-    return true;
-}
-
-}  // namespace
-
 PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const Vec3> corners, Sides sides) {
     PolygonHit hit;
     Sweep sweep;
     hit.status = make_sweep(sphere, path, sweep);
     if (hit.status == Status::kInvalid) return hit;
     hit.status = Status::kInvalid;
-    if (!castable(corners)) return hit;
+    if (!usable_corners(corners)) return hit;
     const PolygonShape polygon = make_shape(corners);
     if (!(polygon.normal_length > 0)) return hit;
     hit.status = Status::kMiss;
@@ -33,8 +23,11 @@ PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const 
 }
 
 bool overlap(const Sphere& sphere, std::span<const Vec3> corners) {
-    if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !castable(corners)) return false;
-    return closest_point(sphere.centre, corners).distance <= sphere.radius;
+    if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !usable_corners(corners)) return false;
+    if (!(largest(sphere.centre) <= kLargestNumber && sphere.radius <= kLargestNumber)) return false;
+    const PolygonShape polygon = make_shape(corners);
+    if (!(polygon.normal_length > 0)) return false;
+    return ball_meets(sphere.centre, sphere.radius, polygon, closest_to(sphere.centre - corners[0], polygon));
 }
 
 }  // namespace firma

@@ -48,6 +48,7 @@ inline Entry enter_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
         return {Entry::kDoubtful};
     if (discriminant < 0) return {};
     double t = t0 - (rest + std::sqrt(discriminant)) / nn;
+    if (near_end(t, sweep.end)) return {Entry::kDoubtful};
     if (t > sweep.end) return {};
     if (t < 0) {
         if (!(dot(m, n) < 0)) return {};
@@ -77,10 +78,9 @@ inline Entry enter_edge_precisely(const Sweep& sweep, const Vec3& a, const Vec3&
     if (discriminant.high < -bound) return {};
     Real t = t0 - (rest + square_root(discriminant)) / nn;
     if (t.high < 0) t = 0.0;
-    if (Real(sweep.end) < t) return {};
     const Real along = dot(w, e) + t * dot(d, e);
     if (along < 0.0 || ee < along) return {};
-    return {Entry::kFound, rounded(t)};
+    return counted(sweep, t);
 }
 
 }  // namespace firma

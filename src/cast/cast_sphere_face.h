@@ -47,8 +47,7 @@ inline PlaneView view_plane(const Sweep& sweep, const PolygonShape& polygon, int
 inline Entry enter_plane(const Sweep& sweep, const PolygonShape& polygon, const PlaneView& view) {
     if (view.approach >= sweep.direction_length * 0.125) {
         const double t = (view.height - sweep.radius) / view.approach;
-        if (t > sweep.end) return {};
-        return {Entry::kFound, t < 0 ? 0 : t};
+        if (!near_end(t, sweep.end)) return t > sweep.end ? Entry{} : Entry{Entry::kFound, t < 0 ? 0 : t};
     }
     using Real = DoubleDouble;
     const VectorOf<Real> n = precise_normal(polygon);
@@ -56,9 +55,7 @@ inline Entry enter_plane(const Sweep& sweep, const PolygonShape& polygon, const 
     const Real height = dot(difference<Real>(sweep.start, polygon.corners[0]), n) * Real(-view.facing);
     const Real reach = Real(sweep.radius) * square_root(dot(n, n));
     if (!(0.0 < down)) return {};
-    const double t = rounded((height - reach) / down);
-    if (t > sweep.end) return {};
-    return {Entry::kFound, t < 0 ? 0 : t};
+    return counted(sweep, (height - reach) / down);
 }
 
 /// Whether the foot of the centre at t lies inside the face. In double: along its rim the edges answer as well as the

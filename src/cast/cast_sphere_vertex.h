@@ -34,6 +34,7 @@ inline Entry enter_vertex(const Sweep& sweep, const Vec3& vertex) {
     if (std::fabs(discriminant) < kShallow * full || error > kTinyRadius * sweep.radius) return {Entry::kDoubtful};
     if (discriminant < 0) return {};
     const double t = t0 - (rest + std::sqrt(discriminant)) / sweep.direction_square;
+    if (near_end(t, sweep.end)) return {Entry::kDoubtful};
     if (t > sweep.end) return {};
     return {Entry::kFound, t < 0 ? 0 : t};  // before the start by rounding only: it was found apart there
 }
@@ -51,9 +52,8 @@ inline Entry enter_vertex_precisely(const Sweep& sweep, const Vec3& vertex) {
     const Real discriminant = rest * rest + square * (r * r - dot(c, c));
     const double far = std::sqrt(rounded(dot(w, w))) + sweep.radius;
     if (discriminant.high < -8 * kDoubleDoubleRoundoff * rounded(square) * far * sweep.radius) return {};
-    const double t = rounded(t0 - (rest + square_root(discriminant)) / square);
-    if (t > sweep.end) return {};
-    return {Entry::kFound, t < 0 ? 0 : t};
+    const Real t = t0 - (rest + square_root(discriminant)) / square;
+    return counted(sweep, t);
 }
 
 }  // namespace firma

@@ -18,6 +18,13 @@ struct Entry {
 /// the path moves the contact by e / sine along it.
 inline constexpr double kShallow = 1.0 / 64;
 
+/// Within this share of the path's end, double cannot tell whether a touch still counts.
+inline constexpr double kNearEnd = 0x1p-40;
+
+inline bool near_end(double t, double end) {
+    return t > end * (1 - kNearEnd) && t < end * (1 + kNearEnd);
+}
+
 /// A radius within this factor of the rounding of positions says nothing in double.
 inline constexpr double kTinyRadius = 0x1p-16;
 

@@ -2,7 +2,9 @@
 // A contact dressed up.
 #include "cast/make_hit.h"
 
+#include "geometry/closest_point.h"
 #include "geometry/exact_predicates.h"
+#include "geometry/rounding.h"
 
 namespace firma {
 namespace {
@@ -16,37 +18,29 @@ Vec3 normal_toward_mover(const Sweep& sweep, const PolygonShape& polygon, const 
 
 }  // namespace
 
+// The time says when; where, is the point nearest to the centre then. Features that are met at the same time, to
+// rounding, need not be the same place: past an edge's end the times of edge and vertex differ by the square of the
+// distance between them only.
 PolygonHit make_hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) {
+    const Vec3 centre = (sweep.start - polygon.corners[0]) + sweep.direction * contact.t;  // from the first corner
+    const bool along_the_plane = contact.feature == Feature::kEdge && sweep.radius == 0;
+    const Closest closest = along_the_plane ? closest_on_rim(centre, polygon) : closest_to(centre, polygon);
+
     PolygonHit hit;
     hit.status = contact.status;
-    hit.feature = contact.feature;
-    hit.feature_index = contact.index;
     hit.fraction = sweep.fraction(contact.t);
     hit.centre = sweep.at(contact.t);
+    hit.point = polygon.corners[0] + closest.offset;
     hit.face_normal = polygon.unit_normal();
     hit.normal = normal_toward_mover(sweep, polygon, hit.face_normal);
-
-    // Relative to a corner first, so that nothing is lost far from the origin.
-    const Vec3 corner = polygon.corners[contact.index];
-    const Vec3 centre = (sweep.start - corner) + sweep.direction * contact.t;
-    Vec3 away;
-    if (contact.feature == Feature::kFace) {
-        const double height = dot(centre, polygon.normal) / polygon.normal_length;
-        hit.point = corner + (centre - hit.face_normal * height);
-        return hit;
-    }
-    if (contact.feature == Feature::kEdge) {
-        const Vec3 edge = polygon.corners[polygon.next(contact.index)] - corner;
-        double along = dot(centre, edge) / dot(edge, edge);
-        along = along < 0 ? 0 : along > 1 ? 1 : along;
-        hit.point = corner + edge * along;
-        away = centre - edge * along;
-    } else {
-        hit.point = corner;
-        away = centre;
-    }
-    const double distance = length(away);
-    if (sweep.radius > 0 && distance > 0) hit.normal = away * (1 / distance);
+    hit.feature = contact.feature;
+    hit.feature_index = contact.index;
+    if (sweep.radius == 0) return hit;
+    hit.feature = closest.feature;
+    hit.feature_index = closest.index;
+    const double noise = rounding(64) * (length(centre) + length(closest.offset));
+    if (closest.feature != Feature::kFace && closest.distance > noise)
+        hit.normal = closest.away * (1 / closest.distance);
     return hit;
 }
 

@@ -49,7 +49,7 @@ Status make_sweep(const Sphere& sphere, const Vec3& path, Sweep& sweep) {
     if (!usable(sphere.centre) || !usable(path)) return Status::kInvalid;
     if (!(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
     const double size = largest(path);
-    if (size < kSmallestNumber) return Status::kMiss;
+    if (size < kShortestPath) return Status::kMiss;
 
     sweep.start = without_dust(sphere.centre);
     sweep.radius = sphere.radius < kSmallestNumber ? 0 : sphere.radius;

@@ -29,7 +29,7 @@ struct Sweep {
 };
 
 /// @return kInvalid when a number is not finite or beyond kLargestNumber, or the radius is negative; kMiss for a zero
-/// path; kHit
+/// path (below kShortestPath); kHit
 ///         when the sweep was made.
 Status make_sweep(const Sphere& sphere, const Vec3& path, Sweep& sweep);
 

@@ -2,8 +2,10 @@
 // Vectors over double or DoubleDouble, so that each equation of a contact is written once and solved in either.
 #pragma once
 
+#include "cast/entry.h"
 #include "cast/sweep.h"
 #include "geometry/double_double.h"
+#include "geometry/rounding.h"
 
 namespace firma {
 
@@ -46,6 +48,15 @@ inline VectorOf<double> difference<double>(const Vec3& a, const Vec3& b) {
 template <>
 inline VectorOf<DoubleDouble> difference<DoubleDouble>(const Vec3& a, const Vec3& b) {
     return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
+}
+
+/// A precise time of touch as an answer: one at the end of the path to the last digit counts, one before the start is
+/// at the start.
+inline Entry counted(const Sweep& sweep, const DoubleDouble& t) {
+    const DoubleDouble end = DoubleDouble(sweep.end, sweep.end * 8 * kDoubleDoubleRoundoff);
+    if (end < t) return {};
+    const double rounded_t = rounded(t);
+    return {Entry::kFound, rounded_t < 0 ? 0 : rounded_t > sweep.end ? sweep.end : rounded_t};
 }
 
 }  // namespace firma

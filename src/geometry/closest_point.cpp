@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The point of a polygon nearest to a point.
 // Source: C. Ericson, Real-Time Collision Detection, 2005, section 5.1.
-#include <cmath>
+#include "geometry/closest_point.h"
 
-#include "firma/polygon.h"
-#include "geometry/polygon_shape.h"
+#include <cmath>
 
 namespace firma {
 namespace {
@@ -19,33 +18,40 @@ bool foot_inside(const Vec3& w, const PolygonShape& polygon) {
 }
 
 /// The nearest point of the side from corner k to the next one.
-ClosestPoint closest_on_side(const Vec3& point, const PolygonShape& polygon, std::size_t k) {
+Closest closest_on_side(const Vec3& w, const PolygonShape& polygon, std::size_t k) {
     const std::size_t next = polygon.next(k);
-    const Vec3 &a = polygon.corners[k], &b = polygon.corners[next];
-    const Vec3 w = point - a, edge = b - a;
-    const double along = dot(w, edge), square = dot(edge, edge);
-    if (along <= 0) return {a, length(w), Feature::kVertex, std::uint32_t(k)};
-    if (along >= square) return {b, length(point - b), Feature::kVertex, std::uint32_t(next)};
+    const Vec3 a = polygon.corners[k] - polygon.corners[0], b = polygon.corners[next] - polygon.corners[0];
+    const Vec3 from_a = w - a, edge = b - a;
+    const double along = dot(from_a, edge), square = dot(edge, edge);
+    if (along <= 0) return {a, from_a, length(from_a), Feature::kVertex, std::uint32_t(k)};
+    if (along >= square) return {b, w - b, length(w - b), Feature::kVertex, std::uint32_t(next)};
     const Vec3 offset = edge * (along / square);
-    return {a + offset, length(w - offset), Feature::kEdge, std::uint32_t(k)};
+    return {a + offset, from_a - offset, length(from_a - offset), Feature::kEdge, std::uint32_t(k)};
 }
 
 }  // namespace
 
-ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners) {
-    const PolygonShape polygon = make_shape(corners);
-    const Vec3 w = point - corners[0];
-    if (foot_inside(w, polygon)) {
-        const Vec3 normal = polygon.unit_normal();
-        const double height = dot(w, polygon.normal) / polygon.normal_length;
-        return {point - normal * height, std::fabs(height), Feature::kFace, 0};
-    }
-    ClosestPoint best = closest_on_side(point, polygon, 0);
-    for (std::size_t k = 1; k < corners.size(); ++k) {
-        const ClosestPoint other = closest_on_side(point, polygon, k);
+Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon) {
+    Closest best = closest_on_side(w, polygon, 0);
+    for (std::size_t k = 1; k < polygon.corners.size(); ++k) {
+        const Closest other = closest_on_side(w, polygon, k);
         if (other.distance < best.distance) best = other;
     }
     return best;
+}
+
+Closest closest_to(const Vec3& w, const PolygonShape& polygon) {
+    if (!foot_inside(w, polygon)) return closest_on_rim(w, polygon);
+    const double height = dot(w, polygon.normal) / polygon.normal_length;
+    const Vec3 away = polygon.unit_normal() * height;
+    return {w - away, away, std::fabs(height), Feature::kFace, 0};
+}
+
+ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners) {
+    if (!usable_corners(corners)) return {point, INFINITY, Feature::kFace, 0};
+    const PolygonShape polygon = make_shape(corners);
+    const Closest closest = closest_to(point - corners[0], polygon);
+    return {corners[0] + closest.offset, closest.distance, closest.feature, closest.index};
 }
 
 }  // namespace firma

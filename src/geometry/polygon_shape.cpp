@@ -61,6 +61,13 @@ constexpr double kSquareStep = 1 / (kSurfaceSteps * kSurfaceSteps);
 
 }  // namespace
 
+bool usable_corners(std::span<const Vec3> corners) {
+    if (corners.size() < 3) return false;
+    for (const Vec3& corner : corners)
+        if (!is_finite(corner) || largest(corner) > kWorldRim) return false;
+    return true;
+}
+
 ExactNormal exact_normal(std::span<const Vec3> corners) {
     const WideVec wide = wide_normal(corners);
     const auto in_two = [](Wide value) -> std::array<double, 2> {

@@ -25,6 +25,9 @@ struct PolygonShape {
     Vec3 unit_normal() const { return normal * (1 / normal_length); }
 };
 
+/// Whether corners can be worked with at all: three or more, none outside the world (or no number).
+bool usable_corners(std::span<const Vec3> corners);
+
 /// A normal as exact sums of two doubles a component.
 struct ExactNormal {
     std::array<std::array<double, 2>, 3> axis;
@@ -33,7 +36,7 @@ struct ExactNormal {
 /// The normal's exact components, in square metres.
 ExactNormal exact_normal(std::span<const Vec3> corners);
 
-/// @param corners  a polygon as firma/polygon.h says
+/// @param corners  a polygon as firma/polygon.h says; usable_corners() must hold
 /// Exact at once when every corner lies on the input grid (double holds each term and sum), by wide integers otherwise.
 PolygonShape make_shape(std::span<const Vec3> corners);
 

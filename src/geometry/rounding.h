@@ -19,6 +19,9 @@ inline constexpr double kDoubleDoubleRoundoff = 0x1p-100;
 /// Numbers of a cast beyond this are refused: products of five of them could overflow.
 inline constexpr double kLargestNumber = 0x1p+200;
 
+/// A path without a coordinate of this size counts as none, in metres.
+inline constexpr double kShortestPath = 0x1p-1000;
+
 /// Parts of numbers below this count as zero in a cast, so that exact products of three never underflow.
 inline constexpr double kSmallestNumber = 0x1p-250;
 

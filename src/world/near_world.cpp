@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cast/nearness.h"
 #include "firma/world.h"
 #include "geometry/rounding.h"
 #include "tree/visit.h"
@@ -23,10 +24,13 @@ double distance_to(const BoxF& box, const Vec3& point) {
     return length(away) * (1 - rounding(16));
 }
 
-NearFace near_face(const Block& block, std::uint32_t slot, const FaceShape& shape, const Vec3& point) {
+NearFace near_face(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
     NearFace near;
     const FaceRecord& face = block.faces[slot];
-    static_cast<ClosestPoint&>(near) = closest_point(point, shape.polygon.corners);
+    near.point = polygon.corners[0] + closest.offset;
+    near.distance = closest.distance;
+    near.feature = closest.feature;
+    near.feature_index = closest.index;
     near.face = face.id;
     near.ref = {&block, slot};
     near.source = face.source;
@@ -54,8 +58,8 @@ struct NearVisitor {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
             if (!(block.faces[slot].mask & mask)) continue;
             const FaceShape shape(block, block.faces[slot]);
-            const NearFace near = near_face(block, slot, shape, point);
-            if (near.distance <= found.reach) found(near);
+            const Closest closest = closest_to(point - shape.polygon.corners[0], shape.polygon);
+            if (found.takes(point, shape.polygon, closest)) found.keep(near_face(block, slot, shape.polygon, closest));
         }
         return false;
     }
@@ -71,13 +75,17 @@ void visit_near(const World& world, const Vec3& point, std::uint32_t mask, Found
 struct Collect {
     double reach;
     std::vector<NearFace>& all;
-    void operator()(const NearFace& near) { all.push_back(near); }
+    bool takes(const Vec3& point, const PolygonShape& polygon, const Closest& closest) const {
+        return ball_meets(point, reach, polygon, closest);
+    }
+    void keep(const NearFace& near) { all.push_back(near); }
 };
 
 struct KeepNearest {
     double reach;
     std::optional<NearFace> best;
-    void operator()(const NearFace& near) {
+    bool takes(const Vec3&, const PolygonShape&, const Closest& closest) const { return closest.distance <= reach; }
+    void keep(const NearFace& near) {
         if (best && (near.distance > best->distance || (near.distance == best->distance && near.face > best->face)))
             return;
         best = near;

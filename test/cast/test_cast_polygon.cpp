@@ -151,6 +151,9 @@ TEST(CastPolygon, StartsOutsideTheWorldAreAnsweredLikeAnyOther) {
 
 TEST(CastPolygon, TinyAndHugePathsAndRadii) {
     EXPECT_EQ(drop({0, 0, 0x1p-200}, 0, {0, 0, -0x1p-199}).fraction, 0.5);
+    EXPECT_EQ(drop({0, 0, 0.25}, 0.5, {0, 0, -1e-300}).status, Status::kTouching)
+        << "the shortest path has a direction";
+    EXPECT_EQ(drop({0, 0, 0x1p-240}, 0, {0, 0, -1e-300}).status, Status::kMiss);
     EXPECT_EQ(drop({0, 0, 1}, 0x1p-60, {0, 0, -2}).status, Status::kHit) << "a radius lost in rounding never leaks";
     EXPECT_EQ(drop({1, 1, 1}, 0x1p-60, {0, 0, -2}).status, Status::kHit) << "not at a corner either";
     EXPECT_EQ(drop({0, 0, 1000 + 1}, 1000, {0, 0, -2}).fraction, 0.5);

@@ -33,6 +33,13 @@ TEST(ClosestPoint, FaceEdgeAndVertex) {
     EXPECT_EQ(c.distance, 0);
 }
 
+TEST(ClosestPoint, NonsenseIsInfinitelyFar) {
+    EXPECT_EQ(closest_point({0, 0, 0}, {}).distance, INFINITY);
+    EXPECT_EQ(closest_point({0, 0, 0}, std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}).distance, INFINITY);
+    EXPECT_EQ(closest_point({0, 0, 0}, std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}}).distance, INFINITY);
+    EXPECT_EQ(closest_point({0, 0, 0}, std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1e300, 0}}).distance, INFINITY);
+}
+
 TEST(ClosestPoint, NoSampleIsNearer) {
     scenes::Rng rng(31);
     for (int k = 0; k < 2000; ++k) {
