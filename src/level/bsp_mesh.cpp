@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "level/divide_patches.h"
 #include "level/join_triangles.h"
 #include "level/tessellate_patch.h"
 
