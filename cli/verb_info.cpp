@@ -26,8 +26,10 @@ struct InfoArguments {
 
 constexpr const char* kFooter =
     "Lengths are metres, volumes cubic metres, times seconds.\n"
-    "A bin of the tree is divided until it meets any of the three stop rules. `overlap` is the mean share of a bin's\n"
-    "surface that both of its children cover, 0 .. 1.\n"
+    "A bin of the tree is divided until it meets any of the three stop rules; a bin of more than 64 faces is halved "
+    "all\n"
+    "the same, as blocks hold no more. `overlap` is the mean share of a bin's surface that both of its children "
+    "cover.\n"
     "--json: faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices, corners,\n"
     "materials [names], groups, ignored_entries, bounds {low, high} or null, rooms, tree {...}, read_seconds,\n"
     "build_seconds.\n";

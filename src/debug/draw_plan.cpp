@@ -44,7 +44,7 @@ double best_cut(std::span<const Face> faces, const Box& bounds, const View& sect
     std::size_t most = 0;
     for (int k = 0; k < kPlanes; ++k) {
         const int outward = k % 2 == 0 ? k / 2 : -(k + 1) / 2;  // 0, -1, 1, -2, 2 ... steps from the middle
-        const double at = low + size * (0.5 + 0.5 * outward / kPlanes);
+        const double at = low + size * (0.5 + 0.5 * (outward + 0.25) / kPlanes);  // a wall is likelier in the middle
         const std::size_t width = cut_width(section, faces, at);
         if (double(width) > double(most) * 1.02) best = at, most = width;
     }

@@ -13,8 +13,8 @@
 namespace firma::debug {
 
 struct PlanOptions {
-    std::string title;  ///< of the page; the level's name, say
-    int up = 2;         ///< axis that points up: the plan looks down on it
+    std::string title = {};  ///< of the page; the level's name, say
+    int up = 2;              ///< axis that points up: the plan looks down on it
     std::optional<double>
         at;  ///< metres along the plan's vertical axis, where the section cuts; where it shows most unless given
     std::size_t most_casts = 200;  ///< drawn at most, evenly taken from all
