@@ -126,6 +126,7 @@ Error ObjParser::outside_world(const ObjVertex& vertex) const {
         std::string reason =
             vertex_name() + " lies outside the world: " + axis_name + " = " + number_text(metres) + " m";
         if (scale_ != 1) reason += " (" + quote(vertex.text[std::size_t(axis)]) + " times " + number_text(scale_) + ")";
+        if (metres >= -kWorldRim && metres < kWorldRim) reason += ", rounded to 1/4096 m,";
         return error_at_line(ErrorCode::kOutOfRange, name_, vertex.line,
                              reason + " is not within " + world_range(axis_name));
     }
