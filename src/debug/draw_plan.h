@@ -15,8 +15,8 @@ namespace firma::debug {
 struct PlanOptions {
     std::string title = {};  ///< of the page; the level's name, say
     int up = 2;              ///< axis that points up: the plan looks down on it
-    std::optional<double>
-        at;  ///< metres along the plan's vertical axis, where the section cuts; where it shows most unless given
+    /// Metres along the plan's vertical axis, where the section cuts; where it shows most unless given.
+    std::optional<double> at = {};
     std::size_t most_casts = 200;  ///< drawn at most, evenly taken from all
 };
 
