@@ -6,6 +6,8 @@
 
 namespace firma::scenes {
 
+inline constexpr int kCastsAScene = 48;
+
 /// A place of a polygon to aim at.
 struct Place {
     std::size_t polygon = 0;
@@ -89,6 +91,7 @@ public:
     }
 
     void add(Vec3 start, Vec3 path, double radius) {
+        radius = std::fabs(radius);  // nudged below zero
         if (floats) {
             for (int axis = 0; axis < 3; ++axis) {
                 start[axis] = double(float(start[axis]));
@@ -102,6 +105,19 @@ public:
     /// metres along `way` (unit), and goes on for `after`.
     void meet(const Vec3& contact, const Vec3& away, double radius, const Vec3& way, double before, double after) {
         add(contact + away * radius - way * before, way * (before + after), radius);
+    }
+    void triangles(int count, std::int64_t spread, std::int64_t reach, std::int64_t step, const Steps& centre = {}) {
+        for (int k = 0; k < count; ++k)
+            scene.polygons.push_back(random_triangle(rng, centre + random_steps(rng, spread), reach, step));
+    }
+    void ngons(int count, std::int64_t spread, std::int64_t reach, std::int64_t step, int points,
+               bool collinear = false, const Steps& centre = {}) {
+        for (int k = 0; k < count; ++k)
+            scene.polygons.push_back(
+                random_polygon(rng, centre + random_steps(rng, spread), reach, step, points, collinear));
+    }
+    void wild_casts(double radius_most, double reach) {
+        for (int k = 0; k < kCastsAScene; ++k) wild(radius_most, reach);
     }
     /// Anything at all near the polygons.
     void wild(double radius_most, double reach) {

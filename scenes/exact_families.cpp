@@ -12,8 +12,6 @@ namespace firma::scenes {
 
 namespace {
 
-constexpr int kCasts = 48;
-
 std::int64_t whole(Rng& rng, std::int64_t low, std::int64_t high) {
     return low + std::int64_t(rng.below(std::uint32_t(high - low + 1)));
 }
@@ -184,7 +182,7 @@ void lattice_scene(CastBuilder& b, const Steps& origin, std::int64_t unit) {
     }
     const double metre = double(unit) / kSurfaceSteps;
     const double radii[] = {0, 0, 0, 1, 2, 3, 5, 0.5, 1.5, 7, 13};
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const Vec3 start = to_metres(origin) + to_metres(small(b.rng, 12) * unit) * 0.5;
         Vec3 path = to_metres(small(b.rng, 3) * unit) * power(b.rng, -1, 3);
         if (b.rng.chance(0.2)) path = path * 100;
@@ -211,7 +209,7 @@ void axis_aligned(CastBuilder& b) {
         const Steps p = small(b.rng, 5) * kMetre;
         b.rng.chance(0.5) ? quad(p, u, v) : quad(p, w, v);
     }
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const Vec3 start = to_metres(small(b.rng, 28) * (kMetre / 4));
         Vec3 path;
         path[int(b.rng.below(3))] = double(whole(b.rng, -20, 20));
@@ -222,7 +220,7 @@ void axis_aligned(CastBuilder& b) {
 
 void parallel(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const FramedPolygon& p = any(b.rng, all);
         const std::int64_t height = whole(b.rng, -6, 6);
         const Vec3 start = to_metres(p.origin) + p.vector(whole(b.rng, -16, 16), whole(b.rng, -16, 16), height);
@@ -235,7 +233,7 @@ void parallel(CastBuilder& b) {
 
 void coplanar(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const FramedPolygon& p = any(b.rng, all);
         const std::size_t count = p.lattice.size(), at = b.rng.below(std::uint32_t(count));
         const auto &v = p.lattice[at], &w = p.lattice[(at + 1) % count];
@@ -268,7 +266,7 @@ void lattice_of_steps(CastBuilder& b) {
 
 void exact_touch(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const ExactContact c = any_contact(b.rng, any(b.rng, all));
         const double inward = double(whole(b.rng, -1, 1));  // in, along, out
         Vec3 path = c.along * double(whole(b.rng, 0, 2)) - c.away * (inward * power(b.rng, -6, 1));
@@ -279,7 +277,7 @@ void exact_touch(CastBuilder& b) {
 
 void exact_graze(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const FramedPolygon& p = any(b.rng, all);
         const ExactContact c = b.rng.chance(0.5) ? contact_with_edge(b.rng, p) : contact_with_corner(b.rng, p);
         const auto before = double(whole(b.rng, 0, 4)), after = double(whole(b.rng, 0, 4));
@@ -289,7 +287,7 @@ void exact_graze(CastBuilder& b) {
 
 void exact_end(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const ExactContact c = any_contact(b.rng, any(b.rng, all));
         const Vec3 path = c.along * double(whole(b.rng, -2, 2)) - c.away * double(whole(b.rng, 0, 3));
         const double far = power(b.rng, -2, 2);
@@ -299,7 +297,7 @@ void exact_end(CastBuilder& b) {
 
 void sliding(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const FramedPolygon& p = any(b.rng, all);
         ExactContact c = contact_with_face(b.rng, p);
         const Vec3 path = c.along * power(b.rng, -4, 3);
@@ -329,7 +327,7 @@ void shared_flat(CastBuilder& b) {
     const auto metres = [&](std::int64_t i, std::int64_t j, std::int64_t k) {
         return to_metres(frame.at(i, j, k) * unit) * 0.25;
     };
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const std::int64_t i = whole(b.rng, -12, 12), j = b.rng.chance(0.6) ? 4 * whole(b.rng, -3, 3) : i;
         const std::int64_t radius = b.rng.chance(0.5) ? 0 : whole(b.rng, 1, 8);
         Vec3 path = metres(whole(b.rng, -8, 8), whole(b.rng, -8, 8), -whole(b.rng, 1, 8));
@@ -365,7 +363,7 @@ void shared_folded(CastBuilder& b) {
             b.scene.polygons.push_back(other ? GridPolygon{p, q, r} : GridPolygon{p, q, s});
             b.scene.polygons.push_back(other ? GridPolygon{p, r, s} : GridPolygon{q, r, s});
         }
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const Place place = b.place(b.rng.chance(0.5) ? Feature::kVertex : Feature::kEdge);
         const std::vector<Vec3> v = b.corners(place.polygon);
         const double part = double(whole(b.rng, 0, 4)) / 4;
@@ -388,7 +386,7 @@ void exact_fractions(CastBuilder& b) {
         if (u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x) continue;
         b.scene.polygons.push_back({in_world(hub), in_world(hub + u * kMetre), in_world(hub + v * kMetre)});
     }
-    for (int k = 0; k < kCasts; ++k) {
+    for (int k = 0; k < kCastsAScene; ++k) {
         const Steps way = small(b.rng, 4);
         const double before = double(whole(b.rng, 1, 7)), after = double(whole(b.rng, 0, 7));
         const WholeVector away = whole_vector(b.rng);

@@ -144,7 +144,7 @@ private:
     void judge_miss() {
         if (!expected_.touched()) return;
         verdict_.excused = true;
-        if (largest(cast_.path) < 0x1p-250) return;  // what the contract takes for a zero path
+        if (largest(cast_.path) < 0x1p-1000) return;  // what the contract takes for a zero path
         tolerance_ = tolerance(expected_.faces);
         if (answer_.must_hit) return fail(Fault::kMissed, "the way out of a closed room");
         const std::uint32_t count = std::uint32_t(twin_.faces().size());
