@@ -280,8 +280,11 @@ private:
         if (!by_face && contact.distance < 1000 * tolerance_) return;  // no direction to speak of
         double error = INFINITY, allowed = kNormal;
         if (by_face) {
-            if (seen.facing() <= 0) error = length(hit_.normal - normal);
-            if (seen.facing() >= 0) error = std::min(error, length(hit_.normal + normal));
+            // Parts of a path below 2^-250 of its largest are taken for zero, and then either side is where it came
+            // from.
+            const int facing = std::fabs(slope(normal)) < 0x1p-240 ? 0 : seen.facing();
+            if (facing <= 0) error = length(hit_.normal - normal);
+            if (facing >= 0) error = std::min(error, length(hit_.normal + normal));
         } else {
             allowed = normal_tolerance(contact);
             error = length(hit_.normal - contact.direction);
