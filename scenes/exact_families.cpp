@@ -175,7 +175,7 @@ void lattice_scene(CastBuilder& b, const Steps& origin, std::int64_t unit) {
     const int faces = 10 + int(b.rng.below(20));
     while (int(b.scene.polygons.size()) < faces) {
         const Steps o = small(b.rng, 3), u = small(b.rng, 2), v = small(b.rng, 2);
-        if ((u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x)) continue;
+        if (along_one_line(u, v)) continue;
         const auto corners = lattice_polygon(b.rng, 2, 3 + int(b.rng.below(5)), b.rng.chance(0.3));
         const GridPolygon polygon = on_plane(origin + o * unit, u * unit, v * unit, corners);
         if (!polygon.empty()) b.scene.polygons.push_back(polygon);
@@ -383,7 +383,7 @@ void exact_fractions(CastBuilder& b) {
     const Steps hub = steps(in_world(random_steps(b.rng, 8 * kMetre), kMetre));
     while (b.scene.polygons.size() < 24) {  // triangles that all have the hub as a corner
         const Steps u = small(b.rng, 3), v = small(b.rng, 3);
-        if (u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x) continue;
+        if (along_one_line(u, v)) continue;
         b.scene.polygons.push_back({in_world(hub), in_world(hub + u * kMetre), in_world(hub + v * kMetre)});
     }
     for (int k = 0; k < kCastsAScene; ++k) {

@@ -22,10 +22,6 @@ std::int64_t turn(const std::pair<std::int64_t, std::int64_t>& a, const std::pai
     return (b.first - a.first) * (c.second - a.second) - (b.second - a.second) * (c.first - a.first);
 }
 
-bool parallel(const Steps& a, const Steps& b) {
-    return a.y * b.z == a.z * b.y && a.z * b.x == a.x * b.z && a.x * b.y == a.y * b.x;
-}
-
 std::int64_t round_down(std::int64_t value, std::int64_t step) {
     const std::int64_t rest = ((value % step) + step) % step;
     return value - rest;
@@ -40,6 +36,14 @@ Steps random_steps(Rng& rng, std::int64_t reach) {
 GridPoint in_world(const Steps& s, std::int64_t step) {
     const auto one = [&](std::int64_t value) { return std::int32_t(round_down(std::clamp(value, kLow, kHigh), step)); };
     return {one(s.x), one(s.y), one(s.z)};
+}
+
+bool along_one_line(const Steps& a, const Steps& b) {
+    using Wrapping = std::uint64_t;
+    const auto same = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
+        return Wrapping(p) * Wrapping(q) == Wrapping(r) * Wrapping(s);
+    };
+    return same(a.y, b.z, a.z, b.y) && same(a.z, b.x, a.x, b.z) && same(a.x, b.y, a.y, b.x);
 }
 
 bool all_in_world(std::span<const Steps> corners) {
@@ -112,7 +116,8 @@ GridPolygon random_triangle(Rng& rng, const Steps& centre, std::int64_t reach, s
     for (;;) {
         GridPolygon corners;
         for (int k = 0; k < 3; ++k) corners.push_back(in_world(centre + random_steps(rng, reach), step));
-        if (!parallel(steps(corners[1]) - steps(corners[0]), steps(corners[2]) - steps(corners[0]))) return corners;
+        if (!along_one_line(steps(corners[1]) - steps(corners[0]), steps(corners[2]) - steps(corners[0])))
+            return corners;
         reach += step;  // too tight
     }
 }
@@ -122,7 +127,7 @@ GridPolygon random_polygon(Rng& rng, const Steps& centre, std::int64_t reach, st
     for (;;) {
         const int most = 1 + int(rng.below(reach / step < 40 ? 2 : 9));
         const Steps u = random_steps(rng, most) * step, v = random_steps(rng, most) * step;
-        if (parallel(u, v)) continue;
+        if (along_one_line(u, v)) continue;
         const std::int64_t longest = std::max(
             {std::llabs(u.x), std::llabs(u.y), std::llabs(u.z), std::llabs(v.x), std::llabs(v.y), std::llabs(v.z)});
         auto lattice = lattice_polygon(rng, std::max<std::int64_t>(1, reach / longest), points, collinear);

@@ -48,6 +48,9 @@ Steps random_steps(Rng& rng, std::int64_t reach);
 /// The nearest point of the world's range, on multiples of `step`.
 GridPoint in_world(const Steps& s, std::int64_t step = 1);
 
+/// Whether a x b = 0, computed modulo 2^64: never false when it is, and true by accident all but never.
+bool along_one_line(const Steps& a, const Steps& b);
+
 bool all_in_world(std::span<const Steps> corners);
 
 /// Three mutually perpendicular whole vectors of the same whole length: a turned frame in which lengths are exact.

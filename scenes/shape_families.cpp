@@ -103,8 +103,7 @@ void slivers(CastBuilder& b) {
         const GridPoint r = in_world((b.rng.chance(0.5) ? middle : steps(p)) + width, step);
         const GridPolygon triangle{p, q, r};
         const Steps u = steps(q) - steps(p), v = steps(r) - steps(p);
-        if (u.y * v.z != u.z * v.y || u.z * v.x != u.x * v.z || u.x * v.y != u.y * v.x)
-            b.scene.polygons.push_back(triangle);
+        if (!along_one_line(u, v)) b.scene.polygons.push_back(triangle);
     }
     for (int k = 0; k < kCastsAScene; ++k) {
         const Place at = b.any_place();
