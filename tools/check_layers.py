@@ -20,9 +20,9 @@ FLOORS = [
     ['src/level', 'src/carve', 'src/body'],
     ['src/debug'],
     ['scenes'],
-    ['bindings', 'cli', 'bench', 'playground', 'test'],
+    ['bindings', 'cli', 'bench', 'playground', 'tests'],
 ]
-SEARCHED = ['include', 'src', '', 'bench', 'test']  # where the compiler looks for a quoted include
+SEARCHED = ['include', 'src', '', 'bench', 'tests']  # where the compiler looks for a quoted include
 SOURCES = ('.h', '.cpp', '.c')
 # The roof tests and measures everything, itself included: tests may look at the command line's parts, benchmarks share with tests.
 ROOF = len(FLOORS) - 1

@@ -40,8 +40,9 @@ def fuzz(reader):
     def command(seed, count):
         scratch = os.path.join('build', 'fuzz', f'corpus_{reader}')
         os.makedirs(os.path.join(ROOT, scratch), exist_ok=True)
-        return [f'{FUZZ}/fuzz_read_{reader}', f'-seed={seed}', f'-max_total_time={count}', '-rss_limit_mb=2048', '-timeout=20',
-                f'-artifact_prefix=build/fuzz/{reader}_', scratch, f'tests/fuzz/seeds/{reader}']
+        seeds = os.path.join('tests', 'fuzz', 'seeds', reader.removeprefix('read_'))
+        return [f'{FUZZ}/fuzz_{reader}', f'-seed={seed}', f'-max_total_time={count}', '-rss_limit_mb=2048', '-timeout=20',
+                f'-artifact_prefix=build/fuzz/{reader}_', scratch] + [seeds] * os.path.isdir(os.path.join(ROOT, seeds))
     return command
 
 
@@ -51,9 +52,11 @@ CLAIMS = [
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + ['scenes', 'tests/full/full_watertight.cpp'], 'test', watertight),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('obj')),
+          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_obj')),
+    Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',
+          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('obj_mesh')),
     Claim('fuzz_read_bsp', 'seconds of fuzzing the .bsp reader and check, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('bsp')),
+          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_bsp')),
 ]
 
 

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
 need_build
-need clang-19 clang-format-19 libclang-rt-19-dev libgtest-dev librapidcheck-dev python3
+need clang-19 clang-format-19 libclang-rt-19-dev libgtest-dev python3
 
 hook=$(git rev-parse --git-path hooks)/pre-commit
 if [ -e "$hook" ]; then

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Writes small .bsp files for tests: sound ones, and broken ones by changing what is public here.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firma/vec.h"
+#include "level/bsp_file.h"
+
+namespace firma::test {
+
+/// Appends little-endian numbers.
+struct ByteWriter {
+    std::vector<std::byte> bytes;
+
+    void add(std::uint32_t value) {
+        for (int k = 0; k < 4; ++k) bytes.push_back(std::byte(value >> (8 * k) & 255));
+    }
+    void add(std::int32_t value) { add(std::uint32_t(value)); }
+    void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
+    void add(const Vec3& v) {
+        for (int axis = 0; axis < 3; ++axis) add(float(v[axis]));
+    }
+    void add_name(std::string_view name) {
+        for (std::size_t k = 0; k < 64; ++k) bytes.push_back(k < name.size() ? std::byte(name[k]) : std::byte{0});
+    }
+    void add_zeros(std::size_t count) { bytes.resize(bytes.size() + count); }
+};
+
+/// Overwrites four bytes.
+inline void poke(std::span<std::byte> bytes, std::size_t at, std::int32_t value) {
+    for (std::size_t k = 0; k < 4; ++k) bytes[at + k] = std::byte(std::uint32_t(value) >> (8 * k) & 255);
+}
+
+/// Where the directory's entry for a lump begins: its offset, and its length four bytes on.
+inline std::size_t directory_entry(BspLump lump) {
+    return 8 + 8 * std::size_t(lump);
+}
+
+class BspWriter {
+public:
+    BspWriter() { shader("textures/tests/wall"); }
+
+    struct Model {
+        std::int32_t first_face = 0, face_count = -1;  ///< -1: all
+    };
+
+    std::string magic = "IBSP";
+    std::int32_t version = 46;
+    std::vector<std::string> shaders;
+    std::vector<Vec3> vertices;
+    std::vector<std::int32_t> mesh_vertices;
+    std::vector<BspFace> faces;
+    std::vector<Model> models = {{}};
+
+    std::int32_t shader(std::string name) {
+        shaders.push_back(std::move(name));
+        return std::int32_t(shaders.size()) - 1;
+    }
+
+    /// Triangles by corners counted from 0, counter-clockwise seen from the front; they are written clockwise, as Quake
+    /// has it.
+    BspFace& triangles(std::int32_t type, const std::vector<Vec3>& corners,
+                       const std::vector<std::array<std::int32_t, 3>>& list, const Vec3& normal = {0, 0, 1}) {
+        BspFace face;
+        face.type = type;
+        face.first_vertex = std::int32_t(vertices.size());
+        face.vertex_count = std::int32_t(corners.size());
+        face.first_mesh_vertex = std::int32_t(mesh_vertices.size());
+        face.mesh_vertex_count = std::int32_t(3 * list.size());
+        face.normal = {float(normal.x), float(normal.y), float(normal.z)};
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+        for (const auto& [a, b, c] : list) mesh_vertices.insert(mesh_vertices.end(), {a, c, b});
+        return faces.emplace_back(face);
+    }
+
+    /// A planar face by its outline, counter-clockwise, as a fan around its first corner.
+    BspFace& polygon(const std::vector<Vec3>& outline) {
+        std::vector<std::array<std::int32_t, 3>> fan;
+        Vec3 normal;
+        for (std::int32_t k = 2; k < std::int32_t(outline.size()); ++k) {
+            fan.push_back({0, k - 1, k});
+            normal = normal + cross(outline[std::size_t(k) - 1] - outline[0], outline[std::size_t(k)] - outline[0]);
+        }
+        return triangles(BspFace::kPlanar, outline, fan, normal * (1 / length(normal)));
+    }
+
+    BspFace& patch(std::int32_t width, std::int32_t height, const std::vector<Vec3>& control) {
+        BspFace face;
+        face.type = BspFace::kPatch;
+        face.first_vertex = std::int32_t(vertices.size());
+        face.vertex_count = std::int32_t(control.size());
+        face.patch_width = width;
+        face.patch_height = height;
+        vertices.insert(vertices.end(), control.begin(), control.end());
+        return faces.emplace_back(face);
+    }
+
+    std::vector<std::byte> bytes() const {
+        std::array<ByteWriter, kBspLumps> lumps;
+        write_lumps(lumps);
+        ByteWriter file;
+        for (const char c : magic) file.bytes.push_back(std::byte(c));
+        file.add(version);
+        auto offset = std::int32_t(8 + 8 * kBspLumps);
+        for (const ByteWriter& lump : lumps) {
+            file.add(offset);
+            file.add(std::int32_t(lump.bytes.size()));
+            offset += std::int32_t(lump.bytes.size());
+        }
+        for (const ByteWriter& lump : lumps) file.bytes.insert(file.bytes.end(), lump.bytes.begin(), lump.bytes.end());
+        return file.bytes;
+    }
+
+private:
+    void write_lumps(std::array<ByteWriter, kBspLumps>& lumps) const {
+        const auto lump = [&](BspLump which) -> ByteWriter& { return lumps[std::size_t(which)]; };
+        lump(BspLump::kEntities).add_name("{ \"classname\" \"worldspawn\" }");
+        for (const std::string& name : shaders) {
+            lump(BspLump::kShaders).add_name(name);
+            lump(BspLump::kShaders).add_zeros(8);
+        }
+        lump(BspLump::kPlanes).add_zeros(16);
+        for (const Model& model : models) {
+            lump(BspLump::kModels).add_zeros(24);
+            lump(BspLump::kModels).add(model.first_face);
+            lump(BspLump::kModels).add(model.face_count < 0 ? std::int32_t(faces.size()) : model.face_count);
+            lump(BspLump::kModels).add_zeros(8);
+        }
+        for (const Vec3& vertex : vertices) {
+            lump(BspLump::kVertices).add(vertex);
+            lump(BspLump::kVertices).add_zeros(32);
+        }
+        for (const std::int32_t k : mesh_vertices) lump(BspLump::kMeshVertices).add(k);
+        for (const BspFace& face : faces) write_face(lump(BspLump::kFaces), face);
+        lump(BspLump::kVisibility).add_zeros(9);
+    }
+
+    static void write_face(ByteWriter& out, const BspFace& face) {
+        out.add(face.shader);
+        out.add(-1);  // effect
+        for (const std::int32_t field :
+             {face.type, face.first_vertex, face.vertex_count, face.first_mesh_vertex, face.mesh_vertex_count}) {
+            out.add(field);
+        }
+        out.add_zeros(56);  // lightmap
+        for (const float component : face.normal) out.add(component);
+        out.add(face.patch_width);
+        out.add(face.patch_height);
+    }
+};
+
+}  // namespace firma::test

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""test_check_layers.py ROOT: no include of the project points up, and one that did would be found."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = sys.argv.pop(1)
+TOOL = os.path.join(ROOT, 'tools', 'check_layers.py')
+
+
+def check(root):
+    return subprocess.run([sys.executable, TOOL, root], capture_output=True, text=True)
+
+
+class LayersTest(unittest.TestCase):
+    def house(self, **files):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        for name, text in files.items():
+            path = os.path.join(folder.name, name.replace('__', '/') + '.h')
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            with open(path, 'w', encoding='utf-8') as file:
+                file.write(text)
+        return folder.name
+
+    def test_the_project_holds(self):
+        done = check(ROOT)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_an_include_that_points_down_is_fine(self):
+        self.assertEqual(check(self.house(src__base__a='', src__cast__b='#include "base/a.h"')).returncode, 0)
+
+    def test_an_include_that_points_up_fails(self):
+        done = check(self.house(src__base__a='\n#include "cast/b.h"', src__cast__b=''))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('src/base/a.h:2: src/base includes src/cast/b.h, which stands above it', done.stdout)
+
+    def test_wings_do_not_see_each_other(self):
+        self.assertEqual(check(self.house(src__level__a='#include "carve/b.h"', src__carve__b='')).returncode, 1)
+
+    def test_an_include_of_nothing_fails(self):
+        self.assertEqual(check(self.house(src__base__a='#include "base/none.h"')).returncode, 1)
+
+    def test_a_folder_without_sources_is_a_bad_call(self):
+        self.assertEqual(check(self.house()).returncode, 2)
+
+
+if __name__ == '__main__':
+    unittest.main()
