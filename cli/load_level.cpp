@@ -2,8 +2,6 @@
 // Reads, builds, and keeps the time of both.
 #include "cli/load_level.h"
 
-#include <CLI/App.hpp>
-
 #include <chrono>
 #include <cmath>
 
@@ -20,12 +18,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-void add_level_arguments(CLI::App& command, LevelArguments& arguments, bool required) {
-    command.add_option("LEVEL", arguments.path, "a Wavefront .obj, or a Quake 3 .bsp (version 46)")
-        ->required(required)
-        ->type_name("FILE");
-    command.add_option("--scale", arguments.scale, "metres a unit of the file (default: 1 for .obj, 1/32 for .bsp)")
-        ->type_name("S");
+void add_level_arguments(Command& command, LevelArguments& arguments, bool required) {
+    command.add_argument("LEVEL", arguments.path, "a Wavefront .obj, or a Quake 3 .bsp (version 46)", required);
+    command.add_option("--scale", arguments.scale, "S",
+                       "metres a unit of the file (default: 1 for .obj, 1/32 for .bsp)");
 }
 
 ReadOptions read_options(const LevelArguments& arguments) {

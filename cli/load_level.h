@@ -4,12 +4,9 @@
 
 #include <string>
 
+#include "cli/command.h"
 #include "firma/level.h"
 #include "firma/world.h"
-
-namespace CLI {
-class App;
-}
 
 namespace firma::cli {
 
@@ -19,7 +16,7 @@ struct LevelArguments {
 };
 
 /// Adds LEVEL (required unless told otherwise) and --scale.
-void add_level_arguments(CLI::App& command, LevelArguments& arguments, bool required = true);
+void add_level_arguments(Command& command, LevelArguments& arguments, bool required = true);
 
 ReadOptions read_options(const LevelArguments& arguments);
 

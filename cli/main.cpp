@@ -29,10 +29,11 @@ namespace firma::cli {
 
 namespace {
 
-constexpr const char* kFooter =
-    "`firma VERB --help` tells what a verb takes and writes.\n\n"
-    "Metres, seconds; right-handed; lines of files count from 1, a header included, everything else from 0.\n"
-    "Exit codes: 0 done; 1 `check` found faults, or `demo` a disagreement; 2 a bad call or bad input.\n";
+constexpr const char* kFooter = R"(`firma VERB --help` tells what a verb takes and writes.
+
+Metres, seconds; right-handed; lines of files count from 1, a header included, everything else from 0.
+Exit codes: 0 done; 1 `check` found faults, or `demo` a disagreement; 2 a bad call or bad input.
+)";
 
 /// A missing descriptor would be given to the next file opened, and the level's bytes would land in it.
 void hold_standard_descriptors() {
@@ -48,8 +49,8 @@ void refuse_unknown_verb(int argc, char** argv, const std::vector<Verb>& verbs) 
     if (word.starts_with('-') && word != "-") return;
     std::string names;
     for (const Verb& verb : verbs) {
-        if (verb.command->get_name() == word) return;
-        names += (names.empty() ? "" : ", ") + verb.command->get_name();
+        if (verb.command.name() == word) return;
+        names += (names.empty() ? "" : ", ") + verb.command.name();
     }
     throw Failure(word, "is no verb; there are " + names);
 }
@@ -85,7 +86,7 @@ int run(int argc, char** argv) {
                       fmt::format("{} (firma {}{}--help tells more)", error.what(), place, place.empty() ? "" : " "));
     }
     for (const Verb& verb : verbs) {
-        if (verb.command->parsed()) return verb.run();
+        if (verb.command.called()) return verb.run();
     }
     throw Failure("", "which verb? (firma --help lists them)");
 }

@@ -2,8 +2,6 @@
 // What all verbs share.
 #include "cli/verb.h"
 
-#include <CLI/App.hpp>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -19,13 +17,13 @@ void print(std::string_view text) {
         throw Failure("standard output", std::string("cannot be written: ") + std::strerror(errno));
 }
 
-void add_json_flag(CLI::App& command, bool& json) {
+void add_json_flag(Command& command, bool& json) {
     command.add_flag("--json", json,
                      "one JSON object on standard output, and nothing else there (nothing at all on code 2)");
 }
 
-void add_out_option(CLI::App& command, std::string& out, const char* help, bool required) {
-    command.add_option("-o,--out", out, help)->required(required)->type_name("FILE");
+void add_out_option(Command& command, std::string& out, const char* help, bool required) {
+    command.add_option("-o,--out", out, "FILE", help, required);
 }
 
 bool may_print_beside(const std::string& out) {

@@ -7,7 +7,6 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -38,28 +37,28 @@ struct CastArguments {
 constexpr std::size_t kChunk = 1024;  // casts in a row before the pipeline hands them on
 
 constexpr const char* kFooter =
-    "Queries: csv with a header; the columns px,py,pz (start of the centre, metres), dx,dy,dz (path, metres) and "
-    "radius\n"
-    "(metres, 0 or more; 0 is a particle), all of them, no others, in any order. Decimal numbers; an empty line, a "
-    "missing\n"
-    "or additional field, NaN, infinity, a hexadecimal number or a negative radius is an error that names file and "
-    "line.\n"
-    "Lines count from 1, the header included. `-` reads standard input.\n\n"
-    "Hits: one row a query, in the order of the queries, the same bytes for any number of threads. Columns:\n"
-    "  query          row of the queries, from 0\n"
-    "  status         miss, hit, or touching (starts in touch or overlap and gets nearer); on a miss the rest is "
-    "empty\n"
-    "  fraction       of the path at first contact, 0 .. 1\n"
-    "  safe_fraction  how far to go so that the skin is kept, 0 .. fraction\n"
-    "  cx,cy,cz       centre at `fraction`, metres\n"
-    "  px,py,pz       contact point on the face, metres\n"
-    "  nx,ny,nz       unit contact normal, from the contact point toward the centre\n"
-    "  fnx,fny,fnz    unit normal of the face\n"
-    "  face           index of the face in the level's file, from 0, dropped ones counted\n"
-    "  feature        face, edge or vertex of it\n"
-    "  room           of the contact, from 0\n"
-    "Numbers have 17 significant digits. The file appears whole or not at all; `-` writes standard output.\n"
-    "--json: queries, hit, touching, miss, threads, read_seconds, build_seconds, queries_seconds, cast_seconds, out.\n";
+    R"(Queries: csv with a header; the columns px,py,pz (start of the centre, metres), dx,dy,dz (path, metres) and
+radius (metres, 0 or more; 0 is a particle): all of them, no others, in any order. Decimal numbers. An empty
+line, a missing or additional field, NaN, infinity, a hexadecimal number or a negative radius is an error that
+names file and line. Lines count from 1, the header included. `-` reads standard input.
+
+Hits: one row a query, in the order of the queries, the same bytes for any number of threads. Columns:
+  query          row of the queries, from 0
+  status         miss, hit, or touching (starts in touch or overlap and gets nearer); a miss leaves the rest empty
+  fraction       of the path at first contact, 0 .. 1
+  safe_fraction  how far to go so that the skin is kept, 0 .. fraction
+  cx,cy,cz       centre at `fraction`, metres
+  px,py,pz       contact point on the face, metres
+  nx,ny,nz       unit contact normal, from the contact point toward the centre
+  fnx,fny,fnz    unit normal of the face
+  face           index of the face in the level's file, from 0, dropped ones counted
+  feature        face, edge or vertex of it
+  room           of the contact, from 0
+Numbers have 17 significant digits. The file appears whole or not at all; `-` writes standard output.
+
+--json: level, queries, hit, touching, miss, threads, read_seconds, build_seconds, queries_seconds,
+cast_seconds, out.
+)";
 
 struct Tally {
     std::size_t hit = 0, touching = 0, miss = 0;
@@ -189,19 +188,17 @@ int run(const CastArguments& arguments) {
 }  // namespace
 
 Verb add_cast(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("cast", "Casts spheres and particles from a csv file through a level")->group("Verbs");
+    Command command(app, "cast", "Casts spheres and particles from a csv file through a level");
     const auto arguments = std::make_shared<CastArguments>();
-    add_level_arguments(*command, arguments->level);
-    command->add_option("--queries", arguments->queries, "csv of casts, see below")->required()->type_name("FILE");
-    add_out_option(*command, arguments->out, "csv of hits to write, see below", true);
-    command->add_flag("--two-sided", arguments->two_sided, "meet both sides of every face, not only the front");
-    command
-        ->add_option("--skin", arguments->skin, "distance that safe_fraction keeps, metres, 0 or more (default 0.001)")
-        ->type_name("M");
-    command->add_option("--threads", arguments->threads, "1 .. 256 (default: one a core)")->type_name("N");
-    add_json_flag(*command, arguments->json);
-    command->footer(std::string(kFooter) + std::string(kExitCodes));
+    add_level_arguments(command, arguments->level);
+    command.add_option("--queries", arguments->queries, "FILE", "csv of casts, see below", true);
+    add_out_option(command, arguments->out, "csv of hits to write, see below", true);
+    command.add_flag("--two-sided", arguments->two_sided, "meet both sides of every face, not only the front");
+    command.add_option("--skin", arguments->skin, "M",
+                       "distance that safe_fraction keeps, metres, 0 or more (default 0.001)");
+    command.add_option("--threads", arguments->threads, "N", "1 .. 256 (default: one a core)");
+    add_json_flag(command, arguments->json);
+    command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

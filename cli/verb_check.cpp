@@ -3,7 +3,6 @@
 #include "cli/verb_check.h"
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -29,15 +28,19 @@ struct CheckArguments {
 constexpr std::size_t kShown = 20;
 
 constexpr const char* kFooter =
-    "The file is judged exactly, by its own numbers, before they are snapped to the grid of 1/4096 m; then the world "
-    "is\n"
-    "made and its invariants are checked. Coordinates are metres, as the file has them; faces count from 0, lines from "
-    "1.\n"
-    "Faults: open_edge (an edge that fewer faces use one way than the other), reversed_face (wound against its\n"
-    "neighbours), broken_world. Notes: no_area, dropped (by the snap), bent, turned (by the snap), divided.\n"
-    "--json: sound, faces, vertices, fault_count, faults [{what, face, line, from, to, t_joint}], note_count,\n"
-    "notes [{what, face, line, at}], world_fault; lists hold the first 20 unless --all is given.\n"
-    "Exit codes: 0 sound, notes or not; 1 faults were found; 2 a bad call or bad input, with a message on stderr.\n";
+    R"(The file is judged exactly, by its own numbers, before they are snapped to the grid of 1/4096 m; then the world
+is made and its invariants are checked. Coordinates are metres, as the file has them; faces count from 0, lines
+from 1.
+
+Faults: open_edge (an edge that fewer faces use one way than the other), reversed_face (wound against its
+neighbours), a broken world. Notes: no_area, dropped (by the snap), bent, turned (by the snap), divided.
+
+--json: level, sound, faces, vertices, fault_count, faults [{what, face, line, from, to, t_joint}], note_count,
+notes [{what, face, line, at}], world_fault or null; lists hold the first 20 unless --all is given.
+
+Exit codes: 0 sound, notes or not; 1 faults were found; 2 a bad call or bad input, with `firma: place: reason` on
+stderr.
+)";
 
 struct Findings {
     MeshCheck mesh;
@@ -193,13 +196,12 @@ int run(const CheckArguments& arguments) {
 }  // namespace
 
 Verb add_check(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("check", "Tells whether a level is sound: closed, wound one way, well built")
-                            ->group("Verbs");
+    Command command(app, "check", "Tells whether a level is sound: closed, wound one way, well built");
     const auto arguments = std::make_shared<CheckArguments>();
-    add_level_arguments(*command, arguments->level);
-    command->add_flag("--all", arguments->all, "every fault and note, not only the first 20 of each");
-    add_json_flag(*command, arguments->json);
-    command->footer(kFooter);
+    add_level_arguments(command, arguments->level);
+    command.add_flag("--all", arguments->all, "every fault and note, not only the first 20 of each");
+    add_json_flag(command, arguments->json);
+    command.set_footer(kFooter);
     return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -7,7 +7,6 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -40,18 +39,21 @@ struct DemoArguments {
 
 constexpr std::size_t kSample = 2000;
 constexpr std::size_t kMostTwinFaces = 200000000;  // faces the twin looks at in all; a smaller sample in huge levels
-constexpr std::size_t kDrawn = 60;
+constexpr std::size_t kDrawn = 100;
 
 constexpr const char* kFooter =
-    "Without LEVEL it takes levels/first.obj, here or in the folder that Firma was built from. The casts are seeded: "
-    "half of\n"
-    "them particles, half spheres of up to 0.5 m, paths from a thousandth of the level's diagonal to all of it. A "
-    "sample is\n"
-    "checked against a twin without a tree, which asks the pair function of every face; they must agree to the last "
-    "bit.\n"
-    "--json: faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),\n"
-    "casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, out.\n"
-    "Exit codes: 0 done; 1 the twin disagrees; 2 a bad call or bad input, with a message on stderr.\n";
+    R"(Without LEVEL it takes levels/first.obj, here or in the folder that Firma was built from. The picture goes to
+build/demo.svg where there is a levels/first.obj, else to firma_demo.svg; -o names another.
+
+The casts are seeded: half of them particles, half spheres of up to 0.5 m, paths from a thousandth of the level's
+diagonal to all of it. A sample is checked against a twin without a tree, which asks the pair function of every
+face; they must agree to the last bit.
+
+--json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
+casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, out.
+
+Exit codes: 0 done; 1 the twin disagrees; 2 a bad call or bad input, with `firma: place: reason` on stderr.
+)";
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -260,20 +262,15 @@ int run(const DemoArguments& given) {
 }  // namespace
 
 Verb add_demo(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("demo", "Fires 100,000 casts in our level, checks a sample, prints a table, draws")
-            ->group("Verbs");
+    Command command(app, "demo", "Fires 100,000 casts in our level, checks a sample, prints a table, draws");
     const auto arguments = std::make_shared<DemoArguments>();
-    add_level_arguments(*command, arguments->level, false);
-    add_out_option(
-        *command, arguments->out,
-        "SVG to write; its folder is made when missing (default: build/demo.svg in the project's folder, else "
-        "firma_demo.svg)",
-        false);
-    command->add_option("--casts", arguments->casts, "how many, 1 .. 10000000 (default 100000)")->type_name("N");
-    command->add_option("--seed", arguments->seed, "of the random numbers, 0 .. 2^64 - 1 (default 1)")->type_name("S");
-    add_json_flag(*command, arguments->json);
-    command->footer(kFooter);
+    add_level_arguments(command, arguments->level, false);
+    add_out_option(command, arguments->out, "SVG to write (default: see below); its folder is made when missing",
+                   false);
+    command.add_option("--casts", arguments->casts, "N", "how many, 1 .. 10000000 (default 100000)");
+    command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1 (default 1)");
+    add_json_flag(command, arguments->json);
+    command.set_footer(kFooter);
     return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -3,7 +3,6 @@
 #include "cli/verb_draw.h"
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include <memory>
 #include <string>
@@ -29,21 +28,20 @@ struct DrawArguments {
 };
 
 constexpr const char* kFooter =
-    "The page shows a plan from above and, below it, a section: what lies beyond a plane, and in heavy lines what the "
-    "plane\n"
-    "cuts. Both are to scale, with axes in metres. Faces show where their front faces the viewer, so that a room is "
-    "looked\n"
-    "into through its ceiling. Faces too small to be seen are left out, and the page says how many.\n"
-    "  --up z (default): plan x to the right, y up the page; section x and z, cut at y\n"
-    "  --up x:           plan y to the right, z up the page; section y and x, cut at z\n"
-    "  --up y:           plan z to the right, x up the page; section z and y, cut at x\n"
-    "--queries and --casts are the files that `firma cast` reads and writes. Hits are blue, misses orange and broken, "
-    "touches\n"
-    "at the start red; a sphere shows as circles at its start and at the contact. With --queries alone the casts are "
-    "made\n"
-    "here, one-sided.\n"
-    "--json: cut_axis, cut_at, faces_in_plan, faces_in_section, faces_cut, faces_left_out, casts, casts_drawn, bytes, "
-    "out.\n";
+    R"(The page shows a plan from above and, below it, a section: what lies beyond a plane and, in heavy lines, what the
+plane cuts. Both are to scale, with axes in metres. Faces show where their front faces the viewer, so that a room
+is looked into through its ceiling. Faces too small to be seen are left out, and the page says how many.
+  --up z (default): plan x to the right, y up the page; section x and z, cut at y
+  --up x:           plan y to the right, z up the page; section y and x, cut at z
+  --up y:           plan z to the right, x up the page; section z and y, cut at x
+
+--queries and --casts are the files that `firma cast` reads and writes. Hits are blue, misses orange and broken,
+touches at the start red; a sphere shows as circles at its start and at the contact. With --queries alone the
+casts are made here, one-sided.
+
+--json: level, cut_axis, cut_at, faces_in_plan, faces_in_section, faces_cut, faces_left_out, casts, casts_drawn,
+bytes, out.
+)";
 
 int axis_option(const std::string& text) {
     if (text.empty() || text == "z") return 2;
@@ -107,21 +105,17 @@ int run(const DrawArguments& arguments) {
 }  // namespace
 
 Verb add_draw(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("draw", "Draws a plan and a section of a level, with casts, as SVG")->group("Verbs");
+    Command command(app, "draw", "Draws a plan and a section of a level, with casts, as SVG");
     const auto arguments = std::make_shared<DrawArguments>();
-    add_level_arguments(*command, arguments->level);
-    command->add_option("--queries", arguments->queries, "csv of casts to draw, as for `firma cast`")
-        ->type_name("FILE");
-    command->add_option("--casts", arguments->casts, "csv of their hits, as `firma cast` writes it")->type_name("FILE");
-    add_out_option(*command, arguments->out, "SVG to write", true);
-    command->add_option("--up", arguments->up, "the axis that points up: x, y or z (default z)")->type_name("AXIS");
-    command->add_option("--at", arguments->at, "where the section cuts, metres (default: where it shows most)")
-        ->type_name("M");
-    command->add_option("--most-casts", arguments->most_casts, "casts drawn at most, evenly taken (default 200)")
-        ->type_name("N");
-    add_json_flag(*command, arguments->json);
-    command->footer(std::string(kFooter) + std::string(kExitCodes));
+    add_level_arguments(command, arguments->level);
+    command.add_option("--queries", arguments->queries, "FILE", "csv of casts to draw, as for `firma cast`");
+    command.add_option("--casts", arguments->casts, "FILE", "csv of their hits, as `firma cast` writes it");
+    add_out_option(command, arguments->out, "SVG to write", true);
+    command.add_option("--up", arguments->up, "AXIS", "the axis that points up: x, y or z (default z)");
+    command.add_option("--at", arguments->at, "M", "where the section cuts, metres (default: where it shows most)");
+    command.add_option("--most-casts", arguments->most_casts, "N", "casts drawn at most, evenly taken (default 200)");
+    add_json_flag(command, arguments->json);
+    command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

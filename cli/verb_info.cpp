@@ -3,7 +3,6 @@
 #include "cli/verb_info.h"
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include <array>
 #include <memory>
@@ -24,15 +23,16 @@ struct InfoArguments {
     bool json = false;
 };
 
-constexpr const char* kFooter =
-    "Lengths are metres, volumes cubic metres, times seconds.\n"
-    "A bin of the tree is divided until it meets any of the three stop rules; a bin of more than 64 faces is halved "
-    "all\n"
-    "the same, as blocks hold no more. `overlap` is the mean share of a bin's surface that both of its children "
-    "cover.\n"
-    "--json: faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices, corners,\n"
-    "materials [names], groups, ignored_entries, bounds {low, high} or null, rooms, tree {...}, read_seconds,\n"
-    "build_seconds.\n";
+constexpr const char* kFooter = R"(Lengths are metres, volumes cubic metres, times seconds.
+
+A bin of the tree is divided until it meets any of the three stop rules; a bin of more than 64 faces is halved
+all the same, as blocks hold no more. `overlap` is the mean share of a bin's surface that both of its children
+cover, 0 .. 1.
+
+--json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
+corners, materials [names], groups, ignored_entries, bounds {low, high} or null, rooms, tree {faces, blocks,
+bins, leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, read_seconds, build_seconds.
+)";
 
 TreeOptions tree_options(const InfoArguments& arguments) {
     TreeOptions options;
@@ -179,24 +179,17 @@ int run(const InfoArguments& arguments) {
 }  // namespace
 
 Verb add_info(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("info", "Tells what a level is: faces by kind, bounds, tree, bytes, times")->group("Verbs");
+    Command command(app, "info", "Tells what a level is: faces by kind, bounds, tree, bytes, times");
     const auto arguments = std::make_shared<InfoArguments>();
-    add_level_arguments(*command, arguments->level);
-    command->add_option("--split", arguments->split, "how bins divide: longest-axis (default) or surface-area")
-        ->type_name("HOW");
-    command->add_option("--max-depth", arguments->max_depth, "stop rule: bins above a bin, 0 .. 64 (default 48)")
-        ->type_name("N");
-    command
-        ->add_option("--faces-per-bin", arguments->faces_per_bin,
-                     "stop rule: a bin of at most this many faces (default 4)")
-        ->type_name("N");
-    command
-        ->add_option("--min-bin-volume", arguments->min_bin_volume,
-                     "stop rule: a bin of less volume, cubic metres (default 0)")
-        ->type_name("V");
-    add_json_flag(*command, arguments->json);
-    command->footer(std::string(kFooter) + std::string(kExitCodes));
+    add_level_arguments(command, arguments->level);
+    command.add_option("--split", arguments->split, "HOW", "how bins divide: longest-axis (default) or surface-area");
+    command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: bins above a bin, 0 .. 64 (default 48)");
+    command.add_option("--faces-per-bin", arguments->faces_per_bin, "N",
+                       "stop rule: a bin of at most this many faces (default 4)");
+    command.add_option("--min-bin-volume", arguments->min_bin_volume, "V",
+                       "stop rule: a bin of less volume, cubic metres (default 0)");
+    add_json_flag(command, arguments->json);
+    command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

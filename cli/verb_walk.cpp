@@ -3,7 +3,6 @@
 #include "cli/verb_walk.h"
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -33,19 +32,17 @@ struct WalkArguments {
 constexpr std::uint64_t kMostFrames = 1000000000;
 
 constexpr const char* kFooter =
-    "Rows: frame,px,py,pz: the place of the centre in metres, with 17 significant digits. Row 0 is the start itself, "
-    "then one\n"
-    "row a frame: N + 1 rows. Each frame is one straight move, found by a cast; from row to row along the straight "
-    "line the\n"
-    "sphere is never nearer to a face than its radius less 1e-6 m. It meets faces from both sides. The same arguments "
-    "give\n"
-    "the same bytes on every machine. More frames make shorter moves and denser rows.\n"
-    "A start nearer to a face than the radius, a level that is not closed, or a sphere outside of it is an error; one "
-    "that\n"
-    "exactly touches is not. The file appears whole or not at all; `-` writes standard output.\n"
-    "--json: frames, seed, start, end, length (metres flown), low and high (corners of the box around all places), "
-    "still\n"
-    "(frames without a move, for lack of room), out.\n";
+    R"(Rows: frame,px,py,pz: the place of the centre in metres, with 17 significant digits. Row 0 is the start itself,
+then one row a frame: N + 1 rows. Each frame is one straight move, found by a cast; along the straight line from
+row to row the sphere is never nearer to a face than its radius less 1e-6 m. It meets faces from both sides. The
+same arguments give the same bytes on every machine. More frames make shorter moves and denser rows.
+
+A start nearer to a face than the radius, a sphere outside of the level, or a level that is not closed is an
+error; a start that exactly touches is not. The file appears whole or not at all; `-` writes standard output.
+
+--json: level, frames, seed, radius, start, end, length (metres flown), low and high (corners of the box around
+all places), still (frames without a move, for lack of room), out.
+)";
 
 /// What is told about a walk that was made.
 struct Summary {
@@ -127,21 +124,16 @@ int run(const WalkArguments& arguments) {
 }  // namespace
 
 Verb add_walk(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("walk", "Lets a sphere bounce about a closed room and writes where it was")->group("Verbs");
+    Command command(app, "walk", "Lets a sphere bounce about a closed room and writes where it was");
     const auto arguments = std::make_shared<WalkArguments>();
-    add_level_arguments(*command, arguments->level);
-    command->add_option("--start", arguments->start, "place of the centre in frame 0, metres")
-        ->required()
-        ->type_name("X,Y,Z");
-    command->add_option("--radius", arguments->radius, "of the sphere, metres, 0 or more; 0 is a particle")
-        ->required()
-        ->type_name("R");
-    command->add_option("--frames", arguments->frames, "moves to make, 0 .. 1000000000")->required()->type_name("N");
-    command->add_option("--seed", arguments->seed, "of the random numbers, 0 .. 2^64 - 1")->required()->type_name("S");
-    add_out_option(*command, arguments->out, "csv to write, see below", true);
-    add_json_flag(*command, arguments->json);
-    command->footer(std::string(kFooter) + std::string(kExitCodes));
+    add_level_arguments(command, arguments->level);
+    command.add_option("--start", arguments->start, "X,Y,Z", "place of the centre in frame 0, metres", true);
+    command.add_option("--radius", arguments->radius, "R", "of the sphere, metres, 0 or more; 0 is a particle", true);
+    command.add_option("--frames", arguments->frames, "N", "moves to make, 0 .. 1000000000", true);
+    command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1", true);
+    add_out_option(command, arguments->out, "csv to write, see below", true);
+    add_json_flag(command, arguments->json);
+    command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

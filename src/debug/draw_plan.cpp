@@ -18,10 +18,9 @@ namespace {
 constexpr double kLeft = 70, kTop = 96, kBetween = 92, kBottom = 64, kLegend = 270;
 constexpr double kMostWidth = 900, kMostPlanHeight = 900, kMostSectionHeight = 450, kLeastSide = 60;
 
-constexpr double kTickDistance = 80;  // pixels between numbers of an axis, about
-constexpr double kMargin = 0.03;      // of the level's size, around it
-constexpr double kCastMargin = 0.4;   // likewise, where casts lead outside
-constexpr double kSlab = 0.05;        // of the level's depth: casts this near to the cut are drawn in the section
+constexpr double kMargin = 0.03;     // of the level's size, around it
+constexpr double kCastMargin = 0.4;  // likewise, where casts lead outside
+constexpr double kSlab = 0.05;       // of the level's depth: casts this near to the cut are drawn in the section
 constexpr const char* kPlanLow = "#b4c3cd";
 constexpr const char* kPlanHigh = "#fbf6e9";
 constexpr const char* kSectionFar = "#f3f5f6";
