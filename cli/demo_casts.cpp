@@ -17,7 +17,9 @@ constexpr int kTries = 1000;            // to find a first point
 
 /// A random length between 1/1024 of `most` and `most`, as many short as long ones.
 double some_length(scenes::Rng& rng, double most) {
-    return most * std::ldexp(rng.uniform(0.5, 1), -int(rng.below(10)));
+    const double mantissa = rng.uniform(0.5, 1);  // in statements of its own: arguments have no order
+    const int halvings = int(rng.below(10));
+    return most * std::ldexp(mantissa, -halvings);
 }
 
 class Hopper {
@@ -34,7 +36,8 @@ public:
         Query query;
         query.sphere.centre = place_;
         if (rng_.chance(0.5)) query.sphere.radius = free_radius(some_length(rng_, kLargestRadius));
-        query.path = rng_.direction() * some_length(rng_, diagonal_);
+        const Vec3 direction = rng_.direction();
+        query.path = direction * some_length(rng_, diagonal_);
         return query;
     }
 
