@@ -78,9 +78,9 @@ struct ReadOptions {
 ///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
 Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
-/// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces and triangle soups as their
-/// triangles, patches tessellated. Shader names become materials. Quake's units are scaled by 1/32 m, unless told
-/// otherwise by the options.
+/// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces as the polygons that their
+/// triangles make up, triangle soups as they are, patches tessellated. Shader names become materials. Quake's units are
+/// scaled by 1/32 m, unless told otherwise by the options.
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.

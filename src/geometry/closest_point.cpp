@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "geometry/rounding.h"
+
 namespace firma {
 namespace {
 
@@ -29,13 +31,22 @@ Closest closest_on_side(const Vec3& w, const PolygonShape& polygon, std::size_t 
     return {a + offset, from_a - offset, length(from_a - offset), Feature::kEdge, std::uint32_t(k)};
 }
 
+/// Whether `other` is nearer than `best`. Just beside a corner the side and the corner are as far to rounding; the
+/// corner is nearest only when both sides that meet there say so, so a point within a side goes first.
+bool nearer(const Closest& other, const Closest& best) {
+    const double slack = rounding(8) * best.distance;
+    if (other.feature == best.feature) return other.distance < best.distance;
+    return other.feature == Feature::kEdge ? other.distance <= best.distance + slack
+                                           : other.distance < best.distance - slack;
+}
+
 }  // namespace
 
 Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon) {
     Closest best = closest_on_side(w, polygon, 0);
     for (std::size_t k = 1; k < polygon.corners.size(); ++k) {
         const Closest other = closest_on_side(w, polygon, k);
-        if (other.distance < best.distance) best = other;
+        if (nearer(other, best)) best = other;
     }
     return best;
 }
