@@ -116,7 +116,7 @@ def totals(output):
     """What the chunk's program said of all families together, as fields; empty when it says nothing of the kind."""
     for line in output.splitlines():
         entry = fields(line)
-        if 'claim' in entry and entry.get('family', 'total') == 'total':
+        if 'claim' in entry and 'total' in (entry.get('family'), entry.get('mesh')):
             return entry
     return {}
 
@@ -133,7 +133,7 @@ def run_chunk(claim):
     result = 'pass' if process.returncode == 0 else 'fail'
     said = totals(process.stdout)
     line = {'claim': claim.name, 'count': said.get('count', count), 'unit': claim.unit, 'seed': seed}
-    line.update((key, value) for key, value in said.items() if key not in line and key not in ('family', 'result'))
+    line.update((key, value) for key, value in said.items() if key not in line and key not in ('family', 'mesh', 'result'))
     line.update({'result': result, 'seconds': round(time.time() - start), 'commit': commit, 'date': datetime.date.today().isoformat()})
     leave(' '.join(f'{key}={value}' for key, value in line.items()))
     if result == 'fail':
