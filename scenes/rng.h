@@ -23,7 +23,9 @@ public:
     double uniform() { return double(next() >> 11) * 0x1p-53; }
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
     /// 0 <= x < count; count > 0
-    std::uint32_t below(std::uint32_t count) { return std::uint32_t((std::uint64_t(std::uint32_t(next() >> 32)) * count) >> 32); }
+    std::uint32_t below(std::uint32_t count) {
+        return std::uint32_t((std::uint64_t(std::uint32_t(next() >> 32)) * count) >> 32);
+    }
     bool chance(double probability) { return uniform() < probability; }
     /// A unit vector, evenly over the sphere, without sine or cosine (they differ between machines).
     Vec3 direction() {
