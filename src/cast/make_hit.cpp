@@ -39,8 +39,11 @@ PolygonHit make_hit(const Sweep& sweep, const PolygonShape& polygon, const Conta
     hit.feature = closest.feature;
     hit.feature_index = closest.index;
     const double noise = rounding(64) * (length(centre) + length(closest.offset));
-    if (closest.feature != Feature::kFace && closest.distance > noise)
+    if (closest.distance <= noise) return hit;
+    if (closest.feature != Feature::kFace)
         hit.normal = closest.away * (1 / closest.distance);
+    else  // from the point toward the centre, whichever way it goes
+        hit.normal = dot(closest.away, hit.face_normal) < 0 ? -hit.face_normal : hit.face_normal;
     return hit;
 }
 

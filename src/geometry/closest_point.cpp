@@ -31,22 +31,36 @@ Closest closest_on_side(const Vec3& w, const PolygonShape& polygon, std::size_t 
     return {a + offset, from_a - offset, length(from_a - offset), Feature::kEdge, std::uint32_t(k)};
 }
 
-/// Whether `other` is nearer than `best`. Just beside a corner the side and the corner are as far to rounding; the
-/// corner is nearest only when both sides that meet there say so, so a point within a side goes first.
-bool nearer(const Closest& other, const Closest& best) {
-    const double slack = rounding(8) * best.distance;
-    if (other.feature == best.feature) return other.distance < best.distance;
-    return other.feature == Feature::kEdge ? other.distance <= best.distance + slack
-                                           : other.distance < best.distance - slack;
+/// Distance of the foot on a side to the nearer end of that side; 0 at a corner.
+double foot_from_end(const Closest& at, const PolygonShape& polygon) {
+    if (at.feature != Feature::kEdge) return 0;
+    const Vec3& origin = polygon.corners[0];
+    const double one = length(at.offset - (polygon.corners[at.index] - origin));
+    const double two = length(at.offset - (polygon.corners[polygon.next(at.index)] - origin));
+    return one < two ? one : two;
+}
+
+/// Feet within this share of all distances involved stand at one corner: their distances may differ by rounding alone,
+/// which hides offsets up to its square root.
+constexpr double kTogether = 0x1p-16;
+
+/// Whether `other` is nearer than `best`. Just beside a corner, its sides and the corner itself are as far to rounding;
+/// of feet that lie together there the one farther along its side is the nearer.
+bool nearer(const Closest& other, const Closest& best, double size, const PolygonShape& polygon) {
+    const bool together = largest(other.offset - best.offset) < kTogether * size;
+    if (!together || std::fabs(other.distance - best.distance) > rounding(16) * size)
+        return other.distance < best.distance;
+    return foot_from_end(other, polygon) > foot_from_end(best, polygon);
 }
 
 }  // namespace
 
 Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon) {
     Closest best = closest_on_side(w, polygon, 0);
+    const double size = best.distance + largest(w);
     for (std::size_t k = 1; k < polygon.corners.size(); ++k) {
         const Closest other = closest_on_side(w, polygon, k);
-        if (nearer(other, best)) best = other;
+        if (nearer(other, best, size, polygon)) best = other;
     }
     return best;
 }
