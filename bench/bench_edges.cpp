@@ -179,6 +179,21 @@ bool out_of_reach(const Sweep& sweep, const PlaneView& view, double latest) {
     return view.height - view.height_error - sweep.radius > fall * (1 + rounding(8));
 }
 
+bool starts_clear(const Sweep& sweep, const PolygonShape& polygon) {
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = polygon.corners[0][axis], high = low;
+        for (const Vec3& corner : polygon.corners) {
+            if (corner[axis] < low) low = corner[axis];
+            if (corner[axis] > high) high = corner[axis];
+        }
+        const double p = sweep.start[axis];
+        const double size = std::fabs(p) + std::fabs(low) + std::fabs(high) + sweep.radius;
+        const double margin = sweep.radius + rounding(8) * size;
+        if (p < low - margin || p > high + margin) return true;
+    }
+    return false;
+}
+
 /// A face of a walk, as cast_sweep_polygon() has it for spheres, with another rim.
 template <class Rim>
 struct FaceTest {
@@ -205,7 +220,7 @@ struct FaceTest {
         if (facing >= 0) return {};
         const PlaneView view = view_plane(*sweep, polygon, facing);
         if (out_of_reach(*sweep, view, latest)) return {};
-        if (std::fabs(view.height) - view.height_error <= sweep->radius) {
+        if (std::fabs(view.height) - view.height_error <= sweep->radius && !starts_clear(*sweep, polygon)) {
             const StartContact start = start_contact(*sweep, polygon, facing);
             if (start.kind != StartContact::kApart) return start.contact;
         }
@@ -227,10 +242,9 @@ std::size_t differences(const World& world, const Level& level, const std::vecto
     for (const CastQuery& move : moves) {
         const First first = walk(world, move, test);
         const Hit hit = cast(world, move.sphere, move.path);
-        wrong +=
-            hit.touched() != first.contact.touched() ||
-            (hit.touched() && hit.fraction * length(move.path) != 0 &&
-             std::fabs(hit.fraction - first.contact.t / std::exp2(std::floor(std::log2(largest(move.path))))) > 1e-12);
+        const bool touched = first.contact.touched();
+        wrong += hit.touched() != touched ||
+                 (touched && std::fabs(hit.fraction - test.sweep->fraction(first.contact.t)) > 1e-12);
     }
     counts = test.counts;
     return wrong;
@@ -242,6 +256,60 @@ Contender contender(const char* name, const World& world, const Level& level, co
                 FaceTest<Rim> test(level);
                 for (const CastQuery& move : moves) keep(walk(world, move, test).latest);
             }};
+}
+
+/// A rim that a cast came to, to be asked again by itself.
+struct RimCall {
+    const Sweep* sweep;
+    std::vector<Vec3> corners;
+    PolygonShape polygon;
+    const std::uint32_t* vertices;
+    double latest;
+    bool begins_cast;
+};
+
+/// Notes down the rims on the way; answers as Firma does.
+struct NotingRim : PlainRim {
+    std::vector<RimCall> calls;
+    std::vector<Sweep>* sweeps = nullptr;
+    bool begins = false;
+    void begin(const Sweep& sweep) {
+        sweeps->push_back(sweep);
+        begins = true;
+    }
+    Contact operator()(const Sweep& sweep, const PolygonShape& polygon, const std::uint32_t* vertices, double latest,
+                       RimCounts& counts) {
+        calls.push_back(
+            {&sweeps->back(), {polygon.corners.begin(), polygon.corners.end()}, polygon, vertices, latest, begins});
+        calls.back().polygon.corners = calls.back().corners;
+        begins = false;
+        return PlainRim::operator()(sweep, polygon, vertices, latest, counts);
+    }
+};
+
+/// The rims alone: memory and tree left out.
+std::vector<Lap> race_rims(const World& world, const Level& level, const std::vector<CastQuery>& moves, int rounds,
+                           std::size_t& rims) {
+    std::vector<Sweep> sweeps;
+    sweeps.reserve(moves.size());
+    FaceTest<NotingRim> test(level);
+    test.rim.sweeps = &sweeps;
+    for (const CastQuery& move : moves) walk(world, move, test);
+    std::vector<RimCall>& calls = test.rim.calls;
+    rims = calls.size();
+    const auto ask = [&calls](auto rim) {
+        RimCounts counts;
+        for (const RimCall& call : calls) {
+            if (call.begins_cast) rim.begin(*call.sweep);
+            keep(rim(*call.sweep, call.polygon, call.vertices, call.latest, counts).t);
+        }
+        keep(counts);
+    };
+    const std::vector<Contender> contenders{{"", [&] { ask(PlainRim{}); }},
+                                            {"", [&] { ask(CulledRim<false>{}); }},
+                                            {"", [&] { ask(CulledRim<true>{}); }},
+                                            {"", [&] { ask(OnceRim{}); }}};
+    return race(contenders, rounds);
 }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
@@ -256,6 +324,8 @@ void measure(const Scene& scene, const CastSet& set, int rounds, Table& table) {
         contender<CulledRim<true>>("culled against the box of the path so far", world, scene.level, set.moves),
         contender<OnceRim>("shared ones once a cast", world, scene.level, set.moves)};
     const std::vector<Lap> laps = race(contenders, rounds);
+    std::size_t rims = 0;
+    const std::vector<Lap> alone = race_rims(world, scene.level, set.moves, rounds, rims);
     RimCounts counts[4];
     const std::size_t wrong[4] = {differences<PlainRim>(world, scene.level, set.moves, counts[0]),
                                   differences<CulledRim<false>>(world, scene.level, set.moves, counts[1]),
@@ -265,13 +335,14 @@ void measure(const Scene& scene, const CastSet& set, int rounds, Table& table) {
     for (std::size_t k = 0; k < laps.size(); ++k)
         table.add({scene.name + ", " + set.name, contenders[k].name, number(double(counts[1].rims) / n),
                    k ? share(counts[k].edges_culled, counts[k].edges) : "0%",
-                   k ? share(counts[k].vertices_culled, counts[k].vertices) : "0%", number(laps[k].seconds / n * 1e9),
-                   times(laps[k].ratio), count(wrong[k])});
+                   k ? share(counts[k].vertices_culled, counts[k].vertices) : "0%",
+                   number(alone[k].seconds / double(rims) * 1e9), times(alone[k].ratio),
+                   number(laps[k].seconds / n * 1e9), times(laps[k].ratio), count(wrong[k])});
 }
 
 int run(const Settings& settings) {
-    Table table("edges", {"casts", "edges and vertices", "rims a cast", "edges spared", "vertices spared", "ns a cast",
-                          "ratio", "answers differ"});
+    Table table("edges", {"casts", "edges and vertices", "rims a cast", "edges spared", "vertices spared", "ns a rim",
+                          "rim", "ns a cast", "cast", "answers differ"});
     const std::size_t casts = settings.few(4000), faces = settings.quick ? 1000 : 50000;
     std::vector<Scene> all{rooms_scene(faces, casts)};
     all.push_back(terrain_scene(faces, casts));

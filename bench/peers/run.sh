@@ -15,7 +15,7 @@ scenes="A B C D"
 rounds=5
 judged=20000
 work=$repository/build/peers
-results=$here/../results
+results=$repository/bench/results
 quick=0
 while [ $# -gt 0 ]; do
     case $1 in
@@ -29,7 +29,8 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-if [ $quick = 1 ]; then scenes=A; rounds=1; judged=500; results=$work/quick; export PEER_MAXN=2000; fi
+export PEER_MAXN="${PEER_MAXN:-20000}"  # sphere casts of a set: Bullet takes its time
+if [ $quick = 1 ]; then scenes=A; rounds=1; judged=500; results=$work/quick; PEER_MAXN=2000; fi
 if [ ! -f "$shared/peer.h" ]; then echo "run.sh: $shared is not there; nothing to run beside"; exit 0; fi
 
 mkdir -p "$work/scenes" "$work/dumps" "$results"
@@ -50,7 +51,7 @@ adapter() {  # program, standard, sources and libraries
     program=$1; standard=$2; shift 2
     g++ -std=$standard $native -o "$work/$program" "$shared/driver.cpp" "$@" -lpthread
 }
-peers=firma
+peers="firma"
 adapter driver_firma c++20 -ffp-contract=off -I"$repository/include" "$here/peer_firma.cpp" "$repository/build/bench/libfirma.a"
 if [ -d /usr/include/bullet ]; then
     adapter driver_bullet c++17 -I/usr/include/bullet "$shared/peer_bullet.cpp" -lBulletCollision -lLinearMath && peers="$peers bullet"

@@ -50,22 +50,33 @@ def speed_rows(values, peers):
                 yield row
 
 
-def judged_rows(work):
-    fields = {
-        "SPH": r"n (?P<casts>\d+) refhits (?P<hits>\d+) miss (?P<missed>\d+) .*false (?P<false>\d+) .*"
-               r"penetrating>0.1mm (?P<deep>\d+) .*max (?P<deepest>\S+) \| early>0.1mm (?P<early>\d+) ",
-        "RAY": r"n (?P<casts>\d+) refhits (?P<hits>\d+) miss (?P<missed>\d+) false (?P<false>\d+) .*late>1cm (?P<deep>\d+) ",
-        "EDGE": r"n (?P<casts>\d+) .*leak_per_million (?P<leaks>\S+)",
-    }
+PATTERNS = {
+    "SPH": r"n (?P<judged>\d+) refhits (?P<hits>\d+) miss (?P<missed>\d+) .*false (?P<false>\d+) .*"
+           r"penetrating>0.1mm (?P<deep>\d+) .*max (?P<deepest>\S+) \| early>0.1mm (?P<early>\d+) ",
+    "RAY": r"n (?P<judged>\d+) refhits (?P<hits>\d+) miss (?P<missed>\d+) false (?P<false>\d+) .*late>1cm (?P<deep>\d+) ",
+    "EDGE": r"n (?P<aimed>\d+) .*leak_per_million (?P<leaks>\S+)",
+}
+
+
+def judged_rows(work, peers):
+    """One row a scene and peer: sums over the sets, the largest depth."""
     for path in sorted(pathlib.Path(work).glob("judged_*.txt")):
+        rows = {}
         for line in path.read_text().splitlines():
             word = line.split()
-            found = re.search(fields.get(word[0], "$^"), line)
+            found = re.search(PATTERNS.get(word[0], "$^"), line)
             if not found:
                 continue
-            row = {"scene": word[2], "casts": "ray_edge" if word[0] == "EDGE" else word[3], "peer": word[1]}
-            row.update(judged=found["casts"], **{k: v for k, v in found.groupdict().items() if k != "casts"})
-            yield row
+            row = rows.setdefault(word[1], collections.Counter())
+            for key, value in found.groupdict().items():
+                row[key] = max(row[key], float(value)) if key == "deepest" else row[key] + float(value)
+            row["scene"] = word[2]
+        for peer in peers:
+            if peer in rows:
+                row = rows[peer]
+                yield {"scene": row["scene"], "peer": peer,
+                       **{k: f"{row[k]:.0f}" for k in ("judged", "hits", "missed", "false", "deep", "early", "aimed", "leaks") if k in row},
+                       **({"deepest": f"{row['deepest']:.1e}"} if "deepest" in row else {})}
 
 
 def write(path, rows, columns):
@@ -83,8 +94,8 @@ def main():
     raw, work, results, peers = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]), sys.argv[4:]
     rows = list(speed_rows(read_raw(raw), peers))
     write(results / "peers_speed.csv", rows, ["scene", "metric"] + peers + [f"{p} / firma" for p in peers[1:]])
-    write(results / "peers_answers.csv", list(judged_rows(work)),
-          ["scene", "casts", "peer", "judged", "hits", "missed", "false", "deep", "deepest", "early", "leaks"])
+    write(results / "peers_answers.csv", list(judged_rows(work, peers)),
+          ["scene", "peer", "judged", "hits", "missed", "false", "deep", "deepest", "early", "aimed", "leaks"])
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@
 #include <map>
 #include <sstream>
 
-#include "firma/polygon.h"
+#include "geometry/closest_point.h"
 
 namespace firma::bench {
 namespace {
@@ -104,13 +104,10 @@ struct Nearness {
 
 Nearness nearness(const scenes::CastQuery& move, const std::vector<Vec3>& face, double fraction) {
     // Relative to a corner: far from the origin the sum would round away what is asked for.
-    const Vec3& corner = face[0];
-    std::vector<Vec3> local;
-    for (const Vec3& c : face) local.push_back(c - corner);
-    const Vec3 centre = (move.sphere.centre - corner) + move.path * fraction;
-    const ClosestPoint closest = closest_point(centre, local);
+    const Vec3 centre = (move.sphere.centre - face[0]) + move.path * fraction;
+    const Closest closest = closest_to(centre, make_shape(face));
     const double size = closest.distance * length(move.path);
-    return {closest.distance, size > 0 ? -dot(centre - closest.point, move.path) / size : 0};
+    return {closest.distance, size > 0 ? -dot(closest.away, move.path) / size : 0};
 }
 
 /// How deep the sphere has been, by this fraction, in the faces that should have stopped it.

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Puts tables of bench/results into a Markdown page, between marks.
+
+    fill_tables.py PAGE.md RESULTS_FOLDER
+
+A mark is  <!-- table NAME -->  or  <!-- table NAME: column; column as heading; ... -->  and ends at  <!-- end -->.
+Rows can be chosen:  <!-- table NAME: ... | column=value; column=value -->.
+"""
+
+import csv
+import pathlib
+import re
+import sys
+
+MARK = re.compile(r"<!-- table (?P<name>\w+)(?:: (?P<columns>[^|]*?))?(?: \| (?P<rows>.*?))? -->\n.*?<!-- end -->", re.S)
+
+
+def parts(text):
+    return [part.strip() for part in text.split(";") if part.strip()]
+
+
+def table(folder, mark):
+    path = folder / f"{mark['name']}.csv"
+    if not path.exists():
+        return "(not measured)"
+    with open(path, newline="") as file:
+        reader = csv.DictReader(file)
+        rows, columns = list(reader), reader.fieldnames
+    chosen = [part.partition(" as ")[::2] for part in parts(mark["columns"] or "")] or [(c, "") for c in columns]
+    for condition in parts(mark["rows"] or ""):
+        column, _, value = condition.partition("=")
+        rows = [row for row in rows if re.fullmatch(value, row[column])]
+    for column, _ in chosen:
+        if column not in columns:
+            sys.exit(f"{path}: no column {column!r}")
+    lines = ["| " + " | ".join(heading or column for column, heading in chosen) + " |",
+             "|---|" + "---:|" * (len(chosen) - 1)]
+    lines += ["| " + " | ".join(row[column] or "" for column, _ in chosen) + " |" for row in rows]
+    return "\n".join(lines)
+
+
+def main():
+    page, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    text = page.read_text()
+    filled = MARK.sub(lambda m: m[0].split("\n", 1)[0] + "\n" + table(folder, m) + "\n<!-- end -->", text)
+    page.write_text(filled)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,35 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# All benchmarks, one after the other, and their tables into docs/benchmarks.md. About half an hour.
+#
+#   bench/run_all.sh [name ...]        only these: article_formulas boxes edges first_level inside pieces stop_distance
+#                                      subdivision tree peers openarena
+set -eu
+
+repository=$(cd "$(dirname "$0")/.." && pwd)
+results=$repository/bench/results
+cd "$repository"
+mkdir -p "$results"
+cmake --preset bench >/dev/null
+cmake --build --preset bench >/dev/null
+
+pieces() {
+    build/bench/bin/bench_pieces --benchmark_enable_random_interleaving=true --benchmark_repetitions=9 \
+        --benchmark_report_aggregates_only=true --benchmark_min_time=0.1 --benchmark_format=csv 2>/dev/null |
+        awk -F, 'BEGIN { print "piece,casts,ns" }
+            /_median/ { gsub(/"/, ""); sub(/_median/, "", $1); ns = $4 * ($5 == "ms" ? 1e6 : 1); label = NF >= 9 ? $8 "," $9 : $8
+                        gsub(/,error_.*|,$/, "", label); printf "%s,\"%s\",%.4g\n", $1, label, ns }' | { IFS= read -r head; echo "$head"; sort; } >"$results/pieces.csv"
+    cat "$results/pieces.csv"
+}
+
+[ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces openarena peers
+for name in "$@"; do
+    echo "--- $name"
+    case $name in
+        pieces) pieces ;;
+        openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
+        peers) bench/peers/run.sh ;;
+        *) "build/bench/bin/bench_$name" --csv "$results" ;;
+    esac
+done
+python3 bench/fill_tables.py docs/benchmarks.md "$results"
