@@ -122,15 +122,20 @@ def totals(output):
     return {}
 
 
-def run_chunk(claim):
-    """Runs one chunk and leaves its line; False when it failed."""
-    if git('status', '--porcelain', '--', *claim.sources).stdout.strip():
-        print(f'{claim.name}: commit your changes first; a line must name the commit it ran on', file=sys.stderr)
-        return False
-    commit, seed = head(), next_seed(claim)
+def changed(claim):
+    """Whether a file the claim exercises is not as committed."""
+    return bool(git('status', '--porcelain', '--', *claim.sources).stdout.strip())
+
+
+def run_chunk(claim, commit):
+    """Runs one chunk of what was built at `commit` and leaves its line; False when it failed."""
+    seed = next_seed(claim)
     count = min(claim.chunk, claim.need - done(claim))
     start = time.time()
     process = subprocess.run(claim.command(seed, count), cwd=ROOT, capture_output=True, text=True)
+    if changed(claim) or not same_sources(commit, claim):
+        print(f'{claim.name}: sources changed meanwhile; this chunk does not count', file=sys.stderr)
+        return False
     result = 'pass' if process.returncode == 0 else 'fail'
     said = totals(process.stdout)
     line = {'claim': claim.name, 'count': said.get('count', count), 'unit': claim.unit, 'seed': seed}
@@ -142,12 +147,21 @@ def run_chunk(claim):
     return result == 'pass'
 
 
-def build(presets):
-    for preset in sorted(presets):
-        for command in (['cmake', '--preset', preset], ['cmake', '--build', '--preset', preset]):
-            process = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-            if process.returncode:
-                sys.exit((process.stdout + process.stderr)[-4000:])
+def build(preset):
+    for command in (['cmake', '--preset', preset], ['cmake', '--build', '--preset', preset]):
+        process = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+        if process.returncode:
+            sys.exit((process.stdout + process.stderr)[-4000:])
+
+
+def work_off(claim):
+    if changed(claim):
+        print(f'{claim.name}: commit your changes first; a line must name the commit it ran on', file=sys.stderr)
+        return
+    commit = head()
+    build(claim.preset)
+    while done(claim) < claim.need and run_chunk(claim, commit):
+        pass
 
 
 def summary(claim):
@@ -167,12 +181,9 @@ def main():
     chosen = [claim for claim in CLAIMS if not names or claim.name in names]
     if options:
         return 0 if all([summary(claim) for claim in chosen]) else 1
-    open_claims = [claim for claim in chosen if done(claim) < claim.need]
-    build({claim.preset for claim in open_claims})
-    for claim in open_claims:
-        while done(claim) < claim.need:
-            if not run_chunk(claim):
-                break
+    for claim in chosen:
+        if done(claim) < claim.need:
+            work_off(claim)
     return 0 if all([summary(claim) for claim in chosen]) else 1
 
 
