@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Cases for when the shared ones are missing.
+// Cases of our own.
 #include "support/family_cases.h"
 
 #include <algorithm>
 
 #include "firma/world.h"
 #include "scenes/cast_families.h"
+#include "scenes/room_grid.h"
+#include "scenes/terrain.h"
 
 namespace firma::bench {
 namespace {
@@ -42,7 +44,34 @@ ExactCase judged(std::string name, const scenes::CastScene& scene) {
     return exact;
 }
 
+ExactCase unjudged(Level level, std::vector<scenes::CastQuery> first, const std::vector<scenes::CastQuery>& second) {
+    ExactCase exact;
+    exact.level = std::move(level);
+    exact.casts = std::move(first);
+    exact.casts.insert(exact.casts.end(), second.begin(), second.end());
+    exact.faces.resize(exact.level.source_faces);
+    for (const LevelFace& face : exact.level.faces)
+        for (std::uint32_t c = 0; c < face.corner_count; ++c)
+            exact.faces[face.source].push_back(
+                firma::to_metres(exact.level.vertices[exact.level.corners[face.first_corner + c]]));
+    return exact;
+}
+
 }  // namespace
+
+std::vector<ExactCase> ordinary_cases(std::size_t casts_each) {
+    using namespace scenes;
+    const RoomGrid room{1, 1, 1, 0.15, 1};
+    const Terrain ground{24, 3};
+    Level land = terrain(ground);
+    std::vector<CastQuery> spheres = casts_over_terrain(ground, land, kShortSpheres, casts_each, 1);
+    const std::vector<CastQuery> rays = casts_over_terrain(ground, land, kShortRays, casts_each, 2);
+    std::vector<ExactCase> cases;
+    cases.push_back(unjudged(room_grid(room), casts_in_rooms(room, kShortSpheres, casts_each, 3),
+                             casts_in_rooms(room, kShortRays, casts_each, 4)));
+    cases.push_back(unjudged(std::move(land), std::move(spheres), rays));
+    return cases;
+}
 
 std::vector<ExactCase> family_cases(std::size_t scenes_each) {
     std::vector<ExactCase> cases;
