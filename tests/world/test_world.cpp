@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "firma/level.h"
-#include "scenes/rng.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -206,24 +203,6 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_vertices[2] = 99; }), "a corner has no vertex");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.face_count = 7; }), "the count of faces is not how many there are");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.next_face = 3; }), "a face's id is not below the next one");
-}
-
-TEST(WorldThreads, ManyThreadsAskOneWorld) {
-    const World world = room();
-    std::atomic<int> wrong{0};
-    const auto ask = [&](std::uint64_t seed) {
-        scenes::Rng rng(seed);
-        for (int k = 0; k < 20000; ++k) {
-            const Sphere sphere{{rng.uniform(0.5, 3.5), rng.uniform(0.5, 3.5), rng.uniform(0.5, 2.5)}, 0.25};
-            if (cast(world, sphere, rng.direction() * 10).status != Status::kHit) ++wrong;
-        }
-    };
-    std::thread a(ask, 1), b(ask, 2);
-    World copy = world;  // handles may come and go meanwhile
-    copy = World();
-    a.join();
-    b.join();
-    EXPECT_EQ(wrong, 0);
 }
 
 }  // namespace
