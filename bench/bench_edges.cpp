@@ -319,9 +319,9 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 void measure(const Scene& scene, const CastSet& set, int rounds, Table& table) {
     const World world = world_of(scene.level);
     const std::vector<Contender> contenders{
-        contender<PlainRim>("every edge and vertex, each time (Firma)", world, scene.level, set.moves),
+        contender<PlainRim>("every edge and vertex, each time", world, scene.level, set.moves),
         contender<CulledRim<false>>("culled against the box of the whole path", world, scene.level, set.moves),
-        contender<CulledRim<true>>("culled against the box of the path so far", world, scene.level, set.moves),
+        contender<CulledRim<true>>("culled against the box of the path so far (Firma)", world, scene.level, set.moves),
         contender<OnceRim>("shared ones once a cast", world, scene.level, set.moves)};
     const std::vector<Lap> laps = race(contenders, rounds);
     std::size_t rims = 0;

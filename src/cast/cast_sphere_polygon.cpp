@@ -45,18 +45,47 @@ void keep_earlier(Contact& best, const Entry& entry, Feature feature, std::size_
     best = {entry.t > 0 ? Status::kHit : Status::kTouching, feature, std::uint32_t(index), entry.t};
 }
 
-Contact cast_rim(const Sweep& sweep, const PolygonShape& polygon, CastCounts* counts) {
+/// The box around the sphere's path up to the earliest touch known: edges and vertices clear of it cannot be met in
+/// time.
+class PathBox {
+public:
+    PathBox(const Sweep& sweep, double latest) {
+        const Vec3 end = sweep.at(latest);
+        const double size = largest(sweep.start) + largest(end) + sweep.radius + kWorldRim;
+        const double margin = sweep.radius + rounding(64) * size;
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool forward = sweep.start[axis] < end[axis];
+            low_[axis] = (forward ? sweep.start : end)[axis] - margin;
+            high_[axis] = (forward ? end : sweep.start)[axis] + margin;
+        }
+    }
+
+    bool clear_of(const Vec3& vertex) const { return clear_of(vertex, vertex); }
+    bool clear_of(const Vec3& a, const Vec3& b) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (a[axis] < low_[axis] && b[axis] < low_[axis]) return true;
+            if (a[axis] > high_[axis] && b[axis] > high_[axis]) return true;
+        }
+        return false;
+    }
+
+private:
+    Vec3 low_, high_;
+};
+
+Contact cast_rim(const Sweep& sweep, const PolygonShape& polygon, double latest, CastCounts* counts) {
+    const PathBox path(sweep, latest);
     Contact best;
     const auto corners = polygon.corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        Entry vertex = enter_vertex(sweep, corners[k]);
+        Entry vertex = path.clear_of(corners[k]) ? Entry{} : enter_vertex(sweep, corners[k]);
         if (vertex.kind == Entry::kDoubtful) {
             vertex = enter_vertex_precisely(sweep, corners[k]);
             if (counts) ++counts->precise;
         }
         keep_earlier(best, vertex, Feature::kVertex, k);
         const Vec3 &a = corners[k], &b = corners[polygon.next(k)];
-        Entry edge = enter_edge(sweep, a, b);
+        Entry edge = path.clear_of(a, b) ? Entry{} : enter_edge(sweep, a, b);
         if (edge.kind == Entry::kDoubtful) {
             edge = enter_edge_precisely(sweep, a, b);
             if (counts) ++counts->precise;
@@ -93,8 +122,10 @@ Contact cast_sweep_polygon(const Sweep& sweep, const PolygonShape& polygon, Side
         if (foot_inside(sweep, polygon, entry.t))
             return {entry.t > 0 ? Status::kHit : Status::kTouching, Feature::kFace, 0, entry.t};
     }
-    Contact best = cast_rim(sweep, polygon, counts);
-    if (!best.touched() && facing != 0 && radius_is_near_rounding(sweep, polygon)) {
+    // The centre stands in only for a rim that is not met at all, so then the whole path is looked at.
+    const bool tiny = radius_is_near_rounding(sweep, polygon);
+    Contact best = cast_rim(sweep, polygon, tiny ? sweep.end : latest, counts);
+    if (!best.touched() && facing != 0 && tiny) {
         best = cast_particle_polygon(sweep, polygon, facing);
         if (best.status == Status::kHit && view.approach > 0) {
             const double earlier = best.t - sweep.radius / view.approach;
