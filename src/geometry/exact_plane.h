@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Planes through points of the input grid, as integers.
+#pragma once
+
+#include <cstdint>
+
+#include "firma/grid.h"
+#include "firma/vec.h"
+#include "geometry/exact_integer.h"
+
+namespace firma {
+
+/// A point of the input grid, in steps of 1/4096 m: 26 bits signed each.
+struct InputPoint {
+    std::int32_t x = 0, y = 0, z = 0;
+
+    std::int32_t& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+    std::int32_t operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+
+    friend bool operator==(const InputPoint&, const InputPoint&) = default;
+    friend auto operator<=>(const InputPoint&, const InputPoint&) = default;
+};
+
+/// Whether a point of the surface grid lies on the input grid.
+inline bool on_input_grid(const GridPoint& p) {
+    return ((p.x | p.y | p.z) & (kSurfacePerInput - 1)) == 0;
+}
+inline InputPoint to_input(const GridPoint& p) {
+    return {p.x / kSurfacePerInput, p.y / kSurfacePerInput, p.z / kSurfacePerInput};
+}
+inline GridPoint to_surface(const InputPoint& p) {
+    return {p.x * kSurfacePerInput, p.y * kSurfacePerInput, p.z * kSurfacePerInput};
+}
+
+/// normal . p + offset = 0, in input steps; in front where that is positive. Divided by the greatest common divisor of
+/// all four, so coplanar faces that look the same way have equal planes. Components of the normal have up to 53 bits
+/// with sign, the offset up to 78 (three grid points); every double below is the nearest one.
+struct Plane {
+    std::int64_t normal[3] = {0, 0, 0};
+    Int128 offset = 0;
+    double n[3] = {0, 0, 0};  ///< `normal` as doubles
+    double d = 0;             ///< `offset` as a double
+    double size = 0;          ///< |n[0]| + |n[1]| + |n[2]|, rounded up
+
+    friend bool operator==(const Plane& a, const Plane& b) {
+        return a.normal[0] == b.normal[0] && a.normal[1] == b.normal[1] && a.normal[2] == b.normal[2] &&
+               a.offset == b.offset;
+    }
+    bool valid() const { return normal[0] != 0 || normal[1] != 0 || normal[2] != 0; }
+    /// The axis of the normal's largest component; the first of several.
+    int dominant_axis() const;
+};
+
+/// Counter-clockwise seen from the front. Not valid() when the points lie on a line.
+Plane plane_through(const InputPoint& a, const InputPoint& b, const InputPoint& c);
+
+/// The same plane seen from behind.
+Plane flipped(const Plane& plane);
+
+/// An auxiliary plane through the edge a b and one grid step along the dominant axis of `face`, a plane that holds the
+/// edge: never parallel to it.
+Plane edge_plane(const InputPoint& a, const InputPoint& b, const Plane& face);
+
+/// The plane axis = step, looking toward greater coordinates.
+Plane axis_plane(int axis, std::int32_t step);
+
+/// Whether two planes are parallel, exactly.
+bool exact_parallel(const Plane& a, const Plane& b);
+
+/// Sign of det(a, b, c) of the normals, exactly: 0 where the planes do not meet in one point.
+int exact_turn(const Plane& a, const Plane& b, const Plane& c);
+
+}  // namespace firma

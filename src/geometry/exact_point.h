@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Points that solids are made of: on the input grid, or where three planes meet; and the signs that geometry asks of
+// them. A floating filter with a proven bound answers nearly always; integers of up to 256 bits answer when it cannot.
+#pragma once
+
+#include "firma/grid.h"
+#include "firma/vec.h"
+#include "geometry/exact_plane.h"
+
+namespace firma {
+
+/// Where three planes meet: x / w and so on, in input steps; w > 0. |x|, |y|, |z| < 2^184, w < 2^159.
+struct Meet {
+    Int256 x, y, z, w;
+};
+
+/// @param a, b, c  exact_turn(a, b, c) != 0
+Meet meet(const Plane& a, const Plane& b, const Plane& c);
+
+/// A point as an integer or as three planes. A view: whoever makes it keeps the planes. Immutable once made.
+class ExactPoint {
+public:
+    ExactPoint() = default;
+    explicit ExactPoint(const InputPoint& point);
+    /// @param a, b, c  exact_turn(a, b, c) != 0, and the point within the world (FIRMA_ASSERT)
+    ExactPoint(const Plane& a, const Plane& b, const Plane& c);
+
+    bool on_grid() const { return planes_[0] == nullptr; }
+    /// Only for one on_grid().
+    const InputPoint& grid() const { return grid_; }
+    /// Null for one on_grid().
+    const Plane* plane(int k) const { return planes_[k]; }
+
+    /// Input steps, each coordinate off by at most kApproximation.
+    const Vec3& approximate() const { return approximate_; }
+    /// The nearest point of the surface grid, halves to even, exactly so.
+    const GridPoint& rounded() const { return rounded_; }
+
+private:
+    const Plane* planes_[3] = {nullptr, nullptr, nullptr};
+    InputPoint grid_;
+    Vec3 approximate_;
+    GridPoint rounded_;
+};
+
+/// Bound on how far a coordinate of approximate() is off, in input steps: a few roundings of numbers up to 2^25.
+inline constexpr double kApproximation = 0x1p-26;
+
+/// The side of a plane that a point lies on: 1 in front, 0 on it, -1 behind.
+int exact_side(const Plane& plane, const ExactPoint& point);
+
+/// Order along the line in which planes f and t meet, directed as f.normal x t.normal: the sign of (b - a) . direction.
+///
+/// @param a  a point of the line, and `across` a plane through it that is not parallel to the line
+/// @param b  a point of the line
+int exact_order(const Plane& f, const Plane& t, const ExactPoint& a, const Plane& across, const ExactPoint& b);
+
+/// How often the exact path was taken since the program started, for benchmarks; per thread.
+std::uint64_t exact_fallbacks();
+
+}  // namespace firma
