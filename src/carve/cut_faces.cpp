@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Where a face of the world and the cutter's triangles cross.
+#include "carve/cut_faces.h"
+
+#include <algorithm>
+
+namespace firma {
+namespace {
+
+constexpr std::int8_t kUnasked = 2;
+
+std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t(a) << 32 | b;
+}
+
+/// A face's exact corners lie within half a step of its rounded ones.
+GridBox grown(GridBox box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (box.low[axis] > INT32_MIN) --box.low[axis];
+        if (box.high[axis] < INT32_MAX) ++box.high[axis];
+    }
+    return box;
+}
+
+}  // namespace
+
+std::uint32_t FaceCutter::world_crossing(std::uint32_t edge, std::uint32_t triangle) {
+    std::uint32_t& known = cut_.world_crossing.at(pair_key(edge, triangle));
+    if (known != FlatMap::kNone) return known;
+    known = std::uint32_t(cut_.crossings.size());
+    cut_.patch->settle_planes(edge);
+    const PatchEdge& it = cut_.patch->edges[edge];
+    Crossing crossing;
+    crossing.planes[0] = it.plane[0];
+    crossing.planes[1] = it.plane[1];
+    crossing.planes[2] = cut_.cutter->planes[triangle];
+    crossing.point = ExactPoint(crossing.planes[0]->plane, crossing.planes[1]->plane, crossing.planes[2]->plane);
+    crossing.edge = edge;
+    crossing.face = triangle;
+    crossing.of_world = true;
+    cut_.crossings.push_back(std::move(crossing));
+    return known;
+}
+
+std::uint32_t FaceCutter::cutter_crossing(std::uint32_t edge, std::uint32_t face) {
+    std::uint32_t& known = cut_.cutter_crossing.at(pair_key(edge, face));
+    if (known != FlatMap::kNone) return known;
+    known = std::uint32_t(cut_.crossings.size());
+    const CutterSolid::Edge& it = cut_.cutter->edges[edge];
+    Crossing crossing;
+    crossing.planes[0] = it.plane[0];
+    crossing.planes[1] = it.plane[1];
+    crossing.planes[2] = cut_.patch->faces[face].plane;
+    crossing.point = ExactPoint(crossing.planes[0]->plane, crossing.planes[1]->plane, crossing.planes[2]->plane);
+    crossing.edge = edge;
+    crossing.face = face;
+    cut_.crossings.push_back(std::move(crossing));
+    return known;
+}
+
+std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
+    Crossing& it = cut_.crossings[crossing];
+    if (it.vertex == ~0u) {
+        it.vertex = cut_.first_real() + std::uint32_t(cut_.real.size());
+        cut_.real.push_back(crossing);
+    }
+    return it.vertex;
+}
+
+int FaceCutter::side_of_face(std::uint32_t vertex) {
+    std::int8_t& known = cutter_sides_[vertex];
+    if (known == kUnasked) known = std::int8_t(exact_side(*face_plane_, cut_.cutter->points[vertex]));
+    return known;
+}
+
+Verdict FaceCutter::cut_face(std::uint32_t index) {
+    const PatchFace& face = cut_.patch->faces[index];
+    cutter_sides_.assign(cut_.cutter->points.size(), kUnasked);
+    face_plane_ = &face.plane->plane;
+    Verdict verdict = Verdict::kFine;
+    cut_.cutter->tree.for_each_meeting(grown(face.box), [&](std::uint32_t triangle) {
+        ++pairs;
+        verdict = cut_pair(index, triangle);
+        return verdict != Verdict::kFine;
+    });
+    return verdict;
+}
+
+/// Leaves early as soon as one of the two lies wholly on one side of the other.
+Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
+    const SolidPatch& patch = *cut_.patch;
+    const PatchFace& face = patch.faces[index];
+    const auto& corners = cut_.cutter->triangle(triangle);
+    int corner_side[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        corner_side[k] = side_of_face(corners[k]);
+        if (corner_side[k] == 0) return Verdict::kDegenerate;
+    }
+    if (corner_side[0] == corner_side[1] && corner_side[1] == corner_side[2]) return Verdict::kFine;
+
+    const Plane& cutting = cut_.cutter->planes[triangle]->plane;
+    const auto uses = patch.uses(face);
+    face_sides_.clear();
+    bool front = false, back = false;
+    for (const PatchUse& use : uses) {
+        const int side = exact_side(cutting, patch.vertices[patch.from(use)].point);
+        if (side == 0) return Verdict::kDegenerate;
+        (side > 0 ? front : back) = true;
+        face_sides_.push_back(std::int8_t(side));
+    }
+    if (!front || !back) return Verdict::kFine;
+
+    line_.clear();
+    std::size_t loop_start = 0;
+    for (const std::uint32_t end : patch.ends(face)) {
+        for (std::size_t k = loop_start; k < end; ++k) {
+            const std::size_t next = k + 1 < end ? k + 1 : loop_start;
+            if (face_sides_[k] == face_sides_[next]) continue;
+            const std::uint32_t edge = uses[k].edge;
+            const std::uint32_t crossing = world_crossing(edge, triangle);
+            const PatchEdge& it = patch.edges[edge];
+            const bool in_face = it.plane[0].get() == face.plane.get() ||
+                                 exact_parallel(it.plane[0]->plane, face.plane->plane);
+            line_.push_back({crossing, &it.plane[in_face]->plane, true});
+        }
+        loop_start = end;
+    }
+    for (int k = 0; k < 3; ++k) {
+        if (corner_side[k] == corner_side[(k + 1) % 3]) continue;
+        const std::uint32_t edge = cut_.cutter->edge_of(triangle, k);
+        const CutterSolid::Edge& it = cut_.cutter->edges[edge];
+        line_.push_back({cutter_crossing(edge, index), &it.plane[it.left == triangle]->plane, false});
+    }
+    return emit(index, triangle);
+}
+
+/// Orders the points along the line and walks them: where the line is inside both, there is a segment.
+Verdict FaceCutter::emit(std::uint32_t face, std::uint32_t triangle) {
+    const Plane& f = *face_plane_;
+    const Plane& t = cut_.cutter->planes[triangle]->plane;
+    for (std::size_t k = 1; k < line_.size(); ++k)  // few points: insertion
+        for (std::size_t j = k; j > 0; --j) {
+            const int order = exact_order(f, t, cut_.crossings[line_[j - 1].crossing].point, *line_[j - 1].across,
+                                          cut_.crossings[line_[j].crossing].point);
+            if (order == 0) return Verdict::kDegenerate;
+            if (order > 0) break;
+            std::swap(line_[j - 1], line_[j]);
+        }
+    bool in_face = false, in_triangle = false;
+    const OnLine* last = nullptr;
+    for (const OnLine& here : line_) {
+        if (in_face && in_triangle) {
+            const std::uint32_t from = vertex_of(last->crossing);
+            cut_.segments.push_back({face, triangle, from, vertex_of(here.crossing)});
+            cut_.face_cut[face] = 1;
+        }
+        (here.of_face ? in_face : in_triangle) ^= true;
+        last = &here;
+    }
+    return in_face || in_triangle ? Verdict::kBroken : Verdict::kFine;
+}
+
+}  // namespace firma

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where a face of the world and the cutter's triangles cross: segments directed along face normal x triangle normal.
+#pragma once
+
+#include "carve/cut_state.h"
+
+namespace firma {
+
+/// Cuts one face of the patch by all triangles whose boxes meet its own.
+class FaceCutter {
+public:
+    explicit FaceCutter(Cut& cut) : cut_(cut) {}
+
+    Verdict cut_face(std::uint32_t face);
+
+    std::uint64_t pairs = 0;  ///< of a face and a triangle looked at, for the report
+
+private:
+    struct OnLine {
+        std::uint32_t crossing;
+        const Plane* across;  ///< through the point, not along the line
+        bool of_face;         ///< the face's rim crosses the triangle here; else the other way round
+    };
+
+    Verdict cut_pair(std::uint32_t face, std::uint32_t triangle);
+    int side_of_face(std::uint32_t cutter_vertex);
+    std::uint32_t world_crossing(std::uint32_t edge, std::uint32_t triangle);
+    std::uint32_t cutter_crossing(std::uint32_t edge, std::uint32_t face);
+    Verdict emit(std::uint32_t face, std::uint32_t triangle);
+    std::uint32_t vertex_of(std::uint32_t crossing);
+
+    Cut& cut_;
+    const Plane* face_plane_ = nullptr;
+    std::vector<std::int8_t> cutter_sides_;  ///< of the face at hand; kUnasked where not known yet
+    std::vector<std::int8_t> face_sides_;
+    std::vector<OnLine> line_;
+};
+
+}  // namespace firma

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A placed cutter as a solid.
+#include "carve/cutter_solid.h"
+
+namespace firma {
+namespace {
+
+GridBox box_of(const CutterSolid& cutter, std::uint32_t t) {
+    GridBox box;
+    for (const std::uint32_t v : cutter.triangle(t)) box.add(to_surface(cutter.placed.vertices[v]));
+    return box;
+}
+
+Ref<const SolidPlane> new_plane(const Plane& plane) {
+    return Ref<const SolidPlane>(new SolidPlane(plane));
+}
+
+/// 1: the segment from the point to `outside` crosses the triangle; 0: it does not; -1: it meets an edge or ends on it.
+int crosses(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point, const InputPoint& outside) {
+    const Plane& plane = cutter.planes[t]->plane;
+    const int here = exact_side(plane, point), there = exact_side(plane, ExactPoint(outside));
+    if (here == 0 || there == 0) return -1;
+    if (here == there) return 0;
+    const auto& corners = cutter.triangle(t);
+    int side[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const InputPoint& a = cutter.placed.vertices[corners[k]];
+        const InputPoint& b = cutter.placed.vertices[corners[k < 2 ? k + 1 : 0]];
+        const Plane fan = plane_through(outside, a, b);
+        if (!fan.valid()) return -1;
+        side[k] = exact_side(fan, point);
+    }
+    if (side[0] == side[1] && side[1] == side[2]) return side[0] == 0 ? -1 : 1;
+    // A zero beside two of the same sign is a crossing of an edge; beside two that differ, a miss.
+    const int sum = side[0] + side[1] + side[2];
+    const bool has_zero = side[0] == 0 || side[1] == 0 || side[2] == 0;
+    return has_zero && sum != 0 ? -1 : 0;
+}
+
+}  // namespace
+
+void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
+    cutter.placed = std::move(placed);
+    const PlacedCutter& it = cutter.placed;
+    cutter.points.clear();
+    cutter.points.reserve(it.vertices.size());
+    for (const InputPoint& p : it.vertices) cutter.points.emplace_back(p);
+
+    cutter.planes.clear();
+    cutter.boxes.clear();
+    cutter.box = {};
+    for (std::uint32_t t = 0; t < it.triangles.size(); ++t) {
+        const auto& corners = it.triangles[t];
+        cutter.planes.push_back(new_plane(
+            plane_through(it.vertices[corners[0]], it.vertices[corners[1]], it.vertices[corners[2]])));
+        cutter.boxes.push_back(box_of(cutter, t));
+        cutter.box.add(cutter.boxes.back());
+    }
+    cutter.edges.clear();
+    for (const CutterEdge& edge : it.topology->edges) {
+        const Ref<const SolidPlane>&left = cutter.planes[edge.left], &right = cutter.planes[edge.right];
+        const bool flat = exact_parallel(left->plane, right->plane);
+        cutter.edges.push_back(
+            {edge.a, edge.b, edge.left, edge.right,
+             {left, flat ? new_plane(edge_plane(it.vertices[edge.a], it.vertices[edge.b], left->plane)) : right}});
+    }
+    cutter.tree = BoxTree(cutter.boxes);
+}
+
+int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
+    // Points outside the cutter's box, none of them in line with another and the middle.
+    const GridBox& box = cutter.box;
+    for (int way = 0; way < 12; ++way) {
+        InputPoint outside;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t low = box.low[axis] / kSurfacePerInput, high = box.high[axis] / kSurfacePerInput;
+            const std::int32_t size = high - low + 1;
+            outside[axis] = axis == way % 3 ? (way % 2 ? low - 5 - way : high + 5 + way)
+                                            : low + std::int32_t(std::int64_t(size) * (3 + 7 * way + axis) % size);
+        }
+        const GridPoint far = to_surface(outside);
+        GridBox reach;
+        reach.add(far);
+        reach.add(point.rounded());
+        for (int axis = 0; axis < 3; ++axis) {  // the point itself lies within a step of its rounded one
+            if (reach.low[axis] > INT32_MIN) --reach.low[axis];
+            if (reach.high[axis] < INT32_MAX) ++reach.high[axis];
+        }
+        int crossings = 0;
+        bool unsure = false;
+        cutter.tree.for_each_meeting(reach, [&](std::uint32_t t) {
+            const int verdict = crosses(cutter, t, point, outside);
+            if (verdict < 0) unsure = true;
+            crossings += verdict == 1;
+            return unsure;
+        });
+        if (!unsure) return crossings % 2 ? 1 : -1;
+    }
+    return 0;
+}
+
+}  // namespace firma

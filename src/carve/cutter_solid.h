@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A placed cutter as a solid: exact planes, edges with two planes, boxes to find its triangles by.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "carve/place_cutter.h"
+#include "solid/solid_face.h"
+#include "tree/box_tree.h"
+
+namespace firma {
+
+struct CutterSolid {
+    /// An edge runs a -> b counter-clockwise in triangle `left`, b -> a in `right`.
+    struct Edge {
+        std::uint32_t a, b, left, right;
+        /// Those of its triangles; the second an auxiliary one where both lie in one plane.
+        Ref<const SolidPlane> plane[2];
+    };
+
+    PlacedCutter placed;
+    std::vector<ExactPoint> points;             ///< a vertex each
+    std::vector<Ref<const SolidPlane>> planes;  ///< a triangle each, looking out of the cutter
+    std::vector<Edge> edges;
+    std::vector<GridBox> boxes;  ///< a triangle each
+    GridBox box;
+    BoxTree tree;
+
+    const CutterTriangle& triangle(std::uint32_t t) const { return placed.triangles[t]; }
+    /// Edge k of triangle t runs from corner k to corner k + 1.
+    std::uint32_t edge_of(std::uint32_t t, int k) const { return placed.topology->triangle_edges[t][std::size_t(k)]; }
+};
+
+/// @param cutter  replaced; keeps its memory
+void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter);
+
+/// Whether a point lies inside: 1 or -1; 0 when that cannot be told, as the point lies on the surface or every line
+/// tried meets an edge.
+int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point);
+
+}  // namespace firma

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// From loops in one plane to faces: one outer loop each, and the holes that lie in it.
+#pragma once
+
+#include <span>
+
+#include "carve/cut_state.h"
+
+namespace firma {
+
+/// Adds a new face for each outer loop.
+///
+/// @param like       what the faces have in common
+/// @param loops      uses of all loops in a row, `ends` where each ends
+/// Judged by the rounded corners; where these leave it open which loop a hole lies in, facets fail later.
+Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops, std::span<const std::uint32_t> ends);
+
+}  // namespace firma

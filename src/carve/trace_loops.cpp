@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// From labels and segments to the loops of new faces.
+#include "carve/trace_loops.h"
+
+#include <algorithm>
+
+#include "carve/group_loops.h"
+
+namespace firma {
+namespace {
+
+class Tracer {
+public:
+    explicit Tracer(Cut& cut)
+        : cut_(cut), patch_(*cut.patch), cutter_(*cut.cutter), out_of_(cut.first_real() + cut.real.size()) {}
+
+    Verdict trace() {
+        split_edges();
+        add_segments();
+        for (std::uint32_t face = 0; face < patch_.faces.size(); ++face) {
+            if (patch_.faces[face].replaced) continue;
+            const Verdict verdict = trace_world(face);
+            if (verdict != Verdict::kFine) return verdict;
+        }
+        for (std::uint32_t t = 0; t < cutter_.planes.size(); ++t) {
+            const Verdict verdict = trace_cutter(t);
+            if (verdict != Verdict::kFine) return verdict;
+        }
+        return Verdict::kFine;
+    }
+
+private:
+    struct Parts {
+        std::uint32_t first = 0, count = 0;  ///< new edges, in order along the old one
+    };
+
+    /// Parts of an edge that lie where `keep` says, one after the other from its first vertex.
+    Parts split(const Cut::Range& range, std::uint32_t a, std::uint32_t b, bool keeps, const Ref<const SolidPlane> (&plane)[2]) {
+        Parts parts{std::uint32_t(cut_.new_edges.size()), 0};
+        std::uint32_t from = a;
+        for (std::uint32_t k = 0; k <= range.count; ++k) {
+            const std::uint32_t to = k < range.count ? cut_.crossings[cut_.along[range.first + k]].vertex : b;
+            if (keeps) {
+                cut_.new_edges.push_back({from, to, {plane[0], plane[1]}});
+                ++parts.count;
+            }
+            keeps = !keeps;
+            from = to;
+        }
+        return parts;
+    }
+
+    /// Whether the part of a cutter edge or a whole one with this label at its start becomes part of the solid's new
+    /// boundary.
+    bool wanted(Where label) const { return (label == Where::kInside) != cut_.fill; }
+
+    void split_edges() {
+        world_parts_.assign(patch_.edges.size(), {});
+        for (std::uint32_t e = 0; e < patch_.edges.size(); ++e) {
+            if (cut_.world_cuts[e].count == 0) continue;
+            const PatchEdge& edge = patch_.edges[e];
+            const bool outside = cut_.world_label[edge.vertex[0]] == Where::kOutside;
+            world_parts_[e] = split(cut_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane);
+        }
+        cutter_parts_.assign(cutter_.edges.size(), {});
+        const std::uint32_t base = cut_.first_cutter_vertex();
+        for (std::uint32_t e = 0; e < cutter_.edges.size(); ++e) {
+            const CutterSolid::Edge& edge = cutter_.edges[e];
+            const bool keeps = wanted(cut_.cutter_label[edge.a]);
+            if (cut_.cutter_cuts[e].count == 0 && !keeps) continue;
+            cutter_parts_[e] = split(cut_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane);
+        }
+    }
+
+    void add_segments() {
+        segment_edge_ = cut_.first_new_edge() + std::uint32_t(cut_.new_edges.size());
+        by_triangle_.assign(cutter_.planes.size() + 1, 0);
+        by_face_.assign(patch_.faces.size() + 1, 0);
+        for (const Segment& segment : cut_.segments) {
+            cut_.new_edges.push_back({segment.from,
+                                      segment.to,
+                                      {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle]}});
+            ++by_triangle_[segment.triangle + 1];
+            ++by_face_[segment.face + 1];
+        }
+        order(by_triangle_, of_triangle_, [](const Segment& s) { return s.triangle; });
+        order(by_face_, of_face_, [](const Segment& s) { return s.face; });
+    }
+
+    template <class Key>
+    void order(std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& ordered, const Key& key) {
+        for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+        ordered.resize(cut_.segments.size());
+        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        for (std::uint32_t k = 0; k < cut_.segments.size(); ++k) ordered[next[key(cut_.segments[k])]++] = k;
+    }
+
+    void take_parts(const Parts& parts, bool reversed) {
+        for (std::uint32_t k = 0; k < parts.count; ++k)
+            pieces_.push_back({cut_.first_new_edge() + parts.first + k, reversed});
+    }
+
+    Verdict trace_world(std::uint32_t index) {
+        const PatchFace& face = patch_.faces[index];
+        bool inside = false, outside = false;
+        pieces_.clear();
+        for (const PatchUse& use : patch_.uses(face)) {
+            const bool out = cut_.world_label[patch_.from(use)] == Where::kOutside;
+            (out ? outside : inside) = true;
+            if (cut_.world_cuts[use.edge].count != 0)
+                take_parts(world_parts_[use.edge], use.reversed);
+            else if (out)
+                pieces_.push_back(use);
+        }
+        if (!cut_.face_cut[index]) {
+            if (!inside) return Verdict::kFine;
+            cut_.gone.push_back(index);
+            if (!outside) return Verdict::kFine;
+        } else {
+            cut_.gone.push_back(index);
+        }
+        for (std::uint32_t k = by_face_[index]; k < by_face_[index + 1]; ++k)
+            pieces_.push_back({segment_edge_ + of_face_[k], true});
+        return trace_pieces({face.plane, 0, 0, 0, 0, index, ~0u});
+    }
+
+    Verdict trace_cutter(std::uint32_t t) {
+        pieces_.clear();
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t edge = cutter_.edge_of(t, k);
+            const bool forward = cutter_.edges[edge].left == t;
+            take_parts(cutter_parts_[edge], forward != cut_.fill);
+        }
+        for (std::uint32_t k = by_triangle_[t]; k < by_triangle_[t + 1]; ++k)
+            pieces_.push_back({segment_edge_ + of_triangle_[k], false});
+        if (pieces_.empty()) return Verdict::kFine;
+        Ref<const SolidPlane> plane = cutter_.planes[t];
+        if (!cut_.fill) plane = Ref<const SolidPlane>(new SolidPlane(flipped(plane->plane)));
+        return trace_pieces({std::move(plane), 0, 0, 0, 0, ~0u, t});
+    }
+
+    /// Follows the pieces around: each vertex has exactly one way out and one way in.
+    Verdict trace_pieces(const NewFace& like) {
+        for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+            std::uint32_t& out = out_of_[cut_.from(pieces_[k])];
+            if (out != 0) return broken();
+            out = k + 1;
+        }
+        loops_.clear();
+        loop_ends_.clear();
+        bool closed = true;
+        for (std::uint32_t first = 0; first < pieces_.size() && closed; ++first) {
+            std::uint32_t piece = first;
+            while (closed && out_of_[cut_.from(pieces_[piece])] != 0) {
+                out_of_[cut_.from(pieces_[piece])] = 0;
+                loops_.push_back(pieces_[piece]);
+                const std::uint32_t next = out_of_[cut_.to(pieces_[piece])];
+                if (next == 0) {
+                    closed = cut_.to(pieces_[piece]) == cut_.from(pieces_[first]);
+                    break;
+                }
+                piece = next - 1;
+            }
+            if (loops_.size() > (loop_ends_.empty() ? 0 : loop_ends_.back()))
+                loop_ends_.push_back(std::uint32_t(loops_.size()));
+        }
+        if (!closed) return broken();
+        return loops_.empty() ? Verdict::kFine : group_loops(cut_, like, loops_, loop_ends_);
+    }
+
+    Verdict broken() {
+        for (const PatchUse& piece : pieces_) out_of_[cut_.from(piece)] = 0;
+        return Verdict::kBroken;
+    }
+
+    Cut& cut_;
+    const SolidPatch& patch_;
+    const CutterSolid& cutter_;
+    std::vector<Parts> world_parts_, cutter_parts_;
+    std::uint32_t segment_edge_ = 0;  ///< number of the first segment's edge
+    std::vector<std::uint32_t> by_triangle_, of_triangle_, by_face_, of_face_;
+    std::vector<PatchUse> pieces_, loops_;
+    std::vector<std::uint32_t> loop_ends_;
+    std::vector<std::uint32_t> out_of_;  ///< a vertex's way out, as 1 + its place in pieces_; 0: none
+};
+
+}  // namespace
+
+Verdict trace_loops(Cut& cut) {
+    cut.new_edges.clear();
+    cut.uses.clear();
+    cut.loop_ends.clear();
+    cut.new_faces.clear();
+    cut.gone.clear();
+    return Tracer(cut).trace();
+}
+
+}  // namespace firma

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Part of a solid's boundary, taken out of blocks to be worked on.
+#include "solid/solid_patch.h"
+
+namespace firma {
+namespace {
+
+std::uint64_t key_of(const void* object, std::uint64_t tag) {
+    return reinterpret_cast<std::uintptr_t>(object) ^ (tag << 56);  // addresses leave the top byte alone
+}
+constexpr std::uint64_t kWhole = 255;  // blocks have no such slot
+
+std::uint64_t key_of(const InputPoint& p) {
+    const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
+    return mix_bits(xy) + std::uint64_t(std::uint32_t(p.z)) * 0x9E3779B97F4A7C15ull;
+}
+
+}  // namespace
+
+void SolidPatch::clear() {
+    vertices.clear();
+    edges.clear();
+    faces.clear();
+    all_uses.clear();
+    loop_ends.clear();
+    for (FlatMap* map : {&face_of_, &vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_}) map->clear();
+}
+
+std::uint32_t SolidPatch::find(const FacetPlace& facet) const {
+    const FaceOwner* owner = facet.block->owner_of(facet.record());
+    return face_of_.find(owner ? key_of(owner, kWhole) : key_of(facet.block, facet.slot));
+}
+
+std::uint32_t SolidPatch::add(const FacetPlace& facet) {
+    const FaceOwner* owner = facet.block->owner_of(facet.record());
+    std::uint32_t& known = face_of_.at(owner ? key_of(owner, kWhole) : key_of(facet.block, facet.slot));
+    if (known != FlatMap::kNone) return known;
+    known = std::uint32_t(faces.size());
+    return owner ? add_stored(facet, static_cast<const SolidFace&>(*owner)) : add_untouched(facet);
+}
+
+std::uint32_t SolidPatch::grid_vertex(const InputPoint& point) {
+    for (std::uint64_t key = key_of(point);; key = mix_bits(key + 1)) {
+        std::uint32_t& known = vertex_of_point_.at(key);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(vertices.size());
+            vertices.push_back({ExactPoint(point), {}, {}});
+            return known;
+        }
+        if (vertices[known].point.grid() == point) return known;
+    }
+}
+
+std::uint32_t SolidPatch::stored_vertex(const SolidVertex& vertex) {
+    if (vertex.point.on_grid()) {
+        const std::uint32_t known = grid_vertex(vertex.point.grid());
+        if (!vertices[known].stored) vertices[known].stored = Ref<const SolidVertex>(&vertex);
+        return known;
+    }
+    std::uint32_t& known = vertex_of_stored_.at(key_of(&vertex, 0));
+    if (known == FlatMap::kNone) {
+        known = std::uint32_t(vertices.size());
+        vertices.push_back({vertex.point, Ref<const SolidVertex>(&vertex), {}});
+    }
+    return known;
+}
+
+std::uint32_t SolidPatch::edge_between(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t low = a < b ? a : b, high = a < b ? b : a;
+    std::uint32_t& known = edge_of_pair_.at(low << 32 | high);
+    if (known == FlatMap::kNone) {
+        known = std::uint32_t(edges.size());
+        PatchEdge edge;
+        edge.vertex[0] = a;
+        edge.vertex[1] = b;
+        edges.push_back(std::move(edge));
+    }
+    return known;
+}
+
+PatchUse SolidPatch::stored_edge(const SolidUse& use) {
+    const SolidEdge& stored = *use.edge;
+    const std::uint32_t a = stored_vertex(*stored.vertex[0]), b = stored_vertex(*stored.vertex[1]);
+    // An edge of the grid may have a neighbour that no cut has touched: the two vertices say which edge it is.
+    if (stored.vertex[0]->point.on_grid() && stored.vertex[1]->point.on_grid() && !stored.doubled) {
+        const std::uint32_t edge = edge_between(a, b);
+        PatchEdge& it = edges[edge];
+        if (!it.stored) {
+            it.stored = use.edge;
+            it.plane[0] = stored.plane[0];
+            it.plane[1] = stored.plane[1];
+        }
+        return {edge, (it.vertex[0] == a) == use.reversed};
+    }
+    std::uint32_t& known = edge_of_stored_.at(key_of(&stored, 0));
+    if (known == FlatMap::kNone) {
+        known = std::uint32_t(edges.size());
+        PatchEdge edge;
+        edge.vertex[0] = a;
+        edge.vertex[1] = b;
+        edge.plane[0] = stored.plane[0];
+        edge.plane[1] = stored.plane[1];
+        edge.stored = use.edge;
+        edge.doubled = stored.doubled;
+        edges.push_back(std::move(edge));
+    }
+    return {known, use.reversed};
+}
+
+void SolidPatch::finish(std::uint32_t index) {
+    PatchFace& face = faces[index];
+    face.use_count = std::uint32_t(all_uses.size()) - face.first_use;
+    face.loop_count = std::uint32_t(loop_ends.size()) - face.first_loop;
+    for (const PatchUse& use : uses(face)) {
+        edges[use.edge].face[use.reversed] = index;
+        face.box.add(vertices[from(use)].point.rounded());
+    }
+}
+
+std::uint32_t SolidPatch::add_untouched(const FacetPlace& facet) {
+    const FaceRecord& record = facet.record();
+    const std::uint32_t index = std::uint32_t(faces.size());
+    faces.emplace_back();
+    faces[index].facet = facet;
+    faces[index].first_use = std::uint32_t(all_uses.size());
+    faces[index].first_loop = std::uint32_t(loop_ends.size());
+
+    const auto corners = facet.block->corners_of(record);
+    const auto corner = [&](std::size_t k) { return to_input(facet.block->vertices[corners[k]]); };
+    Plane plane;
+    for (std::size_t k = 2; k < corners.size() && !plane.valid(); ++k)  // the first ones may lie on a line
+        plane = plane_through(corner(0), corner(k - 1), corner(k));
+    faces[index].plane = Ref<const SolidPlane>(new SolidPlane(plane));
+
+    const std::uint32_t first = grid_vertex(corner(0));
+    std::uint32_t last = first;
+    for (std::size_t k = 1; k <= corners.size(); ++k) {
+        const std::uint32_t next = k < corners.size() ? grid_vertex(corner(k)) : first;
+        const std::uint32_t edge = edge_between(last, next);
+        all_uses.push_back({edge, edges[edge].vertex[0] != last});
+        last = next;
+    }
+    loop_ends.push_back(std::uint32_t(corners.size()));
+    finish(index);
+    return index;
+}
+
+std::uint32_t SolidPatch::add_stored(const FacetPlace& facet, const SolidFace& stored) {
+    const std::uint32_t index = std::uint32_t(faces.size());
+    faces.emplace_back();
+    faces[index].facet = facet;
+    faces[index].stored = Ref<const FaceOwner>(&stored);
+    faces[index].plane = stored.plane;
+    faces[index].first_use = std::uint32_t(all_uses.size());
+    faces[index].first_loop = std::uint32_t(loop_ends.size());
+    for (const SolidUse& use : stored.uses) all_uses.push_back(stored_edge(use));
+    loop_ends.insert(loop_ends.end(), stored.loop_ends.begin(), stored.loop_ends.end());
+    finish(index);
+    return index;
+}
+
+void SolidPatch::settle_planes(std::uint32_t index) {
+    PatchEdge& edge = edges[index];
+    if (edge.plane[0]) return;
+    for (const std::uint32_t face : edge.face) {
+        if (face == ~0u) continue;
+        const Ref<const SolidPlane>& plane = faces[face].plane;
+        if (!edge.plane[0])
+            edge.plane[0] = plane;
+        else if (!exact_parallel(edge.plane[0]->plane, plane->plane))
+            edge.plane[1] = plane;
+    }
+    if (edge.plane[1]) return;
+    const InputPoint& a = vertices[edge.vertex[0]].point.grid();
+    const InputPoint& b = vertices[edge.vertex[1]].point.grid();
+    edge.plane[1] = Ref<const SolidPlane>(new SolidPlane(edge_plane(a, b, edge.plane[0]->plane)));
+}
+
+}  // namespace firma

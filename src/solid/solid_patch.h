@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Part of a solid's boundary, taken out of blocks to be worked on: vertices, edges and faces by number.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/flat_map.h"
+#include "solid/solid_face.h"
+
+namespace firma {
+
+/// How a loop uses an edge of a patch.
+struct PatchUse {
+    std::uint32_t edge = 0;
+    bool reversed = false;
+};
+
+struct PatchVertex {
+    ExactPoint point;
+    Ref<const SolidVertex> stored;         ///< null for one that no cut has touched
+    Ref<const SolidPlane> planes[3];       ///< of a new one off the grid, until it is stored
+};
+
+struct PatchEdge {
+    std::uint32_t vertex[2] = {0, 0};
+    Ref<const SolidPlane> plane[2];        ///< see SolidPatch::settle_planes()
+    Ref<const SolidEdge> stored;
+    std::uint32_t face[2] = {~0u, ~0u};    ///< the face that uses it forward, and the one that uses it back; none: ~0
+    std::uint32_t half[2] = {~0u, ~0u};    ///< what it was split into, by halving a large face
+    bool doubled = false;
+
+    bool split() const { return half[0] != ~0u; }
+};
+
+/// Where a facet lies.
+struct FacetPlace {
+    const Block* block = nullptr;
+    std::uint32_t slot = 0;
+
+    const FaceRecord& record() const { return block->faces[slot]; }
+    friend bool operator==(const FacetPlace&, const FacetPlace&) = default;
+};
+
+struct PatchFace {
+    Ref<const SolidPlane> plane;
+    Ref<const FaceOwner> stored;           ///< the SolidFace; null for one that no cut has touched
+    FacetPlace facet;                      ///< one of its facets
+    std::uint32_t first_use = 0, use_count = 0;
+    std::uint32_t first_loop = 0, loop_count = 0;  ///< ends in SolidPatch::loop_ends, counted from first_use
+    GridBox box;                           ///< of its corners, rounded
+    std::uint32_t parent = ~0u;            ///< the face of this patch that it is a piece of
+    bool replaced = false;                 ///< by pieces, or by itself with split edges
+};
+
+class SolidPatch {
+public:
+    void clear();
+
+    /// Takes in the face that a facet belongs to, unless it is there already.
+    /// @return its number
+    std::uint32_t add(const FacetPlace& facet);
+    /// The number of a facet's face, or none: ~0.
+    std::uint32_t find(const FacetPlace& facet) const;
+
+    std::span<const PatchUse> uses(const PatchFace& face) const {
+        return {all_uses.data() + face.first_use, face.use_count};
+    }
+    std::span<const std::uint32_t> ends(const PatchFace& face) const {
+        return {loop_ends.data() + face.first_loop, face.loop_count};
+    }
+    std::uint32_t from(const PatchUse& use) const { return edges[use.edge].vertex[use.reversed]; }
+    std::uint32_t to(const PatchUse& use) const { return edges[use.edge].vertex[!use.reversed]; }
+
+    /// Gives an edge its two planes, if it has none yet: those of its faces, or one through it and a step aside where
+    /// there is only one, or both lie in one plane.
+    void settle_planes(std::uint32_t edge);
+
+    std::vector<PatchVertex> vertices;
+    std::vector<PatchEdge> edges;
+    std::vector<PatchFace> faces;
+    std::vector<PatchUse> all_uses;
+    std::vector<std::uint32_t> loop_ends;
+
+private:
+    std::uint32_t add_untouched(const FacetPlace& facet);
+    std::uint32_t add_stored(const FacetPlace& facet, const SolidFace& face);
+    std::uint32_t grid_vertex(const InputPoint& point);
+    std::uint32_t stored_vertex(const SolidVertex& vertex);
+    std::uint32_t edge_between(std::uint32_t a, std::uint32_t b);
+    PatchUse stored_edge(const SolidUse& use);
+    void finish(std::uint32_t face);
+
+    FlatMap face_of_, vertex_of_point_, vertex_of_stored_, edge_of_pair_, edge_of_stored_;
+};
+
+}  // namespace firma
