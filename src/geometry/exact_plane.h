@@ -34,7 +34,8 @@ inline GridPoint to_surface(const InputPoint& p) {
 
 /// normal . p + offset = 0, in input steps; in front where that is positive. Divided by the greatest common divisor of
 /// all four, so coplanar faces that look the same way have equal planes. Components of the normal have up to 53 bits
-/// with sign, the offset up to 78 (three grid points); every double below is the nearest one.
+/// with sign, the offset up to 78 (three grid points); every double below is the nearest one, so those of the normal
+/// are exact. A plane holds a grid point of the world: |offset| <= size * 2^25.
 struct Plane {
     std::int64_t normal[3] = {0, 0, 0};
     Int128 offset = 0;
@@ -48,7 +49,11 @@ struct Plane {
     }
     bool valid() const { return normal[0] != 0 || normal[1] != 0 || normal[2] != 0; }
     /// The axis of the normal's largest component; the first of several.
-    int dominant_axis() const;
+    int dominant_axis() const {
+        const auto size_of = [this](int axis) { return normal[axis] < 0 ? -normal[axis] : normal[axis]; };
+        const int axis = size_of(1) > size_of(0) ? 1 : 0;
+        return size_of(2) > size_of(axis) ? 2 : axis;
+    }
 };
 
 /// Counter-clockwise seen from the front. Not valid() when the points lie on a line.

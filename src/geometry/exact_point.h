@@ -3,9 +3,12 @@
 // them. A floating filter with a proven bound answers nearly always; integers of up to 256 bits answer when it cannot.
 #pragma once
 
+#include <cstdint>
+
 #include "firma/grid.h"
 #include "firma/vec.h"
 #include "geometry/exact_plane.h"
+#include "geometry/rounding.h"
 
 namespace firma {
 
@@ -33,7 +36,8 @@ public:
 
     /// Input steps, each coordinate off by at most kApproximation.
     const Vec3& approximate() const { return approximate_; }
-    /// The nearest point of the surface grid, halves to even, exactly so.
+    /// The nearest point of the surface grid, halves to even, exactly so. The world's far rim, 2^31, is no surface
+    /// coordinate: what rounds to it is given as the last one before it.
     const GridPoint& rounded() const { return rounded_; }
 
 private:
@@ -46,8 +50,24 @@ private:
 /// Bound on how far a coordinate of approximate() is off, in input steps: a few roundings of numbers up to 2^25.
 inline constexpr double kApproximation = 0x1p-26;
 
+/// Bound on how far normal . p + offset is off in double, as a share of the plane's size: n is exact, p is off by
+/// kApproximation a coordinate; the terms add up to at most size * 2^25 each for normal . p and for the offset, and
+/// none passes through more than four roundings (n[0] * p.x: one product, three sums). A fifth covers that p may lie
+/// beyond the rim by its error, and the rounding of the bound itself.
+inline constexpr double kSideError = kApproximation + rounding(5) * 0x1p+26;
+
+/// exact_side() by integers alone.
+int exact_side_by_integers(const Plane& plane, const ExactPoint& point);
+
 /// The side of a plane that a point lies on: 1 in front, 0 on it, -1 behind.
-int exact_side(const Plane& plane, const ExactPoint& point);
+inline int exact_side(const Plane& plane, const ExactPoint& point) {
+    const Vec3& p = point.approximate();
+    const double estimate = plane.n[0] * p.x + plane.n[1] * p.y + plane.n[2] * p.z + plane.d;
+    const double error = kSideError * plane.size;
+    if (estimate > error) return 1;
+    if (estimate < -error) return -1;
+    return exact_side_by_integers(plane, point);
+}
 
 /// Order along the line in which planes f and t meet, directed as f.normal x t.normal: the sign of (b - a) . direction.
 ///
@@ -55,7 +75,7 @@ int exact_side(const Plane& plane, const ExactPoint& point);
 /// @param b  a point of the line
 int exact_order(const Plane& f, const Plane& t, const ExactPoint& a, const Plane& across, const ExactPoint& b);
 
-/// How often the exact path was taken since the program started, for benchmarks; per thread.
+/// How often exact_side() and exact_order() took the exact path since the program started, for benchmarks; per thread.
 std::uint64_t exact_fallbacks();
 
 }  // namespace firma

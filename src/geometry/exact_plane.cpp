@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Planes through points of the input grid, as integers.
+#include "geometry/exact_plane.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "base/assert.h"
+#include "geometry/rounding.h"
+
+namespace firma {
+namespace {
+
+constexpr std::int32_t kRim = 1 << 25;  // input steps
+
+std::uint64_t magnitude(std::int64_t value) {
+    return std::uint64_t(value < 0 ? -value : value);
+}
+
+bool in_world(const InputPoint& p) {
+    bool in = true;
+    for (int axis = 0; axis < 3; ++axis) in = in && p[axis] >= -kRim && p[axis] < kRim;
+    return in;
+}
+
+/// The doubles that go with the integers.
+Plane with_doubles(Plane plane) {
+    std::int64_t size = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        plane.n[axis] = double(plane.normal[axis]);
+        size += std::int64_t(magnitude(plane.normal[axis]));
+    }
+    plane.d = double(plane.offset);
+    // At most 3 * 2^52: rounded up to an even number, it is a double.
+    plane.size = double(size > std::int64_t(1) << 53 ? size + (size & 1) : size);
+    return plane;
+}
+
+/// The plane with a normal along `normal` that holds a grid point; not valid for a zero one. What divides the normal
+/// divides normal . point as well, so the offset has no part in the common divisor.
+Plane plane_at(const std::int64_t (&normal)[3], const InputPoint& point) {
+    std::uint64_t divisor = std::gcd(magnitude(normal[0]), magnitude(normal[1]));
+    if (divisor != 1) divisor = std::gcd(divisor, magnitude(normal[2]));
+    Plane plane;
+    if (divisor == 0) return plane;
+    for (int axis = 0; axis < 3; ++axis) {
+        plane.normal[axis] = divisor == 1 ? normal[axis] : normal[axis] / std::int64_t(divisor);
+        plane.offset -= Int128(plane.normal[axis]) * point[axis];
+    }
+    return with_doubles(plane);
+}
+
+/// a[i] * b[j] - a[j] * b[i]: at most 2^105.
+Int128 minor_of(const Plane& a, const Plane& b, int i, int j) {
+    return Int128(a.normal[i]) * b.normal[j] - Int128(a.normal[j]) * b.normal[i];
+}
+
+}  // namespace
+
+// Twice the area of a triangle within a square of side 2^26, as seen along an axis, is at most 2^52: so is each
+// component.
+Plane plane_through(const InputPoint& a, const InputPoint& b, const InputPoint& c) {
+    FIRMA_ASSERT(in_world(a) && in_world(b) && in_world(c), "points of the input grid have 26 bits: snap them first");
+    std::int64_t u[3], v[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        u[axis] = std::int64_t(b[axis]) - a[axis];
+        v[axis] = std::int64_t(c[axis]) - a[axis];
+    }
+    return plane_at({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}, a);
+}
+
+Plane flipped(const Plane& plane) {
+    Plane back;
+    for (int axis = 0; axis < 3; ++axis) back.normal[axis] = -plane.normal[axis];
+    back.offset = -plane.offset;
+    return with_doubles(back);
+}
+
+// As plane_through(a, b, a + one step), but that step may lead out of the world.
+Plane edge_plane(const InputPoint& a, const InputPoint& b, const Plane& face) {
+    FIRMA_ASSERT(in_world(a) && in_world(b), "points of the input grid have 26 bits: snap them first");
+    FIRMA_ASSERT(a != b && face.valid(), "an edge has two ends, and its face a plane");
+    const int axis = face.dominant_axis(), next = (axis + 1) % 3, last = (axis + 2) % 3;
+    std::int64_t normal[3] = {0, 0, 0};
+    normal[next] = std::int64_t(b[last]) - a[last];
+    normal[last] = std::int64_t(a[next]) - b[next];
+    return plane_at(normal, a);
+}
+
+Plane axis_plane(int axis, std::int32_t step) {
+    Plane plane;
+    plane.normal[axis] = 1;
+    plane.offset = -Int128(step);
+    return with_doubles(plane);
+}
+
+bool exact_parallel(const Plane& a, const Plane& b) {
+    return minor_of(a, b, 0, 1) == 0 && minor_of(a, b, 1, 2) == 0 && minor_of(a, b, 2, 0) == 0;
+}
+
+int exact_turn(const Plane& a, const Plane& b, const Plane& c) {
+    const double x = b.n[1] * c.n[2] - b.n[2] * c.n[1];
+    const double y = b.n[2] * c.n[0] - b.n[0] * c.n[2];
+    const double z = b.n[0] * c.n[1] - b.n[1] * c.n[0];
+    const double estimate = a.n[0] * x + a.n[1] * y + a.n[2] * z;
+    // Each of the six terms passes through at most five roundings, and their magnitudes are six of the 27 terms of the
+    // product of the sizes; three more roundings for the bound itself.
+    if (std::fabs(estimate) > rounding(8) * (a.size * b.size * c.size)) return estimate > 0 ? 1 : -1;
+
+    return (product(minor_of(b, c, 1, 2), a.normal[0]) + product(minor_of(b, c, 2, 0), a.normal[1]) +
+            product(minor_of(b, c, 0, 1), a.normal[2]))
+        .sign();
+}
+
+}  // namespace firma
