@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Puts a cutter into the world: turned, scaled, moved, and snapped to the input grid, once.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "carve/cutter_topology.h"
+#include "firma/cutter.h"
+#include "firma/result.h"
+#include "geometry/exact_plane.h"
+
+namespace firma {
+
+/// Every triangle has area, and the whole encloses a positive volume, exactly; find_crossing() says whether it crosses
+/// itself.
+struct PlacedCutter {
+    std::vector<InputPoint> vertices;
+    std::vector<CutterTriangle> triangles;  ///< counter-clockwise seen from outside
+    std::uint64_t hash = 0;                 ///< of vertices and triangles
+    /// The edges, the same wherever a cutter is placed.
+    std::shared_ptr<const CutterTopology> topology;
+    std::string name;  ///< the cutter's, for messages
+};
+
+/// Turns, scales and moves each vertex in double, in a fixed order of operations, and snaps it: nearest multiple of
+/// 1/4096 m, halves to even.
+///
+/// Errors: kInvalid for an empty cutter, a rotation that is zero or not finite, a scale that is not finite and above
+/// zero, a triangle that has no area on the grid (named), a cutter that encloses no volume there; kOutOfRange for a
+/// position that is not finite, or a vertex outside the world (named).
+Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose);
+
+/// How far move_cutter() moves a vertex at most, in input steps a coordinate.
+inline constexpr std::int32_t kFarthestMove = 3;
+
+/// A placed cutter with every vertex moved a little at random, seeded by its hash and the count of tries: for a cutter
+/// in degenerate position.
+///
+/// @param placed  as place_cutter() gave it, never one that was moved already
+/// @param tries   1, 2, ...
+/// Errors: kInvalid, kOutOfRange as above.
+Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries);
+
+}  // namespace firma
