@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Makes the facets that casts meet from a face of the exact solid.
+#include "solid/make_facets.h"
+
+#include <array>
+
+#include "geometry/polygon_shape.h"
+
+namespace firma {
+namespace {
+
+void write_one(std::size_t count, Facets& facets) {
+    facets.corners.clear();
+    for (std::uint32_t k = 0; k < count; ++k) facets.corners.push_back(k);
+    facets.first.assign({0, std::uint32_t(count)});
+}
+
+bool usable_loops(std::size_t count, std::span<const std::uint32_t> loop_ends) {
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : loop_ends) {
+        if (end > count || end < begin || end - begin < 3) return false;
+        begin = end;
+    }
+    return begin == count && count > 0;
+}
+
+/// Every turn to the left or none, never back, and once around: such a loop does not meet itself.
+bool convex(std::span<const FlatPoint> loop) {
+    const auto forward = [](const FlatPoint& a, const FlatPoint& b) { return b.u > a.u || (b.u == a.u && b.v > a.v); };
+    int reversals = 0;
+    bool area = false;
+    const FlatPoint *a = &loop[loop.size() - 2], *b = &loop[loop.size() - 1];
+    bool went_forward = forward(*a, *b);
+    for (const FlatPoint& c : loop) {
+        if (c == *b) return false;
+        const Int128 left = turn(*a, *b, c);
+        const bool goes_forward = forward(*b, c);
+        const bool reversal = goes_forward != went_forward;
+        if (left < 0 || (left == 0 && reversal)) return false;
+        area |= left > 0;
+        reversals += reversal;
+        went_forward = goes_forward;
+        a = b;
+        b = &c;
+    }
+    return area && reversals == 2;
+}
+
+}  // namespace
+
+bool FacetMaker::make(std::span<const GridPoint> points, std::span<const std::uint32_t> loop_ends, int axis, bool flip,
+                      Facets& facets) {
+    if (!usable_loops(points.size(), loop_ends)) return false;
+    flat_.clear();
+    for (const GridPoint& point : points) flat_.push_back(project(point, axis, flip));
+    if (points.size() == 3) {
+        write_one(3, facets);
+        return turn(flat_[0], flat_[1], flat_[2]) > 0;
+    }
+    if (points.size() == 4) return make_quad(points, facets);
+    if (loop_ends.size() == 1 && convex(flat_)) {
+        if (points.size() <= kMaxCorners && planar(points)) {
+            write_one(points.size(), facets);
+            return true;
+        }
+    } else if (!checker_.simple(flat_, loop_ends)) {
+        return false;
+    }
+    if (!triangulator_.make(points, flat_, loop_ends, triangles_)) return false;
+    merger_.merge(points, flat_, triangles_, facets);
+    return true;
+}
+
+/// Two triangles with area and a common diagonal lie on either side of it: nothing else needs checking.
+bool FacetMaker::make_quad(std::span<const GridPoint> points, Facets& facets) const {
+    std::array<Int128, 4> turns;
+    for (std::size_t k = 0; k < 4; ++k) turns[k] = turn(flat_[(k + 3) % 4], flat_[k], flat_[(k + 1) % 4]);
+    const bool from_0 = turns[1] > 0 && turns[3] > 0, from_1 = turns[0] > 0 && turns[2] > 0;
+    if (!from_0 && !from_1) return false;
+    if (turns[0] >= 0 && turns[1] >= 0 && turns[2] >= 0 && turns[3] >= 0 &&
+        coplanar(points[0], points[1], points[2], points[3])) {
+        write_one(4, facets);
+        return true;
+    }
+    const bool shorter_from_0 = square_distance(points[0], points[2]) <= square_distance(points[1], points[3]);
+    if (from_0 && (!from_1 || shorter_from_0))
+        facets.corners.assign({0, 1, 2, 0, 2, 3});
+    else
+        facets.corners.assign({1, 2, 3, 1, 3, 0});
+    facets.first.assign({0, 3, 6});
+    return true;
+}
+
+/// Whether all corners of a convex loop are of one plane.
+bool FacetMaker::planar(std::span<const GridPoint> points) const {
+    const std::size_t count = points.size();
+    std::size_t k = 2;  // the first two corners and this one have area
+    while (k + 1 < count && turn(flat_[0], flat_[1], flat_[k]) == 0) ++k;
+    for (std::size_t other = 2; other < count; ++other)
+        if (other != k && !coplanar(points[0], points[1], points[k], points[other])) return false;
+    return true;
+}
+
+}  // namespace firma
