@@ -29,7 +29,8 @@ struct Face {
     std::uint32_t mask = ~0u;
     bool two_sided = false;
     std::vector<Vec3> corners;       ///< metres, exact
-    std::vector<FaceId> neighbours;  ///< across the edge from corner k to k + 1; invalid on an open edge
+    std::vector<FaceId> neighbours;  ///< in the same room, across the edge from corner k to k + 1;
+                                     ///< invalid where that edge is not shared by exactly two faces, wound alike
     Vec3 normal;                     ///< unit
 };
 
@@ -135,7 +136,7 @@ struct WorldFault {
 };
 
 /// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin; ids unique; neighbours mutual.
+/// around what they hold; every face in exactly one bin; ids unique.
 std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

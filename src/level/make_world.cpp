@@ -5,7 +5,6 @@
 #include "firma/level.h"
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
-#include "level/find_neighbours.h"
 #include "tree/build_blocks.h"
 #include "world/world_data.h"
 
@@ -37,7 +36,6 @@ FaceSet face_set(const Level& level) {
     FaceSet set;
     set.vertices = level.vertices;
     set.corners = level.corners;
-    set.corner_neighbours = find_neighbours(level);
     set.faces.reserve(level.faces.size());
     for (std::uint32_t k = 0; k < level.faces.size(); ++k) {
         const LevelFace& face = level.faces[k];

@@ -56,7 +56,6 @@ public:
     std::vector<FaceRecord> faces;
     std::vector<GridPoint> vertices;             ///< each once
     std::vector<std::uint16_t> corner_vertices;  ///< of all faces in a row
-    std::vector<FaceId> corner_neighbours;       ///< across the edge from this corner to the next
 
     bool holds_blocks() const { return !children.empty(); }
 

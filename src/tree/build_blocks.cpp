@@ -162,7 +162,6 @@ private:
         block.faces.reserve(node.count);
         for (const BuildItem& item : items(node.first, node.count)) add_face(block, faces_.faces[item.face], used);
         block.corner_vertices.shrink_to_fit();
-        block.corner_neighbours.shrink_to_fit();
     }
 
     void add_face(Block& block, const FaceSet::Entry& face, const std::vector<std::uint32_t>& used) {
@@ -178,7 +177,6 @@ private:
             const std::uint32_t vertex = faces_.corners[face.first_corner + c];
             const auto at = std::lower_bound(used.begin(), used.end(), vertex) - used.begin();
             block.corner_vertices.push_back(std::uint16_t(at));
-            block.corner_neighbours.push_back(faces_.corner_neighbours[face.first_corner + c]);
         }
         block.faces.push_back(record);
     }

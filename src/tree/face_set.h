@@ -22,8 +22,7 @@ struct FaceSet {
     };
     std::vector<Entry> faces;
     std::vector<GridPoint> vertices;
-    std::vector<std::uint32_t> corners;     ///< indices into vertices
-    std::vector<FaceId> corner_neighbours;  ///< as long as `corners`
+    std::vector<std::uint32_t> corners;  ///< indices into vertices
 };
 
 }  // namespace firma
