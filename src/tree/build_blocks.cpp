@@ -164,6 +164,14 @@ private:
         block.corner_vertices.shrink_to_fit();
     }
 
+    /// In order of first use: never by address.
+    static std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
+        for (std::size_t k = block.owners.size(); k-- > 0;)
+            if (block.owners[k].get() == owner) return std::uint16_t(k);
+        block.owners.emplace_back(owner);
+        return std::uint16_t(block.owners.size() - 1);
+    }
+
     void add_face(Block& block, const FaceSet::Entry& face, const std::vector<std::uint32_t>& used) {
         FaceRecord record;
         record.id = face.id;
@@ -171,6 +179,9 @@ private:
         record.material = face.material;
         record.mask = face.mask;
         record.two_sided = face.two_sided;
+        record.solid = face.solid;
+        record.edit = face.edit;
+        record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
         record.first_corner = std::uint16_t(block.corner_vertices.size());
         record.corner_count = std::uint8_t(face.corner_count);
         for (std::uint32_t c = 0; c < face.corner_count; ++c) {

@@ -14,8 +14,11 @@ Face describe_face(const Block& block, const FaceRecord& record) {
     face.material = record.material;
     face.mask = record.mask;
     face.two_sided = record.two_sided;
+    face.source_edit = record.edit;
+    face.solid = record.solid;
     face.corners.assign(shape.polygon.corners.begin(), shape.polygon.corners.end());
-    face.normal = shape.polygon.unit_normal();
+    const FaceOwner* owner = block.owner_of(record);
+    face.normal = owner ? owner->normal : shape.polygon.unit_normal();
     return face;
 }
 

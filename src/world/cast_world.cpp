@@ -146,7 +146,9 @@ Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, co
     if (hit.feature == Feature::kEdge)
         hit.other_face = find_neighbour(*world.data().rooms[found.room]->tree, *found.block, face, hit.feature_index);
     hit.ref = {found.block, found.slot};
+    if (const FaceOwner* owner = found.block->owner_of(face)) hit.face_normal = owner->normal;
     hit.source = face.source;
+    hit.source_edit = face.edit;
     hit.material = face.material;
     hit.room = {found.room};
     hit.version = world.version();

@@ -99,6 +99,8 @@ private:
             return report("a face has corners that are not there", record.id);
         for (const std::uint16_t vertex : block.corners_of(record))
             if (vertex >= block.vertices.size()) return report("a corner has no vertex", record.id);
+        if (record.owner != kNoOwner && record.owner >= block.owners.size())
+            return report("a face has an owner that is not there", record.id);
         const Face face = describe_face(block, record);
         const PolygonFault polygon = check_polygon(face.corners);
         if (polygon != PolygonFault::kNone) return report(describe(polygon), face.id);

@@ -197,6 +197,7 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.back().count = 60; }), "a bin holds items that are not there");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.clear(); }), "a block has no bins");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_vertices[2] = 99; }), "a corner has no vertex");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[0].owner = 3; }), "a face has an owner that is not there");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.face_count = 7; }), "the count of faces is not how many there are");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.next_face = 3; }), "a face's id is not below the next one");
 }
