@@ -18,7 +18,7 @@ BUILD = os.path.join('build', 'test', 'bin')
 FUZZ = os.path.join('build', 'fuzz', 'bin')
 
 CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
-                'src/level/find_neighbours.cpp', 'CMakeLists.txt']
+                'CMakeLists.txt']
 READ_SOURCES = ['include', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp']
 

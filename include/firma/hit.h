@@ -35,7 +35,8 @@ struct PolygonHit {
     Vec3 centre;          ///< of the sphere at `fraction`, metres
     Vec3 point;           ///< of the polygon, metres
     Vec3 normal;          ///< unit, from `point` toward the centre; for a particle the face's, on the side it came from
-    Vec3 face_normal;     ///< unit, of the polygon as wound, whichever side was met
+    Vec3 face_normal;  ///< unit, of the polygon as wound, whichever side was met; through a World, of the exact plane
+                       ///< that the face met was cut from
 
     bool touched() const { return status == Status::kHit || status == Status::kTouching; }
 };
@@ -63,13 +64,14 @@ struct RoomId {
 
 /// What a cast through a World met first.
 struct Hit : PolygonHit {
-    double safe_fraction = 0;        ///< how far to go so that the skin is kept along `normal`: within 0..fraction
-    FaceId face;                     ///< the face met; of several at the same fraction the lowest id
-    FaceId other_face;               ///< the neighbour across the edge met; invalid otherwise, and on an open edge
-    FaceRef ref;                     ///< for World::face, in the World that was asked
-    std::uint32_t source = 0;        ///< index of the face in the level's file, dropped ones counted
-    std::uint32_t material = 0;      ///< index into World::material_name
-    RoomId room;                     ///< of the contact
+    double safe_fraction = 0;       ///< how far to go so that the skin is kept along `normal`: within 0..fraction
+    FaceId face;                    ///< the face met; of several at the same fraction the lowest id
+    FaceId other_face;              ///< the neighbour across the edge met; invalid otherwise, and on an open edge
+    FaceRef ref;                    ///< for World::face, in the World that was asked
+    std::uint32_t source = 0;       ///< index of the face in the level's file, dropped ones counted, or see source_edit
+    std::uint32_t source_edit = 0;  ///< 0: of the level's file; else the number of the edit whose cutter `source` is of
+    std::uint32_t material = 0;     ///< index into World::material_name
+    RoomId room;                    ///< of the contact
     std::uint32_t rooms_passed = 1;  ///< how many rooms the sweep went through, the first included
     std::uint64_t version = 0;       ///< of the World that was asked
 };

@@ -24,13 +24,17 @@ struct WorldData;
 /// A face as the world holds it.
 struct Face {
     FaceId id;
-    std::uint32_t source = 0;  ///< index of the face in the level's file
+    std::uint32_t source = 0;  ///< index of the face in the level's file, or see source_edit
+    std::uint32_t source_edit =
+        0;  ///< 0: of the level's file; else the number of the edit whose cutter `source` is a triangle of
     std::uint32_t material = 0;
     std::uint32_t mask = ~0u;
     bool two_sided = false;
+    bool solid = false;              ///< bounds a closed solid, which can be carved
     std::vector<Vec3> corners;       ///< metres, exact
-    std::vector<FaceId> neighbours;  ///< across the edge from corner k to k + 1; invalid on an open edge
-    Vec3 normal;                     ///< unit
+    std::vector<FaceId> neighbours;  ///< in the same room, across the edge from corner k to k + 1;
+                                     ///< invalid where that edge is not shared by exactly two faces, wound alike
+    Vec3 normal;                     ///< unit, of the exact plane that the face was cut from
 };
 
 /// A value: copies are cheap, share everything, and never change. Any number of threads may ask the same World.
@@ -114,6 +118,7 @@ struct NearFace : ClosestPoint {
     FaceId face;
     FaceRef ref;
     std::uint32_t source = 0;
+    std::uint32_t source_edit = 0;  ///< as in Face
     std::uint32_t material = 0;
 };
 
@@ -135,7 +140,7 @@ struct WorldFault {
 };
 
 /// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin; ids unique; neighbours mutual.
+/// around what they hold; every face in exactly one bin; ids unique.
 std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

@@ -5,7 +5,6 @@
 #include "firma/level.h"
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
-#include "level/find_neighbours.h"
 #include "tree/build_blocks.h"
 #include "world/world_data.h"
 
@@ -37,12 +36,16 @@ FaceSet face_set(const Level& level) {
     FaceSet set;
     set.vertices = level.vertices;
     set.corners = level.corners;
-    set.corner_neighbours = find_neighbours(level);
     set.faces.reserve(level.faces.size());
     for (std::uint32_t k = 0; k < level.faces.size(); ++k) {
         const LevelFace& face = level.faces[k];
-        set.faces.push_back(
-            {{k}, face.source, face.material, face.mask, face.first_corner, face.corner_count, face.two_sided});
+        set.faces.push_back({.id = {k},
+                             .source = face.source,
+                             .material = face.material,
+                             .mask = face.mask,
+                             .first_corner = face.first_corner,
+                             .corner_count = face.corner_count,
+                             .two_sided = face.two_sided});
     }
     return set;
 }

@@ -13,8 +13,11 @@
 #include "base/ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
+#include "geometry/grid_box.h"
 
 namespace firma {
+
+class Hasher;
 
 inline constexpr std::uint32_t kBlockItems = 64;
 
@@ -34,6 +37,23 @@ struct Bin {
     bool is_leaf() const { return count != 0; }
 };
 
+/// What a facet was cut from: the exact face above it. Solids derive theirs from it; this is what trees and casts need.
+/// Blocks keep alive the owners of their facets.
+class FaceOwner : public RefCounted {
+public:
+    virtual ~FaceOwner() = default;
+    /// Everything that makes it what it is, for hash_world().
+    virtual void add_to(Hasher& hasher) const = 0;
+    /// Memory it holds, itself included.
+    virtual std::size_t bytes() const = 0;
+
+    Vec3 normal;  ///< unit, of the exact plane, as the facets are wound
+    GridBox box;
+    std::uint32_t facets = 1;  ///< how many it has, in all blocks
+};
+
+inline constexpr std::uint16_t kNoOwner = 0xFFFF;
+
 /// What a face is besides its corners.
 struct FaceRecord {
     FaceId id;
@@ -43,6 +63,9 @@ struct FaceRecord {
     std::uint16_t first_corner = 0;
     std::uint8_t corner_count = 0;
     bool two_sided = false;
+    bool solid = false;              ///< bounds a closed solid that can be carved
+    std::uint16_t owner = kNoOwner;  ///< index into Block::owners; kNoOwner: the face is its own exact face
+    std::uint32_t edit = 0;          ///< 0: `source` is a face of the level's file; else of the cutter of that edit
 };
 
 class Block : public RefCounted {
@@ -56,12 +79,16 @@ public:
     std::vector<FaceRecord> faces;
     std::vector<GridPoint> vertices;             ///< each once
     std::vector<std::uint16_t> corner_vertices;  ///< of all faces in a row
-    std::vector<FaceId> corner_neighbours;       ///< across the edge from this corner to the next
+    std::vector<Ref<const FaceOwner>> owners;    ///< each once
 
     bool holds_blocks() const { return !children.empty(); }
 
     std::span<const std::uint16_t> corners_of(const FaceRecord& face) const {
         return {corner_vertices.data() + face.first_corner, face.corner_count};
+    }
+    /// Null for a face that is its own.
+    const FaceOwner* owner_of(const FaceRecord& face) const {
+        return face.owner == kNoOwner ? nullptr : owners[face.owner].get();
     }
 };
 

@@ -162,7 +162,14 @@ private:
         block.faces.reserve(node.count);
         for (const BuildItem& item : items(node.first, node.count)) add_face(block, faces_.faces[item.face], used);
         block.corner_vertices.shrink_to_fit();
-        block.corner_neighbours.shrink_to_fit();
+    }
+
+    /// In order of first use: never by address.
+    static std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
+        for (std::size_t k = block.owners.size(); k-- > 0;)
+            if (block.owners[k].get() == owner) return std::uint16_t(k);
+        block.owners.emplace_back(owner);
+        return std::uint16_t(block.owners.size() - 1);
     }
 
     void add_face(Block& block, const FaceSet::Entry& face, const std::vector<std::uint32_t>& used) {
@@ -172,13 +179,15 @@ private:
         record.material = face.material;
         record.mask = face.mask;
         record.two_sided = face.two_sided;
+        record.solid = face.solid;
+        record.edit = face.edit;
+        record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
         record.first_corner = std::uint16_t(block.corner_vertices.size());
         record.corner_count = std::uint8_t(face.corner_count);
         for (std::uint32_t c = 0; c < face.corner_count; ++c) {
             const std::uint32_t vertex = faces_.corners[face.first_corner + c];
             const auto at = std::lower_bound(used.begin(), used.end(), vertex) - used.begin();
             block.corner_vertices.push_back(std::uint16_t(at));
-            block.corner_neighbours.push_back(faces_.corner_neighbours[face.first_corner + c]);
         }
         block.faces.push_back(record);
     }

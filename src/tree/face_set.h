@@ -7,6 +7,7 @@
 
 #include "firma/grid.h"
 #include "firma/hit.h"
+#include "tree/block.h"
 
 namespace firma {
 
@@ -19,11 +20,15 @@ struct FaceSet {
         std::uint32_t first_corner = 0;
         std::uint32_t corner_count = 0;  ///< 3 to kMaxCorners
         bool two_sided = false;
+        bool solid = false;
+        std::uint32_t edit = 0;
+        const FaceOwner* owner = nullptr;  ///< null: its own
     };
     std::vector<Entry> faces;
     std::vector<GridPoint> vertices;
-    std::vector<std::uint32_t> corners;     ///< indices into vertices
-    std::vector<FaceId> corner_neighbours;  ///< as long as `corners`
+    std::vector<std::uint32_t> corners;  ///< indices into vertices
+    /// Keeps alive what entries point to; may lack what something else keeps alive until the blocks are built.
+    std::vector<Ref<const FaceOwner>> owners;
 };
 
 }  // namespace firma

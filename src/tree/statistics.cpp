@@ -36,7 +36,7 @@ private:
             sizeof(Block) + block.bins.capacity() * sizeof(Bin) + block.children.capacity() * sizeof(Ref<const Block>) +
             block.faces.capacity() * sizeof(FaceRecord) + block.vertices.capacity() * sizeof(GridPoint) +
             block.corner_vertices.capacity() * sizeof(std::uint16_t) +
-            block.corner_neighbours.capacity() * sizeof(FaceId);
+            block.owners.capacity() * sizeof(Ref<const FaceOwner>);
         count_bin(block, 0, depth);
     }
 

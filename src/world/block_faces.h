@@ -28,7 +28,9 @@ private:
     std::array<Vec3, kMaxCorners> corners_;
 };
 
-/// A face as users see it.
+/// A face as users see it, in the tree of its room.
+Face describe_face(const Block& root, const Block& block, const FaceRecord& face);
+/// The same without its neighbours.
 Face describe_face(const Block& block, const FaceRecord& face);
 
 }  // namespace firma

@@ -9,6 +9,7 @@
 #include "tree/sweep_box.h"
 #include "tree/visit.h"
 #include "world/block_faces.h"
+#include "world/find_neighbour.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -143,9 +144,11 @@ Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, co
     hit.safe_fraction = safe_fraction(sweep, hit, options.skin >= 0 ? options.skin : world.tolerance().skin);
     hit.face = face.id;
     if (hit.feature == Feature::kEdge)
-        hit.other_face = found.block->corner_neighbours[face.first_corner + hit.feature_index];
+        hit.other_face = find_neighbour(*world.data().rooms[found.room]->tree, *found.block, face, hit.feature_index);
     hit.ref = {found.block, found.slot};
+    if (const FaceOwner* owner = found.block->owner_of(face)) hit.face_normal = owner->normal;
     hit.source = face.source;
+    hit.source_edit = face.edit;
     hit.material = face.material;
     hit.room = {found.room};
     hit.version = world.version();

@@ -34,6 +34,7 @@ NearFace near_face(const Block& block, std::uint32_t slot, const PolygonShape& p
     near.face = face.id;
     near.ref = {&block, slot};
     near.source = face.source;
+    near.source_edit = face.edit;
     near.material = face.material;
     return near;
 }

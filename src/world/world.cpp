@@ -22,9 +22,35 @@ template <class Function>
 void for_each_face(const WorldData& data, const Function& function) {
     for_each_tree(data, [&](const Block& root) {
         for_each_face_block(root, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) function(block, face);
+            for (const FaceRecord& face : block.faces) function(root, block, face);
         });
     });
+}
+
+/// Looks for a block, by a corner of one of its faces.
+struct BlockVisitor {
+    const Block* wanted;
+    Vec3 corner;
+    bool found = false;
+
+    bool enter(const Bin& bin, double& nearest) const {
+        nearest = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            if (corner[axis] < double(bin.box.low[axis]) || corner[axis] > double(bin.box.high[axis])) return false;
+        return true;
+    }
+    bool still(double) const { return true; }
+    bool faces(const Block& block, std::uint32_t, std::uint32_t) { return found = &block == wanted; }
+};
+
+/// The root of the tree that holds a block; null when none does.
+const Block* root_above(const WorldData& data, const Block& block, const FaceRecord& face) {
+    BlockVisitor visitor{&block, to_metres(block.vertices[block.corners_of(face)[0]])};
+    for (const Ref<const Room>& room : data.rooms) {
+        if (room->tree) visit(*room->tree, visitor);
+        if (visitor.found) return room->tree.get();
+    }
+    return nullptr;
 }
 
 void add(TreeStatistics& sum, const TreeStatistics& more) {
@@ -88,13 +114,16 @@ TreeStatistics World::statistics() const {
 Face World::face(FaceRef ref) const {
     const auto& block = *static_cast<const Block*>(ref.block);
     FIRMA_ASSERT(ref.valid() && ref.slot < block.faces.size(), "a FaceRef must come from a hit of this World");
-    return describe_face(block, block.faces[ref.slot]);
+    const FaceRecord& record = block.faces[ref.slot];
+    const Block* root = root_above(*data_, block, record);
+    FIRMA_ASSERT(root != nullptr, "a FaceRef must come from a hit of this World");
+    return root ? describe_face(*root, block, record) : describe_face(block, record);
 }
 
 std::optional<Face> World::find_face(FaceId id) const {
     std::optional<Face> found;
-    for_each_face(*data_, [&](const Block& block, const FaceRecord& face) {
-        if (face.id == id) found = describe_face(block, face);
+    for_each_face(*data_, [&](const Block& root, const Block& block, const FaceRecord& face) {
+        if (face.id == id) found = describe_face(root, block, face);
     });
     return found;
 }
@@ -102,8 +131,9 @@ std::optional<Face> World::find_face(FaceId id) const {
 std::vector<Face> World::faces() const {
     std::vector<Face> all;
     all.reserve(face_count());
-    for_each_face(*data_,
-                  [&](const Block& block, const FaceRecord& face) { all.push_back(describe_face(block, face)); });
+    for_each_face(*data_, [&](const Block& root, const Block& block, const FaceRecord& face) {
+        all.push_back(describe_face(root, block, face));
+    });
     std::sort(all.begin(), all.end(), [](const Face& a, const Face& b) { return a.id < b.id; });
     return all;
 }

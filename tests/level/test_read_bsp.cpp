@@ -12,7 +12,6 @@
 #include <map>
 
 #include "firma/firma.h"
-#include "level/find_neighbours.h"
 #include "scenes/rng.h"
 #include "tests/level/bsp_writer.h"
 
@@ -123,8 +122,9 @@ TEST(ReadBsp, BoxRoomIsSixPolygonsThatFaceInward) {
         const auto corners = corners_of(level, face);
         EXPECT_LT(dot(area_of(corners), corners[0]), 0);
     }
-    for (const FaceId neighbour : find_neighbours(level)) EXPECT_TRUE(neighbour.valid());
     const World world = make_world(level).value();
+    for (const Face& face : world.faces())
+        for (const FaceId neighbour : face.neighbours) EXPECT_TRUE(neighbour.valid());
     const Hit hit = cast(world, {{0, 0, 0}, 0.5}, {20, 0, 0});
     EXPECT_EQ(hit.status, Status::kHit);
     EXPECT_EQ(hit.fraction, 4.5 / 20);

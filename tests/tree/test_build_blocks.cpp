@@ -28,7 +28,6 @@ FaceSet random_faces(std::uint32_t count, std::int32_t spread, std::int32_t size
         face.corner_count = 3;
         for (int c = 0; c < 3; ++c) {
             set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.corner_neighbours.push_back({});
             set.vertices.push_back({middle.x + offset(size), middle.y + offset(size), middle.z + offset(size)});
         }
         set.faces.push_back(face);

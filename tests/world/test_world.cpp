@@ -183,7 +183,6 @@ TEST(World, CheckFindsWhatIsBroken) {
         block->faces = sound.faces;
         block->vertices = sound.vertices;
         block->corner_vertices = sound.corner_vertices;
-        block->corner_neighbours = sound.corner_neighbours;
         auto data = std::make_shared<WorldData>(world.data());
         change(*block, *data);
         spoilt->tree = Ref<const Block>(block.get());
@@ -195,12 +194,10 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.vertices[0].z += 64; }), "a face is not planar");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[1].id = b.faces[0].id; }), "two faces have one id");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins[0].box.high[0] = 1; }), "a bin reaches out of its parent");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_neighbours[0] = {77}; }),
-              "a face has a neighbour that is not there");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_neighbours[0] = {}; }), "a face's neighbour does not know it");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.back().count = 60; }), "a bin holds items that are not there");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.clear(); }), "a block has no bins");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_vertices[2] = 99; }), "a corner has no vertex");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[0].owner = 3; }), "a face has an owner that is not there");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.face_count = 7; }), "the count of faces is not how many there are");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.next_face = 3; }), "a face's id is not below the next one");
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Facets in a tree: what they were cut from is kept alive, and shows in hits.
+#include <gtest/gtest.h>
+
+#include "firma/world.h"
+#include "tree/build_blocks.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+class CountedOwner : public FaceOwner {
+public:
+    explicit CountedOwner(int& alive) : alive_(alive) { ++alive_; }
+    ~CountedOwner() override { --alive_; }
+    void add_to(Hasher&) const override {}
+    std::size_t bytes() const override { return sizeof(*this); }
+
+private:
+    int& alive_;
+};
+
+constexpr std::int32_t kMetre = std::int32_t(kSurfaceSteps);
+
+/// Squares on the ground, one a metre; even ones belong to `owner`.
+FaceSet squares(std::uint32_t count, const Ref<const FaceOwner>& owner) {
+    FaceSet set;
+    set.owners.push_back(owner);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::int32_t x = std::int32_t(k) * kMetre;
+        FaceSet::Entry face;
+        face.id = {k};
+        face.source = 5;
+        face.edit = k % 2;
+        face.solid = k % 3 == 0;
+        face.first_corner = std::uint32_t(set.corners.size());
+        face.corner_count = 4;
+        face.owner = k % 2 == 0 ? owner.get() : nullptr;
+        for (const GridPoint p : {GridPoint{x, 0, 0}, {x + kMetre, 0, 0}, {x + kMetre, kMetre, 0}, {x, kMetre, 0}}) {
+            set.corners.push_back(std::uint32_t(set.vertices.size()));
+            set.vertices.push_back(p);
+        }
+        set.faces.push_back(face);
+    }
+    return set;
+}
+
+World world_of(Ref<const Block> tree, std::size_t faces) {
+    Ref<Room> room(new Room);
+    room->tree = std::move(tree);
+    auto data = std::make_shared<WorldData>();
+    data->rooms.emplace_back(room.get());
+    data->materials = std::make_shared<std::vector<std::string>>(1);
+    data->face_count = faces;
+    data->next_face = std::uint32_t(faces);
+    return World(std::move(data));
+}
+
+TEST(FaceOwners, LiveAsLongAsABlockHoldsAFacetOfTheirs) {
+    int alive = 0;
+    {
+        World world;
+        {
+            Ref<CountedOwner> owner(new CountedOwner(alive));
+            owner->normal = {0, 0, 1};
+            world = world_of(build_blocks(squares(200, Ref<const FaceOwner>(owner.get())), {}), 200);
+        }
+        EXPECT_EQ(alive, 1);
+        EXPECT_FALSE(check_world(world));
+        const World copy = world;
+        world = World();
+        EXPECT_EQ(alive, 1);
+    }
+    EXPECT_EQ(alive, 0);
+}
+
+TEST(FaceOwners, GiveTheFaceNormalAndNothingElse) {
+    int alive = 0;
+    Ref<CountedOwner> owner(new CountedOwner(alive));
+    const Vec3 exact = Vec3{1e-6, 0, 1} * (1 / length(Vec3{1e-6, 0, 1}));
+    owner->normal = exact;
+    const World world = world_of(build_blocks(squares(200, Ref<const FaceOwner>(owner.get())), {}), 200);
+    const Hit owned = cast(world, {{100.5, 0.5, 1}, 0.25}, {0, 0, -2});
+    ASSERT_EQ(owned.face, (FaceId{100}));
+    EXPECT_EQ(owned.face_normal, exact);
+    EXPECT_EQ(owned.normal, (Vec3{0, 0, 1})) << "of the contact: the facet's own";
+    EXPECT_EQ(owned.source_edit, 0u);
+    EXPECT_EQ(world.face(owned.ref).normal, exact);
+    const Hit own = cast(world, {{99.5, 0.5, 1}, 0.25}, {0, 0, -2});
+    ASSERT_EQ(own.face, (FaceId{99}));
+    EXPECT_EQ(own.face_normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(own.source, 5u);
+    EXPECT_EQ(own.source_edit, 1u);
+    EXPECT_TRUE(world.face(own.ref).solid);
+    EXPECT_EQ(world.face(own.ref).source_edit, 1u);
+    EXPECT_FALSE(world.face(owned.ref).solid);
+    EXPECT_EQ(closest(world, {99.5, 0.5, 1})->source_edit, 1u);
+}
+
+}  // namespace
+}  // namespace firma
