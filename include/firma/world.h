@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/carve_rules.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/polygon.h"
@@ -71,7 +72,11 @@ private:
 struct WorldOptions {
     TreeOptions tree;
     Tolerance tolerance;
+    CarveRules rules;
 };
+
+/// The same world under other rules for carving.
+World with_rules(const World& world, CarveRules rules);
 
 /// Makes a world of a level: one room.
 /// @return kTooLarge beyond 2^31 faces; kInvalid when a face of the level is not convex, planar and of 3 to 64 corners
@@ -132,6 +137,13 @@ Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& 
 /// @return nothing when no face lies within reach, or a number is not finite or too large
 std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY,
                                 std::uint32_t mask = ~0u);
+
+/// Whether a point lies in the solid: behind the faces that bound it (Face::solid), whichever the point sees first.
+///
+/// @param point  metres; may lie outside the world
+/// @return nothing when it lies on a face, a number is not finite or too large, or in a fold of the surface that
+///         rounding to the grid made (a few millionths of a metre wide)
+std::optional<bool> in_solid(const World& world, const Vec3& point);
 
 /// A broken invariant, named.
 struct WorldFault {

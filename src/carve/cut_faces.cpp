@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "carve/gather.h"
+
 namespace firma {
 namespace {
 
@@ -11,15 +13,6 @@ constexpr std::int8_t kUnasked = 2;
 
 std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t(a) << 32 | b;
-}
-
-/// A face's exact corners lie within half a step of its rounded ones.
-GridBox grown(GridBox box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (box.low[axis] > INT32_MIN) --box.low[axis];
-        if (box.high[axis] < INT32_MAX) ++box.high[axis];
-    }
-    return box;
 }
 
 }  // namespace
@@ -78,7 +71,8 @@ Verdict FaceCutter::cut_face(std::uint32_t index) {
     cutter_sides_.assign(cut_.cutter->points.size(), kUnasked);
     face_plane_ = &face.plane->plane;
     Verdict verdict = Verdict::kFine;
-    cut_.cutter->tree.for_each_meeting(grown(face.box), [&](std::uint32_t triangle) {
+    // Exact corners lie within half a step of the rounded ones.
+    cut_.cutter->tree.for_each_meeting(grown(face.box, 1), [&](std::uint32_t triangle) {
         ++pairs;
         verdict = cut_pair(index, triangle);
         return verdict != Verdict::kFine;

@@ -14,6 +14,7 @@ Vec3 unit_normal(const Plane& plane) {
 
 FaceMaker::FaceMaker(Cut& cut, const NewSource& source, FaceSet& come) : cut_(cut), source_(source), come_(come) {
     vertices_.resize(cut.first_real() + cut.real.size());
+    corners_.assign(vertices_.size(), ~0u);
     edges_.resize(cut.first_new_edge() + cut.new_edges.size());
 }
 
@@ -88,6 +89,15 @@ bool FaceMaker::make(std::uint32_t index) {
     return true;
 }
 
+std::uint32_t FaceMaker::corner(std::uint32_t number) {
+    std::uint32_t& known = corners_[number];
+    if (known == ~0u) {
+        known = std::uint32_t(come_.vertices.size());
+        come_.vertices.push_back(cut_.point(number).rounded());
+    }
+    return known;
+}
+
 void FaceMaker::add_facets(const NewFace& face, const SolidFace& owner) {
     FaceSet::Entry like;
     if (face.face != ~0u) {
@@ -105,13 +115,11 @@ void FaceMaker::add_facets(const NewFace& face, const SolidFace& owner) {
     like.solid = true;
     like.owner = &owner;
     come_.owners.emplace_back(&owner);
-    const std::uint32_t base = std::uint32_t(come_.vertices.size());
-    come_.vertices.insert(come_.vertices.end(), points_.begin(), points_.end());
     for (std::size_t k = 0; k + 1 < facets_.first.size(); ++k) {
         like.first_corner = std::uint32_t(come_.corners.size());
         like.corner_count = facets_.first[k + 1] - facets_.first[k];
         for (std::uint32_t c = facets_.first[k]; c < facets_.first[k + 1]; ++c)
-            come_.corners.push_back(base + facets_.corners[c]);
+            come_.corners.push_back(corner(cut_.from(cut_.uses[face.first_use + facets_.corners[c]])));
         come_.faces.push_back(like);
     }
 }

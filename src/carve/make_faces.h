@@ -27,6 +27,7 @@ private:
     const Ref<const SolidVertex>& vertex(std::uint32_t number);
     const Ref<const SolidEdge>& edge(std::uint32_t number);
     bool runs_against(std::uint32_t number, const SolidEdge& stored);
+    std::uint32_t corner(std::uint32_t number);
     void add_facets(const NewFace& face, const SolidFace& owner);
 
     Cut& cut_;
@@ -34,6 +35,7 @@ private:
     FaceSet& come_;
     std::vector<Ref<const SolidVertex>> vertices_;
     std::vector<Ref<const SolidEdge>> edges_;
+    std::vector<std::uint32_t> corners_;  ///< a vertex's place in come_.vertices; ~0: none yet
     std::vector<GridPoint> points_;
     FacetMaker facet_maker_;
     Facets facets_;

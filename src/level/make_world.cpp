@@ -5,6 +5,7 @@
 #include "firma/level.h"
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
+#include "level/find_solids.h"
 #include "tree/build_blocks.h"
 #include "world/world_data.h"
 
@@ -32,7 +33,7 @@ const char* refusal(const Level& level, const LevelFace& face) {
     return nullptr;
 }
 
-FaceSet face_set(const Level& level) {
+FaceSet face_set(const Level& level, const LevelSolids& solids) {
     FaceSet set;
     set.vertices = level.vertices;
     set.corners = level.corners;
@@ -45,7 +46,8 @@ FaceSet face_set(const Level& level) {
                              .mask = face.mask,
                              .first_corner = face.first_corner,
                              .corner_count = face.corner_count,
-                             .two_sided = face.two_sided});
+                             .two_sided = face.two_sided,
+                             .solid = solids.solid[k]});
     }
     return set;
 }
@@ -58,13 +60,17 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     for (std::size_t k = 0; k < level.faces.size(); ++k)
         if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);
 
+    const LevelSolids solids = find_solids(level);
     Ref<Room> room(new Room);
-    room->tree = build_blocks(face_set(level), options.tree);
+    room->tree = build_blocks(face_set(level, solids), options.tree);
     auto data = std::make_shared<WorldData>();
     data->rooms.emplace_back(room.get());
     data->materials = std::make_shared<std::vector<std::string>>(level.materials);
     data->tolerance = options.tolerance;
     data->face_count = level.faces.size();
+    data->rock_outside = solids.rock_outside;
+    data->tree = options.tree;
+    data->rules = std::make_shared<const CarveRules>(options.rules);
     data->next_face = std::uint32_t(level.faces.size());
     return World(std::move(data));
 }

@@ -159,6 +159,22 @@ std::uint32_t SolidPatch::add_stored(const FacetPlace& facet, const SolidFace& s
     return index;
 }
 
+std::uint32_t SolidPatch::add_piece(std::uint32_t parent, std::span<const PatchUse> uses_of_piece,
+                                    std::span<const std::uint32_t> ends_of_piece) {
+    const std::uint32_t index = std::uint32_t(faces.size());
+    PatchFace piece;
+    piece.plane = faces[parent].plane;
+    piece.facet = faces[parent].facet;
+    piece.parent = parent;
+    piece.first_use = std::uint32_t(all_uses.size());
+    piece.first_loop = std::uint32_t(loop_ends.size());
+    faces.push_back(std::move(piece));
+    all_uses.insert(all_uses.end(), uses_of_piece.begin(), uses_of_piece.end());
+    loop_ends.insert(loop_ends.end(), ends_of_piece.begin(), ends_of_piece.end());
+    finish(index);
+    return index;
+}
+
 void SolidPatch::settle_planes(std::uint32_t index) {
     PatchEdge& edge = edges[index];
     if (edge.plane[0]) return;

@@ -73,6 +73,9 @@ public:
     std::uint32_t from(const PatchUse& use) const { return edges[use.edge].vertex[use.reversed]; }
     std::uint32_t to(const PatchUse& use) const { return edges[use.edge].vertex[!use.reversed]; }
 
+    /// Adds a piece of a face, in its plane.
+    std::uint32_t add_piece(std::uint32_t parent, std::span<const PatchUse> uses, std::span<const std::uint32_t> ends);
+
     /// Gives an edge its two planes, if it has none yet: those of its faces, or one through it and a step aside where
     /// there is only one, or both lie in one plane.
     void settle_planes(std::uint32_t edge);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Carving: a closed cutter taken away from the world's solid, or added to it, exactly; the world before stays as it was.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "firma/cutter.h"
+#include "firma/result.h"
+#include "firma/world.h"
+
+namespace firma {
+
+enum class CarveStatus : std::uint8_t {
+    kDone,
+    kNothing,  ///< the cutter met nothing to take away (or, filling, nothing to fill): the world is the one before
+    kRefused,  ///< `error` says why; the world is the one before
+};
+
+/// What an edit did, and what it cost.
+struct CarveReport {
+    std::size_t faces_looked_at = 0;  ///< exact faces whose box meets the cutter's
+    std::size_t faces_cut = 0;        ///< of these, how many the cutter's surface crosses
+    std::size_t faces_gone = 0;       ///< facets that casts met before and meet no more
+    std::size_t faces_new = 0;        ///< facets that casts meet from now on
+    int retries = 0;                  ///< how often the cutter was moved by a step of the grid, out of degenerate position
+    double scale = 1;                 ///< what zones and materials left of the cutter's scale
+    double volume = 0;                ///< cubic metres taken from the solid; negative when it was added to
+
+    /// Where the time went, microseconds.
+    struct Times {
+        double place = 0;   ///< cutter turned, snapped, checked
+        double gather = 0;  ///< faces taken out of the tree
+        double cut = 0;     ///< faces against triangles
+        double label = 0;   ///< inside and outside
+        double trace = 0;   ///< loops of new faces
+        double facets = 0;  ///< what casts meet
+        double tree = 0;    ///< new blocks
+        double total() const { return place + gather + cut + label + trace + facets + tree; }
+    } times;
+};
+
+struct CarveResult {
+    CarveStatus status = CarveStatus::kRefused;
+    World world;  ///< after the edit; the one before unless kDone
+    Error error;  ///< for kRefused
+    CarveReport report;
+    /// For a refusal that should not be possible (cuts or labels that contradict each other): what it takes to see it
+    /// again, an .obj with the faces looked at and the cutter. Empty otherwise.
+    std::string reproduction;
+
+    bool done() const { return status == CarveStatus::kDone; }
+};
+
+struct CarveOptions {
+    /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.
+    std::string material;
+};
+
+/// Takes a placed cutter away from the solid of a world.
+///
+/// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. A cutter in degenerate
+/// position (a vertex on a plane, edges that meet, faces in one plane) is moved by up to 3 steps of the input grid, as
+/// often as it takes, up to 64 times. The result depends on world, cutter, pose and options alone, to the bit.
+///
+/// @param pose  where the cutter goes; its rotation and scale
+/// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that place_cutter() refuses
+///         (not finite, outside the world, collapsed on the grid), one that crosses itself, a rule of the world, no way
+///         out of degenerate position, or a contradiction (then `reproduction` holds it).
+/// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
+/// CSG using Octree-Embedded BSPs, 2021.
+CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+
+/// Adds a placed cutter to the solid, by the same rules.
+CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+
+enum class CarveKind : std::uint8_t { kCarve, kFill };
+
+/// One edit in slices: runs for a while, is resumed or dropped, and ends in the same bits as in one go.
+class CarveJob {
+public:
+    CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options = {},
+             CarveKind kind = CarveKind::kCarve);
+    ~CarveJob();
+    CarveJob(CarveJob&&) noexcept;
+    CarveJob& operator=(CarveJob&&) noexcept;
+
+    /// Goes on for about this long; always does at least one piece of work (most take some ten microseconds).
+    /// @param microseconds  INFINITY: to the end
+    /// @return true once it is finished
+    bool run(double microseconds);
+    bool finished() const;
+    /// What came out. Only once finished() (FIRMA_ASSERT), else a refusal.
+    CarveResult result() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Several edits that become one new version of the world.
+class WorldEdit {
+public:
+    explicit WorldEdit(World world);
+
+    /// As the functions of the same names, on the world as edited so far; `world` of the result is that world.
+    CarveResult carve(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+    CarveResult fill(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+
+    /// The world after all edits, its version one above the first one's; the first one itself when none was done.
+    World finish() const;
+
+private:
+    World before_, now_;
+};
+
+}  // namespace firma

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+// One edit, step by step.
+#include "carve/subtract.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "carve/cut_volume.h"
+#include "carve/check_crossing.h"
+#include "carve/gather.h"
+#include "carve/label.h"
+#include "carve/tile_faces.h"
+#include "carve/trace_loops.h"
+#include "carve/write_reproduction.h"
+
+namespace firma {
+namespace {
+
+constexpr int kMostTries = 64;
+/// One less than what says "no face".
+constexpr std::uint32_t kMostFaceIds = ~0u - 1;
+/// How many facets' worth of faces one step makes.
+constexpr std::uint32_t kFacesAStep = 16;
+
+double microseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string number(double value) {
+    std::string text = std::to_string(value);
+    while (text.find('.') != std::string::npos && (text.back() == '0' || text.back() == '.')) {
+        const bool point = text.back() == '.';
+        text.pop_back();
+        if (point) break;
+    }
+    return text;
+}
+
+/// Whether a cutter reaches into a region: by a triangle's box, or by holding its middle.
+bool reaches_into(const CutterSolid& cutter, const Box& region) {
+    GridBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = std::floor(region.low[axis] * kSurfaceSteps), high = -std::floor(-region.high[axis] * kSurfaceSteps);
+        if (!(low <= high) || high < INT32_MIN || low > INT32_MAX) return false;  // empty, no number, or outside the world
+        box.low[axis] = low < INT32_MIN ? INT32_MIN : std::int32_t(low);
+        box.high[axis] = high > INT32_MAX ? INT32_MAX : std::int32_t(high);
+    }
+    if (!boxes_meet(box, cutter.box)) return false;
+    if (cutter.tree.for_each_meeting(box, [](std::uint32_t) { return true; })) return true;
+    GridPoint middle;
+    for (int axis = 0; axis < 3; ++axis) middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2);
+    return side_of_cutter(cutter, ExactPoint(to_input(middle))) > 0;
+}
+
+}  // namespace
+
+void Cut::clear() {
+    crossings.clear();
+    world_crossing.clear();
+    cutter_crossing.clear();
+    real.clear();
+    segments.clear();
+    face_cut.assign(patch->faces.size(), 0);
+    new_edges.clear();
+    uses.clear();
+    loop_ends.clear();
+    new_faces.clear();
+    gone.clear();
+}
+
+Subtraction::Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
+                         CarveKind kind)
+    : world_(world), cutter_(cutter), pose_(pose), options_(options), face_cutter_(cut_) {
+    result_.world = world;
+    cut_.patch = &patch_;
+    cut_.cutter = &solid_cutter_;
+    cut_.fill = kind == CarveKind::kFill;
+}
+
+bool Subtraction::step() {
+    const auto start = std::chrono::steady_clock::now();
+    double* clock = clock_of(phase_);
+    switch (phase_) {
+        case Phase::kPlace: phase_ = place(); break;
+        case Phase::kCheck: phase_ = check_cutter(); break;
+        case Phase::kGather: phase_ = gather(); break;
+        case Phase::kTile: phase_ = tile(); break;
+        case Phase::kCut: phase_ = cut_next_face(); break;
+        case Phase::kLabel: phase_ = label(); break;
+        case Phase::kTrace: phase_ = trace(); break;
+        case Phase::kRules: phase_ = apply_materials(); break;
+        case Phase::kFacets: phase_ = make_next_faces(); break;
+        case Phase::kRemove: phase_ = remove_facets(); break;
+        case Phase::kTree: phase_ = edit_tree(); break;
+        case Phase::kPublish: phase_ = publish(); break;
+        case Phase::kEnd: return false;
+    }
+    if (clock) *clock += microseconds_since(start);
+    return phase_ != Phase::kEnd;
+}
+
+double* Subtraction::clock_of(Phase phase) {
+    CarveReport::Times& times = result_.report.times;
+    switch (phase) {
+        case Phase::kPlace:
+        case Phase::kCheck: return &times.place;
+        case Phase::kGather:
+        case Phase::kTile: return &times.gather;
+        case Phase::kCut: return &times.cut;
+        case Phase::kLabel: return &times.label;
+        case Phase::kTrace:
+        case Phase::kRules: return &times.trace;
+        case Phase::kFacets: return &times.facets;
+        case Phase::kRemove:
+        case Phase::kTree:
+        case Phase::kPublish: return &times.tree;
+        case Phase::kEnd: return nullptr;
+    }
+    return nullptr;
+}
+
+const Block* Subtraction::tree_of_room() const {
+    return world_.data().rooms.empty() ? nullptr : world_.data().rooms[0]->tree.get();
+}
+
+Subtraction::Phase Subtraction::refuse(ErrorCode code, std::string reason) {
+    result_.status = CarveStatus::kRefused;
+    result_.error = {code, cutter_.valid() && !cutter_.name().empty() ? "cutter " + cutter_.name() : "cutter", std::move(reason)};
+    return Phase::kEnd;
+}
+
+Subtraction::Phase Subtraction::place() {
+    const CarveRules& rules = *world_.data().rules;
+    if (cutter_.valid() && cutter_.triangles().size() > rules.most_cutter_triangles)
+        return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
+                                                " triangles; the world allows " + std::to_string(rules.most_cutter_triangles));
+    Pose pose = pose_;
+    pose.scale *= result_.report.scale;
+    Result<PlacedCutter> placed = place_cutter(cutter_, pose);
+    if (!placed) {
+        result_.status = CarveStatus::kRefused;
+        result_.error = placed.error();
+        return Phase::kEnd;
+    }
+    placed_ = std::move(placed).value();
+    make_cutter_solid(placed_, solid_cutter_);
+    for (int axis = 0; axis < 3; ++axis)
+        if (solid_cutter_.box.extent(axis) > rules.largest_cutter)
+            return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) + " m long; the world allows " +
+                                                    number(rules.largest_cutter) + " m");
+    double hardest = 0;
+    const CarveZone* by = nullptr;
+    for (const CarveZone& zone : rules.zones)
+        if (zone.hardness > hardest && reaches_into(solid_cutter_, zone.box)) {
+            hardest = zone.hardness;
+            by = &zone;
+        }
+    return by ? shrink(hardest, "zone " + by->name, Phase::kCheck) : Phase::kCheck;
+}
+
+/// Places the cutter anew, smaller, unless it is that small already.
+Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, Phase otherwise) {
+    if (hardness >= 1) return refuse(ErrorCode::kInvalid, by + " may not be carved");
+    if (result_.report.scale <= 1 - hardness) return otherwise;
+    result_.report.scale = 1 - hardness;
+    return Phase::kPlace;
+}
+
+Subtraction::Phase Subtraction::check_cutter() {
+    if (const auto crossing = find_crossing(placed_))
+        return refuse(ErrorCode::kInvalid, "it crosses or touches itself on the grid, at triangles " +
+                                               std::to_string(crossing->first) + " and " + std::to_string(crossing->second));
+    return Phase::kGather;
+}
+
+Subtraction::Phase Subtraction::gather() {
+    patch_.clear();
+    facets_.clear();
+    // The cutter may be moved aside later: by so many steps of the input grid.
+    const GridBox reach = grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput);
+    if (tree_of_room()) gather_facets(*tree_of_room(), reach, facets_);
+    for (const FacetPlace& facet : facets_) patch_.add(facet);
+    result_.report.faces_looked_at = patch_.faces.size();
+    if (patch_.faces.size() > world_.data().rules->most_faces_looked_at)
+        return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) + " faces; the world allows " +
+                                                std::to_string(world_.data().rules->most_faces_looked_at));
+    return Phase::kTile;
+}
+
+Subtraction::Phase Subtraction::tile() {
+    if (tree_of_room()) tile_faces(*tree_of_room(), grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput), patch_);
+    return start_cut();
+}
+
+Subtraction::Phase Subtraction::start_cut() {
+    cut_.clear();
+    come_ = {};
+    next_ = 0;
+    return Phase::kCut;
+}
+
+Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
+    if (verdict == Verdict::kBroken) return contradiction();
+    return verdict == Verdict::kDegenerate ? move_cutter_aside() : next;
+}
+
+Subtraction::Phase Subtraction::move_cutter_aside() {
+    while (result_.report.retries < kMostTries) {
+        Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
+        if (!moved || find_crossing(moved.value())) continue;
+        make_cutter_solid(std::move(moved).value(), solid_cutter_);
+        return start_cut();
+    }
+    return refuse(ErrorCode::kInvalid, "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
+}
+
+Subtraction::Phase Subtraction::contradiction() {
+    result_.reproduction = write_reproduction(patch_, solid_cutter_);
+    const Vec3 low = to_metres(solid_cutter_.box.low), high = to_metres(solid_cutter_.box.high);
+    const Vec3 middle = (low + high) * 0.5;
+    FIRMA_ASSERT(false, "cuts or labels contradict each other: see CarveResult::reproduction");
+    return refuse(ErrorCode::kInvalid, "its cuts contradict each other near " + number(middle.x) + " " + number(middle.y) + " " +
+                                           number(middle.z) + ": the solid or the cutter crosses itself");
+}
+
+Subtraction::Phase Subtraction::cut_next_face() {
+    while (next_ < patch_.faces.size() && patch_.faces[next_].replaced) ++next_;
+    if (next_ == patch_.faces.size()) return move_on(order_cuts(cut_), Phase::kLabel);
+    return move_on(face_cutter_.cut_face(next_++), Phase::kCut);
+}
+
+Subtraction::Phase Subtraction::label() {
+    const auto locate = [&](std::uint32_t vertex) {
+        const Vec3 point = to_metres(solid_cutter_.points[vertex].rounded());
+        // Facets lie within a few steps of the exact faces: nearer than that they cannot tell.
+        if (closest(world_, point, 16 / kSurfaceSteps)) return Where::kUnknown;
+        const std::optional<bool> inside = in_solid(world_, point);
+        return !inside ? Where::kUnknown : *inside ? Where::kInside : Where::kOutside;
+    };
+    return move_on(label_vertices(cut_, locate), Phase::kTrace);
+}
+
+Subtraction::Phase Subtraction::trace() {
+    const Verdict verdict = trace_loops(cut_);
+    if (verdict != Verdict::kFine) return move_on(verdict, Phase::kEnd);
+    result_.report.faces_cut = std::size_t(std::count(cut_.face_cut.begin(), cut_.face_cut.end(), 1));
+    if (cut_.gone.empty() && cut_.new_faces.empty()) {
+        result_.status = CarveStatus::kNothing;
+        return Phase::kEnd;
+    }
+    keep_pieces(cut_);
+    return Phase::kRules;
+}
+
+Subtraction::Phase Subtraction::apply_materials() {
+    const CarveRules& rules = *world_.data().rules;
+    double hardest = 0;
+    std::uint32_t by = 0;
+    for (const std::uint32_t face : cut_.gone) {
+        const std::uint32_t material = patch_.faces[face].facet.record().material;
+        if (!takes_something_of(cut_, face) || material >= rules.hardness.size()) continue;
+        if (!(rules.hardness[material] > hardest)) continue;
+        hardest = rules.hardness[material];
+        by = material;
+    }
+    NewSource source;
+    source.edit = world_.data().edits + 1;
+    source.material = material_index(*world_.data().materials, options_.material);
+    face_maker_ = std::make_unique<FaceMaker>(cut_, source, come_);
+    next_ = 0;
+    return hardest > 0 ? shrink(hardest, "material " + world_.material_name(by), Phase::kFacets) : Phase::kFacets;
+}
+
+Subtraction::Phase Subtraction::make_next_faces() {
+    const std::uint32_t end = std::min(next_ + kFacesAStep, std::uint32_t(cut_.new_faces.size()));
+    for (; next_ < end; ++next_)
+        if (!face_maker_->make(next_)) return move_cutter_aside();
+    if (come_.faces.size() > world_.data().rules->most_new_faces)
+        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(world_.data().rules->most_new_faces) +
+                                                " new faces that the world allows");
+    return next_ < cut_.new_faces.size() ? Phase::kFacets : Phase::kRemove;
+}
+
+Subtraction::Phase Subtraction::remove_facets() {
+    const WorldData& data = world_.data();
+    std::vector<FacetPlace> gone;
+    for (const std::uint32_t face : cut_.gone) {
+        if (patch_.faces[face].parent != ~0u) continue;  // a piece: its parent goes
+        gather_face(*tree_of_room(), patch_.faces[face].facet, gone);
+    }
+    CarveReport& report = result_.report;
+    report.faces_gone = gone.size();
+    report.faces_new = come_.faces.size();
+    if (data.face_count - gone.size() + come_.faces.size() > data.rules->most_faces)
+        return refuse(ErrorCode::kTooLarge, "the world would have more than " + std::to_string(data.rules->most_faces) + " faces");
+    if (come_.faces.size() >= kMostFaceIds - data.next_face) return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
+    report.volume = volume_taken(cut_);
+    std::uint32_t id = data.next_face;
+    for (FaceSet::Entry& face : come_.faces) face.id = {id++};
+    block_edit_ = std::make_unique<BlockEdit>(data.rooms[0]->tree, data.tree);
+    for (const FacetPlace& place : gone) block_edit_->remove(place.block, place.slot);
+    block_edit_->add(std::move(come_));
+    return Phase::kTree;
+}
+
+Subtraction::Phase Subtraction::edit_tree() {
+    return block_edit_->step() ? Phase::kTree : Phase::kPublish;
+}
+
+Subtraction::Phase Subtraction::publish() {
+    const CarveReport& report = result_.report;
+    auto data = std::make_shared<WorldData>(world_.data());
+    Ref<Room> room(new Room);
+    room->tree = block_edit_->result();
+    data->rooms[0] = Ref<const Room>(room.get());
+    ++data->version;
+    ++data->edits;
+    data->face_count += report.faces_new - report.faces_gone;
+    data->next_face += std::uint32_t(report.faces_new);
+    data->materials = with_material(data->materials, options_.material);
+    result_.world = World(std::move(data));
+    result_.status = CarveStatus::kDone;
+    return Phase::kEnd;
+}
+
+}  // namespace firma

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// One edit, step by step: from a placed cutter to the rooms of a new world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "carve/cut_faces.h"
+#include "carve/cut_state.h"
+#include "carve/make_faces.h"
+#include "firma/carve.h"
+#include "tree/edit_blocks.h"
+#include "world/world_data.h"
+
+namespace firma {
+
+/// Does the work of a CarveJob in pieces of some ten microseconds. Only reads the world; what it makes is its own until
+/// it is published.
+class Subtraction {
+public:
+    Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options, CarveKind kind);
+
+    /// Does one piece of work; false once there is none left.
+    bool step();
+    CarveResult take_result() const { return result_; }
+
+private:
+    enum class Phase : std::uint8_t { kPlace, kCheck, kGather, kTile, kCut, kLabel, kTrace, kRules, kFacets, kRemove, kTree, kPublish, kEnd };
+
+    Phase place();
+    Phase check_cutter();
+    Phase gather();
+    Phase tile();
+    Phase cut_next_face();
+    Phase label();
+    Phase trace();
+    Phase apply_materials();
+    Phase make_next_faces();
+    Phase remove_facets();
+    Phase edit_tree();
+    Phase publish();
+
+    Phase refuse(ErrorCode code, std::string reason);
+    Phase start_cut();
+    Phase move_on(Verdict verdict, Phase next);
+    Phase move_cutter_aside();
+    Phase contradiction();
+    Phase shrink(double hardness, const std::string& by, Phase otherwise);
+    double* clock_of(Phase phase);
+    const Block* tree_of_room() const;
+
+    const World world_;
+    const Cutter cutter_;
+    const Pose pose_;
+    const CarveOptions options_;
+    CarveResult result_;
+    Phase phase_ = Phase::kPlace;
+
+    PlacedCutter placed_;  ///< before it was moved aside
+    CutterSolid solid_cutter_;
+    SolidPatch patch_;
+    std::vector<FacetPlace> facets_;  ///< gathered
+    Cut cut_;
+    FaceCutter face_cutter_;
+    std::unique_ptr<FaceMaker> face_maker_;
+    FaceSet come_;
+    std::unique_ptr<BlockEdit> block_edit_;
+    std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
+};
+
+}  // namespace firma
