@@ -87,7 +87,7 @@ using Quaternion = std::array<double, 4>;
 
 /// Where a cutter goes: turned, scaled, then moved.
 struct Pose {
-    Vec3 position;                    ///< metres
+    Vec3 position{};                  ///< metres
     Quaternion rotation{0, 0, 0, 1};  ///< none
     double scale = 1;                 ///< metres a unit of the cutter, > 0
 };

@@ -11,6 +11,9 @@
 namespace firma {
 namespace {
 
+/// Of a LevelFace.
+constexpr std::uint32_t kMostCorners = 64;
+
 /// Whether three points lie on one line. Differences have 33 bits.
 bool collinear(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
     for (int u = 0; u < 3; ++u) {
@@ -28,9 +31,10 @@ public:
     std::optional<Error> build() {
         std::uint64_t triangle_count = 0;
         for (const LevelFace& face : level_.faces) {
-            if (face.corner_count < 3 || face.first_corner > level_.corners.size() ||
+            if (face.corner_count < 3 || face.corner_count > kMostCorners ||
+                face.first_corner > level_.corners.size() ||
                 face.corner_count > level_.corners.size() - face.first_corner)
-                return error(face, ErrorCode::kMalformed, "names corners that are not there");
+                return error(face, ErrorCode::kMalformed, "names corners that are not there, or not 3 to 64 of them");
             triangle_count += face.corner_count - 2;
         }
         if (triangle_count > kMostCutterTriangles)
