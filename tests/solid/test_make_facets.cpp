@@ -135,6 +135,40 @@ TEST(MakeFacets, TinyHolesAreMadeWhenSoundAndRefusedOtherwise) {
     EXPECT_GT(tally.refused, 10000);
 }
 
+/// As many holes as a small grid takes, in an outline grown on it: bridges run along edges and through corners.
+TEST(MakeFacets, TinyHolesPacked) {
+    FacetMaker maker;
+    Rng rng(13);
+    int most = 0;
+    for (int round = 0; round < 300; ++round) {
+        const int side = rng.whole(6, 16);
+        std::vector<Loop> loops{with_runs(rng, rectangle(0, 0, side, side), 1)};
+        const auto sound = [](const std::vector<Loop>& tried) { return judge(drawn(tried)) == Verdict::kSound; };
+        if (!sound(loops)) continue;
+        for (int tries = 0; tries < 120; ++tries) {
+            std::vector<Loop> more = loops;
+            const int low_u = rng.whole(0, side - 1), reach = rng.whole(1, 6);
+            const int low_v = rng.whole(0, side - 1), count = rng.whole(3, 6);
+            Loop loop;
+            for (int k = 0; k < count; ++k) {
+                const double u = low_u + rng.whole(0, reach);
+                const double v = low_v + rng.whole(0, reach);
+                loop.push_back({u, v});
+            }
+            if (tries % 4 == 0) {
+                more[0].insert(more[0].begin() + rng.whole(0, int(more[0].size())), loop[0]);
+            } else {
+                more.push_back(loop);
+                if (!sound(more)) more.back() = reversed(loop);
+            }
+            if (sound(more)) loops = more;
+        }
+        most = std::max(most, int(loops.size()));
+        ASSERT_NO_FATAL_FAILURE(must_make(maker, drawn(loops))) << round;
+    }
+    EXPECT_GT(most, 9);
+}
+
 /// Grown a corner at a time, each anywhere, as long as the loop stays simple.
 TEST(MakeFacets, RandomSimpleLoops) {
     FacetMaker maker;
