@@ -32,9 +32,7 @@ bool Triangulator::link_loops(std::span<const FlatPoint> flat, std::span<const s
         Int128 area = 0;
         std::uint32_t lowest = begin;
         for (std::uint32_t k = begin; k < end; ++k) {
-            nodes_[k] = {
-                flat[k], k,    k > begin ? k - 1 : end - 1, k + 1 < end ? k + 1 : begin, Triangles::kNoTwin, kNobody, 0,
-                false,   false};
+            nodes_[k] = {flat[k], k, k > begin ? k - 1 : end - 1, k + 1 < end ? k + 1 : begin};
             if (before(flat[k], flat[lowest])) lowest = k;
             if (k > begin + 1) area += turn(flat[begin], flat[k - 1], flat[k]);
         }
@@ -60,19 +58,19 @@ bool Triangulator::join_holes() {
 
 bool Triangulator::join(std::uint32_t hole) {
     const Node from = nodes_[hole];
-    queue_.clear();
+    rims_.clear();
     for (std::uint32_t k = 0; k < nodes_.size(); ++k)
         if (before(nodes_[k].at, from.at))
-            queue_.push_back({square_distance(points_[nodes_[k].point], points_[from.point]), k, 0});
-    std::make_heap(queue_.begin(), queue_.end());
-    while (!queue_.empty()) {
-        const std::uint32_t rim = queue_.front().node;
+            rims_.push_back({square_distance(points_[nodes_[k].point], points_[from.point]), k});
+    std::make_heap(rims_.begin(), rims_.end());
+    while (!rims_.empty()) {
+        const std::uint32_t rim = rims_.front().node;
         if (opens_to(nodes_[rim], from.at) && visible(rim, hole)) {
             splice(rim, hole);
             return true;
         }
-        std::pop_heap(queue_.begin(), queue_.end());
-        queue_.pop_back();
+        std::pop_heap(rims_.begin(), rims_.end());
+        rims_.pop_back();
     }
     return false;
 }
@@ -124,22 +122,21 @@ void Triangulator::splice(std::uint32_t rim, std::uint32_t hole) {
 /// without that ear it still does not. A corner is judged again only when a neighbour goes, as no other can turn into
 /// an ear (O'Rourke).
 bool Triangulator::clip(Triangles& triangles) {
-    queue_.clear();
+    ears_.reset(nodes_.size());
     inward_.clear();
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
         judge(k);
-        if (!nodes_[k].left) inward_.push_back({nodes_[k].at.u, k});
+        if (!nodes_[k].left) inward_.push_back({nodes_[k].at, k});
     }
     std::sort(inward_.begin(), inward_.end(),
-              [](const Inward& a, const Inward& b) { return a.u != b.u ? a.u < b.u : a.node < b.node; });
+              [](const Inward& a, const Inward& b) { return a.at.u != b.at.u ? a.at.u < b.at.u : a.node < b.node; });
     for (std::size_t remaining = nodes_.size(); remaining > 2;) {
-        if (queue_.empty()) return false;
-        const Candidate best = queue_.front();
-        std::pop_heap(queue_.begin(), queue_.end());
-        queue_.pop_back();
-        Node& node = nodes_[best.node];
-        if (node.gone || node.judged != best.judged || blocked(best.node)) continue;
-        emit(best.node, triangles);
+        const std::uint32_t ear = ears_.find();
+        if (ear == kNobody) return false;
+        ears_.set(ear, LowestKey::kNone);
+        if (blocked(ear)) continue;
+        emit(ear, triangles);
+        Node& node = nodes_[ear];
         node.gone = true;
         nodes_[node.before].after = node.after;
         nodes_[node.after].before = node.before;
@@ -155,10 +152,7 @@ void Triangulator::judge(std::uint32_t k) {
     Node& node = nodes_[k];
     const Node &last = nodes_[node.before], &next = nodes_[node.after];
     node.left = turn(last.at, node.at, next.at) > 0;
-    ++node.judged;
-    if (!node.left) return;
-    queue_.push_back({square_distance(points_[last.point], points_[next.point]), k, node.judged});
-    std::push_heap(queue_.begin(), queue_.end());
+    ears_.set(k, node.left ? square_distance(points_[last.point], points_[next.point]) : LowestKey::kNone);
 }
 
 /// Whether another corner lies in the triangle at a left turn, or on its third side. What enters the triangle has its
@@ -169,12 +163,12 @@ bool Triangulator::blocked(std::uint32_t k) const {
     const auto [low_u, high_u] = std::minmax({a.u, b.u, c.u});
     const auto [low_v, high_v] = std::minmax({a.v, b.v, c.v});
     auto it = std::lower_bound(inward_.begin(), inward_.end(), low_u,
-                               [](const Inward& inward, std::int64_t u) { return inward.u < u; });
-    for (; it != inward_.end() && it->u <= high_u; ++it) {
-        const Node& other = nodes_[it->node];
-        if (other.gone || other.left || other.at.v < low_v || other.at.v > high_v) continue;
-        if (other.at == a || other.at == b || other.at == c) continue;
-        if (turn(c, a, other.at) >= 0 && turn(a, b, other.at) >= 0 && turn(b, c, other.at) >= 0) return true;
+                               [](const Inward& inward, std::int64_t u) { return inward.at.u < u; });
+    for (; it != inward_.end() && it->at.u <= high_u; ++it) {
+        const FlatPoint& other = it->at;
+        if (other.v < low_v || other.v > high_v || other == a || other == b || other == c) continue;
+        if (nodes_[it->node].gone || nodes_[it->node].left) continue;
+        if (turn(c, a, other) >= 0 && turn(a, b, other) >= 0 && turn(b, c, other) >= 0) return true;
     }
     return false;
 }

@@ -11,6 +11,7 @@
 
 #include "firma/grid.h"
 #include "solid/flat_point.h"
+#include "solid/lowest_key.h"
 
 namespace firma {
 
@@ -39,23 +40,21 @@ private:
         FlatPoint at;
         std::uint32_t point = 0;
         std::uint32_t before = 0, after = 0;
-        std::uint32_t twin = 0;     ///< side of the triangle beyond the edge, once that exists
-        std::uint32_t partner = 0;  ///< node whose edge is the same bridge, the other way
-        std::uint32_t judged = 0;   ///< how often; older entries of the queue do not count
+        std::uint32_t twin = Triangles::kNoTwin;  ///< side of the triangle beyond the edge, once that exists
+        std::uint32_t partner = UINT32_MAX;       ///< node whose edge is the same bridge, the other way
         bool gone = false;
         bool left = false;  ///< a left turn, neither straight nor right
     };
-    struct Candidate {
-        double length = 0;  ///< square of the third side, or of the bridge
+    struct Rim {
+        double length = 0;  ///< square of the bridge
         std::uint32_t node = 0;
-        std::uint32_t judged = 0;
         /// Heaps give the largest first, so the best comes last here.
-        friend bool operator<(const Candidate& a, const Candidate& b) {
+        friend bool operator<(const Rim& a, const Rim& b) {
             return a.length != b.length ? a.length > b.length : a.node > b.node;
         }
     };
     struct Inward {
-        std::int64_t u = 0;
+        FlatPoint at;
         std::uint32_t node = 0;
     };
 
@@ -75,7 +74,8 @@ private:
     std::span<const GridPoint> points_;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> holes_;  ///< the lowest corner of each, by u, then v
-    std::vector<Candidate> queue_;
+    std::vector<Rim> rims_;             ///< a heap of corners that a hole may be joined to
+    LowestKey ears_;                    ///< squares of third sides; left turns not yet found to be blocked
     std::vector<Inward> inward_;  ///< corners that were no left turns at first, by u: only such can stand in an ear
 };
 
