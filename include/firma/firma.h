@@ -7,6 +7,7 @@
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"
+#include "firma/memory.h"
 #include "firma/polygon.h"
 #include "firma/result.h"
 #include "firma/tolerance.h"

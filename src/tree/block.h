@@ -8,8 +8,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "base/pool.h"
 #include "base/ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
@@ -39,7 +39,7 @@ struct Bin {
 
 /// What a facet was cut from: the exact face above it. Solids derive theirs from it; this is what trees and casts need.
 /// Blocks keep alive the owners of their facets.
-class FaceOwner : public RefCounted {
+class FaceOwner : public RefCounted, public Pooled {
 public:
     virtual ~FaceOwner() = default;
     /// Everything that makes it what it is, for hash_world().
@@ -68,18 +68,21 @@ struct FaceRecord {
     std::uint32_t edit = 0;          ///< 0: `source` is a face of the level's file; else of the cutter of that edit
 };
 
-class Block : public RefCounted {
+class Block : public RefCounted, public Pooled {
 public:
-    std::vector<Bin> bins;  ///< bins[0] is the root; never empty
+    PoolVector<Bin> bins;  ///< bins[0] is the root; never empty
 
     /// Items that are blocks; then there are no faces here.
-    std::vector<Ref<const Block>> children;
+    PoolVector<Ref<const Block>> children;
 
     /// Items that are faces.
-    std::vector<FaceRecord> faces;
-    std::vector<GridPoint> vertices;             ///< each once
-    std::vector<std::uint16_t> corner_vertices;  ///< of all faces in a row
-    std::vector<Ref<const FaceOwner>> owners;    ///< each once
+    PoolVector<FaceRecord> faces;
+    PoolVector<GridPoint> vertices;             ///< each once
+    PoolVector<std::uint16_t> corner_vertices;  ///< of all faces in a row
+    PoolVector<Ref<const FaceOwner>> owners;    ///< each once
+
+    std::uint32_t faces_below = 0;  ///< faces here, or in all blocks below
+    std::uint16_t depth = 0;        ///< bins above the deepest leaf bin, from bins[0] on down through children
 
     bool holds_blocks() const { return !children.empty(); }
 

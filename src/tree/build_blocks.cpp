@@ -3,206 +3,191 @@
 #include "tree/build_blocks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "tree/split_bin.h"
 
 namespace firma {
 namespace {
 
-/// A bin of the whole tree, before it is cut into blocks.
-struct Node {
-    GridBox box;
-    std::uint32_t first = 0, count = 0;  ///< items below
-    std::uint32_t left = 0, right = 0;   ///< 0: a leaf
-};
-
-float round_down(double value) {
-    const float f = float(value);
-    return double(f) > value ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
+TreeOptions in_range(TreeOptions options) {
+    options.max_depth = std::clamp(options.max_depth, 0, 64);
+    options.faces_per_bin = std::max(options.faces_per_bin, 1);
+    return options;
 }
 
-float round_up(double value) {
-    return -round_down(-value);
+/// The stop rules.
+bool is_done(std::size_t count, const GridBox& box, int depth, const TreeOptions& options) {
+    if (count <= std::size_t(options.faces_per_bin) || depth >= options.max_depth) return true;
+    return options.min_bin_volume > 0 && box.volume() < options.min_bin_volume;
 }
 
-BoxF to_floats(const GridBox& box) {
-    const Vec3 low = to_metres(box.low), high = to_metres(box.high);
-    return {{round_down(low.x), round_down(low.y), round_down(low.z)},
-            {round_up(high.x), round_up(high.y), round_up(high.z)}};
-}
-
-class Builder {
-public:
-    Builder(const FaceSet& faces, const TreeOptions& options) : faces_(faces), options_(options) {
-        options_.max_depth = std::clamp(options_.max_depth, 0, 64);
-        options_.faces_per_bin = std::max(options_.faces_per_bin, 1);
-        items_.resize(faces.faces.size());
-        for (std::uint32_t k = 0; k < items_.size(); ++k) {
-            const FaceSet::Entry& face = faces.faces[k];
-            items_[k].face = k;
-            for (std::uint32_t c = 0; c < face.corner_count; ++c)
-                items_[k].box.add(faces.vertices[faces.corners[face.first_corner + c]]);
-        }
-    }
-
-    Ref<const Block> build() {
-        nodes_.reserve(items_.size());
-        divide(0, std::uint32_t(items_.size()), 0);
-        return pack(0);
-    }
-
-private:
-    std::span<BuildItem> items(std::uint32_t first, std::uint32_t count) { return {items_.data() + first, count}; }
-
-    bool done(const Node& node, int depth) const {
-        if (node.count <= std::uint32_t(options_.faces_per_bin) || depth >= options_.max_depth) return true;
-        return options_.min_bin_volume > 0 && node.box.volume() < options_.min_bin_volume;
-    }
-
-    std::uint32_t divide(std::uint32_t first, std::uint32_t count, int depth) {
-        const auto index = std::uint32_t(nodes_.size());
-        Node node;
-        node.first = first;
-        node.count = count;
-        for (const BuildItem& item : items(first, count)) node.box.add(item.box);
-        nodes_.push_back(node);
-
-        const bool is_done = done(node, depth);
-        if (is_done && count <= kBlockItems) {
-            // Standard libraries partition in different orders; faces lie in a bin by their own.
-            const std::span<BuildItem> bin = items(first, count);
-            std::sort(bin.begin(), bin.end(), [](const BuildItem& a, const BuildItem& b) { return a.face < b.face; });
-            return index;
-        }
-        const auto left = std::uint32_t(is_done ? split_by_count(items(first, count))
-                                                : split_bin(items(first, count), node.box, options_.split));
-        nodes_[index].left = divide(first, left, depth + 1);
-        nodes_[index].right = divide(first + left, count - left, depth + 1);
-        return index;
-    }
-
-    /// The bins below `top` that become blocks of their own: the fullest is opened until there are 64 or all fit a leaf
-    /// block.
-    std::vector<std::uint32_t> choose_children(std::uint32_t top) const {
-        std::vector<std::uint32_t> chosen{top};
-        while (chosen.size() < kBlockItems) {
-            const auto fullest = std::max_element(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return nodes_[a].count < nodes_[b].count;
-            });
-            const Node& node = nodes_[*fullest];
-            if (node.count <= kBlockItems) break;
-            *fullest = node.left;
-            chosen.insert(fullest + 1, node.right);
-        }
-        std::sort(chosen.begin(), chosen.end());
-        return chosen;
-    }
-
-    Ref<const Block> pack(std::uint32_t top) {
-        Ref<Block> block(new Block);
-        if (nodes_[top].count <= kBlockItems) {
-            add_face_bins(*block, top);
-            add_faces(*block, nodes_[top]);
-        } else {
-            const std::vector<std::uint32_t> chosen = choose_children(top);
-            add_block_bins(*block, top, chosen);
-        }
-        block->bins.shrink_to_fit();
-        return Ref<const Block>(block.get());
-    }
-
-    /// Appends a bin for `index` and those below it; `leaf` says which items a bin holds, none for one to be opened.
-    template <class Leaf>
-    void add_bins(Block& block, std::uint32_t index, const Leaf& leaf) {
-        const Node& node = nodes_[index];
-        const std::size_t at = block.bins.size();
-        block.bins.push_back({to_floats(node.box), 0, 0});
-        if (leaf(index, block.bins[at])) return;
-        add_bins(block, node.left, leaf);
-        block.bins[at].first = std::uint32_t(block.bins.size());
-        add_bins(block, node.right, leaf);
-    }
-
-    void add_face_bins(Block& block, std::uint32_t top) {
-        const std::uint32_t base = nodes_[top].first;
-        add_bins(block, top, [&](std::uint32_t index, Bin& bin) {
-            const Node& node = nodes_[index];
-            if (node.left != 0) return false;
-            bin.first = node.first - base;
-            bin.count = node.count;
-            return true;
+/// The bins below `top` that become blocks of their own: the fullest is opened until there are 64 or all fit a leaf
+/// block.
+std::vector<std::uint32_t> choose_children(const BinTree& tree, std::uint32_t top) {
+    const std::vector<BinNode>& nodes = tree.nodes;
+    std::vector<std::uint32_t> chosen{top};
+    while (chosen.size() < kBlockItems) {
+        const auto fullest = std::max_element(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return nodes[a].count < nodes[b].count;
         });
+        const BinNode& node = nodes[*fullest];
+        if (node.count <= kBlockItems) break;
+        *fullest = node.left;
+        chosen.insert(fullest + 1, node.right);
     }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
 
-    void add_block_bins(Block& block, std::uint32_t top, const std::vector<std::uint32_t>& chosen) {
-        add_bins(block, top, [&](std::uint32_t index, Bin& bin) {
-            if (!std::binary_search(chosen.begin(), chosen.end(), index)) return false;
-            bin.first = std::uint32_t(block.children.size());
-            bin.count = 1;
-            block.children.push_back(pack(index));
-            return true;
-        });
-        block.children.shrink_to_fit();
-    }
-
-    void add_faces(Block& block, const Node& node) {
-        std::vector<std::uint32_t> used;  // vertices of the block, sorted
-        for (const BuildItem& item : items(node.first, node.count)) {
-            const FaceSet::Entry& face = faces_.faces[item.face];
-            const auto corners = faces_.corners.begin() + face.first_corner;
-            used.insert(used.end(), corners, corners + face.corner_count);
-        }
-        std::sort(used.begin(), used.end());
-        used.erase(std::unique(used.begin(), used.end()), used.end());
-        block.vertices.reserve(used.size());
-        for (const std::uint32_t vertex : used) block.vertices.push_back(faces_.vertices[vertex]);
-
-        block.faces.reserve(node.count);
-        for (const BuildItem& item : items(node.first, node.count)) add_face(block, faces_.faces[item.face], used);
-        block.corner_vertices.shrink_to_fit();
-    }
-
-    /// In order of first use: never by address.
-    static std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
-        for (std::size_t k = block.owners.size(); k-- > 0;)
-            if (block.owners[k].get() == owner) return std::uint16_t(k);
-        block.owners.emplace_back(owner);
-        return std::uint16_t(block.owners.size() - 1);
-    }
-
-    void add_face(Block& block, const FaceSet::Entry& face, const std::vector<std::uint32_t>& used) {
-        FaceRecord record;
-        record.id = face.id;
-        record.source = face.source;
-        record.material = face.material;
-        record.mask = face.mask;
-        record.two_sided = face.two_sided;
-        record.solid = face.solid;
-        record.edit = face.edit;
-        record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
-        record.first_corner = std::uint16_t(block.corner_vertices.size());
-        record.corner_count = std::uint8_t(face.corner_count);
-        for (std::uint32_t c = 0; c < face.corner_count; ++c) {
-            const std::uint32_t vertex = faces_.corners[face.first_corner + c];
-            const auto at = std::lower_bound(used.begin(), used.end(), vertex) - used.begin();
-            block.corner_vertices.push_back(std::uint16_t(at));
-        }
-        block.faces.push_back(record);
-    }
-
-    const FaceSet& faces_;
-    TreeOptions options_;
-    std::vector<BuildItem> items_;
-    std::vector<Node> nodes_;
-};
+/// In order of first use: never by address.
+std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
+    for (std::size_t k = block.owners.size(); k-- > 0;)
+        if (block.owners[k].get() == owner) return std::uint16_t(k);
+    block.owners.emplace_back(owner);
+    return std::uint16_t(block.owners.size() - 1);
+}
 
 }  // namespace
 
-Ref<const Block> build_blocks(const FaceSet& faces, const TreeOptions& options) {
+Ref<const Block> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, int depth) {
     if (faces.faces.empty()) return {};
-    return Builder(faces, options).build();
+    faces_ = &faces;
+    tree_.items.resize(faces.faces.size());
+    tree_.nodes.clear();
+    tree_.nodes.reserve(faces.faces.size());
+    for (std::uint32_t k = 0; k < tree_.items.size(); ++k) {
+        const FaceSet::Entry& face = faces.faces[k];
+        GridBox box;
+        for (std::uint32_t c = 0; c < face.corner_count; ++c)
+            box.add(faces.vertices[faces.corners[face.first_corner + c]]);
+        tree_.items[k] = {box, k};
+    }
+    const TreeOptions rules = in_range(options);
+    divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), depth,
+                [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
+                    if (!is_done(items.size(), box, at, rules)) return split_bin(items, box, rules.split);
+                    return items.size() <= kBlockItems ? 0 : split_by_count(items);
+                });
+    return pack(0);
+}
+
+Ref<const Block> BlockBuilder::pack(std::uint32_t top) {
+    return tree_.nodes[top].count <= kBlockItems ? pack_faces(top) : pack_blocks(top);
+}
+
+Ref<const Block> BlockBuilder::pack_faces(std::uint32_t top) {
+    Ref<Block> block(new Block);
+    const BinNode& node = tree_.nodes[top];
+    bins_.clear();
+    int deepest = 0;
+    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
+        const BinNode& it = tree_.nodes[index];
+        if (it.left != 0) return false;
+        bin.first = it.first - node.first;
+        bin.count = it.count;
+        deepest = std::max(deepest, depth);
+        return true;
+    });
+    block->bins.assign(bins_.begin(), bins_.end());
+    block->depth = std::uint16_t(deepest);
+    block->faces_below = node.count;
+
+    std::size_t corners = 0;
+    for (const BuildItem& item : tree_.items_of(node)) corners += faces_->faces[item.face].corner_count;
+    vertices_.start(corners);
+    block->faces.reserve(node.count);
+    block->corner_vertices.reserve(corners);
+    for (const BuildItem& item : tree_.items_of(node)) add_face(*block, faces_->faces[item.face]);
+    block->vertices.assign(vertices_.vertices.begin(), vertices_.vertices.end());
+    block->owners.shrink_to_fit();
+    return Ref<const Block>(block.get());
+}
+
+void BlockBuilder::add_face(Block& block, const FaceSet::Entry& face) {
+    FaceRecord record;
+    record.id = face.id;
+    record.source = face.source;
+    record.material = face.material;
+    record.mask = face.mask;
+    record.two_sided = face.two_sided;
+    record.solid = face.solid;
+    record.edit = face.edit;
+    record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
+    record.first_corner = std::uint16_t(block.corner_vertices.size());
+    record.corner_count = std::uint8_t(face.corner_count);
+    for (std::uint32_t c = 0; c < face.corner_count; ++c)
+        block.corner_vertices.push_back(vertices_.index_of(faces_->vertices[faces_->corners[face.first_corner + c]]));
+    block.faces.push_back(record);
+}
+
+Ref<const Block> BlockBuilder::pack_blocks(std::uint32_t top) {
+    Ref<Block> block(new Block);
+    const std::vector<std::uint32_t> chosen = choose_children(tree_, top);
+    bins_.clear();
+    std::vector<int> depths;
+    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
+        if (!std::binary_search(chosen.begin(), chosen.end(), index)) return false;
+        bin.first = std::uint32_t(depths.size());
+        bin.count = 1;
+        depths.push_back(depth);
+        return true;
+    });
+    block->bins.assign(bins_.begin(), bins_.end());
+    block->faces_below = tree_.nodes[top].count;
+    block->children.reserve(chosen.size());
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        block->children.push_back(pack(chosen[k]));
+        block->depth = std::uint16_t(std::max<int>(block->depth, depths[k] + block->children[k]->depth));
+    }
+    return Ref<const Block>(block.get());
+}
+
+/// Bins over blocks: no bin of more than `done`.
+void BlockBuilder::divide_blocks(std::span<const Ref<const Block>> blocks, Split split, std::size_t done) {
+    constexpr int kUnevenLevels = 12;  // then in halves: what the rule peels off one by one must not make a deep tree
+    tree_.items.resize(blocks.size());
+    tree_.nodes.clear();
+    for (std::uint32_t k = 0; k < blocks.size(); ++k) tree_.items[k] = {to_grid(blocks[k]->bins[0].box), k};
+    divide_bins(tree_, 0, std::uint32_t(blocks.size()), 0,
+                [&](std::span<BuildItem> items, const GridBox& box, int depth) -> std::size_t {
+                    if (items.size() <= done) return 0;
+                    return depth < kUnevenLevels ? split_bin(items, box, split) : split_by_count(items);
+                });
+}
+
+Ref<const Block> BlockBuilder::join(std::span<const Ref<const Block>> children, Split split) {
+    divide_blocks(children, split, 1);
+    Ref<Block> block(new Block);
+    block->children.reserve(children.size());
+    bins_.clear();
+    append_bins(tree_, 0, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
+        const BinNode& node = tree_.nodes[index];
+        if (node.left != 0) return false;
+        const Ref<const Block>& child = children[tree_.items[node.first].face];
+        bin.first = std::uint32_t(block->children.size());
+        bin.count = 1;
+        block->children.push_back(child);
+        block->faces_below += child->faces_below;
+        block->depth = std::uint16_t(std::max<int>(block->depth, depth + child->depth));
+        return true;
+    });
+    block->bins.assign(bins_.begin(), bins_.end());
+    return Ref<const Block>(block.get());
+}
+
+std::vector<std::size_t> BlockBuilder::group(std::span<const Ref<const Block>> blocks, Split split,
+                                             std::vector<std::uint32_t>& order) {
+    divide_blocks(blocks, split, kBlockItems);
+    order.clear();
+    std::vector<std::size_t> ends;
+    for (const BinNode& node : tree_.nodes) {
+        if (node.left != 0) continue;
+        for (const BuildItem& item : tree_.items_of(node)) order.push_back(item.face);
+        ends.push_back(order.size());
+    }
+    return ends;
+}
+
+Ref<const Block> build_blocks(const FaceSet& faces, const TreeOptions& options) {
+    return BlockBuilder().build(faces, options);
 }
 
 }  // namespace firma

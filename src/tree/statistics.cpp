@@ -32,11 +32,7 @@ private:
     void count_block(const Block& block, int depth) {
         ++statistics_.blocks;
         statistics_.faces += block.faces.size();
-        statistics_.bytes +=
-            sizeof(Block) + block.bins.capacity() * sizeof(Bin) + block.children.capacity() * sizeof(Ref<const Block>) +
-            block.faces.capacity() * sizeof(FaceRecord) + block.vertices.capacity() * sizeof(GridPoint) +
-            block.corner_vertices.capacity() * sizeof(std::uint16_t) +
-            block.owners.capacity() * sizeof(Ref<const FaceOwner>);
+        statistics_.bytes += bytes_of(block);
         count_bin(block, 0, depth);
     }
 
@@ -62,6 +58,12 @@ private:
 };
 
 }  // namespace
+
+std::size_t bytes_of(const Block& block) {
+    return pool_size(sizeof(Block)) + pool_size_of(block.bins) + pool_size_of(block.children) +
+           pool_size_of(block.faces) + pool_size_of(block.vertices) + pool_size_of(block.corner_vertices) +
+           pool_size_of(block.owners);
+}
 
 TreeStatistics tree_statistics(const Block& root) {
     return Counter().total(root);

@@ -7,6 +7,9 @@
 
 namespace firma {
 
+/// Memory that a block itself takes; neither its children nor owners.
+std::size_t bytes_of(const Block& block);
+
 TreeStatistics tree_statistics(const Block& root);
 
 }  // namespace firma

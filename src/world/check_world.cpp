@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Is this world sound: every invariant, one by one, the slow and sure way.
+#include <algorithm>
 #include <unordered_set>
 
 #include "firma/world.h"
@@ -66,8 +67,25 @@ private:
         std::vector<int> held(items, 0);
         const std::size_t used = check_bin(block, 0, held);
         if (used != block.bins.size()) report("a block has bins that no other leads to", {});
+        if (block.faces_below != faces_below(block)) report("a block's count of faces is not how many there are", {});
+        if (block.depth != depth_below(block, 0)) report("a block's depth is not how deep it is", {});
+        if (block.depth > kDeepestTree) report("a tree is deeper than walks can go", {});
         for (const int times : held)
             if (times != 1) report("an item is not in exactly one bin", {});
+    }
+
+    static std::size_t faces_below(const Block& block) {
+        std::size_t sum = block.faces.size();
+        for (const Ref<const Block>& child : block.children) sum += child->faces_below;
+        return sum;
+    }
+
+    /// Of a block whose bins are sound.
+    int depth_below(const Block& block, std::size_t index) const {
+        if (fault_) return block.depth;
+        const Bin& bin = block.bins[index];
+        if (bin.is_leaf()) return block.holds_blocks() ? block.children[bin.first]->depth : 0;
+        return 1 + std::max(depth_below(block, index + 1), depth_below(block, bin.first));
     }
 
     /// @return bins in this subtree
@@ -82,6 +100,7 @@ private:
             const std::size_t left = check_bin(block, index + 1, held);
             return 1 + left + check_bin(block, bin.first, held);
         }
+        if (block.holds_blocks() && bin.count != 1) report("a bin holds more than one block", {});
         if (std::size_t(bin.first) + bin.count > held.size())
             return report("a bin holds items that are not there", {}), 0;
         for (std::uint32_t item = bin.first; item < bin.first + bin.count; ++item) {

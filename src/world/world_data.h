@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/pool.h"
 #include "base/ref.h"
 #include "firma/carve_rules.h"
 #include "firma/tolerance.h"
@@ -17,7 +18,7 @@
 namespace firma {
 
 /// A volume of air: its faces, in a tree. Rooms name each other by id, never by pointer.
-class Room : public RefCounted {
+class Room : public RefCounted, public Pooled {
 public:
     Ref<const Block> tree;  ///< null for a room without faces
 };

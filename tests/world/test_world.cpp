@@ -181,6 +181,8 @@ TEST(World, CheckFindsWhatIsBroken) {
         const Block& sound = *world.data().rooms[0]->tree;
         block->bins = sound.bins;
         block->faces = sound.faces;
+        block->faces_below = sound.faces_below;
+        block->depth = sound.depth;
         block->vertices = sound.vertices;
         block->corner_vertices = sound.corner_vertices;
         auto data = std::make_shared<WorldData>(world.data());
@@ -198,6 +200,9 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.clear(); }), "a block has no bins");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_vertices[2] = 99; }), "a corner has no vertex");
     EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[0].owner = 3; }), "a face has an owner that is not there");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { ++b.faces_below; }),
+              "a block's count of faces is not how many there are");
+    EXPECT_EQ(broken([](Block& b, WorldData&) { ++b.depth; }), "a block's depth is not how deep it is");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.face_count = 7; }), "the count of faces is not how many there are");
     EXPECT_EQ(broken([](Block&, WorldData& d) { d.next_face = 3; }), "a face's id is not below the next one");
 }

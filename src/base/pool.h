@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Where blocks, rooms and what faces were cut from live: one pool of memory for the whole process, in pieces of set
+// sizes.
+//
+// Both taking and giving back are a few instructions under a lock of their size's own, however much is held; memory is
+// got from the general allocator in slabs of at most 256 KiB and kept, so that neither growth nor the end of a version
+// ever stalls. (std::pmr::synchronized_pool_resource was the first thought; as GNU's library has it, it searches its
+// chunks in turn once the last one is full, so the cost of an edit would grow with the level.)
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <new>
+#include <vector>
+
+namespace firma {
+
+/// Aligned as for any fundamental type. Throws std::bad_alloc when there is no more, as operator new does. Any thread
+/// may give back what another took.
+void* pool_take(std::size_t bytes);
+void pool_give_back(void* memory, std::size_t bytes) noexcept;
+/// What taking so many bytes really takes: up to an eighth more.
+std::size_t pool_size(std::size_t bytes);
+
+/// Base of classes whose objects live in the pool.
+struct Pooled {
+    static void* operator new(std::size_t bytes) { return pool_take(bytes); }
+    static void operator delete(void* memory, std::size_t bytes) noexcept { pool_give_back(memory, bytes); }
+};
+
+/// For containers inside such objects.
+template <class T>
+struct PoolAllocator {
+    using value_type = T;
+    static_assert(alignof(T) <= alignof(std::max_align_t));
+
+    PoolAllocator() = default;
+    template <class U>
+    PoolAllocator(const PoolAllocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_array_new_length();
+        return static_cast<T*>(pool_take(count * sizeof(T)));
+    }
+    void deallocate(T* memory, std::size_t count) noexcept { pool_give_back(memory, count * sizeof(T)); }
+
+    friend bool operator==(const PoolAllocator&, const PoolAllocator&) { return true; }
+};
+
+template <class T>
+using PoolVector = std::vector<T, PoolAllocator<T>>;
+
+/// What such a container takes from the pool.
+template <class T>
+std::size_t pool_size_of(const PoolVector<T>& vector) {
+    return vector.capacity() ? pool_size(vector.capacity() * sizeof(T)) : 0;
+}
+
+}  // namespace firma
