@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Carving: a closed cutter taken away from the world's solid, or added to it, exactly; the world before stays as it was.
+// Carving: a closed cutter taken away from the world's solid, or added to it, exactly; the world before stays as it
+// was.
 #pragma once
 
 #include <array>
@@ -26,9 +27,9 @@ struct CarveReport {
     std::size_t faces_cut = 0;        ///< of these, how many the cutter's surface crosses
     std::size_t faces_gone = 0;       ///< facets that casts met before and meet no more
     std::size_t faces_new = 0;        ///< facets that casts meet from now on
-    int retries = 0;                  ///< how often the cutter was moved by a step of the grid, out of degenerate position
-    double scale = 1;                 ///< what zones and materials left of the cutter's scale
-    double volume = 0;                ///< cubic metres taken from the solid; negative when it was added to
+    int retries = 0;    ///< how often the cutter was moved by a step of the grid, out of degenerate position
+    double scale = 1;   ///< what zones and materials left of the cutter's scale
+    double volume = 0;  ///< cubic metres taken from the solid; negative when it was added to
 
     /// Where the time went, microseconds.
     struct Times {
@@ -62,12 +63,14 @@ struct CarveOptions {
 
 /// Takes a placed cutter away from the solid of a world.
 ///
-/// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. A cutter in degenerate
-/// position (a vertex on a plane, edges that meet, faces in one plane) is moved by up to 3 steps of the input grid, as
-/// often as it takes, up to 64 times. The result depends on world, cutter, pose and options alone, to the bit.
+/// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. A cutter in
+/// degenerate position (a vertex on a plane, edges that meet, faces in one plane) is moved by up to 3 steps of the
+/// input grid, as often as it takes, up to 64 times. The result depends on world, cutter, pose and options alone, to
+/// the bit.
 ///
 /// @param pose  where the cutter goes; its rotation and scale
-/// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that place_cutter() refuses
+/// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that place_cutter()
+/// refuses
 ///         (not finite, outside the world, collapsed on the grid), one that crosses itself, a rule of the world, no way
 ///         out of degenerate position, or a contradiction (then `reproduction` holds it).
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated

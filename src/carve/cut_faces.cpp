@@ -23,7 +23,7 @@ std::uint32_t FaceCutter::world_crossing(std::uint32_t edge, std::uint32_t trian
     known = std::uint32_t(cut_.crossings.size());
     cut_.patch->settle_planes(edge);
     const PatchEdge& it = cut_.patch->edges[edge];
-    Crossing crossing;
+    CutPoint crossing;
     crossing.planes[0] = it.plane[0];
     crossing.planes[1] = it.plane[1];
     crossing.planes[2] = cut_.cutter->planes[triangle];
@@ -40,7 +40,7 @@ std::uint32_t FaceCutter::cutter_crossing(std::uint32_t edge, std::uint32_t face
     if (known != FlatMap::kNone) return known;
     known = std::uint32_t(cut_.crossings.size());
     const CutterSolid::Edge& it = cut_.cutter->edges[edge];
-    Crossing crossing;
+    CutPoint crossing;
     crossing.planes[0] = it.plane[0];
     crossing.planes[1] = it.plane[1];
     crossing.planes[2] = cut_.patch->faces[face].plane;
@@ -52,7 +52,7 @@ std::uint32_t FaceCutter::cutter_crossing(std::uint32_t edge, std::uint32_t face
 }
 
 std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
-    Crossing& it = cut_.crossings[crossing];
+    CutPoint& it = cut_.crossings[crossing];
     if (it.vertex == ~0u) {
         it.vertex = cut_.first_real() + std::uint32_t(cut_.real.size());
         cut_.real.push_back(crossing);
@@ -113,8 +113,8 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
             const std::uint32_t edge = uses[k].edge;
             const std::uint32_t crossing = world_crossing(edge, triangle);
             const PatchEdge& it = patch.edges[edge];
-            const bool in_face = it.plane[0].get() == face.plane.get() ||
-                                 exact_parallel(it.plane[0]->plane, face.plane->plane);
+            const bool in_face =
+                it.plane[0].get() == face.plane.get() || exact_parallel(it.plane[0]->plane, face.plane->plane);
             line_.push_back({crossing, &it.plane[in_face]->plane, true});
         }
         loop_start = end;

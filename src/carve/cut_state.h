@@ -22,13 +22,13 @@ enum class Verdict : std::uint8_t {
 };
 
 /// Where an edge of the world crosses a cutter triangle's plane, or an edge of the cutter a world face's plane.
-struct Crossing {
+struct CutPoint {
     ExactPoint point;
     Ref<const SolidPlane> planes[3];
-    std::uint32_t edge = 0;     ///< of the patch, or of the cutter
-    std::uint32_t face = 0;     ///< the triangle, or the patch's face, that it crosses
+    std::uint32_t edge = 0;      ///< of the patch, or of the cutter
+    std::uint32_t face = 0;      ///< the triangle, or the patch's face, that it crosses
     std::uint32_t vertex = ~0u;  ///< its number, once it proved to be on both; see Cut::real
-    bool of_world = false;      ///< whether `edge` is one of the patch
+    bool of_world = false;       ///< whether `edge` is one of the patch
 };
 
 struct Segment {
@@ -47,8 +47,8 @@ struct NewFace {
     Ref<const SolidPlane> plane;
     std::uint32_t first_use = 0, use_count = 0;    ///< in Cut::uses
     std::uint32_t first_loop = 0, loop_count = 0;  ///< in Cut::loop_ends, counted from first_use
-    std::uint32_t face = ~0u;      ///< the patch's face that it is a piece of; ~0: of the cutter
-    std::uint32_t triangle = ~0u;  ///< the cutter's triangle that it is a piece of; ~0: of the world
+    std::uint32_t face = ~0u;                      ///< the patch's face that it is a piece of; ~0: of the cutter
+    std::uint32_t triangle = ~0u;                  ///< the cutter's triangle that it is a piece of; ~0: of the world
 };
 
 enum class Where : std::int8_t { kInside = -1, kUnknown = 0, kOutside = 1 };
@@ -58,7 +58,7 @@ struct Cut {
     CutterSolid* cutter = nullptr;
     bool fill = false;  ///< add the cutter to the solid rather than take it away
 
-    std::vector<Crossing> crossings;
+    std::vector<CutPoint> crossings;
     FlatMap world_crossing, cutter_crossing;  ///< by edge and face
     std::vector<std::uint32_t> real;          ///< crossings that are vertices, in order of their numbers
     std::vector<Segment> segments;

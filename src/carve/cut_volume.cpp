@@ -33,7 +33,8 @@ double volume_taken(const Cut& cut) {
     const SolidPatch& patch = *cut.patch;
     Vec3 apex;  // near what changes, so that little cancels
     for (int axis = 0; axis < 3; ++axis)
-        apex[axis] = (double(cut.cutter->box.low[axis]) + double(cut.cutter->box.high[axis])) / (2.0 * kSurfacePerInput);
+        apex[axis] =
+            (double(cut.cutter->box.low[axis]) + double(cut.cutter->box.high[axis])) / (2.0 * kSurfacePerInput);
     double before = 0, after = 0;
     for (const std::uint32_t index : cut.gone) {
         const PatchFace& face = patch.faces[index];
@@ -44,9 +45,8 @@ double volume_taken(const Cut& cut) {
     }
     for (const NewFace& face : cut.new_faces) {
         const std::span<const std::uint32_t> ends(cut.loop_ends.data() + face.first_loop, face.loop_count);
-        after += cones(ends, apex, [&](std::size_t k) {
-            return cut.point(cut.from(cut.uses[face.first_use + k])).approximate();
-        });
+        after += cones(ends, apex,
+                       [&](std::size_t k) { return cut.point(cut.from(cut.uses[face.first_use + k])).approximate(); });
     }
     return (before - after) / 6 / (kInputSteps * kInputSteps * kInputSteps);
 }

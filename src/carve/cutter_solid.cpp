@@ -51,8 +51,8 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     cutter.box = {};
     for (std::uint32_t t = 0; t < it.triangles.size(); ++t) {
         const auto& corners = it.triangles[t];
-        cutter.planes.push_back(new_plane(
-            plane_through(it.vertices[corners[0]], it.vertices[corners[1]], it.vertices[corners[2]])));
+        cutter.planes.push_back(
+            new_plane(plane_through(it.vertices[corners[0]], it.vertices[corners[1]], it.vertices[corners[2]])));
         cutter.boxes.push_back(box_of(cutter, t));
         cutter.box.add(cutter.boxes.back());
     }
@@ -61,7 +61,10 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
         const Ref<const SolidPlane>&left = cutter.planes[edge.left], &right = cutter.planes[edge.right];
         const bool flat = exact_parallel(left->plane, right->plane);
         cutter.edges.push_back(
-            {edge.a, edge.b, edge.left, edge.right,
+            {edge.a,
+             edge.b,
+             edge.left,
+             edge.right,
              {left, flat ? new_plane(edge_plane(it.vertices[edge.a], it.vertices[edge.b], left->plane)) : right}});
     }
     cutter.tree = BoxTree(cutter.boxes);

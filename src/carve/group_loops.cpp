@@ -108,7 +108,8 @@ private:
 
 }  // namespace
 
-Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops, std::span<const std::uint32_t> ends) {
+Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops,
+                    std::span<const std::uint32_t> ends) {
     return Grouper(cut, like, loops, ends).group();
 }
 

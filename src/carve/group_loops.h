@@ -13,6 +13,7 @@ namespace firma {
 /// @param like       what the faces have in common
 /// @param loops      uses of all loops in a row, `ends` where each ends
 /// Judged by the rounded corners; where these leave it open which loop a hole lies in, facets fail later.
-Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops, std::span<const std::uint32_t> ends);
+Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops,
+                    std::span<const std::uint32_t> ends);
 
 }  // namespace firma

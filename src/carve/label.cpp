@@ -7,17 +7,17 @@
 namespace firma {
 namespace {
 
-const Plane& plane_crossed(const Cut& cut, const Crossing& crossing) {
+const Plane& plane_crossed(const Cut& cut, const CutPoint& crossing) {
     return crossing.of_world ? cut.cutter->planes[crossing.face]->plane : cut.patch->faces[crossing.face].plane->plane;
 }
 
-const ExactPoint& start_of(const Cut& cut, const Crossing& crossing) {
+const ExactPoint& start_of(const Cut& cut, const CutPoint& crossing) {
     return crossing.of_world ? cut.patch->vertices[cut.patch->edges[crossing.edge].vertex[0]].point
                              : cut.cutter->points[cut.cutter->edges[crossing.edge].a];
 }
 
 /// Whether the edge goes inward here: it starts in front of the plane that it crosses.
-bool enters(const Cut& cut, const Crossing& crossing) {
+bool enters(const Cut& cut, const CutPoint& crossing) {
     return exact_side(plane_crossed(cut, crossing), start_of(cut, crossing)) > 0;
 }
 
@@ -26,7 +26,7 @@ Verdict order_along(Cut& cut, std::uint32_t first, std::uint32_t count) {
     const auto begin = cut.along.begin() + first;
     for (std::uint32_t k = 1; k < count; ++k)
         for (std::uint32_t j = k; j > 0; --j) {
-            const Crossing &a = cut.crossings[begin[j - 1]], &b = cut.crossings[begin[j]];
+            const CutPoint &a = cut.crossings[begin[j - 1]], &b = cut.crossings[begin[j]];
             const Plane& plane = plane_crossed(cut, a);
             const int side = exact_side(plane, b.point);
             if (side == 0) return Verdict::kDegenerate;

@@ -27,7 +27,7 @@ const Ref<const SolidVertex>& FaceMaker::vertex(std::uint32_t number) {
     } else if (number < cut_.first_real()) {
         made = Ref<const SolidVertex>(new SolidVertex(cut_.point(number), {}));
     } else {
-        const Crossing& crossing = cut_.crossings[cut_.real[number - cut_.first_real()]];
+        const CutPoint& crossing = cut_.crossings[cut_.real[number - cut_.first_real()]];
         made = Ref<const SolidVertex>(new SolidVertex(crossing.point, crossing.planes));
     }
     return made;

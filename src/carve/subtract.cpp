@@ -6,8 +6,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "carve/cut_volume.h"
+#include "base/assert.h"
 #include "carve/check_crossing.h"
+#include "carve/cut_volume.h"
 #include "carve/gather.h"
 #include "carve/label.h"
 #include "carve/tile_faces.h"
@@ -41,15 +42,18 @@ std::string number(double value) {
 bool reaches_into(const CutterSolid& cutter, const Box& region) {
     GridBox box;
     for (int axis = 0; axis < 3; ++axis) {
-        const double low = std::floor(region.low[axis] * kSurfaceSteps), high = -std::floor(-region.high[axis] * kSurfaceSteps);
-        if (!(low <= high) || high < INT32_MIN || low > INT32_MAX) return false;  // empty, no number, or outside the world
+        const double low = std::floor(region.low[axis] * kSurfaceSteps),
+                     high = -std::floor(-region.high[axis] * kSurfaceSteps);
+        if (!(low <= high) || high < INT32_MIN || low > INT32_MAX)
+            return false;  // empty, no number, or outside the world
         box.low[axis] = low < INT32_MIN ? INT32_MIN : std::int32_t(low);
         box.high[axis] = high > INT32_MAX ? INT32_MAX : std::int32_t(high);
     }
     if (!boxes_meet(box, cutter.box)) return false;
     if (cutter.tree.for_each_meeting(box, [](std::uint32_t) { return true; })) return true;
     GridPoint middle;
-    for (int axis = 0; axis < 3; ++axis) middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2);
+    for (int axis = 0; axis < 3; ++axis)
+        middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2);
     return side_of_cutter(cutter, ExactPoint(to_input(middle))) > 0;
 }
 
@@ -82,19 +86,44 @@ bool Subtraction::step() {
     const auto start = std::chrono::steady_clock::now();
     double* clock = clock_of(phase_);
     switch (phase_) {
-        case Phase::kPlace: phase_ = place(); break;
-        case Phase::kCheck: phase_ = check_cutter(); break;
-        case Phase::kGather: phase_ = gather(); break;
-        case Phase::kTile: phase_ = tile(); break;
-        case Phase::kCut: phase_ = cut_next_face(); break;
-        case Phase::kLabel: phase_ = label(); break;
-        case Phase::kTrace: phase_ = trace(); break;
-        case Phase::kRules: phase_ = apply_materials(); break;
-        case Phase::kFacets: phase_ = make_next_faces(); break;
-        case Phase::kRemove: phase_ = remove_facets(); break;
-        case Phase::kTree: phase_ = edit_tree(); break;
-        case Phase::kPublish: phase_ = publish(); break;
-        case Phase::kEnd: return false;
+        case Phase::kPlace:
+            phase_ = place();
+            break;
+        case Phase::kCheck:
+            phase_ = check_cutter();
+            break;
+        case Phase::kGather:
+            phase_ = gather();
+            break;
+        case Phase::kTile:
+            phase_ = tile();
+            break;
+        case Phase::kCut:
+            phase_ = cut_next_face();
+            break;
+        case Phase::kLabel:
+            phase_ = label();
+            break;
+        case Phase::kTrace:
+            phase_ = trace();
+            break;
+        case Phase::kRules:
+            phase_ = apply_materials();
+            break;
+        case Phase::kFacets:
+            phase_ = make_next_faces();
+            break;
+        case Phase::kRemove:
+            phase_ = remove_facets();
+            break;
+        case Phase::kTree:
+            phase_ = edit_tree();
+            break;
+        case Phase::kPublish:
+            phase_ = publish();
+            break;
+        case Phase::kEnd:
+            return false;
     }
     if (clock) *clock += microseconds_since(start);
     return phase_ != Phase::kEnd;
@@ -104,18 +133,26 @@ double* Subtraction::clock_of(Phase phase) {
     CarveReport::Times& times = result_.report.times;
     switch (phase) {
         case Phase::kPlace:
-        case Phase::kCheck: return &times.place;
+        case Phase::kCheck:
+            return &times.place;
         case Phase::kGather:
-        case Phase::kTile: return &times.gather;
-        case Phase::kCut: return &times.cut;
-        case Phase::kLabel: return &times.label;
+        case Phase::kTile:
+            return &times.gather;
+        case Phase::kCut:
+            return &times.cut;
+        case Phase::kLabel:
+            return &times.label;
         case Phase::kTrace:
-        case Phase::kRules: return &times.trace;
-        case Phase::kFacets: return &times.facets;
+        case Phase::kRules:
+            return &times.trace;
+        case Phase::kFacets:
+            return &times.facets;
         case Phase::kRemove:
         case Phase::kTree:
-        case Phase::kPublish: return &times.tree;
-        case Phase::kEnd: return nullptr;
+        case Phase::kPublish:
+            return &times.tree;
+        case Phase::kEnd:
+            return nullptr;
     }
     return nullptr;
 }
@@ -126,7 +163,8 @@ const Block* Subtraction::tree_of_room() const {
 
 Subtraction::Phase Subtraction::refuse(ErrorCode code, std::string reason) {
     result_.status = CarveStatus::kRefused;
-    result_.error = {code, cutter_.valid() && !cutter_.name().empty() ? "cutter " + cutter_.name() : "cutter", std::move(reason)};
+    result_.error = {code, cutter_.valid() && !cutter_.name().empty() ? "cutter " + cutter_.name() : "cutter",
+                     std::move(reason)};
     return Phase::kEnd;
 }
 
@@ -134,7 +172,8 @@ Subtraction::Phase Subtraction::place() {
     const CarveRules& rules = *world_.data().rules;
     if (cutter_.valid() && cutter_.triangles().size() > rules.most_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
-                                                " triangles; the world allows " + std::to_string(rules.most_cutter_triangles));
+                                                " triangles; the world allows " +
+                                                std::to_string(rules.most_cutter_triangles));
     Pose pose = pose_;
     pose.scale *= result_.report.scale;
     Result<PlacedCutter> placed = place_cutter(cutter_, pose);
@@ -147,8 +186,8 @@ Subtraction::Phase Subtraction::place() {
     make_cutter_solid(placed_, solid_cutter_);
     for (int axis = 0; axis < 3; ++axis)
         if (solid_cutter_.box.extent(axis) > rules.largest_cutter)
-            return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) + " m long; the world allows " +
-                                                    number(rules.largest_cutter) + " m");
+            return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
+                                                    " m long; the world allows " + number(rules.largest_cutter) + " m");
     double hardest = 0;
     const CarveZone* by = nullptr;
     for (const CarveZone& zone : rules.zones)
@@ -170,7 +209,8 @@ Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, P
 Subtraction::Phase Subtraction::check_cutter() {
     if (const auto crossing = find_crossing(placed_))
         return refuse(ErrorCode::kInvalid, "it crosses or touches itself on the grid, at triangles " +
-                                               std::to_string(crossing->first) + " and " + std::to_string(crossing->second));
+                                               std::to_string(crossing->first) + " and " +
+                                               std::to_string(crossing->second));
     return Phase::kGather;
 }
 
@@ -183,13 +223,15 @@ Subtraction::Phase Subtraction::gather() {
     for (const FacetPlace& facet : facets_) patch_.add(facet);
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > world_.data().rules->most_faces_looked_at)
-        return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) + " faces; the world allows " +
+        return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
+                                                " faces; the world allows " +
                                                 std::to_string(world_.data().rules->most_faces_looked_at));
     return Phase::kTile;
 }
 
 Subtraction::Phase Subtraction::tile() {
-    if (tree_of_room()) tile_faces(*tree_of_room(), grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput), patch_);
+    if (tree_of_room())
+        tile_faces(*tree_of_room(), grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput), patch_);
     return start_cut();
 }
 
@@ -212,7 +254,8 @@ Subtraction::Phase Subtraction::move_cutter_aside() {
         make_cutter_solid(std::move(moved).value(), solid_cutter_);
         return start_cut();
     }
-    return refuse(ErrorCode::kInvalid, "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
+    return refuse(ErrorCode::kInvalid,
+                  "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
 }
 
 Subtraction::Phase Subtraction::contradiction() {
@@ -220,8 +263,9 @@ Subtraction::Phase Subtraction::contradiction() {
     const Vec3 low = to_metres(solid_cutter_.box.low), high = to_metres(solid_cutter_.box.high);
     const Vec3 middle = (low + high) * 0.5;
     FIRMA_ASSERT(false, "cuts or labels contradict each other: see CarveResult::reproduction");
-    return refuse(ErrorCode::kInvalid, "its cuts contradict each other near " + number(middle.x) + " " + number(middle.y) + " " +
-                                           number(middle.z) + ": the solid or the cutter crosses itself");
+    return refuse(ErrorCode::kInvalid, "its cuts contradict each other near " + number(middle.x) + " " +
+                                           number(middle.y) + " " + number(middle.z) +
+                                           ": the solid or the cutter crosses itself");
 }
 
 Subtraction::Phase Subtraction::cut_next_face() {
@@ -277,7 +321,8 @@ Subtraction::Phase Subtraction::make_next_faces() {
     for (; next_ < end; ++next_)
         if (!face_maker_->make(next_)) return move_cutter_aside();
     if (come_.faces.size() > world_.data().rules->most_new_faces)
-        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(world_.data().rules->most_new_faces) +
+        return refuse(ErrorCode::kTooLarge, "it makes more than the " +
+                                                std::to_string(world_.data().rules->most_new_faces) +
                                                 " new faces that the world allows");
     return next_ < cut_.new_faces.size() ? Phase::kFacets : Phase::kRemove;
 }
@@ -293,8 +338,10 @@ Subtraction::Phase Subtraction::remove_facets() {
     report.faces_gone = gone.size();
     report.faces_new = come_.faces.size();
     if (data.face_count - gone.size() + come_.faces.size() > data.rules->most_faces)
-        return refuse(ErrorCode::kTooLarge, "the world would have more than " + std::to_string(data.rules->most_faces) + " faces");
-    if (come_.faces.size() >= kMostFaceIds - data.next_face) return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
+        return refuse(ErrorCode::kTooLarge,
+                      "the world would have more than " + std::to_string(data.rules->most_faces) + " faces");
+    if (come_.faces.size() >= kMostFaceIds - data.next_face)
+        return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report.volume = volume_taken(cut_);
     std::uint32_t id = data.next_face;
     for (FaceSet::Entry& face : come_.faces) face.id = {id++};

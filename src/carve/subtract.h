@@ -18,14 +18,29 @@ namespace firma {
 /// it is published.
 class Subtraction {
 public:
-    Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options, CarveKind kind);
+    Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
+                CarveKind kind);
 
     /// Does one piece of work; false once there is none left.
     bool step();
     CarveResult take_result() const { return result_; }
 
 private:
-    enum class Phase : std::uint8_t { kPlace, kCheck, kGather, kTile, kCut, kLabel, kTrace, kRules, kFacets, kRemove, kTree, kPublish, kEnd };
+    enum class Phase : std::uint8_t {
+        kPlace,
+        kCheck,
+        kGather,
+        kTile,
+        kCut,
+        kLabel,
+        kTrace,
+        kRules,
+        kFacets,
+        kRemove,
+        kTree,
+        kPublish,
+        kEnd
+    };
 
     Phase place();
     Phase check_cutter();

@@ -54,8 +54,7 @@ private:
         const GridBox box = patch_.faces[index].box;
         const int axis = longest_axis(box).first;
         const std::int64_t middle = (std::int64_t(box.low[axis]) + box.high[axis]) / 2;
-        const Ref<const SolidPlane> plane(
-            new SolidPlane(axis_plane(axis, std::int32_t(middle / kSurfacePerInput))));
+        const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, std::int32_t(middle / kSurfacePerInput))));
         expand(patch_.faces[index], uses_);
         sides_.clear();
         for (const PatchUse& use : uses_)
@@ -121,7 +120,8 @@ private:
         uses.push_back(closing);
     }
 
-    std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, const Ref<const SolidPlane>& p, const Ref<const SolidPlane>& q) {
+    std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, const Ref<const SolidPlane>& p,
+                           const Ref<const SolidPlane>& q) {
         PatchEdge edge;
         edge.vertex[0] = a;
         edge.vertex[1] = b;

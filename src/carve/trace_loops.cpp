@@ -35,7 +35,8 @@ private:
     };
 
     /// Parts of an edge that lie where `keep` says, one after the other from its first vertex.
-    Parts split(const Cut::Range& range, std::uint32_t a, std::uint32_t b, bool keeps, const Ref<const SolidPlane> (&plane)[2]) {
+    Parts split(const Cut::Range& range, std::uint32_t a, std::uint32_t b, bool keeps,
+                const Ref<const SolidPlane> (&plane)[2]) {
         Parts parts{std::uint32_t(cut_.new_edges.size()), 0};
         std::uint32_t from = a;
         for (std::uint32_t k = 0; k <= range.count; ++k) {
@@ -77,9 +78,8 @@ private:
         by_triangle_.assign(cutter_.planes.size() + 1, 0);
         by_face_.assign(patch_.faces.size() + 1, 0);
         for (const Segment& segment : cut_.segments) {
-            cut_.new_edges.push_back({segment.from,
-                                      segment.to,
-                                      {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle]}});
+            cut_.new_edges.push_back(
+                {segment.from, segment.to, {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle]}});
             ++by_triangle_[segment.triangle + 1];
             ++by_face_[segment.face + 1];
         }

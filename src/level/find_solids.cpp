@@ -52,9 +52,12 @@ std::vector<EdgeUse> edge_uses(const Level& level) {
     return uses;
 }
 
-/// Six times the volume between a face and the origin, cubic metres: a sign and a size to compare are all that is asked.
+/// Six times the volume between a face and the origin, cubic metres: a sign and a size to compare are all that is
+/// asked.
 double signed_volume(const Level& level, const LevelFace& face) {
-    const auto corner = [&](std::uint32_t c) { return to_metres(level.vertices[level.corners[face.first_corner + c]]); };
+    const auto corner = [&](std::uint32_t c) {
+        return to_metres(level.vertices[level.corners[face.first_corner + c]]);
+    };
     double sum = 0;
     for (std::uint32_t c = 2; c < face.corner_count; ++c) sum += dot(corner(0), cross(corner(c - 1), corner(c)));
     return sum;

@@ -25,7 +25,8 @@ public:
 
 class SolidVertex : public RefCounted, public Pooled {
 public:
-    SolidVertex(const ExactPoint& p, const Ref<const SolidPlane> (&three)[3]) : point(p), planes{three[0], three[1], three[2]} {}
+    SolidVertex(const ExactPoint& p, const Ref<const SolidPlane> (&three)[3])
+        : point(p), planes{three[0], three[1], three[2]} {}
     const ExactPoint point;
     const Ref<const SolidPlane> planes[3];  ///< what `point` looks at; null for a point of the grid
 };
@@ -47,9 +48,10 @@ struct SolidUse {
 
 class SolidFace final : public FaceOwner {
 public:
-    Ref<const SolidPlane> plane;  ///< looks into the air
-    std::vector<SolidUse, PoolAllocator<SolidUse>> uses;                ///< of all loops in a row
-    std::vector<std::uint32_t, PoolAllocator<std::uint32_t>> loop_ends;  ///< the first loop is the outer one, holes follow
+    Ref<const SolidPlane> plane;                          ///< looks into the air
+    std::vector<SolidUse, PoolAllocator<SolidUse>> uses;  ///< of all loops in a row
+    std::vector<std::uint32_t, PoolAllocator<std::uint32_t>>
+        loop_ends;  ///< the first loop is the outer one, holes follow
 
     void add_to(Hasher& hasher) const override;
     std::size_t bytes() const override;

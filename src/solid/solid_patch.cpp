@@ -23,7 +23,8 @@ void SolidPatch::clear() {
     faces.clear();
     all_uses.clear();
     loop_ends.clear();
-    for (FlatMap* map : {&face_of_, &vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_}) map->clear();
+    for (FlatMap* map : {&face_of_, &vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
+        map->clear();
 }
 
 std::uint32_t SolidPatch::find(const FacetPlace& facet) const {

@@ -19,16 +19,16 @@ struct PatchUse {
 
 struct PatchVertex {
     ExactPoint point;
-    Ref<const SolidVertex> stored;         ///< null for one that no cut has touched
-    Ref<const SolidPlane> planes[3];       ///< of a new one off the grid, until it is stored
+    Ref<const SolidVertex> stored;    ///< null for one that no cut has touched
+    Ref<const SolidPlane> planes[3];  ///< of a new one off the grid, until it is stored
 };
 
 struct PatchEdge {
     std::uint32_t vertex[2] = {0, 0};
-    Ref<const SolidPlane> plane[2];        ///< see SolidPatch::settle_planes()
+    Ref<const SolidPlane> plane[2];  ///< see SolidPatch::settle_planes()
     Ref<const SolidEdge> stored;
-    std::uint32_t face[2] = {~0u, ~0u};    ///< the face that uses it forward, and the one that uses it back; none: ~0
-    std::uint32_t half[2] = {~0u, ~0u};    ///< what it was split into, by halving a large face
+    std::uint32_t face[2] = {~0u, ~0u};  ///< the face that uses it forward, and the one that uses it back; none: ~0
+    std::uint32_t half[2] = {~0u, ~0u};  ///< what it was split into, by halving a large face
     bool doubled = false;
 
     bool split() const { return half[0] != ~0u; }
@@ -45,13 +45,13 @@ struct FacetPlace {
 
 struct PatchFace {
     Ref<const SolidPlane> plane;
-    Ref<const FaceOwner> stored;           ///< the SolidFace; null for one that no cut has touched
-    FacetPlace facet;                      ///< one of its facets
+    Ref<const FaceOwner> stored;  ///< the SolidFace; null for one that no cut has touched
+    FacetPlace facet;             ///< one of its facets
     std::uint32_t first_use = 0, use_count = 0;
     std::uint32_t first_loop = 0, loop_count = 0;  ///< ends in SolidPatch::loop_ends, counted from first_use
-    GridBox box;                           ///< of its corners, rounded
-    std::uint32_t parent = ~0u;            ///< the face of this patch that it is a piece of
-    bool replaced = false;                 ///< by pieces, or by itself with split edges
+    GridBox box;                                   ///< of its corners, rounded
+    std::uint32_t parent = ~0u;                    ///< the face of this patch that it is a piece of
+    bool replaced = false;                         ///< by pieces, or by itself with split edges
 };
 
 class SolidPatch {
