@@ -17,7 +17,7 @@ std::uint64_t magnitude(std::int64_t value) {
     return std::uint64_t(value < 0 ? -value : value);
 }
 
-bool in_world(const InputPoint& p) {
+[[maybe_unused]] bool in_world(const InputPoint& p) {
     bool in = true;
     for (int axis = 0; axis < 3; ++axis) in = in && p[axis] >= -kRim && p[axis] < kRim;
     return in;
@@ -48,11 +48,6 @@ Plane plane_at(const std::int64_t (&normal)[3], const InputPoint& point) {
         plane.offset -= Int128(plane.normal[axis]) * point[axis];
     }
     return with_doubles(plane);
-}
-
-/// a[i] * b[j] - a[j] * b[i]: at most 2^105.
-Int128 minor_of(const Plane& a, const Plane& b, int i, int j) {
-    return Int128(a.normal[i]) * b.normal[j] - Int128(a.normal[j]) * b.normal[i];
 }
 
 }  // namespace
@@ -95,7 +90,7 @@ Plane axis_plane(int axis, std::int32_t step) {
 }
 
 bool exact_parallel(const Plane& a, const Plane& b) {
-    return minor_of(a, b, 0, 1) == 0 && minor_of(a, b, 1, 2) == 0 && minor_of(a, b, 2, 0) == 0;
+    return normal_minor(a, b, 0, 1) == 0 && normal_minor(a, b, 1, 2) == 0 && normal_minor(a, b, 2, 0) == 0;
 }
 
 int exact_turn(const Plane& a, const Plane& b, const Plane& c) {
@@ -107,8 +102,8 @@ int exact_turn(const Plane& a, const Plane& b, const Plane& c) {
     // product of the sizes; three more roundings for the bound itself.
     if (std::fabs(estimate) > rounding(8) * (a.size * b.size * c.size)) return estimate > 0 ? 1 : -1;
 
-    return (product(minor_of(b, c, 1, 2), a.normal[0]) + product(minor_of(b, c, 2, 0), a.normal[1]) +
-            product(minor_of(b, c, 0, 1), a.normal[2]))
+    return (product(normal_minor(b, c, 1, 2), a.normal[0]) + product(normal_minor(b, c, 2, 0), a.normal[1]) +
+            product(normal_minor(b, c, 0, 1), a.normal[2]))
         .sign();
 }
 

@@ -69,6 +69,11 @@ Plane edge_plane(const InputPoint& a, const InputPoint& b, const Plane& face);
 /// The plane axis = step, looking toward greater coordinates.
 Plane axis_plane(int axis, std::int32_t step);
 
+/// A component of a.normal x b.normal, for (i, j) = (1, 2), (2, 0), (0, 1): at most 2^105.
+inline Int128 normal_minor(const Plane& a, const Plane& b, int i, int j) {
+    return Int128(a.normal[i]) * b.normal[j] - Int128(a.normal[j]) * b.normal[i];
+}
+
 /// Whether two planes are parallel, exactly.
 bool exact_parallel(const Plane& a, const Plane& b);
 

@@ -20,10 +20,7 @@ struct Cross {
 
 /// Of the normals: components of at most 2^105.
 Cross cross(const Plane& a, const Plane& b) {
-    const auto minor_of = [&](int i, int j) {
-        return Int128(a.normal[i]) * b.normal[j] - Int128(a.normal[j]) * b.normal[i];
-    };
-    return {minor_of(1, 2), minor_of(2, 0), minor_of(0, 1)};
+    return {normal_minor(a, b, 1, 2), normal_minor(a, b, 2, 0), normal_minor(a, b, 0, 1)};
 }
 
 /// The nearest surface coordinate to numerator / denominator input steps, of which `estimate` is an approximation.
