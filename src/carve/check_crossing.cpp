@@ -90,11 +90,15 @@ bool is_star_shaped(const PlacedCutter& placed) {
     return false;
 }
 
-std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed) {
+std::vector<GridBox> triangle_boxes(const PlacedCutter& placed) {
     std::vector<GridBox> boxes(placed.triangles.size());
     for (std::size_t t = 0; t < boxes.size(); ++t)
         for (const std::uint32_t corner : placed.triangles[t]) boxes[t].add(to_surface(placed.vertices[corner]));
-    const BoxTree tree(boxes);
+    return boxes;
+}
+
+std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed) {
+    const BoxTree tree(triangle_boxes(placed));
     Crossing crossing;
     // In the order of the tree, so that one search finds in the cache what the last one looked at.
     for (const BoxTree::Item& item : tree.items()) {

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "carve/place_cutter.h"
+#include "tree/split_bin.h"
 
 namespace firma {
 
@@ -21,7 +23,11 @@ using Crossing = std::pair<std::uint32_t, std::uint32_t>;
 /// middle of its vertices; else it takes a tree and n log n.
 std::optional<Crossing> find_crossing(const PlacedCutter& placed);
 
-/// The parts of it. Whether the surface is seen whole from the middle of its vertices: then it cannot cross itself.
+/// Around each triangle, in surface steps.
+std::vector<GridBox> triangle_boxes(const PlacedCutter& placed);
+
+/// The parts of find_crossing(). Whether the surface is seen whole from the middle of its vertices: then it cannot
+/// cross itself.
 bool is_star_shaped(const PlacedCutter& placed);
 /// Pair by pair, for any mesh, closed or not.
 std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed);
