@@ -24,6 +24,7 @@ bool meet(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c, const Flat
 
 }  // namespace
 
+/// An edge without length needs no care: the edges before and after it meet.
 bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std::uint32_t> loop_ends) {
     edges_.clear();
     std::uint32_t begin = 0;
@@ -31,7 +32,6 @@ bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std:
         for (std::uint32_t k = begin; k < end; ++k) {
             const std::uint32_t next = k + 1 < end ? k + 1 : begin;
             const FlatPoint &a = points[k], &b = points[next];
-            if (a == b) return false;
             const auto [low_u, high_u] = std::minmax(a.u, b.u);
             const auto [low_v, high_v] = std::minmax(a.v, b.v);
             edges_.push_back({low_u, high_u, low_v, high_v, k, next});
