@@ -55,6 +55,22 @@ TEST(MakeFacets, Triangles) {
     EXPECT_FALSE(maker.make(flat.points, flat.ends, 2, false, facets));
 }
 
+TEST(MakeFacets, LoopsWithoutAreaAreRefused) {
+    FacetMaker maker;
+    Tally tally;
+    for (int count = 3; count < 9; ++count)
+        for (int back = 1; back < count; ++back) {
+            Loop loop;  // out along a line, and back between those corners
+            for (int k = 0; k < count; ++k) {
+                const double place = k < back ? k : back - 1 - (k - back + 1.0) * back / (count + 1);
+                loop.push_back({place * 2520, place * 5040});
+            }
+            ASSERT_NO_FATAL_FAILURE(try_face(maker, drawn({loop}), tally));
+            ASSERT_NO_FATAL_FAILURE(try_face(maker, drawn({rectangle(-99999, -99999, 99999, 99999), loop}), tally));
+        }
+    EXPECT_EQ(tally.made, 0);
+}
+
 TEST(MakeFacets, BadLoopEndsAreRefused) {
     FacetMaker maker;
     Facets facets;
