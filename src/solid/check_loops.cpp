@@ -7,12 +7,6 @@
 namespace firma {
 namespace {
 
-/// Whether both edges leave their common corner in the same direction.
-bool folds(const FlatPoint& corner, const FlatPoint& a, const FlatPoint& b) {
-    if (turn(a, corner, b) != 0) return false;
-    return Int128(a.u - corner.u) * (b.u - corner.u) + Int128(a.v - corner.v) * (b.v - corner.v) > 0;
-}
-
 bool apart(Int128 a, Int128 b) {
     return (a > 0 && b > 0) || (a < 0 && b < 0);
 }
@@ -24,6 +18,8 @@ bool meet(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c, const Flat
 
 }  // namespace
 
+/// Neighbours need not be compared: where one folds back over the other, the far end of the shorter lies on the longer,
+/// and so does the edge that follows there. Likewise the edges before and after one without length meet.
 bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std::uint32_t> loop_ends) {
     edges_.clear();
     std::uint32_t begin = 0;
@@ -31,7 +27,6 @@ bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std:
         for (std::uint32_t k = begin; k < end; ++k) {
             const std::uint32_t next = k + 1 < end ? k + 1 : begin;
             const FlatPoint &a = points[k], &b = points[next];
-            if (a == b) return false;
             const auto [low_u, high_u] = std::minmax(a.u, b.u);
             const auto [low_v, high_v] = std::minmax(a.v, b.v);
             edges_.push_back({low_u, high_u, low_v, high_v, k, next});
@@ -45,13 +40,8 @@ bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std:
         for (std::size_t j = i + 1; j < edges_.size() && edges_[j].low_u <= e.high_u; ++j) {
             const Edge& f = edges_[j];
             if (f.low_v > e.high_v || f.high_v < e.low_v) continue;
-            if (e.to == f.from) {
-                if (folds(points[e.to], points[e.from], points[f.to])) return false;
-            } else if (f.to == e.from) {
-                if (folds(points[f.to], points[f.from], points[e.to])) return false;
-            } else if (meet(points[e.from], points[e.to], points[f.from], points[f.to])) {
-                return false;
-            }
+            const bool neighbours = e.to == f.from || f.to == e.from;
+            if (!neighbours && meet(points[e.from], points[e.to], points[f.from], points[f.to])) return false;
         }
     }
     return true;

@@ -17,7 +17,8 @@ public:
     ///
     /// @param points     corners of all loops in a row
     /// @param loop_ends  end of each loop in `points`; each has three corners or more
-    /// @return true when no two edges share a point, but for neighbours along a loop, which share just one
+    /// @return true when no two edges share a point, but for neighbours along a loop, which share just one. (A loop of
+    ///         three corners without area counts as simple: all its edges are neighbours.)
     bool simple(std::span<const FlatPoint> points, std::span<const std::uint32_t> loop_ends);
 
 private:

@@ -24,7 +24,8 @@ bool usable_loops(std::size_t count, std::span<const std::uint32_t> loop_ends) {
     return begin == count && count > 0;
 }
 
-/// Every turn to the left or none, never back, and once around: such a loop does not meet itself.
+/// Every turn to the left or none, and once around: such a loop does not meet itself. (A fold would be half of the way
+/// around, and from there the other half leads back only without area.)
 bool convex(std::span<const FlatPoint> loop) {
     const auto forward = [](const FlatPoint& a, const FlatPoint& b) { return b.u > a.u || (b.u == a.u && b.v > a.v); };
     int reversals = 0;
@@ -34,11 +35,10 @@ bool convex(std::span<const FlatPoint> loop) {
     for (const FlatPoint& c : loop) {
         if (c == *b) return false;
         const Int128 left = turn(*a, *b, c);
+        if (left < 0) return false;
         const bool goes_forward = forward(*b, c);
-        const bool reversal = goes_forward != went_forward;
-        if (left < 0 || (left == 0 && reversal)) return false;
+        reversals += goes_forward != went_forward;
         area |= left > 0;
-        reversals += reversal;
         went_forward = goes_forward;
         a = b;
         b = &c;

@@ -180,12 +180,10 @@ void Triangulator::emit(std::uint32_t ear, Triangles& triangles) {
     triangles.twins.resize(side + 3, Triangles::kNoTwin);
     use_edge(last, side, triangles);
     use_edge(ear, side + 1, triangles);
-    if (nodes_[next].after == last) {
+    if (nodes_[next].after == last)
         use_edge(next, side + 2, triangles);
-    } else {
+    else
         nodes_[last].twin = side + 2;
-        nodes_[last].partner = kNobody;
-    }
 }
 
 /// The edge from a node has got its triangle.

@@ -55,6 +55,22 @@ TEST(MakeFacets, Triangles) {
     EXPECT_FALSE(maker.make(flat.points, flat.ends, 2, false, facets));
 }
 
+TEST(MakeFacets, LoopsWithoutAreaAreRefused) {
+    FacetMaker maker;
+    Tally tally;
+    for (int count = 3; count < 9; ++count)
+        for (int back = 1; back < count; ++back) {
+            Loop loop;  // out along a line, and back between those corners
+            for (int k = 0; k < count; ++k) {
+                const double place = k < back ? k : back - 1 - (k - back + 1.0) * back / (count + 1);
+                loop.push_back({place * 2520, place * 5040});
+            }
+            ASSERT_NO_FATAL_FAILURE(try_face(maker, drawn({loop}), tally));
+            ASSERT_NO_FATAL_FAILURE(try_face(maker, drawn({rectangle(-99999, -99999, 99999, 99999), loop}), tally));
+        }
+    EXPECT_EQ(tally.made, 0);
+}
+
 TEST(MakeFacets, BadLoopEndsAreRefused) {
     FacetMaker maker;
     Facets facets;
@@ -339,8 +355,21 @@ TEST(MakeFacets, OneStepOffThePlaneDivides) {
     EXPECT_EQ(count_facets(ring), 1u) << "slanted, and planar to the step";
 }
 
+/// Six times the volume of the corners is 2^66: a whole number of 2^64.
+TEST(MakeFacets, VolumesThatVanishIn64Bits) {
+    constexpr double kSide = 1 << 22;
+    Face quad = drawn({rectangle(0, 0, kSide, kSide)});
+    quad.points[1].z = 1 << 22;
+    EXPECT_EQ(count_facets(quad), 2u);
+}
+
 TEST(MakeFacets, WallsMergeToFewFacets) {
     EXPECT_EQ(count_facets(drawn({{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}})), 2u) << "L";
+    EXPECT_EQ(
+        count_facets(drawn(
+            {{{0, 0}, {6, 0}, {13, 0}, {20, 0}, {20, 10}, {15, 10}, {10, 10}, {10, 15}, {10, 20}, {0, 20}, {0, 9}}})),
+        2u)
+        << "L with corners along its sides";
     EXPECT_LE(count_facets(drawn({rectangle(0, 0, 90, 90), reversed(rectangle(30, 30, 60, 60))})), 5u) << "frame";
     Rng rng(10);
     const Face face = drawn(crater(rng, 40, 1e6));
