@@ -81,12 +81,14 @@ TEST(Crater, IsSeenWholeFromTheOriginWhateverTheSeed) {
 TEST(Crater, KeepsItsRadii) {
     double rocky_low = 9, rocky_high = 0, spiky_low = 9, spiky_high = 0, sum = 0;
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
-        for (const Vec3& v : make_crater(CutterShape::kRocky, seed).vertices()) {
+        const Cutter rocky = make_crater(CutterShape::kRocky, seed);
+        for (const Vec3& v : rocky.vertices()) {
             rocky_low = std::min(rocky_low, length(v));
             rocky_high = std::max(rocky_high, length(v));
             sum += length(v);
         }
-        for (const Vec3& v : make_crater(CutterShape::kSpiky, seed).vertices()) {
+        const Cutter spiky = make_crater(CutterShape::kSpiky, seed);
+        for (const Vec3& v : spiky.vertices()) {
             spiky_low = std::min(spiky_low, length(v));
             spiky_high = std::max(spiky_high, length(v));
         }
