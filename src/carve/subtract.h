@@ -21,6 +21,9 @@ public:
     Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
                 CarveKind kind);
 
+    Subtraction(const Subtraction&) = delete;
+    Subtraction& operator=(const Subtraction&) = delete;
+
     /// Does one piece of work; false once there is none left.
     bool step();
     CarveResult take_result() const { return result_; }
@@ -68,6 +71,7 @@ private:
     const Cutter cutter_;
     const Pose pose_;
     const CarveOptions options_;
+    const CarveRules& rules_;
     CarveResult result_;
     Phase phase_ = Phase::kPlace;
 
