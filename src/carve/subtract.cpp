@@ -331,13 +331,28 @@ Subtraction::Phase Subtraction::make_next_faces() {
     return next_ < cut_.new_faces.size() ? Phase::kFacets : Phase::kRemove;
 }
 
+/// All facets of the faces that go. Those near the cutter were gathered already; a face may have others farther away.
+std::vector<FacetPlace> Subtraction::facets_gone() const {
+    std::vector<std::uint32_t> found(patch_.faces.size(), 0);
+    for (const FacetPlace& facet : facets_) ++found[patch_.find(facet)];
+    std::vector<bool> goes(patch_.faces.size(), false);
+    std::vector<FacetPlace> gone;
+    for (const std::uint32_t index : cut_.gone) {
+        const PatchFace& face = patch_.faces[index];
+        if (face.parent != ~0u) continue;  // a piece: its parent goes
+        if (found[index] == (face.stored ? face.stored->facets : 1))
+            goes[index] = true;
+        else
+            gather_face(*tree_of_room(), face.facet, gone);
+    }
+    for (const FacetPlace& facet : facets_)
+        if (goes[patch_.find(facet)]) gone.push_back(facet);
+    return gone;
+}
+
 Subtraction::Phase Subtraction::remove_facets() {
     const WorldData& data = world_.data();
-    std::vector<FacetPlace> gone;
-    for (const std::uint32_t face : cut_.gone) {
-        if (patch_.faces[face].parent != ~0u) continue;  // a piece: its parent goes
-        gather_face(*tree_of_room(), patch_.faces[face].facet, gone);
-    }
+    const std::vector<FacetPlace> gone = facets_gone();
     CarveReport& report = result_.report;
     report.faces_gone = gone.size();
     report.faces_new = come_.faces.size();

@@ -64,6 +64,7 @@ private:
     Phase move_cutter_aside();
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
+    std::vector<FacetPlace> facets_gone() const;
     double* clock_of(Phase phase);
     const Block* tree_of_room() const;
 
