@@ -140,28 +140,28 @@ Ref<const Block> BlockBuilder::pack_blocks(std::uint32_t top) {
     return Ref<const Block>(block.get());
 }
 
-/// Bins over blocks: no bin of more than `done`.
-void BlockBuilder::divide_blocks(std::span<const Ref<const Block>> blocks, Split split, std::size_t done) {
+// By surface area also where faces are split otherwise: blocks that edits made overlap more than bins do, and a walk
+// pays for overlap here more than anywhere.
+void BlockBuilder::divide(std::span<const Ref<const Block>> blocks) {
     constexpr int kUnevenLevels = 12;  // then in halves: what the rule peels off one by one must not make a deep tree
     tree_.items.resize(blocks.size());
     tree_.nodes.clear();
     for (std::uint32_t k = 0; k < blocks.size(); ++k) tree_.items[k] = {to_grid(blocks[k]->bins[0].box), k};
     divide_bins(tree_, 0, std::uint32_t(blocks.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int depth) -> std::size_t {
-                    if (items.size() <= done) return 0;
-                    return depth < kUnevenLevels ? split_bin(items, box, split) : split_by_count(items);
+                    if (items.size() == 1) return 0;
+                    return depth < kUnevenLevels ? split_bin(items, box, Split::kSurfaceArea) : split_by_count(items);
                 });
 }
 
-Ref<const Block> BlockBuilder::join(std::span<const Ref<const Block>> children, Split split) {
-    divide_blocks(children, split, 1);
+Ref<const Block> BlockBuilder::join(std::span<const Ref<const Block>> blocks) {
     Ref<Block> block(new Block);
-    block->children.reserve(children.size());
+    block->children.reserve(blocks.size());
     bins_.clear();
     append_bins(tree_, 0, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
         const BinNode& node = tree_.nodes[index];
         if (node.left != 0) return false;
-        const Ref<const Block>& child = children[tree_.items[node.first].face];
+        const Ref<const Block>& child = blocks[tree_.items[node.first].face];
         bin.first = std::uint32_t(block->children.size());
         bin.count = 1;
         block->children.push_back(child);
@@ -173,13 +173,16 @@ Ref<const Block> BlockBuilder::join(std::span<const Ref<const Block>> children, 
     return Ref<const Block>(block.get());
 }
 
-std::vector<std::size_t> BlockBuilder::group(std::span<const Ref<const Block>> blocks, Split split,
-                                             std::vector<std::uint32_t>& order) {
-    divide_blocks(blocks, split, kBlockItems);
+std::vector<std::size_t> BlockBuilder::group(std::span<const Ref<const Block>> blocks, std::size_t most_blocks,
+                                             std::size_t most_faces, std::vector<std::uint32_t>& order) const {
     order.clear();
     std::vector<std::size_t> ends;
-    for (const BinNode& node : tree_.nodes) {
-        if (node.left != 0) continue;
+    for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {  // parents stand before their children, left before right
+        const BinNode& node = tree_.nodes[n];
+        if (node.first < order.size()) continue;  // of a group already
+        std::size_t faces = 0;
+        for (const BuildItem& item : tree_.items_of(node)) faces += blocks[item.face]->faces_below;
+        if (node.count > 1 && (node.count > most_blocks || faces > most_faces)) continue;
         for (const BuildItem& item : tree_.items_of(node)) order.push_back(item.face);
         ends.push_back(order.size());
     }

@@ -28,18 +28,20 @@ public:
     /// @return the root; null for no faces
     Ref<const Block> build(const FaceSet& faces, const TreeOptions& options, int depth = 0);
 
-    /// One block over others. Bins are split by the same rule, whatever the stop rules, until each holds one child.
-    /// @param children  1 to 64
-    Ref<const Block> join(std::span<const Ref<const Block>> children, Split split);
+    /// Divides blocks as faces are divided, by surface area and whatever the stop rules, down to single ones; for the
+    /// calls that follow.
+    void divide(std::span<const Ref<const Block>> blocks);
 
-    /// Divides blocks into groups of at most 64, by the same rule.
+    /// One block over all of the blocks divided, at most 64.
+    Ref<const Block> join(std::span<const Ref<const Block>> blocks);
+
+    /// The largest groups that the division makes of at most so many blocks and faces; a block alone is always one.
     /// @param order   the blocks' indices, group after group
     /// @return where each group ends in `order`
-    std::vector<std::size_t> group(std::span<const Ref<const Block>> blocks, Split split,
-                                   std::vector<std::uint32_t>& order);
+    std::vector<std::size_t> group(std::span<const Ref<const Block>> blocks, std::size_t most_blocks,
+                                   std::size_t most_faces, std::vector<std::uint32_t>& order) const;
 
 private:
-    void divide_blocks(std::span<const Ref<const Block>> blocks, Split split, std::size_t done);
     Ref<const Block> pack(std::uint32_t top);
     Ref<const Block> pack_faces(std::uint32_t top);
     Ref<const Block> pack_blocks(std::uint32_t top);

@@ -38,14 +38,18 @@ constexpr int kBuckets = 16;
 /// Where centres fall along one axis.
 struct Buckets {
     std::int64_t low = 0, high = 0;
+    double scale = 0;
 
     Buckets(std::span<const BuildItem> items, int axis) : low(items[0].centre(axis)), high(low) {
         for (const BuildItem& item : items) {
             low = std::min(low, item.centre(axis));
             high = std::max(high, item.centre(axis));
         }
+        scale = kBuckets / double(high - low + 1);
     }
-    int of(std::int64_t centre) const { return int((centre - low) * kBuckets / (high - low + 1)); }
+    /// (centre - low) * kBuckets / (high - low + 1), rounded down: exact, as half a step more stays far enough from the
+    /// next whole number for the rounding of doubles.
+    int of(std::int64_t centre) const { return int((double(centre - low) + 0.5 / kBuckets) * scale); }
 };
 
 struct Plane {
@@ -64,20 +68,26 @@ void improve_along_axis(std::span<const BuildItem> items, int axis, Plane& best)
         boxes[bucket].add(item.box);
         ++counts[bucket];
     }
-    std::array<double, kBuckets> right_cost{};
+    // The first and the last bucket hold something. Planes on either side of an empty one part the items alike: the
+    // lower stands for both.
+    std::array<double, kBuckets> right_cost;
     GridBox box;
     std::size_t count = 0;
     for (int k = kBuckets - 1; k > 0; --k) {
-        if (counts[k]) box.add(boxes[k]);
-        count += counts[k];
-        right_cost[k - 1] = count ? box.half_area() * double(count) : -1;
+        if (counts[k]) {
+            box.add(boxes[k]);
+            count += counts[k];
+            right_cost[k - 1] = box.half_area() * double(count);
+        } else {
+            right_cost[k - 1] = right_cost[k];
+        }
     }
     box = {};
     count = 0;
     for (int k = 0; k + 1 < kBuckets; ++k) {
-        if (counts[k]) box.add(boxes[k]);
+        if (!counts[k]) continue;
+        box.add(boxes[k]);
         count += counts[k];
-        if (count == 0 || right_cost[k] < 0) continue;
         const double cost = box.half_area() * double(count) + right_cost[k];
         if (best.axis < 0 || cost < best.cost) best = {axis, k, cost};
     }

@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: MIT
+// Changing a tree of blocks: find what is touched, place what comes, rebuild from the bottom up.
+// Source: for where a face goes, A. Guttman, R-Trees: A Dynamic Index Structure for Spatial Searching, 1984, section
+// 3.2; for blocks that split and merge, R. Bayer, E. McCreight, Organization and Maintenance of Large Ordered Indices,
+// 1972.
+#include "tree/edit_blocks.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/assert.h"
+#include "tree/append_faces.h"
+#include "tree/rounded_box.h"
+
+namespace firma {
+namespace {
+
+constexpr std::size_t kFindsInAStep = 32;
+constexpr std::size_t kPlacesInAStep = 128;
+constexpr std::size_t kLeavesTogether = 8;  ///< leaf blocks rebuilt in one step
+constexpr std::size_t kSmall = 32;          ///< faces in blocks side by side that become one leaf block
+constexpr std::size_t kFewestChildren = 8;  ///< a block of fewer hands them to the block above
+
+/// A tree of so many faces is rebuilt at this many levels of bins or fewer.
+int depth_of_rebuilt(std::size_t faces) {
+    return std::bit_width(faces) + 16;
+}
+
+/// Only a deeper one is; from_scratch() never makes it so deep, as it halves what its levels leave.
+int deepest_of(std::size_t faces) {
+    return 2 * std::bit_width(faces) + 16;
+}
+
+struct Bounds {
+    double low[3], high[3];
+
+    explicit Bounds(const GridBox& box) {
+        const Vec3 a = to_metres(box.low), b = to_metres(box.high);
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = a[axis];
+            high[axis] = b[axis];
+        }
+    }
+};
+
+bool contains(const BoxF& box, const Bounds& inner) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (inner.low[axis] < double(box.low[axis]) || inner.high[axis] > double(box.high[axis])) return false;
+    return true;
+}
+
+double half_area(const double (&extent)[3]) {
+    return extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0];
+}
+
+/// What a bin comes to when a box is added.
+struct Growth {
+    double by, to;  ///< half the surface, square metres
+
+    Growth(const BoxF& box, const Bounds& added) {
+        double before[3], after[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box.low[axis], high = box.high[axis];
+            before[axis] = high - low;
+            after[axis] = std::max(high, added.high[axis]) - std::min(low, added.low[axis]);
+        }
+        to = half_area(after);
+        by = to - half_area(before);
+    }
+    bool better_than(const Growth& other) const { return by != other.by ? by < other.by : to < other.to; }
+};
+
+GridBox box_of(const FaceSet& set, const FaceSet::Entry& face) {
+    GridBox box;
+    for (std::uint32_t c = 0; c < face.corner_count; ++c) box.add(set.vertices[set.corners[face.first_corner + c]]);
+    return box;
+}
+
+GridBox box_of(const Block& block, const FaceRecord& face) {
+    GridBox box;
+    for (const std::uint16_t vertex : block.corners_of(face)) box.add(block.vertices[vertex]);
+    return box;
+}
+
+void append_face(const FaceSet& from, const FaceSet::Entry& face, FaceSet& to) {
+    FaceSet::Entry entry = face;
+    entry.first_corner = std::uint32_t(to.corners.size());
+    for (std::uint32_t c = 0; c < face.corner_count; ++c) {
+        to.corners.push_back(std::uint32_t(to.vertices.size()));
+        to.vertices.push_back(from.vertices[from.corners[face.first_corner + c]]);
+    }
+    to.faces.push_back(entry);
+}
+
+}  // namespace
+
+BlockEdit::BlockEdit(Ref<const Block> root, const TreeOptions& options) : root_(std::move(root)), options_(options) {}
+
+void BlockEdit::remove(const Block* leaf, std::uint32_t slot) {
+    FIRMA_ASSERT(leaf && !leaf->holds_blocks() && slot < leaf->faces.size(), "remove() takes a face of the tree");
+    removed_.push_back({leaf, slot});
+}
+
+void BlockEdit::add(FaceSet&& faces) {
+    if (added_.faces.empty()) {
+        added_ = std::move(faces);
+        return;
+    }
+    for (const FaceSet::Entry& face : faces.faces) append_face(faces, face, added_);
+    for (Ref<const FaceOwner>& owner : faces.owners) added_.owners.push_back(std::move(owner));
+}
+
+bool BlockEdit::step() {
+    switch (phase_) {
+        case Phase::kFind:
+            find_some();
+            break;
+        case Phase::kPlace:
+            place_some();
+            break;
+        case Phase::kRebuild:
+            rebuild_one();
+            break;
+        case Phase::kDone:
+            break;
+    }
+    return phase_ != Phase::kDone;
+}
+
+// ---- what is touched ----
+
+void BlockEdit::find_some() {
+    if (!root_) {
+        result_ = builder_.build(added_, options_);
+        phase_ = Phase::kDone;
+        return;
+    }
+    if (touched_.empty()) touched_.push_back({.block = root_.get()});
+    for (std::size_t left = kFindsInAStep; left > 0 && next_ < removed_.size(); ++next_) {
+        const auto [leaf, slot] = removed_[next_];
+        const auto [known, is_new] = leaves_.try_emplace(leaf, kNone);
+        if (is_new) {
+            known->second = find_leaf(leaf, box_of(*leaf, leaf->faces[slot]));
+            FIRMA_ASSERT(known->second != kNone, "remove() takes a face of the tree");
+            --left;
+        }
+        if (known->second != kNone) goes_.push_back({known->second, slot});
+    }
+    if (next_ < removed_.size()) return;
+    std::sort(goes_.begin(), goes_.end());
+    goes_.erase(std::unique(goes_.begin(), goes_.end()), goes_.end());
+    next_ = 0;
+    phase_ = Phase::kPlace;
+}
+
+std::uint32_t BlockEdit::touch(std::uint32_t parent, std::uint32_t item, int depth) {
+    for (std::uint32_t k = touched_[parent].first_child; k != kNone; k = touched_[k].next_sibling)
+        if (touched_[k].item == item) return k;
+    const auto index = std::uint32_t(touched_.size());
+    touched_.push_back({.block = touched_[parent].block->children[item].get(),
+                        .item = item,
+                        .depth = depth,
+                        .next_sibling = touched_[parent].first_child});
+    touched_[parent].first_child = index;
+    return index;
+}
+
+/// Touches a leaf block and what lies above it.
+/// @param box  of one of its faces: every bin on the way contains it, and few others do
+/// @return kNone when the tree has no such leaf
+std::uint32_t BlockEdit::find_leaf(const Block* leaf, const GridBox& box) {
+    if (leaf == root_.get()) return 0;
+    struct Way {
+        std::uint32_t item;
+        int depth;
+    };
+    std::vector<Way> way;
+    const Bounds bounds(box);
+    const auto search = [&](const auto& self, const Block& in, std::uint32_t index, int below) -> bool {
+        const Bin& here = in.bins[index];
+        if (!contains(here.box, bounds)) return false;
+        if (!here.is_leaf()) return self(self, in, index + 1, below + 1) || self(self, in, here.first, below + 1);
+        if (!in.holds_blocks()) return false;
+        const Block& child = *in.children[here.first];
+        way.push_back({here.first, below});
+        if (&child == leaf || self(self, child, 0, below)) return true;
+        way.pop_back();
+        return false;
+    };
+    if (!search(search, *root_, 0, 0)) return kNone;
+    std::uint32_t at = 0;
+    for (const Way& step : way) at = touch(at, step.item, step.depth);
+    return at;
+}
+
+// ---- where faces go ----
+
+void BlockEdit::place_some() {
+    const std::size_t end = std::min(added_.faces.size(), next_ + kPlacesInAStep);
+    for (; next_ < end; ++next_) comes_.push_back({place(box_of(added_, added_.faces[next_])), std::uint32_t(next_)});
+    if (next_ < added_.faces.size()) return;
+    std::sort(comes_.begin(), comes_.end());
+    gather_leaves();
+    next_ = touched_.size();
+    phase_ = Phase::kRebuild;
+    if (goes_.empty() && comes_.empty()) {
+        result_ = root_;
+        phase_ = Phase::kDone;
+    }
+}
+
+/// @return the leaf block, touched
+std::uint32_t BlockEdit::place(const GridBox& box) {
+    const Bounds bounds(box);
+    std::uint32_t at = 0;
+    const Block* block = root_.get();
+    int depth = 0;
+    std::uint32_t index = 0;
+    while (block->holds_blocks()) {
+        const Bin& bin = block->bins[index];
+        if (bin.is_leaf()) {
+            at = touch(at, bin.first, depth);
+            block = touched_[at].block;
+            index = 0;
+            continue;
+        }
+        const Growth left(block->bins[index + 1].box, bounds), right(block->bins[bin.first].box, bounds);
+        index = right.better_than(left) ? bin.first : index + 1;
+        ++depth;
+    }
+    return at;
+}
+
+// ---- from the bottom up ----
+
+/// Divides the touched leaf blocks below each block into groups to be rebuilt together: what an edit moves about in one
+/// place is then divided anew as a whole, and blocks do not grow into each other.
+void BlockEdit::gather_leaves() {
+    std::vector<std::uint32_t> leaves;
+    for (const Touched& parent : touched_) {
+        leaves.clear();
+        items_.clear();
+        for (std::uint32_t k = parent.first_child; k != kNone; k = touched_[k].next_sibling) {
+            if (touched_[k].block->holds_blocks()) continue;
+            leaves.push_back(k);
+            items_.emplace_back(touched_[k].block);
+        }
+        if (leaves.size() < 2) continue;
+        builder_.divide(items_);
+        std::size_t first = 0;
+        for (const std::size_t end : builder_.group(items_, kLeavesTogether, ~std::size_t(0), order_)) {
+            for (; first + 1 < end; ++first) {
+                touched_[leaves[order_[first]]].next_together = leaves[order_[first + 1]];
+                touched_[leaves[order_[first + 1]]].follows = true;
+            }
+            first = end;
+        }
+    }
+}
+
+void BlockEdit::rebuild_one() {
+    Touched& touched = touched_[--next_];
+    touched.first_piece = std::uint32_t(pieces_.size());
+    if (touched.block->holds_blocks())
+        rebuild_inner(std::uint32_t(next_));
+    else
+        rebuild_leaves(std::uint32_t(next_));
+    touched.pieces = std::uint32_t(pieces_.size()) - touched.first_piece;
+    if (next_ == 0) finish();
+}
+
+/// Puts what a leaf block will hold at the end of `faces_`.
+void BlockEdit::append_changed(std::uint32_t index) {
+    auto go = std::lower_bound(goes_.begin(), goes_.end(), Change{index, 0});
+    append_faces(*touched_[index].block, faces_, [&](std::uint32_t slot) {
+        if (go == goes_.end() || *go != Change{index, slot}) return true;
+        ++go;
+        return false;
+    });
+    for (auto come = std::lower_bound(comes_.begin(), comes_.end(), Change{index, 0});
+         come != comes_.end() && come->leaf == index; ++come)
+        append_face(added_, added_.faces[come->index], faces_);
+}
+
+void BlockEdit::rebuild_leaves(std::uint32_t index) {
+    const Touched& touched = touched_[index];
+    if (touched.follows) return;
+    clear(faces_);
+    for (std::uint32_t k = index; k != kNone; k = touched_[k].next_together) append_changed(k);
+    TreeOptions rules = options_;
+    rules.max_depth = std::min(rules.max_depth, touched.depth + depth_of_rebuilt(faces_.faces.size()));
+    const Ref<const Block> built = builder_.build(faces_, rules, touched.depth);
+    if (!built) return;
+    if (built->holds_blocks())
+        pieces_.insert(pieces_.end(), built->children.begin(), built->children.end());
+    else
+        pieces_.push_back(built);
+}
+
+void BlockEdit::rebuild_inner(std::uint32_t index) {
+    collect_items(touched_[index]);
+    if (items_.size() > 1) {
+        builder_.divide(items_);
+        if (merge_small_items()) builder_.divide(items_);
+    }
+    if (items_.size() < (index == 0 ? 2 : kFewestChildren))
+        pieces_.insert(pieces_.end(), items_.begin(), items_.end());
+    else
+        join_items();
+}
+
+/// The children as they are now: what took the place of touched ones, and the others.
+void BlockEdit::collect_items(const Touched& touched) {
+    const Block& block = *touched.block;
+    std::vector<std::uint32_t>& by_item = order_;
+    by_item.assign(block.children.size(), kNone);
+    for (std::uint32_t k = touched.first_child; k != kNone; k = touched_[k].next_sibling) by_item[touched_[k].item] = k;
+    items_.clear();
+    is_new_.clear();
+    for (std::size_t item = 0; item < block.children.size(); ++item) {
+        if (by_item[item] == kNone) {
+            items_.push_back(block.children[item]);
+            is_new_.push_back(false);
+            continue;
+        }
+        const Touched& child = touched_[by_item[item]];
+        for (std::uint32_t k = 0; k < child.pieces; ++k) {
+            items_.push_back(pieces_[child.first_piece + k]);
+            is_new_.push_back(true);
+        }
+    }
+}
+
+/// Blocks side by side in the division, a new one among them, that together hold few faces become one.
+/// @return whether any did
+bool BlockEdit::merge_small_items() {
+    bool any = false;
+    for (std::size_t k = 0; k < items_.size(); ++k) any = any || (is_new_[k] && items_[k]->faces_below < kSmall);
+    if (!any) return false;
+    const std::vector<std::size_t> ends = builder_.group(items_, ~std::size_t(0), kSmall, order_);
+    if (ends.size() == items_.size()) return false;
+    merged_.clear();
+    std::size_t first = 0;
+    for (const std::size_t end : ends) {
+        bool has_new = false;
+        for (std::size_t k = first; k < end; ++k) has_new = has_new || is_new_[order_[k]];
+        if (end - first > 1 && has_new) {
+            clear(faces_);
+            for (std::size_t k = first; k < end; ++k) append_all_faces(*items_[order_[k]], faces_);
+            merged_.push_back(builder_.build(faces_, options_));
+        } else {
+            for (std::size_t k = first; k < end; ++k) merged_.push_back(items_[order_[k]]);
+        }
+        first = end;
+    }
+    std::swap(items_, merged_);
+    return true;
+}
+
+/// One block over the items, divided already, or several when there are more than 64.
+void BlockEdit::join_items() {
+    if (items_.size() <= kBlockItems) return add_joined(items_);
+    const std::vector<std::size_t> ends = builder_.group(items_, kBlockItems, ~std::size_t(0), order_);
+    std::size_t first = 0;
+    for (const std::size_t end : ends) {
+        merged_.clear();
+        for (std::size_t k = first; k < end; ++k) merged_.push_back(items_[order_[k]]);
+        builder_.divide(merged_);
+        add_joined(merged_);
+        first = end;
+    }
+}
+
+/// @param children  divided already
+void BlockEdit::add_joined(const std::vector<Ref<const Block>>& children) {
+    if (children.size() == 1) return pieces_.push_back(children[0]);
+    Ref<const Block> joined = builder_.join(children);
+    if (joined->depth > deepest_of(joined->faces_below)) joined = from_scratch(children);
+    pieces_.push_back(std::move(joined));
+}
+
+Ref<const Block> BlockEdit::from_scratch(std::span<const Ref<const Block>> blocks) {
+    clear(faces_);
+    for (const Ref<const Block>& block : blocks) append_all_faces(*block, faces_);
+    TreeOptions rules = options_;
+    rules.max_depth = std::min(rules.max_depth, depth_of_rebuilt(faces_.faces.size()));
+    return builder_.build(faces_, rules);
+}
+
+/// What took the root's place becomes one block.
+void BlockEdit::finish() {
+    phase_ = Phase::kDone;
+    items_.assign(pieces_.begin() + touched_[0].first_piece, pieces_.end());
+    while (items_.size() > 1) {
+        builder_.divide(items_);
+        const auto from = std::ptrdiff_t(pieces_.size());
+        join_items();
+        items_.assign(pieces_.begin() + from, pieces_.end());
+    }
+    if (!items_.empty()) result_ = items_[0];
+    if (result_ && result_->depth > kDeepestTree) result_ = from_scratch({&result_, 1});
+}
+
+}  // namespace firma
