@@ -3,6 +3,7 @@
 #pragma once
 
 #include "firma/check_mesh.h"
+#include "firma/diff_worlds.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"

@@ -240,11 +240,12 @@ void BlockEdit::gather_leaves() {
     for (const Touched& parent : touched_) {
         leaves.clear();
         items_.clear();
-        for (std::uint32_t k = parent.first_child; k != kNone; k = touched_[k].next_sibling) {
-            if (touched_[k].block->holds_blocks()) continue;
-            leaves.push_back(k);
-            items_.emplace_back(touched_[k].block);
-        }
+        for (std::uint32_t k = parent.first_child; k != kNone; k = touched_[k].next_sibling)
+            if (!touched_[k].block->holds_blocks()) leaves.push_back(k);
+        std::sort(leaves.begin(), leaves.end(), [&](std::uint32_t x, std::uint32_t y) {
+            return touched_[x].item < touched_[y].item;  // not in the order they were come upon
+        });
+        for (const std::uint32_t leaf : leaves) items_.emplace_back(touched_[leaf].block);
         if (leaves.size() < 2) continue;
         builder_.divide(items_);
         std::size_t first = 0;
