@@ -63,7 +63,8 @@ std::uint64_t hash_world(const World& world) {
     Hasher hasher;
     hasher.add(data.version);
     hasher.add(data.face_count);
-    hasher.add(data.next_face);
+    hasher.add(data.next_face, data.edits);
+    hasher.add(data.rock_outside);
     hasher.add(data.tolerance.skin);
     hasher.add(data.materials ? data.materials->size() : std::size_t(0));
     if (data.materials)
