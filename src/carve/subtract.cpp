@@ -364,7 +364,7 @@ Subtraction::Phase Subtraction::remove_facets() {
     report.volume = volume_taken(cut_);
     std::uint32_t id = data.next_face;
     for (FaceSet::Entry& face : come_.faces) face.id = {id++};
-    block_edit_ = std::make_unique<BlockEdit>(data.rooms[0]->tree, data.tree);
+    block_edit_ = std::make_unique<BlockEdit>(data.rooms[0]->tree, data.tree_options);
     for (const FacetPlace& place : gone) block_edit_->remove(place.block, place.slot);
     block_edit_->add(std::move(come_));
     return Phase::kTree;
@@ -376,11 +376,10 @@ Subtraction::Phase Subtraction::edit_tree() {
 
 Subtraction::Phase Subtraction::publish() {
     const CarveReport& report = result_.report;
-    auto data = std::make_shared<WorldData>(world_.data());
+    auto data = next_version(world_.data());
     Ref<Room> room(new Room);
     room->tree = block_edit_->result();
     data->rooms[0] = Ref<const Room>(room.get());
-    ++data->version;
     ++data->edits;
     data->face_count += report.faces_new - report.faces_gone;
     data->next_face += std::uint32_t(report.faces_new);
