@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "base/flat_map.h"
+#include "base/random.h"
 
 namespace firma {
 

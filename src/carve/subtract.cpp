@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "base/assert.h"
-#include "carve/check_crossing.h"
+#include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
 #include "carve/label.h"
@@ -90,7 +92,7 @@ bool Subtraction::step() {
             phase_ = place();
             break;
         case Phase::kCheck:
-            phase_ = check_cutter();
+            phase_ = judge_cutter();
             break;
         case Phase::kGather:
             phase_ = gather();
@@ -206,11 +208,12 @@ Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, P
     return Phase::kPlace;
 }
 
-Subtraction::Phase Subtraction::check_cutter() {
-    if (const auto crossing = find_crossing(placed_))
-        return refuse(ErrorCode::kInvalid, "it crosses or touches itself on the grid, at triangles " +
-                                               std::to_string(crossing->first) + " and " +
-                                               std::to_string(crossing->second));
+Subtraction::Phase Subtraction::judge_cutter() {
+    if (std::optional<Error> fault = firma::check_cutter(placed_)) {
+        result_.status = CarveStatus::kRefused;
+        result_.error = std::move(*fault);
+        return Phase::kEnd;
+    }
     return Phase::kGather;
 }
 
@@ -250,9 +253,10 @@ Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
 }
 
 Subtraction::Phase Subtraction::move_cutter_aside() {
+    if (getenv("FIRMA_TRACE")) printf("degenerate in %d next %u\n", int(phase_), next_);
     while (result_.report.retries < kMostTries) {
         Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
-        if (!moved || find_crossing(moved.value())) continue;
+        if (!moved || firma::check_cutter(moved.value())) continue;
         make_cutter_solid(std::move(moved).value(), solid_cutter_);
         return start_cut();
     }

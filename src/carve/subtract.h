@@ -43,7 +43,7 @@ private:
     };
 
     Phase place();
-    Phase check_cutter();
+    Phase judge_cutter();
     Phase gather();
     Phase tile();
     Phase cut_next_face();
