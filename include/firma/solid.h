@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The exact solid of a world: is it sound, how large is it, is it the same?
+// The exact solid of a world: is it sound, how large is it, is it the same? And what of a level can become one.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "firma/hit.h"
 #include "firma/vec.h"
@@ -44,5 +45,36 @@ SolidMeasures measure_solid(const World& world);
 /// about: disjoint edits in any order give the same. Ids, sources, blocks and which faces edits have touched do not
 /// count. The same on every machine.
 std::uint64_t hash_solid(const World& world);
+
+/// Why a piece of a level's surface cannot be carved.
+enum class SolidNoteKind : std::uint8_t {
+    kOpenEdge,    ///< an edge that is not used equally often each way
+    kFoldedEdge,  ///< faces around an edge lie on each other, or do not alternate
+    kTwoSided,    ///< a two-sided face
+    kOffGrid,     ///< a vertex off the input grid
+    kCrossing,    ///< it crosses or touches itself, or another closed piece
+    kWrongWay,    ///< turned the wrong way for where it lies: a solid in a solid, or a hollow in the air
+};
+
+/// A piece of a level's surface, joined by edges, that is castable only, and what shows why.
+struct SolidNote {
+    SolidNoteKind what = SolidNoteKind::kOpenEdge;
+    std::size_t faces = 0;     ///< in the piece, as the level has them
+    std::uint32_t source = 0;  ///< index in the file of a face that shows it
+    std::uint32_t other = 0;   ///< kCrossing: of the face that it crosses or touches
+    Vec3 at;                   ///< metres: a corner of that face; for edges, where it starts
+    Vec3 to;                   ///< where the edge ends, for edges; else as `at`
+};
+
+struct LevelSolidity {
+    std::size_t solid_faces = 0;   ///< of Level::faces
+    bool rock_outside = false;     ///< what no face separates from infinity is solid
+    std::vector<SolidNote> notes;  ///< one for each piece that is castable only
+};
+
+/// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
+/// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
+/// @param level  as a reader made it
+LevelSolidity level_solidity(const Level& level);
 
 }  // namespace firma
