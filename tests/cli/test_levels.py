@@ -57,6 +57,31 @@ class Check(CliTest):
         self.assertEqual((report['sound'], report['faces'], report['vertices'], report['fault_count']), (True, 6, 8, 0))
         self.assertTrue(self.firma_json('check', FIRST)['sound'])
 
+    def test_solid(self):
+        self.write('box.obj', box(4, 4, 4))
+        self.assertTrue(self.firma('check', 'box.obj').strip().endswith('0 notes; solid, rock outside'))
+        report = self.firma_json('check', 'box.obj')
+        self.assertEqual((report['solid_faces'], report['castable_only'], report['rock_outside']), (6, [], True))
+        solid = self.firma_json('info', 'box.obj')['solid']
+        self.assertEqual(solid, {'faces': 6, 'volume': -64, 'area': 96})
+        self.assertIn('6 faces bound 64 m3 of air, by 96 m2', self.firma('info', 'box.obj'))
+
+    def test_castable_only(self):
+        # Two boxes that cross: closed, so no fault, but nothing that can be carved.
+        second = [tuple(c + 2 for c in corner) for corner in CORNERS]
+        self.write('crossing.obj', obj(CORNERS + second, FACES + [[i + 8 for i in face] for face in FACES]))
+        text = self.firma('check', 'crossing.obj')
+        self.assertIn('2 pieces castable only:', text)
+        self.assertIn('piece of 6 faces: crosses or touches face', text)
+        self.assertIn('0 of 12 faces bound solids', text)
+        report = self.firma_json('check', 'crossing.obj')
+        self.assertTrue(report['sound'])
+        self.assertEqual((report['solid_faces'], report['castable_only_count']), (0, 2))
+        for note, other in zip(report['castable_only'], [range(6, 12), range(6)]):
+            self.assertEqual((note['what'], note['faces']), ('crossing', 6))
+            self.assertIn(note['other'], other)
+            self.assertNotIn(note['face'], other)
+
     def test_open(self):
         self.write('open.obj', obj(CORNERS, FACES[:5]))
         done = self.run_firma('check', 'open.obj')
@@ -70,6 +95,10 @@ class Check(CliTest):
         for fault in report['faults']:
             self.assertEqual(fault['from'][0], 4)                              # all edges of the missing face
             self.assertEqual(fault['to'][0], 4)
+        [note] = report['castable_only']
+        self.assertEqual((note['what'], note['faces'], note['other']), ('open_edge', 5, None))
+        self.assertEqual((note['at'][0], note['to'][0]), (4, 4))
+        self.assertEqual(report['solid_faces'], 0)
 
     def test_reversed(self):
         faces = FACES[:5] + [FACES[5][::-1]]
