@@ -46,6 +46,7 @@ public:
     explicit Cutter(std::shared_ptr<const CutterData> data);
 
     bool valid() const { return data_ != nullptr; }
+    /// Views, as long-lived as the cutter and its copies.
     std::span<const Vec3> vertices() const;
     std::span<const CutterTriangle> triangles() const;
     /// For messages.

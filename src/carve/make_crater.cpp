@@ -51,11 +51,14 @@ class BallMaker {
 public:
     Ball make() {
         for (const CutterTriangle& triangle : solid_.triangles) {
-            const auto at = [&](int i, int j) { return vertex(triangle, {3 - i - j, i, j}); };
+            // Vertices are numbered first, one by one: the order of arguments is the compiler's.
+            std::uint32_t at[4][4] = {};
+            for (int i = 0; i <= 3; ++i)
+                for (int j = 0; j <= 3 - i; ++j) at[i][j] = vertex(triangle, {3 - i - j, i, j});
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3 - i; ++j) {
-                    add(at(i, j), at(i + 1, j), at(i, j + 1));
-                    if (i + j < 2) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+                    add(at[i][j], at[i + 1][j], at[i][j + 1]);
+                    if (i + j < 2) add(at[i + 1][j], at[i + 1][j + 1], at[i][j + 1]);
                 }
         }
         return std::move(ball_);

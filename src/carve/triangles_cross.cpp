@@ -76,9 +76,10 @@ struct View {
 bool segment_meets(const InputPoint& p, const InputPoint& q, int side_p, int side_q, const Corners& t) {
     if (side_p * side_q > 0) return false;
     if (side_p == 0 && side_q == 0) {
+        // With both ends outside it crosses two sides, or passes through a corner: of two sides it meets one.
         const View view(t.normal);
         return view.in_triangle(t, p) || view.in_triangle(t, q) || view.segments_meet(t.a, t.b, p, q) ||
-               view.segments_meet(t.b, t.c, p, q) || view.segments_meet(t.c, t.a, p, q);
+               view.segments_meet(t.b, t.c, p, q);
     }
     // The line p q meets the plane in one point: in the triangle when it leaves all sides on one hand.
     const int ab = orient(p, q, t.a, t.b), bc = orient(p, q, t.b, t.c);

@@ -302,6 +302,19 @@ TEST(FindCrossing, WindingTwiceAroundIsNoStar) {
     EXPECT_TRUE(crosses(cutter));
 }
 
+TEST(FindCrossing, SeenEdgeOnIsNoStar) {
+    // The middle of the bottom is drawn up into the middle of all: its triangles lie in planes through it.
+    TriangleMesh mesh = box_mesh({-2, -2, -2}, {2, 2, 2});
+    std::erase_if(mesh.triangles, [](const CutterTriangle& t) { return t[0] < 4 && t[1] < 4 && t[2] < 4; });
+    for (const CutterTriangle& t : {CutterTriangle{1, 0, 8}, {3, 1, 8}, {2, 3, 8}, {0, 2, 8}})
+        mesh.triangles.push_back(t);
+    mesh.vertices.push_back({0, 0, 0});
+    EXPECT_FALSE(is_star_shaped(placed(mesh)));
+    EXPECT_FALSE(crosses(placed(mesh)));
+    mesh.vertices[8].z = -0.5;
+    EXPECT_TRUE(is_star_shaped(placed(mesh)));
+}
+
 TEST(FindCrossing, ARingIsNoStarButClean) {
     const TriangleMesh ring = test::ring_mesh(40, 20);
     const PlacedCutter cutter = placed(ring, {.rotation = random_turn(3), .scale = 0.7});

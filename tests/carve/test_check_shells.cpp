@@ -65,6 +65,9 @@ TEST(FindWrongShell, RaysAlongEdgesAndThroughVertices) {
     EXPECT_FALSE(wrong(all(row)));
     row.back() = cube(9, 0, 0, 0.5);
     EXPECT_EQ(wrong(all(row)), 72u);
+    // The ray from the small one passes through the edge between the two triangles of the large one's side.
+    EXPECT_FALSE(wrong(all({cube(0, 0, 0, 9), cube(0, 0, 1, 1, false)})));
+    EXPECT_EQ(wrong(all({cube(0, 0, 0, 9), cube(0, 0, 1, 1)})), 12u);
     // From within a hollow cube, through the vertices of a ring of small ones.
     for (const double y : {-0.5, 0.0, 0.5, 1.0})
         for (const double z : {-0.5, 0.0, 0.5, 1.0}) {
