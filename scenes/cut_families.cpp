@@ -90,7 +90,8 @@ void snapped_cuts(CutCase& it, double size, double step, Rng& rng) {
             order.cutter = snapped_cutter(any_cutter(rng), scale, step);
         }
         if (!order.cutter.valid()) continue;
-        order.pose.position = rounded(spot.point + rng.direction() * (size / 4 * rng.uniform()), step);
+        const Vec3 way = rng.direction();
+        order.pose.position = rounded(spot.point + way * (size / 4 * rng.uniform()), step);
         order.kind = rng.chance(0.3) ? CarveKind::kFill : CarveKind::kCarve;
         it.cuts.push_back(order);
     }
