@@ -164,7 +164,8 @@ CutLevel large_room(Rng& rng, const Steps& place) {
 }
 
 CutLevel any_closed_mesh(Rng& rng) {
-    const auto kind = MeshKind(rng.below(kMeshKinds));
+    const auto kind = MeshKind(rng.below(kMeshKinds - 1));
+    static_assert(int(MeshKind::kTurnedBox) == kMeshKinds - 1, "whose corners lie off the input grid");
     ClosedMesh mesh = make_closed_mesh(kind, rng);
     CutLevel level;
     level.faces = std::move(mesh.faces);

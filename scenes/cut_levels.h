@@ -35,7 +35,7 @@ CutLevel block_with_cavities(Rng& rng, const Steps& place, std::int64_t step = k
 CutLevel thin_wall(Rng& rng, const Steps& place);
 /// A room of up to 300 m, of a rectangle or two triangles a side: too large to be cut untiled.
 CutLevel large_room(Rng& rng, const Steps& place);
-/// Any mesh of closed_meshes.h, as a room in rock or, turned over, a solid in the open.
+/// Any mesh of closed_meshes.h on the input grid, as a room in rock or, turned over, a solid in the open.
 CutLevel any_closed_mesh(Rng& rng);
 
 }  // namespace firma::scenes

@@ -126,9 +126,10 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
     for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
         std::uint64_t bits = random.next();
         for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
-            const std::uint64_t draw = (bits & 0x1FFFFF) * (2 * kFarthestMove + 1) >> 21;
+            // Never by nothing: what many vertices share with a plane of the world, none of them may keep.
+            const auto draw = std::int32_t((bits & 0x1FFFFF) * (2 * kFarthestMove) >> 21) - kFarthestMove;
             std::int32_t& coordinate = moved.vertices[k][axis];
-            coordinate += std::int32_t(draw) - kFarthestMove;
+            coordinate += draw < 0 ? draw : draw + 1;
             if (coordinate < -kRimSteps || coordinate >= kRimSteps) return outside(placed.name, k);
         }
     }

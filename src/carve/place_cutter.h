@@ -36,8 +36,8 @@ Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose);
 /// How far move_cutter() moves a vertex at most, in input steps a coordinate.
 inline constexpr std::int32_t kFarthestMove = 3;
 
-/// A placed cutter with every vertex moved a little at random, seeded by its hash and the count of tries: for a cutter
-/// in degenerate position.
+/// A placed cutter with every vertex moved a little at random along each axis, by 1 to 3 steps, seeded by its hash and
+/// the count of tries: for a cutter in degenerate position.
 ///
 /// @param placed  as place_cutter() gave it, never one that was moved already
 /// @param tries   1, 2, ...

@@ -114,11 +114,12 @@ private:
     void claim(const std::string& family, const CutTally& tally, double seconds) const {
         std::printf(
             "claim=carve_cuts family=%s count=%llu seed=%llu failed=%llu done=%llu nothing=%llu refused=%llu "
-            "moved=%llu retries=%llu sliced=%llu commuted=%llu points=%llu rays=%llu casts=%llu shared_edges=%llu "
+            "moved=%llu retries=%llu sliced=%llu commuted=%llu reseamed=%llu points=%llu rays=%llu casts=%llu "
+            "shared_edges=%llu "
             "ms_a_cut=%.3f judged_a_second=%.1f result=%s\n",
             family.c_str(), ull(tally.cuts), ull(options_.seed), ull(tally.failed), ull(tally.done), ull(tally.nothing),
             ull(tally.refused), ull(tally.moved), ull(tally.retries), ull(tally.sliced), ull(tally.commuted),
-            ull(tally.points), ull(tally.rays), ull(tally.casts), ull(tally.shared_edges),
+            ull(tally.reseamed), ull(tally.points), ull(tally.rays), ull(tally.casts), ull(tally.shared_edges),
             1e3 * tally.carve_seconds / double(std::max<std::uint64_t>(tally.cuts, 1)), double(tally.cuts) / seconds,
             tally.failed == 0 ? "pass" : "fail");
     }

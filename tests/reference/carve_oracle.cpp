@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "tests/reference/world_facets.h"
@@ -329,6 +331,36 @@ Real volume_of(const PlacedCutter& cutter) {
 Real volume_lost(std::span<const FacetPlace> gone, std::span<const FacetPlace> come, const PlacedCutter& near) {
     const InputPoint origin = middle_of(near);
     return cubic_metres(Real(six_times_volume_of(gone, origin) - six_times_volume_of(come, origin)));
+}
+
+bool same_solid(const World& a, const World& b) {
+    using Key = std::array<std::string, 4>;
+    using Measures = std::array<Real, 4>;  // area, moments along each axis: of the projection along the dominant axis
+    std::map<Key, Measures> sums;
+    const auto add = [&](const World& world, int sign) {
+        SolidPatch patch;
+        for (const FacetPlace& place : all_facets(world))
+            if (place.record().solid) patch.add(place);
+        for (const PatchFace& face : patch.faces) {
+            const Plane& plane = face.plane->plane;
+            const std::size_t along = std::size_t(plane.dominant_axis()), u = (along + 1) % 3, v = (along + 2) % 3;
+            Key key;
+            for (std::size_t axis = 0; axis < 3; ++axis) key[axis] = std::to_string(plane.normal[axis]);
+            key[3] = number<Real>(plane.offset).str(0, std::ios_base::fixed);
+            Measures& sum = sums[key];
+            fans<Real>(patch, face, {}, [&](const auto& p, const auto& q, const auto& r) {
+                const Real area = sign * ((q[u] - p[u]) * (r[v] - p[v]) - (r[u] - p[u]) * (q[v] - p[v]));
+                sum[0] += area;
+                for (std::size_t axis = 0; axis < 3; ++axis) sum[axis + 1] += area * (p[axis] + q[axis] + r[axis]);
+            });
+        }
+    };
+    add(a, 1);
+    add(b, -1);
+    const Real least("1e-20");
+    return std::all_of(sums.begin(), sums.end(), [&](const auto& entry) {
+        return std::all_of(entry.second.begin(), entry.second.end(), [&](const Real& x) { return abs(x) < least; });
+    });
 }
 
 double winding(std::span<const FacetPlace> facets, const Vec3& point) {

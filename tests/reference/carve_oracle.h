@@ -31,6 +31,10 @@ Real volume_of(const PlacedCutter& cutter);
 /// How much more solid `before` has than `after`, cubic metres, by the exact faces of facets that only one of them has.
 Real volume_lost(std::span<const FacetPlace> gone, std::span<const FacetPlace> come, const PlacedCutter& near);
 
+/// Whether two worlds have the same solid, however their faces are divided: in every plane the same area, and the same
+/// moments of it, of the exact faces that are not facet by facet the same.
+bool same_solid(const World& a, const World& b);
+
 /// How often the surface of the solid winds around a point, by solid angles over all facets: 0 in air and 1 in the
 /// solid, or -1 and 0 in a world whose outside is rock. In double, so for points well clear of the surface.
 double winding(std::span<const FacetPlace> facets, const Vec3& point);

@@ -20,6 +20,7 @@ struct CutTally {
     std::uint64_t retries = 0;   ///< of all cuts together
     std::uint64_t sliced = 0;    ///< made again in slices
     std::uint64_t commuted = 0;  ///< pairs of disjoint cuts made in both orders
+    std::uint64_t reseamed = 0;  ///< of those, with the same solid but its large faces divided otherwise
     std::uint64_t points = 0, rays = 0, casts = 0;
     std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
     double carve_seconds = 0;
