@@ -235,6 +235,14 @@ Number in_common(const Prism<Number>& of_solid, const Prism<Number>& of_cutter) 
         return Number(of_solid.top.at(x, y) - of_cutter.top.at(x, y));
     };
     const auto below = [&](const Number& x, const Number& y) { return Number(-above(x, y)); };
+    bool any_above = false, any_below = false;
+    for (const auto& [x, y] : shared) {
+        const Number gap = above(x, y);
+        any_above = any_above || gap > 0;
+        any_below = any_below || gap < 0;
+    }
+    if (!any_above) return sign * integral(shared, of_solid.top);  // both in one plane, too
+    if (!any_below) return sign * integral(shared, of_cutter.top);
     return sign * (integral(clipped(shared, above), of_cutter.top) + integral(clipped(shared, below), of_solid.top));
 }
 

@@ -40,6 +40,7 @@ struct JudgeOptions {
     int casts = 40, rays = 24, points = 8;
     double slices = 0.25;  ///< share of cuts made again in slices
     bool volume = true;
+    std::size_t most_cuts = ~std::size_t(0);  ///< of a case
 };
 
 /// Makes a cut and judges it.
