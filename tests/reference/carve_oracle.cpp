@@ -156,6 +156,20 @@ void fans(const SolidPatch& patch, const PatchFace& face, const InputPoint& orig
     }
 }
 
+/// Sides nearer than this are none: where surfaces coincide, rounding would have a line wind to and fro.
+template <class Number>
+const Number& negligible();
+template <>
+const Real& negligible() {
+    static const Real steps("1e-35");
+    return steps;
+}
+template <>
+const Fraction& negligible() {
+    static const Fraction none(0);
+    return none;
+}
+
 template <class Number>
 using Polygon = std::vector<std::array<Number, 2>>;
 
@@ -164,7 +178,10 @@ template <class Number, class Side>
 Polygon<Number> clipped(const Polygon<Number>& polygon, const Side& side) {
     Polygon<Number> result;
     std::vector<Number> sides;
-    for (const auto& p : polygon) sides.push_back(side(p[0], p[1]));
+    for (const auto& p : polygon) {
+        sides.push_back(side(p[0], p[1]));
+        if (abs(sides.back()) < negligible<Number>()) sides.back() = 0;
+    }
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const std::size_t next = k + 1 < polygon.size() ? k + 1 : 0;
         const Number &s = sides[k], &t = sides[next];
@@ -238,8 +255,8 @@ Number in_common(const Prism<Number>& of_solid, const Prism<Number>& of_cutter) 
     bool any_above = false, any_below = false;
     for (const auto& [x, y] : shared) {
         const Number gap = above(x, y);
-        any_above = any_above || gap > 0;
-        any_below = any_below || gap < 0;
+        any_above = any_above || gap > negligible<Number>();
+        any_below = any_below || -gap > negligible<Number>();
     }
     if (!any_above) return sign * integral(shared, of_solid.top);  // both in one plane, too
     if (!any_below) return sign * integral(shared, of_cutter.top);
