@@ -2,8 +2,11 @@
 // Everything: levels in, worlds out, casts through them.
 #pragma once
 
+#include "firma/carve.h"
+#include "firma/carve_rules.h"
 #include "firma/check_mesh.h"
 #include "firma/cutter.h"
+#include "firma/diff_worlds.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"

@@ -67,9 +67,9 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     data->rooms.emplace_back(room.get());
     data->materials = std::make_shared<std::vector<std::string>>(level.materials);
     data->tolerance = options.tolerance;
+    data->tree_options = options.tree;
     data->face_count = level.faces.size();
     data->rock_outside = solids.rock_outside;
-    data->tree = options.tree;
     data->rules = std::make_shared<const CarveRules>(options.rules);
     data->next_face = std::uint32_t(level.faces.size());
     return World(std::move(data));
