@@ -185,15 +185,11 @@ TEST(MoveCutter, RefusesWhatTheMoveSpoils) {
     const PlacedCutter rim =
         place_cutter(make_crater(CutterShape::kBox, 0), {.position = {-8191, -8191, -8191}}).value();
     expect_refused(move_cutter(rim, 1), ErrorCode::kOutOfRange, "box: vertex ");
+}
+
+TEST(MoveCutter, LeavesTheSmallestBoxABox) {
     const PlacedCutter tiny = place_cutter(make_crater(CutterShape::kBox, 0), {.scale = 1 / kInputSteps}).value();
-    int refused = 0;
-    for (int tries = 1; tries <= 64; ++tries) {
-        const auto moved = move_cutter(tiny, tries);
-        if (moved.ok()) continue;
-        ++refused;
-        EXPECT_EQ(int(moved.error().code), int(ErrorCode::kInvalid));
-    }
-    EXPECT_GT(refused, 5);
+    for (int tries = 1; tries <= 64; ++tries) EXPECT_TRUE(move_cutter(tiny, tries).ok());
 }
 
 }  // namespace
