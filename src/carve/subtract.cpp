@@ -68,7 +68,9 @@ void Cut::clear() {
     crossings.clear();
     world_crossing.clear();
     cutter_crossing.clear();
+    met.clear();
     real.clear();
+    met_at.clear();
     segments.clear();
     face_cut.assign(patch->faces.size(), 0);
     new_edges.clear();

@@ -105,7 +105,7 @@ struct Parts {
     }
     World world() const {
         Ref<Room> room(new Room);
-        room->tree = build_blocks(set, from.data().tree);
+        room->tree = build_blocks(set, from.data().tree_options);
         auto data = std::make_shared<WorldData>(from.data());
         data->rooms[0] = Ref<const Room>(room.get());
         data->face_count = set.faces.size();
