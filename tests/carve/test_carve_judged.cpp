@@ -88,7 +88,7 @@ World without_face(const World& world, std::size_t which) {
     FaceSet set = reference::set_of(world);
     set.faces.erase(set.faces.begin() + std::ptrdiff_t(which));
     Ref<Room> room(new Room);
-    room->tree = build_blocks(set, data->tree);
+    room->tree = build_blocks(set, data->tree_options);
     data->rooms.assign(1, Ref<const Room>(room.get()));
     --data->face_count;
     return World(std::move(data));

@@ -81,7 +81,7 @@ World rebuilt(const World& world) {
     auto data = std::make_shared<WorldData>(world.data());
     Ref<Room> room(new Room);
     const FaceSet set = set_of(world);
-    room->tree = build_blocks(set, data->tree);
+    room->tree = build_blocks(set, data->tree_options);
     data->rooms.assign(1, Ref<const Room>(room.get()));
     return World(std::move(data));
 }
