@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Everything: levels in, worlds out, casts through them.
+// Everything: levels in, worlds out, casts through them, craters into them.
 #pragma once
 
+#include "firma/carve.h"
+#include "firma/carve_rules.h"
 #include "firma/check_mesh.h"
 #include "firma/cutter.h"
 #include "firma/grid.h"
@@ -14,3 +16,4 @@
 #include "firma/tree_options.h"
 #include "firma/vec.h"
 #include "firma/world.h"
+#include "firma/write_obj.h"
