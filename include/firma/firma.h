@@ -6,6 +6,7 @@
 #include "firma/carve_rules.h"
 #include "firma/check_mesh.h"
 #include "firma/cutter.h"
+#include "firma/diff_worlds.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"

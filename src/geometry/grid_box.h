@@ -2,6 +2,7 @@
 // A box in whole surface steps.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "firma/grid.h"
@@ -15,13 +16,15 @@ struct GridBox {
 
     void add(const GridPoint& p) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (p[axis] < low[axis]) low[axis] = p[axis];
-            if (p[axis] > high[axis]) high[axis] = p[axis];
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
         }
     }
     void add(const GridBox& b) {
-        add(b.low);
-        add(b.high);
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], b.low[axis]);
+            high[axis] = std::max(high[axis], b.high[axis]);
+        }
     }
     double extent(int axis) const { return (double(high[axis]) - double(low[axis])) / kSurfaceSteps; }
     double volume() const { return extent(0) * extent(1) * extent(2); }

@@ -67,6 +67,7 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     data->rooms.emplace_back(room.get());
     data->materials = std::make_shared<std::vector<std::string>>(level.materials);
     data->tolerance = options.tolerance;
+    data->tree_options = options.tree;
     data->face_count = level.faces.size();
     data->rock_outside = solids.rock_outside;
     data->tree = options.tree;

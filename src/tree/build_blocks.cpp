@@ -150,6 +150,10 @@ void BlockBuilder::divide(std::span<const Ref<const Block>> blocks) {
     divide_bins(tree_, 0, std::uint32_t(blocks.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int depth) -> std::size_t {
                     if (items.size() == 1) return 0;
+                    if (items.size() == 2) {  // either way alike
+                        if (items[1].face < items[0].face) std::swap(items[0], items[1]);
+                        return 1;
+                    }
                     return depth < kUnevenLevels ? split_bin(items, box, Split::kSurfaceArea) : split_by_count(items);
                 });
 }

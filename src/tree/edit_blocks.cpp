@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kFindsInAStep = 32;
 constexpr std::size_t kPlacesInAStep = 128;
+constexpr std::size_t kLeavesTogether = 8;  ///< leaf blocks rebuilt in one step
 constexpr std::size_t kSmall = 32;          ///< faces in blocks side by side that become one leaf block
 constexpr std::size_t kFewestChildren = 8;  ///< a block of fewer hands them to the block above
 
@@ -199,6 +200,7 @@ void BlockEdit::place_some() {
     for (; next_ < end; ++next_) comes_.push_back({place(box_of(added_, added_.faces[next_])), std::uint32_t(next_)});
     if (next_ < added_.faces.size()) return;
     std::sort(comes_.begin(), comes_.end());
+    gather_leaves();
     next_ = touched_.size();
     phase_ = Phase::kRebuild;
     if (goes_.empty() && comes_.empty()) {
@@ -231,23 +233,47 @@ std::uint32_t BlockEdit::place(const GridBox& box) {
 
 // ---- from the bottom up ----
 
+/// Divides the touched leaf blocks below each block into groups to be rebuilt together: what an edit moves about in one
+/// place is then divided anew as a whole, and blocks do not grow into each other.
+void BlockEdit::gather_leaves() {
+    std::vector<std::uint32_t> leaves;
+    for (const Touched& parent : touched_) {
+        leaves.clear();
+        items_.clear();
+        for (std::uint32_t k = parent.first_child; k != kNone; k = touched_[k].next_sibling)
+            if (!touched_[k].block->holds_blocks()) leaves.push_back(k);
+        std::sort(leaves.begin(), leaves.end(), [&](std::uint32_t x, std::uint32_t y) {
+            return touched_[x].item < touched_[y].item;  // not in the order they were come upon
+        });
+        for (const std::uint32_t leaf : leaves) items_.emplace_back(touched_[leaf].block);
+        if (leaves.size() < 2) continue;
+        builder_.divide(items_);
+        std::size_t first = 0;
+        for (const std::size_t end : builder_.group(items_, kLeavesTogether, ~std::size_t(0), order_)) {
+            for (; first + 1 < end; ++first) {
+                touched_[leaves[order_[first]]].next_together = leaves[order_[first + 1]];
+                touched_[leaves[order_[first + 1]]].follows = true;
+            }
+            first = end;
+        }
+    }
+}
+
 void BlockEdit::rebuild_one() {
     Touched& touched = touched_[--next_];
     touched.first_piece = std::uint32_t(pieces_.size());
     if (touched.block->holds_blocks())
         rebuild_inner(std::uint32_t(next_));
     else
-        rebuild_leaf(std::uint32_t(next_));
+        rebuild_leaves(std::uint32_t(next_));
     touched.pieces = std::uint32_t(pieces_.size()) - touched.first_piece;
     if (next_ == 0) finish();
 }
 
-void BlockEdit::rebuild_leaf(std::uint32_t index) {
-    const Touched& touched = touched_[index];
-    clear(faces_);
-    const Block& block = *touched.block;
+/// Puts what a leaf block will hold at the end of `faces_`.
+void BlockEdit::append_changed(std::uint32_t index) {
     auto go = std::lower_bound(goes_.begin(), goes_.end(), Change{index, 0});
-    append_faces(block, faces_, [&](std::uint32_t slot) {
+    append_faces(*touched_[index].block, faces_, [&](std::uint32_t slot) {
         if (go == goes_.end() || *go != Change{index, slot}) return true;
         ++go;
         return false;
@@ -255,7 +281,13 @@ void BlockEdit::rebuild_leaf(std::uint32_t index) {
     for (auto come = std::lower_bound(comes_.begin(), comes_.end(), Change{index, 0});
          come != comes_.end() && come->leaf == index; ++come)
         append_face(added_, added_.faces[come->index], faces_);
+}
 
+void BlockEdit::rebuild_leaves(std::uint32_t index) {
+    const Touched& touched = touched_[index];
+    if (touched.follows) return;
+    clear(faces_);
+    for (std::uint32_t k = index; k != kNone; k = touched_[k].next_together) append_changed(k);
     TreeOptions rules = options_;
     rules.max_depth = std::min(rules.max_depth, touched.depth + depth_of_rebuilt(faces_.faces.size()));
     const Ref<const Block> built = builder_.build(faces_, rules, touched.depth);

@@ -48,6 +48,10 @@ private:
         int depth = 0;           ///< bins above its root
         std::uint32_t first_child = kNone, next_sibling = kNone;
         std::uint32_t first_piece = 0, pieces = 0;  ///< what takes its place
+        /// Leaf blocks side by side are rebuilt together, by the first; the next one, and whether this is not the
+        /// first.
+        std::uint32_t next_together = kNone;
+        bool follows = false;
     };
     static constexpr std::uint32_t kNone = ~0u;
     struct Change {
@@ -59,6 +63,7 @@ private:
 
     void find_some();
     void place_some();
+    void gather_leaves();
     void rebuild_one();
     void finish();
 
@@ -66,7 +71,8 @@ private:
     std::uint32_t find_leaf(const Block* leaf, const GridBox& box);
     std::uint32_t place(const GridBox& box);
 
-    void rebuild_leaf(std::uint32_t index);
+    void rebuild_leaves(std::uint32_t index);
+    void append_changed(std::uint32_t index);
     void rebuild_inner(std::uint32_t index);
     void collect_items(const Touched& touched);
     bool merge_small_items();

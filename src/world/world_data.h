@@ -27,6 +27,7 @@ struct WorldData {
     std::vector<Ref<const Room>> rooms;
     std::shared_ptr<const std::vector<std::string>> materials;
     Tolerance tolerance;
+    TreeOptions tree_options;  ///< how trees are built, and rebuilt by edits
     std::uint64_t version = 0;
     std::size_t face_count = 0;
     std::uint32_t next_face = 0;  ///< the id that the next new face gets
@@ -35,5 +36,13 @@ struct WorldData {
     TreeOptions tree;             ///< how blocks are made
     std::shared_ptr<const CarveRules> rules;  ///< null: none
 };
+
+/// A copy to be filled by an edit: one version on, sharing every room until it is replaced. `face_count` and
+/// `next_face` are for the edit to bring up to date.
+inline std::shared_ptr<WorldData> next_version(const WorldData& data) {
+    auto next = std::make_shared<WorldData>(data);
+    ++next->version;
+    return next;
+}
 
 }  // namespace firma

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What changed between two versions of a world: for meshes to draw, maps to walk, caches to drop.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "firma/hit.h"
+#include "firma/vec.h"
+#include "firma/world.h"
+
+namespace firma {
+
+/// A face of one of two worlds only.
+struct ChangedFace {
+    FaceId id;
+    FaceRef ref;  ///< for World::face, in the world that has it
+    RoomId room;
+    std::uint32_t source = 0;
+    std::uint32_t source_edit = 0;  ///< as in Face
+    std::uint32_t material = 0;
+};
+
+/// A cell of a grid over space: from coordinate * size to (coordinate + 1) * size along each axis.
+using Tile = std::array<std::int32_t, 3>;
+
+struct WorldDiff {
+    std::vector<ChangedFace> gone;  ///< in order of id, then room; refs good in `before`
+    std::vector<ChangedFace> come;  ///< likewise in `after`
+    Box bounds;                     ///< of all of them; empty when nothing changed
+    std::vector<Tile> tiles;        ///< those that the box of a changed face touches, each once, in order
+
+    bool empty() const { return gone.empty() && come.empty(); }
+};
+
+/// Compares two worlds. A face is the same when it has the same id and is alike in everything; rooms are compared by
+/// their ids. What the worlds share is not looked at, so for versions a few edits apart the cost follows the edits.
+///
+/// @param tile_size  metres, for `tiles`; 0 (or what is no number) leaves them out. A long face slanted across many
+///                   tiles counts for each in its box, so a size far below the faces' makes a long list.
+WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
+
+}  // namespace firma

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// What changed between two worlds: first the blocks that only one of them has, then the faces in those.
+#include "firma/diff_worlds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "geometry/grid_box.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+/// Blocks to look at, the one with most faces first.
+class Waiting {
+public:
+    void add(const Block& block) {
+        blocks_.push_back(&block);
+        std::push_heap(blocks_.begin(), blocks_.end(), fewer);
+    }
+    std::uint32_t most() const { return blocks_.empty() ? 0 : blocks_[0]->faces_below; }
+
+    /// Takes out all of so many faces, in order of address: for comparing with another such list, and nothing else.
+    std::vector<const Block*> take(std::uint32_t faces) {
+        std::vector<const Block*> taken;
+        while (most() == faces) {
+            std::pop_heap(blocks_.begin(), blocks_.end(), fewer);
+            taken.push_back(blocks_.back());
+            blocks_.pop_back();
+        }
+        std::sort(taken.begin(), taken.end(), std::less<const Block*>());
+        return taken;
+    }
+
+private:
+    static bool fewer(const Block* a, const Block* b) { return a->faces_below < b->faces_below; }
+
+    std::vector<const Block*> blocks_;
+};
+
+struct Slot {
+    FaceId id;
+    std::uint32_t slot;
+    const Block* block;
+
+    const FaceRecord& face() const { return block->faces[slot]; }
+};
+
+/// Opens blocks that the other tree does not have.
+void open(const std::vector<const Block*>& mine, const std::vector<const Block*>& others, Waiting& waiting,
+          std::vector<Slot>& slots) {
+    for (const Block* block : mine) {
+        if (std::binary_search(others.begin(), others.end(), block, std::less<const Block*>())) continue;
+        for (const Ref<const Block>& child : block->children) waiting.add(*child);
+        for (std::uint32_t slot = 0; slot < block->faces.size(); ++slot)
+            slots.push_back({block->faces[slot].id, slot, block});
+    }
+}
+
+/// Faces in blocks that only one of two trees has. A block has more faces than any below it: when those of so many
+/// faces are compared, all of them are at hand, whatever level they stand at.
+void find_unshared(const Block* before, const Block* after, std::vector<Slot>& old_faces,
+                   std::vector<Slot>& new_faces) {
+    Waiting old_blocks, new_blocks;
+    if (before) old_blocks.add(*before);
+    if (after) new_blocks.add(*after);
+    while (const std::uint32_t most = std::max(old_blocks.most(), new_blocks.most())) {
+        const std::vector<const Block*> olds = old_blocks.take(most), news = new_blocks.take(most);
+        open(olds, news, old_blocks, old_faces);
+        open(news, olds, new_blocks, new_faces);
+    }
+}
+
+bool same(const Slot& a, const Slot& b) {
+    const FaceRecord &f = a.face(), &g = b.face();
+    if (f.source != g.source || f.edit != g.edit || f.material != g.material || f.mask != g.mask ||
+        f.two_sided != g.two_sided || f.solid != g.solid || f.corner_count != g.corner_count)
+        return false;
+    const auto p = a.block->corners_of(f), q = b.block->corners_of(g);
+    for (std::size_t k = 0; k < p.size(); ++k)
+        if (a.block->vertices[p[k]] != b.block->vertices[q[k]]) return false;
+    return true;
+}
+
+class Differ {
+public:
+    explicit Differ(double tile_size) : tile_size_(tile_size) {}
+
+    void compare(RoomId room, const Block* before, const Block* after) {
+        if (before == after) return;
+        std::vector<Slot> olds, news;
+        find_unshared(before, after, olds, news);
+        const auto by_id = [](const Slot& a, const Slot& b) { return a.id < b.id; };
+        std::sort(olds.begin(), olds.end(), by_id);
+        std::sort(news.begin(), news.end(), by_id);
+        auto come = news.begin();
+        for (const Slot& gone : olds) {
+            while (come != news.end() && come->id < gone.id) add(room, *come++, diff_.come);
+            const bool match = come != news.end() && come->id == gone.id;
+            if (match && same(gone, *come)) {
+                ++come;
+                continue;
+            }
+            add(room, gone, diff_.gone);
+            if (match) add(room, *come++, diff_.come);
+        }
+        while (come != news.end()) add(room, *come++, diff_.come);
+    }
+
+    WorldDiff result() {
+        for (std::vector<ChangedFace>* faces : {&diff_.gone, &diff_.come})
+            std::sort(faces->begin(), faces->end(), [](const ChangedFace& a, const ChangedFace& b) {
+                return a.id != b.id ? a.id < b.id : a.room.value < b.room.value;
+            });
+        sort_tiles();
+        return std::move(diff_);
+    }
+
+private:
+    void add(RoomId room, const Slot& slot, std::vector<ChangedFace>& faces) {
+        const FaceRecord& face = slot.face();
+        faces.push_back({face.id, {slot.block, slot.slot}, room, face.source, face.edit, face.material});
+        GridBox box;
+        for (const std::uint16_t vertex : slot.block->corners_of(face)) box.add(slot.block->vertices[vertex]);
+        const Vec3 low = to_metres(box.low), high = to_metres(box.high);
+        diff_.bounds.add(low);
+        diff_.bounds.add(high);
+        if (tile_size_ > 0 && tile_size_ < INFINITY) add_tiles(low, high);
+    }
+
+    void add_tiles(const Vec3& low, const Vec3& high) {
+        Tile from, to;
+        for (int axis = 0; axis < 3; ++axis) {
+            from[axis] = std::int32_t(std::floor(low[axis] / tile_size_));
+            to[axis] = std::int32_t(std::floor(high[axis] / tile_size_));
+        }
+        for (std::int32_t x = from[0]; x <= to[0]; ++x)
+            for (std::int32_t y = from[1]; y <= to[1]; ++y)
+                for (std::int32_t z = from[2]; z <= to[2]; ++z) diff_.tiles.push_back({x, y, z});
+        if (diff_.tiles.size() > 2 * sorted_ + 1000) sort_tiles();  // many faces, few tiles
+    }
+
+    void sort_tiles() {
+        std::sort(diff_.tiles.begin(), diff_.tiles.end());
+        diff_.tiles.erase(std::unique(diff_.tiles.begin(), diff_.tiles.end()), diff_.tiles.end());
+        sorted_ = diff_.tiles.size();
+    }
+
+    const double tile_size_;
+    std::size_t sorted_ = 0;
+    WorldDiff diff_;
+};
+
+}  // namespace
+
+WorldDiff diff_worlds(const World& before, const World& after, double tile_size) {
+    const auto &olds = before.data().rooms, &news = after.data().rooms;
+    Differ differ(tile_size);
+    for (std::uint32_t room = 0; room < std::max(olds.size(), news.size()); ++room)
+        differ.compare({room}, room < olds.size() ? olds[room]->tree.get() : nullptr,
+                       room < news.size() ? news[room]->tree.get() : nullptr);
+    return differ.result();
+}
+
+}  // namespace firma

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A world's hash: every number that makes it what it is, in the order it stands in.
+#include "base/hasher.h"
+#include "firma/world.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+void add(Hasher& hasher, const std::string& text) {
+    hasher.add(text.size());
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        word = word << 8 | static_cast<unsigned char>(text[k]);
+        if (k % 8 == 7 || k + 1 == text.size()) {
+            hasher.add(word);
+            word = 0;
+        }
+    }
+}
+
+void add(Hasher& hasher, const Bin& bin) {
+    for (int axis = 0; axis < 3; ++axis) hasher.add(bin.box.low[axis], bin.box.high[axis]);
+    hasher.add(bin.first, bin.count);
+}
+
+void add(Hasher& hasher, const FaceRecord& face) {
+    hasher.add(face.id.value, face.source);
+    hasher.add(face.edit, face.material);
+    const std::uint32_t flags = std::uint32_t(face.two_sided) | std::uint32_t(face.solid) << 1;
+    hasher.add(face.mask, std::uint32_t(face.corner_count) << 8 | flags);
+    hasher.add(face.first_corner, face.owner);
+}
+
+void add(Hasher& hasher, const Block& block) {
+    hasher.add(block.bins.size(), block.children.size());
+    hasher.add(block.faces.size(), block.vertices.size());
+    hasher.add(block.corner_vertices.size(), block.owners.size());
+    for (const Bin& bin : block.bins) add(hasher, bin);
+    for (const FaceRecord& face : block.faces) add(hasher, face);
+    for (const GridPoint& p : block.vertices) {
+        hasher.add(p.x, p.y);
+        hasher.add(std::uint32_t(p.z));
+    }
+    for (const std::uint16_t corner : block.corner_vertices) hasher.add(corner);
+    for (const Ref<const FaceOwner>& owner : block.owners) owner->add_to(hasher);
+    for (const Ref<const Block>& child : block.children) add(hasher, *child);
+}
+
+}  // namespace
+
+std::uint64_t hash_world(const World& world) {
+    const WorldData& data = world.data();
+    Hasher hasher;
+    hasher.add(data.version);
+    hasher.add(data.face_count);
+    hasher.add(data.next_face);
+    hasher.add(data.tolerance.skin);
+    hasher.add(data.materials ? data.materials->size() : std::size_t(0));
+    if (data.materials)
+        for (const std::string& name : *data.materials) add(hasher, name);
+    hasher.add(data.rooms.size());
+    for (const Ref<const Room>& room : data.rooms) {
+        hasher.add(bool(room->tree));
+        if (room->tree) add(hasher, *room->tree);
+    }
+    return hasher.value();
+}
+
+}  // namespace firma

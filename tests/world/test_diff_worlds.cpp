@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Diffs between versions against plain comparison of all faces.
+#include "firma/diff_worlds.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scenes/room_grid.h"
+#include "tests/tree/edited_tree.h"
+
+namespace firma {
+namespace {
+
+EditedTree rooms() {
+    return EditedTree(face_set_of(scenes::room_grid({2, 2, 1})));
+}
+
+/// What is in `a` but not in `b`.
+std::vector<std::uint32_t> missing(const std::map<std::uint32_t, Corners>& a,
+                                   const std::map<std::uint32_t, Corners>& b) {
+    std::vector<std::uint32_t> ids;
+    for (const auto& [id, corners] : a)
+        if (const auto other = b.find(id); other == b.end() || other->second != corners) ids.push_back(id);
+    return ids;
+}
+
+std::vector<std::uint32_t> ids_of(const std::vector<ChangedFace>& faces) {
+    std::vector<std::uint32_t> ids;
+    for (const ChangedFace& face : faces) ids.push_back(face.id.value);
+    return ids;
+}
+
+std::set<Tile> tiles_of(const World& world, const std::vector<ChangedFace>& faces, double size) {
+    std::set<Tile> tiles;
+    for (const ChangedFace& face : faces) {
+        Box box;
+        for (const Vec3& corner : world.face(face.ref).corners) box.add(corner);
+        for (double x = std::floor(box.low.x / size); x <= std::floor(box.high.x / size); ++x)
+            for (double y = std::floor(box.low.y / size); y <= std::floor(box.high.y / size); ++y)
+                for (double z = std::floor(box.low.z / size); z <= std::floor(box.high.z / size); ++z)
+                    tiles.insert({std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+    }
+    return tiles;
+}
+
+TEST(DiffWorlds, SameWorldNoDifference) {
+    const EditedTree edited = rooms();
+    const WorldDiff same = diff_worlds(edited.world(), edited.world(), 1);
+    EXPECT_TRUE(same.empty());
+    EXPECT_TRUE(same.bounds.empty());
+    EXPECT_TRUE(same.tiles.empty());
+    EXPECT_TRUE(diff_worlds(edited.world(), edited.world_from_scratch()).empty()) << "alike, though nothing is shared";
+}
+
+TEST(DiffWorlds, AgreesWithComparingAllFaces) {
+    EditedTree edited = rooms();
+    scenes::Rng rng(3);
+    for (int k = 0; k < 40; ++k) {
+        const EditedTree before = edited;
+        const World old_world = before.world();
+        const int edits = 1 + k % 3;
+        for (int e = 0; e < edits; ++e) {
+            Vec3 centre;
+            for (int axis = 0; axis < 3; ++axis) centre[axis] = rng.uniform(-1, axis == 2 ? 6 : 19);
+            edited.crater(centre, 1.2, 1 + int(rng.below(9)), rng);
+        }
+        const World world = edited.world();
+        const WorldDiff diff = diff_worlds(old_world, world, 2);
+        ASSERT_EQ(ids_of(diff.gone), missing(before.held, edited.held));
+        ASSERT_EQ(ids_of(diff.come), missing(edited.held, before.held));
+        Box bounds;
+        for (const ChangedFace& face : diff.gone) {
+            EXPECT_EQ(old_world.face(face.ref).id, face.id);
+            EXPECT_EQ(face.source, face.id.value);
+            for (const Vec3& corner : old_world.face(face.ref).corners) bounds.add(corner);
+        }
+        for (const ChangedFace& face : diff.come)
+            for (const Vec3& corner : world.face(face.ref).corners) bounds.add(corner);
+        ASSERT_EQ(diff.bounds, bounds);
+        std::set<Tile> tiles = tiles_of(old_world, diff.gone, 2);
+        tiles.merge(tiles_of(world, diff.come, 2));
+        ASSERT_EQ(diff.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
+        const WorldDiff back = diff_worlds(world, old_world);
+        ASSERT_EQ(ids_of(back.gone), ids_of(diff.come));
+        ASSERT_EQ(ids_of(back.come), ids_of(diff.gone));
+    }
+}
+
+TEST(DiffWorlds, SameIdButAnotherFaceIsAChange) {
+    EditedTree one = rooms(), other = rooms();
+    FaceSet set = one.faces();
+    set.faces[5].material = 3;
+    other.tree = build_blocks(set, {});
+    const WorldDiff diff = diff_worlds(one.world(), other.world());
+    ASSERT_EQ(diff.gone.size(), 1u);
+    ASSERT_EQ(diff.come.size(), 1u);
+    EXPECT_EQ(diff.gone[0].id, (FaceId{5}));
+    EXPECT_EQ(diff.come[0].material, 3u);
+}
+
+TEST(DiffWorlds, FromAndToNothing) {
+    const EditedTree edited = rooms();
+    EXPECT_EQ(diff_worlds(World(), edited.world()).come.size(), edited.held.size());
+    EXPECT_EQ(diff_worlds(edited.world(), World()).gone.size(), edited.held.size());
+    EXPECT_TRUE(diff_worlds(World(), World()).empty());
+}
+
+}  // namespace
+}  // namespace firma
