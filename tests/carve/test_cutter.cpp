@@ -212,6 +212,43 @@ TEST(MakeCutter, RefusesWhatEnclosesNothing) {
     EXPECT_TRUE(box_mesh({-1e4, -1e4, 0}, {1e4, 1e4, 1e-4}).cutter().ok());
 }
 
+TEST(MakeCutter, SpoiledMeshesAreRefusedOrSound) {
+    scenes::Rng rng(5);
+    int refused = 0, taken = 0;
+    for (int k = 0; k < 3000; ++k) {
+        TriangleMesh mesh = rng.chance(0.5) ? mesh_of(make_crater(CutterShape::kWedge, 1))
+                                            : mesh_of(make_crater(CutterShape::kRocky, 1));
+        const auto count = std::uint32_t(mesh.triangles.size());
+        for (std::uint32_t times = rng.below(3) + 1; times > 0; --times) {
+            const std::uint32_t t = rng.below(count), u = rng.below(count), corner = rng.below(3);
+            const double bad[] = {0, NAN, 1e300, -5e-324, kInfinity, 3, -1e199};
+            switch (rng.below(5)) {
+                case 0:
+                    mesh.triangles[t][corner] = rng.below(std::uint32_t(mesh.vertices.size()) + 2);
+                    break;
+                case 1:
+                    std::swap(mesh.triangles[t], mesh.triangles[u]);
+                    break;
+                case 2:
+                    mesh.triangles[t] = mesh.triangles[u];
+                    break;
+                case 3:
+                    std::swap(mesh.triangles[t][0], mesh.triangles[t][corner]);
+                    break;
+                default:
+                    mesh.vertices[t % mesh.vertices.size()][int(corner)] = bad[rng.below(7)];
+            }
+        }
+        const Result<Cutter> cutter = mesh.cutter();
+        (cutter.ok() ? taken : refused) += 1;
+        if (!cutter.ok()) continue;
+        expect_true_edges(*cutter.value().data());
+        for (const Vec3& v : cutter.value().vertices()) EXPECT_TRUE(is_finite(v));
+    }
+    EXPECT_GT(refused, 500);
+    EXPECT_GT(taken, 500);
+}
+
 TEST(MakeCutter, RefusesTooManyTrianglesBeforeLookingAtThem) {
     const std::vector<CutterTriangle> triangles(kMostCutterTriangles + 1);
     const Result<Cutter> cutter = make_cutter({}, triangles, "");
