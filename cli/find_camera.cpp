@@ -19,7 +19,8 @@ constexpr int kTrials = 250;
 constexpr std::size_t kTargets = 40;
 constexpr double kNearest = 3, kFarthest = 12;  // metres from eye to target
 constexpr int kTrialWidth = 64;
-constexpr double kSteepest = 0.5;  // of a view, up or down: beyond, people lose their way
+constexpr double kBestShare = 0.3;  // of a picture, for new faces: what is around them must be seen as well
+constexpr double kSteepest = 0.5;   // of a view, up or down: beyond, people lose their way
 
 /// Middles of some new faces, evenly taken.
 std::vector<Vec3> targets_of(const std::vector<Face>& faces) {
@@ -64,8 +65,9 @@ std::optional<debug::Camera> find_camera(const World& before, const World& after
             camera.width = kTrialWidth;
             camera.height = std::max(1, kTrialWidth * size.height / size.width);
             const double share = debug::share_of_new_faces(faces, camera);
-            if (share <= most) continue;
-            most = share;
+            const double worth = -std::fabs(share - kBestShare);
+            if (worth <= most) continue;
+            most = worth;
             camera.width = size.width;
             camera.height = size.height;
             best = camera;

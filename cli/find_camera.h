@@ -9,8 +9,8 @@
 
 namespace firma::cli {
 
-/// Of some hundred seeded views from the air of `before` toward new faces of `after`, the one that shows most of them;
-/// nothing where an edit made none.
+/// Of some hundred seeded views from the air of `before` toward new faces of `after`, the one that shows them
+/// best: on a third of the picture, or as near to that as there is. Nothing where an edit made none.
 ///
 /// @param size  its width, height, zoom and up are kept
 std::optional<debug::Camera> find_camera(const World& before, const World& after, const debug::Camera& size);

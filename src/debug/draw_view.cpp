@@ -12,14 +12,15 @@
 namespace firma::debug {
 namespace {
 
-constexpr int kSamples = 2;         // along each side of a pixel
-constexpr double kNear = 0.02;      // metres before the eye: nothing nearer is seen
-constexpr double kTooClose = 1;     // metres: a wall so near hides what a picture is to show
-constexpr double kCrease = 0.95;    // cosine of the angle from which on a turn of the surface is an edge
-constexpr double kJump = 0.02;      // of the depth: what lies farther behind its neighbour is another surface
-constexpr double kLift = 0.004;     // metres from a face to where its shadow ray begins
-constexpr double kShadow = 0.62;    // light that is left in shadow
-constexpr double kEdgeShade = 0.5;  // light that is left on an edge
+constexpr int kSamples = 2;          // along each side of a pixel
+constexpr double kNear = 0.02;       // metres before the eye: nothing nearer is seen
+constexpr double kTooClose = 2;      // metres: a wall so near hides what a picture is to show
+constexpr double kCrease = 0.95;     // cosine of the angle from which on a turn of the surface is an edge
+constexpr double kJump = 0.02;       // of the depth: what lies farther behind its neighbour is another surface
+constexpr double kLift = 0.004;      // metres from a face to where its shadow ray begins
+constexpr double kLampShare = 0.55;  // of the way to the target, upward and to the left
+constexpr double kShadow = 0.66;     // light that is left in shadow
+constexpr double kEdgeShade = 0.5;   // light that is left on an edge
 constexpr std::uint32_t kNothing = ~0u;
 
 Vec3 unit(const Vec3& v) {
@@ -139,9 +140,14 @@ Buffer paint_all(const Frame& frame, std::span<const Face> faces) {
     return buffer;
 }
 
-/// Where the lamp hangs: up and to the left of the eye, as far as there is room.
-Vec3 lamp_of(const World& world, const Frame& frame) {
-    const Vec3 path = frame.up * 2.2 - frame.right * 1.6;
+/// Toward the lamp from the eye: up and to the left, so that rims throw shadows into what lies behind them.
+Vec3 way_to_lamp(const Frame& frame, const Camera& camera) {
+    return (frame.up - frame.right) * (kLampShare * length(camera.target - camera.eye));
+}
+
+/// Where the lamp hangs: as far that way as there is room.
+Vec3 lamp_of(const World& world, const Frame& frame, const Camera& camera) {
+    const Vec3 path = way_to_lamp(frame, camera);
     CastOptions both;
     both.sides = Sides::kBoth;
     const Hit hit = cast(world, {frame.eye, 0.0}, path, both);
@@ -149,9 +155,9 @@ Vec3 lamp_of(const World& world, const Frame& frame) {
 }
 
 /// Light on a face without shadows: more from above and from the lamp's side.
-double light_on(const Face& face, const Vec3& normal, const Vec3& to_lamp, int up) {
+double light_on(const Vec3& normal, const Vec3& to_lamp, int up) {
     const double facing = std::max(0.0, dot(normal, to_lamp));
-    return (face.source_edit != 0 ? 0.5 : 0.6) + 0.4 * facing + 0.1 * normal[up];
+    return 0.6 + 0.4 * facing + 0.1 * normal[up];
 }
 
 bool in_shadow(const World& world, const Vec3& point, const Vec3& lamp) {
@@ -185,8 +191,8 @@ Vec3 colour_of(const World& world, std::span<const Face> faces, const Buffer& bu
     const Vec3 base = face.source_edit != 0 ? Vec3{0.80, 0.55, 0.33} : Vec3{0.80, 0.81, 0.80};
     Vec3 middle;
     for (const Vec3& corner : face.corners) middle = middle + corner * (1.0 / double(face.corners.size()));
-    const Vec3 toward = face.source_edit != 0 ? unit(lamp - middle) : unit(frame.up * 2.2 - frame.right * 1.6);
-    double light = light_on(face, normal, toward, up);
+    const Vec3 toward = face.source_edit != 0 ? unit(lamp - middle) : unit(frame.up - frame.right);
+    double light = light_on(normal, toward, up);
     if (in_shadow(world, point, lamp)) light *= kShadow;
     if (is_edge(buffer, faces, frame, x, y, x + 1, y) || is_edge(buffer, faces, frame, x, y, x, y + 1))
         light *= kEdgeShade;
@@ -199,7 +205,7 @@ Picture draw_view(const World& world, const Camera& camera) {
     const std::vector<Face> faces = world.faces();
     const Frame frame(camera, kSamples);
     const Buffer buffer = paint_all(frame, faces);
-    const Vec3 lamp = lamp_of(world, frame);
+    const Vec3 lamp = lamp_of(world, frame, camera);
     Picture picture(camera.width, camera.height, {0, 0, 0});
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {

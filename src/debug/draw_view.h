@@ -22,7 +22,7 @@ struct Camera {
 /// their fronts, two-sided ones from both sides; where nothing is, it is black.
 Picture draw_view(const World& world, const Camera& camera);
 
-/// How much of a picture new faces (Face::source_edit) would take, 0 .. 1, less what is nearer than a metre: for
+/// How much of a picture new faces (Face::source_edit) would take, 0 .. 1, less what is nearer than two metres: for
 /// choosing where to look from.
 double share_of_new_faces(std::span<const Face> faces, const Camera& camera);
 
