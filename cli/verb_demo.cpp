@@ -44,7 +44,7 @@ struct DemoArguments {
 };
 
 constexpr std::size_t kSample = 2000;
-constexpr std::size_t kMostTwinFaces = 200000000;  // faces the twin looks at in all; a smaller sample in huge levels
+constexpr std::size_t kMostTwinFaces = 40000000;  // faces the twin looks at in all; a smaller sample in huge levels
 constexpr std::size_t kDrawn = 100;
 
 constexpr const char* kFooter =
