@@ -6,15 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace firma {
+#include "base/random.h"
 
-/// Mixes all bits of a word into all others.
-/// Source: D. Stafford, Better Bit Mixing, 2011, variant 13.
-constexpr std::uint64_t mix_bits(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-    return z ^ (z >> 31);
-}
+namespace firma {
 
 /// Never walked in order, so results cannot depend on where entries lie.
 class FlatMap {

@@ -25,14 +25,27 @@ public:
     void add(double number) { add_word(std::bit_cast<std::uint64_t>(number)); }
     void add(float a, float b) { add(std::bit_cast<std::uint32_t>(a), std::bit_cast<std::uint32_t>(b)); }
 
-    std::uint64_t value() const { return mixed(lanes_[0] + mixed(lanes_[1] + mixed(count_))); }
+    std::uint64_t value() const {
+        std::uint64_t sum = mixed(count_);
+        for (const std::uint64_t chain : chain_) sum = mixed(sum + chain);
+        return sum;
+    }
 
 private:
+    /// Four chains in turn, so that a multiplication need not wait for the one before. The one at hand is always the
+    /// first, which lets all of them stay in registers.
     void add_word(std::uint64_t word) {
-        // Two chains, so that one multiplication need not wait for the one before.
-        std::uint64_t& lane = lanes_[count_++ & 1];
-        lane = (std::rotl(lane, 29) ^ word) * 0x9E3779B97F4A7C15ull;
-        lane ^= lane >> 32;
+        const std::uint64_t next = mixed_lightly(chain_[0], word);
+        chain_[0] = chain_[1];
+        chain_[1] = chain_[2];
+        chain_[2] = chain_[3];
+        chain_[3] = next;
+        ++count_;
+    }
+
+    static std::uint64_t mixed_lightly(std::uint64_t chain, std::uint64_t word) {
+        const std::uint64_t z = (std::rotl(chain, 29) ^ word) * 0x9E3779B97F4A7C15ull;
+        return z ^ (z >> 32);
     }
 
     static std::uint64_t mixed(std::uint64_t z) {
@@ -42,7 +55,8 @@ private:
         return z ^ (z >> 31);
     }
 
-    std::uint64_t lanes_[2] = {0x243F6A8885A308D3ull, 0x13198A2E03707344ull};  // of pi
+    std::uint64_t chain_[4] = {0x243F6A8885A308D3ull, 0x13198A2E03707344ull, 0xA4093822299F31D0ull,
+                               0x082EFA98EC4E6C89ull};  // of pi
     std::uint64_t count_ = 0;
 };
 

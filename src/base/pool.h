@@ -4,8 +4,8 @@
 //
 // Both taking and giving back are a few instructions under a lock of their size's own, however much is held; memory is
 // got from the general allocator in slabs of at most 256 KiB and kept, so that neither growth nor the end of a version
-// ever stalls. (std::pmr::synchronized_pool_resource was the first thought; as GNU's library has it, it searches its
-// chunks in turn once the last one is full, so the cost of an edit would grow with the level.)
+// ever stalls. (With std::pmr::synchronized_pool_resource of GNU's library the time that a piece takes grows with how
+// many are held: see docs/architecture.md.)
 #pragma once
 
 #include <cstddef>

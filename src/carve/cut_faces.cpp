@@ -5,11 +5,19 @@
 #include <algorithm>
 
 #include "carve/gather.h"
+#include "geometry/exact_shift.h"
 
 namespace firma {
 namespace {
 
 constexpr std::int8_t kUnasked = 2;
+
+/// Whether a point lies in a box, or within the rounding of its corners to the grid.
+bool near(const GridBox& box, const ExactPoint& point) {
+    GridBox at;
+    at.add(point.rounded());
+    return boxes_meet(grown(box, 1), at);
+}
 
 std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t(a) << 32 | b;
@@ -60,10 +68,32 @@ std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
     return it.vertex;
 }
 
-int FaceCutter::side_of_face(std::uint32_t vertex) {
+int FaceCutter::side_of_face(std::uint32_t vertex, const GridBox& face) {
     std::int8_t& known = cutter_sides_[vertex];
-    if (known == kUnasked) known = std::int8_t(exact_side(*face_plane_, cut_.cutter->points[vertex]));
-    return known;
+    if (known != kUnasked) return known;
+    const ExactPoint& point = cut_.cutter->points[vertex];
+    int side = exact_side(*face_plane_, point);
+    if (side == 0) side = near(face, point) ? 0 : shifted_side(*face_plane_);
+    known = std::int8_t(side);
+    return side;
+}
+
+int FaceCutter::side_of_triangle(std::uint32_t vertex, std::uint32_t triangle) const {
+    const Plane& plane = cut_.cutter->planes[triangle]->plane;
+    const ExactPoint& point = cut_.patch->vertices[vertex].point;
+    const int side = exact_side(plane, point);
+    if (side != 0 || near(cut_.cutter->boxes[triangle], point)) return side;
+    return -shifted_side(plane);
+}
+
+/// As exact_order(); 0 where edges of face and triangle meet.
+int FaceCutter::order(const OnLine& a, const OnLine& b, const Plane& triangle) const {
+    const int order = exact_order(*face_plane_, triangle, cut_.crossings[a.crossing].point, *a.across,
+                                  cut_.crossings[b.crossing].point);
+    if (order != 0 || a.of_face != b.of_face) return order;
+    const bool shifts = !a.of_face;
+    const int side = shifted_side({a.across, shifts}, {face_plane_, false}, {&triangle, true}, {b.across, shifts});
+    return side * exact_turn(*face_plane_, triangle, *a.across);
 }
 
 Verdict FaceCutter::cut_face(std::uint32_t index) {
@@ -87,17 +117,16 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
     const auto& corners = cut_.cutter->triangle(triangle);
     int corner_side[3];
     for (std::size_t k = 0; k < 3; ++k) {
-        corner_side[k] = side_of_face(corners[k]);
+        corner_side[k] = side_of_face(corners[k], face.box);
         if (corner_side[k] == 0) return Verdict::kDegenerate;
     }
     if (corner_side[0] == corner_side[1] && corner_side[1] == corner_side[2]) return Verdict::kFine;
 
-    const Plane& cutting = cut_.cutter->planes[triangle]->plane;
     const auto uses = patch.uses(face);
     face_sides_.clear();
     bool front = false, back = false;
     for (const PatchUse& use : uses) {
-        const int side = exact_side(cutting, patch.vertices[patch.from(use)].point);
+        const int side = side_of_triangle(patch.from(use), triangle);
         if (side == 0) return Verdict::kDegenerate;
         (side > 0 ? front : back) = true;
         face_sides_.push_back(std::int8_t(side));
@@ -130,14 +159,12 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
 
 /// Orders the points along the line and walks them: where the line is inside both, there is a segment.
 Verdict FaceCutter::emit(std::uint32_t face, std::uint32_t triangle) {
-    const Plane& f = *face_plane_;
     const Plane& t = cut_.cutter->planes[triangle]->plane;
     for (std::size_t k = 1; k < line_.size(); ++k)  // few points: insertion
         for (std::size_t j = k; j > 0; --j) {
-            const int order = exact_order(f, t, cut_.crossings[line_[j - 1].crossing].point, *line_[j - 1].across,
-                                          cut_.crossings[line_[j].crossing].point);
-            if (order == 0) return Verdict::kDegenerate;
-            if (order > 0) break;
+            const int sign = order(line_[j - 1], line_[j], t);
+            if (sign == 0) return Verdict::kDegenerate;
+            if (sign > 0) break;
             std::swap(line_[j - 1], line_[j]);
         }
     bool in_face = false, in_triangle = false;

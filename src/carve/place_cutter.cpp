@@ -93,6 +93,26 @@ Result<PlacedCutter> finish(PlacedCutter placed) {
     return placed;
 }
 
+/// The first tries move little; a place that was cut again and again needs more room.
+std::int32_t farthest_move(int tries) {
+    const int doublings = tries <= 16 ? 0 : tries <= 32 ? 1 : tries <= 48 ? 2 : 3;
+    return kLeastMove << doublings;
+}
+
+/// At each vertex the sum of its triangles' normals.
+std::vector<Vec3> outward(const PlacedCutter& placed) {
+    std::vector<Vec3> out(placed.vertices.size());
+    const auto corner = [&](std::uint32_t v) {
+        const InputPoint& p = placed.vertices[v];
+        return Vec3{double(p.x), double(p.y), double(p.z)};
+    };
+    for (const auto& [a, b, c] : placed.triangles) {
+        const Vec3 normal = cross(corner(b) - corner(a), corner(c) - corner(a));
+        for (const std::uint32_t v : {a, b, c}) out[v] = out[v] + normal;
+    }
+    return out;
+}
+
 }  // namespace
 
 Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose) {
@@ -122,13 +142,22 @@ Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose) {
 
 Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
     Random random(placed.hash ^ mix_bits(std::uint64_t(tries)));
+    const std::int32_t farthest = farthest_move(tries);
+    const std::vector<Vec3> out = outward(placed);
     PlacedCutter moved = placed;
     for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
         std::uint64_t bits = random.next();
         for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
-            const std::uint64_t draw = (bits & 0x1FFFFF) * (2 * kFarthestMove + 1) >> 21;
+            const auto draw = [&](std::int32_t count) {
+                return std::int32_t((bits & 0x1FFFFF) * std::uint64_t(count) >> 21);
+            };
+            // Outward by one step at least, where there is an outward along this axis.
+            const double along = out[k][axis];
+            const std::int32_t by = std::fabs(along) < 0.25 * largest(out[k]) ? draw(2 * farthest + 1) - farthest
+                                    : along > 0                               ? 1 + draw(farthest)
+                                                                              : -1 - draw(farthest);
             std::int32_t& coordinate = moved.vertices[k][axis];
-            coordinate += std::int32_t(draw) - kFarthestMove;
+            coordinate += by;
             if (coordinate < -kRimSteps || coordinate >= kRimSteps) return outside(placed.name, k);
         }
     }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/assert.h"
-#include "carve/check_crossing.h"
+#include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
 #include "carve/label.h"
@@ -36,6 +36,11 @@ std::string number(double value) {
         if (point) break;
     }
     return text;
+}
+
+const CarveRules& rules_of(const World& world) {
+    static const CarveRules kNone;
+    return world.data().rules ? *world.data().rules : kNone;
 }
 
 /// Whether a cutter reaches into a region: by a triangle's box, or by holding its middle.
@@ -75,7 +80,7 @@ void Cut::clear() {
 
 Subtraction::Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
                          CarveKind kind)
-    : world_(world), cutter_(cutter), pose_(pose), options_(options), face_cutter_(cut_) {
+    : world_(world), cutter_(cutter), pose_(pose), options_(options), rules_(rules_of(world_)), face_cutter_(cut_) {
     result_.world = world;
     cut_.patch = &patch_;
     cut_.cutter = &solid_cutter_;
@@ -90,7 +95,7 @@ bool Subtraction::step() {
             phase_ = place();
             break;
         case Phase::kCheck:
-            phase_ = check_cutter();
+            phase_ = judge_cutter();
             break;
         case Phase::kGather:
             phase_ = gather();
@@ -169,11 +174,10 @@ Subtraction::Phase Subtraction::refuse(ErrorCode code, std::string reason) {
 }
 
 Subtraction::Phase Subtraction::place() {
-    const CarveRules& rules = *world_.data().rules;
-    if (cutter_.valid() && cutter_.triangles().size() > rules.most_cutter_triangles)
+    if (cutter_.valid() && cutter_.triangles().size() > rules_.most_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
-                                                std::to_string(rules.most_cutter_triangles));
+                                                std::to_string(rules_.most_cutter_triangles));
     Pose pose = pose_;
     pose.scale *= result_.report.scale;
     Result<PlacedCutter> placed = place_cutter(cutter_, pose);
@@ -185,12 +189,13 @@ Subtraction::Phase Subtraction::place() {
     placed_ = std::move(placed).value();
     make_cutter_solid(placed_, solid_cutter_);
     for (int axis = 0; axis < 3; ++axis)
-        if (solid_cutter_.box.extent(axis) > rules.largest_cutter)
+        if (solid_cutter_.box.extent(axis) > rules_.largest_cutter)
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
-                                                    " m long; the world allows " + number(rules.largest_cutter) + " m");
+                                                    " m long; the world allows " + number(rules_.largest_cutter) +
+                                                    " m");
     double hardest = 0;
     const CarveZone* by = nullptr;
-    for (const CarveZone& zone : rules.zones)
+    for (const CarveZone& zone : rules_.zones)
         if (zone.hardness > hardest && reaches_into(solid_cutter_, zone.box)) {
             hardest = zone.hardness;
             by = &zone;
@@ -206,11 +211,12 @@ Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, P
     return Phase::kPlace;
 }
 
-Subtraction::Phase Subtraction::check_cutter() {
-    if (const auto crossing = find_crossing(placed_))
-        return refuse(ErrorCode::kInvalid, "it crosses or touches itself on the grid, at triangles " +
-                                               std::to_string(crossing->first) + " and " +
-                                               std::to_string(crossing->second));
+Subtraction::Phase Subtraction::judge_cutter() {
+    if (std::optional<Error> fault = firma::check_cutter(placed_)) {
+        result_.status = CarveStatus::kRefused;
+        result_.error = std::move(*fault);
+        return Phase::kEnd;
+    }
     return Phase::kGather;
 }
 
@@ -222,10 +228,10 @@ Subtraction::Phase Subtraction::gather() {
     if (tree_of_room()) gather_facets(*tree_of_room(), reach, facets_);
     for (const FacetPlace& facet : facets_) patch_.add(facet);
     result_.report.faces_looked_at = patch_.faces.size();
-    if (patch_.faces.size() > world_.data().rules->most_faces_looked_at)
+    if (patch_.faces.size() > rules_.most_faces_looked_at)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
                                                 " faces; the world allows " +
-                                                std::to_string(world_.data().rules->most_faces_looked_at));
+                                                std::to_string(rules_.most_faces_looked_at));
     return Phase::kTile;
 }
 
@@ -250,7 +256,7 @@ Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
 Subtraction::Phase Subtraction::move_cutter_aside() {
     while (result_.report.retries < kMostTries) {
         Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
-        if (!moved || find_crossing(moved.value())) continue;
+        if (!moved || firma::check_cutter(moved.value())) continue;
         make_cutter_solid(std::move(moved).value(), solid_cutter_);
         return start_cut();
     }
@@ -298,14 +304,13 @@ Subtraction::Phase Subtraction::trace() {
 }
 
 Subtraction::Phase Subtraction::apply_materials() {
-    const CarveRules& rules = *world_.data().rules;
     double hardest = 0;
     std::uint32_t by = 0;
     for (const std::uint32_t face : cut_.gone) {
         const std::uint32_t material = patch_.faces[face].facet.record().material;
-        if (!takes_something_of(cut_, face) || material >= rules.hardness.size()) continue;
-        if (!(rules.hardness[material] > hardest)) continue;
-        hardest = rules.hardness[material];
+        if (!takes_something_of(cut_, face) || material >= rules_.hardness.size()) continue;
+        if (!(rules_.hardness[material] > hardest)) continue;
+        hardest = rules_.hardness[material];
         by = material;
     }
     NewSource source;
@@ -320,32 +325,46 @@ Subtraction::Phase Subtraction::make_next_faces() {
     const std::uint32_t end = std::min(next_ + kFacesAStep, std::uint32_t(cut_.new_faces.size()));
     for (; next_ < end; ++next_)
         if (!face_maker_->make(next_)) return move_cutter_aside();
-    if (come_.faces.size() > world_.data().rules->most_new_faces)
-        return refuse(ErrorCode::kTooLarge, "it makes more than the " +
-                                                std::to_string(world_.data().rules->most_new_faces) +
+    if (come_.faces.size() > rules_.most_new_faces)
+        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.most_new_faces) +
                                                 " new faces that the world allows");
     return next_ < cut_.new_faces.size() ? Phase::kFacets : Phase::kRemove;
 }
 
+/// All facets of the faces that go. Those near the cutter were gathered already; a face may have others farther away.
+std::vector<FacetPlace> Subtraction::facets_gone() const {
+    std::vector<std::uint32_t> found(patch_.faces.size(), 0);
+    for (const FacetPlace& facet : facets_) ++found[patch_.find(facet)];
+    std::vector<bool> goes(patch_.faces.size(), false);
+    std::vector<FacetPlace> gone;
+    for (const std::uint32_t index : cut_.gone) {
+        const PatchFace& face = patch_.faces[index];
+        if (face.parent != ~0u) continue;  // a piece: its parent goes
+        if (found[index] == (face.stored ? face.stored->facets : 1))
+            goes[index] = true;
+        else
+            gather_face(*tree_of_room(), face.facet, gone);
+    }
+    for (const FacetPlace& facet : facets_)
+        if (goes[patch_.find(facet)]) gone.push_back(facet);
+    return gone;
+}
+
 Subtraction::Phase Subtraction::remove_facets() {
     const WorldData& data = world_.data();
-    std::vector<FacetPlace> gone;
-    for (const std::uint32_t face : cut_.gone) {
-        if (patch_.faces[face].parent != ~0u) continue;  // a piece: its parent goes
-        gather_face(*tree_of_room(), patch_.faces[face].facet, gone);
-    }
+    const std::vector<FacetPlace> gone = facets_gone();
     CarveReport& report = result_.report;
     report.faces_gone = gone.size();
     report.faces_new = come_.faces.size();
-    if (data.face_count - gone.size() + come_.faces.size() > data.rules->most_faces)
+    if (data.face_count - gone.size() + come_.faces.size() > rules_.most_faces)
         return refuse(ErrorCode::kTooLarge,
-                      "the world would have more than " + std::to_string(data.rules->most_faces) + " faces");
+                      "the world would have more than " + std::to_string(rules_.most_faces) + " faces");
     if (come_.faces.size() >= kMostFaceIds - data.next_face)
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report.volume = volume_taken(cut_);
     std::uint32_t id = data.next_face;
     for (FaceSet::Entry& face : come_.faces) face.id = {id++};
-    block_edit_ = std::make_unique<BlockEdit>(data.rooms[0]->tree, data.tree);
+    block_edit_ = std::make_unique<BlockEdit>(data.rooms[0]->tree, data.tree_options);
     for (const FacetPlace& place : gone) block_edit_->remove(place.block, place.slot);
     block_edit_->add(std::move(come_));
     return Phase::kTree;
@@ -357,11 +376,10 @@ Subtraction::Phase Subtraction::edit_tree() {
 
 Subtraction::Phase Subtraction::publish() {
     const CarveReport& report = result_.report;
-    auto data = std::make_shared<WorldData>(world_.data());
+    auto data = next_version(world_.data());
     Ref<Room> room(new Room);
     room->tree = block_edit_->result();
     data->rooms[0] = Ref<const Room>(room.get());
-    ++data->version;
     ++data->edits;
     data->face_count += report.faces_new - report.faces_gone;
     data->next_face += std::uint32_t(report.faces_new);

@@ -21,6 +21,9 @@ public:
     Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
                 CarveKind kind);
 
+    Subtraction(const Subtraction&) = delete;
+    Subtraction& operator=(const Subtraction&) = delete;
+
     /// Does one piece of work; false once there is none left.
     bool step();
     CarveResult take_result() const { return result_; }
@@ -43,7 +46,7 @@ private:
     };
 
     Phase place();
-    Phase check_cutter();
+    Phase judge_cutter();
     Phase gather();
     Phase tile();
     Phase cut_next_face();
@@ -61,6 +64,7 @@ private:
     Phase move_cutter_aside();
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
+    std::vector<FacetPlace> facets_gone() const;
     double* clock_of(Phase phase);
     const Block* tree_of_room() const;
 
@@ -68,6 +72,7 @@ private:
     const Cutter cutter_;
     const Pose pose_;
     const CarveOptions options_;
+    const CarveRules& rules_;
     CarveResult result_;
     Phase phase_ = Phase::kPlace;
 

@@ -70,7 +70,6 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     data->tree_options = options.tree;
     data->face_count = level.faces.size();
     data->rock_outside = solids.rock_outside;
-    data->tree = options.tree;
     data->rules = std::make_shared<const CarveRules>(options.rules);
     data->next_face = std::uint32_t(level.faces.size());
     return World(std::move(data));

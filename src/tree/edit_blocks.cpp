@@ -10,7 +10,7 @@
 
 #include "base/assert.h"
 #include "tree/append_faces.h"
-#include "tree/rounded_box.h"
+#include "tree/bin_growth.h"
 
 namespace firma {
 namespace {
@@ -21,54 +21,15 @@ constexpr std::size_t kLeavesTogether = 8;  ///< leaf blocks rebuilt in one step
 constexpr std::size_t kSmall = 32;          ///< faces in blocks side by side that become one leaf block
 constexpr std::size_t kFewestChildren = 8;  ///< a block of fewer hands them to the block above
 
-/// A tree of so many faces is rebuilt at this many levels of bins or fewer.
+/// What is rebuilt from scratch divides by the rules for so many levels of bins, and halves what is left by count.
 int depth_of_rebuilt(std::size_t faces) {
     return std::bit_width(faces) + 16;
 }
 
-/// Only a deeper one is; from_scratch() never makes it so deep, as it halves what its levels leave.
+/// A deeper tree is rebuilt from scratch, and is then less deep than this: log2(faces / 64) levels halve any rest.
 int deepest_of(std::size_t faces) {
     return 2 * std::bit_width(faces) + 16;
 }
-
-struct Bounds {
-    double low[3], high[3];
-
-    explicit Bounds(const GridBox& box) {
-        const Vec3 a = to_metres(box.low), b = to_metres(box.high);
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = a[axis];
-            high[axis] = b[axis];
-        }
-    }
-};
-
-bool contains(const BoxF& box, const Bounds& inner) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (inner.low[axis] < double(box.low[axis]) || inner.high[axis] > double(box.high[axis])) return false;
-    return true;
-}
-
-double half_area(const double (&extent)[3]) {
-    return extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0];
-}
-
-/// What a bin comes to when a box is added.
-struct Growth {
-    double by, to;  ///< half the surface, square metres
-
-    Growth(const BoxF& box, const Bounds& added) {
-        double before[3], after[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const double low = box.low[axis], high = box.high[axis];
-            before[axis] = high - low;
-            after[axis] = std::max(high, added.high[axis]) - std::min(low, added.low[axis]);
-        }
-        to = half_area(after);
-        by = to - half_area(before);
-    }
-    bool better_than(const Growth& other) const { return by != other.by ? by < other.by : to < other.to; }
-};
 
 GridBox box_of(const FaceSet& set, const FaceSet::Entry& face) {
     GridBox box;
@@ -98,10 +59,12 @@ BlockEdit::BlockEdit(Ref<const Block> root, const TreeOptions& options) : root_(
 
 void BlockEdit::remove(const Block* leaf, std::uint32_t slot) {
     FIRMA_ASSERT(leaf && !leaf->holds_blocks() && slot < leaf->faces.size(), "remove() takes a face of the tree");
+    FIRMA_ASSERT(touched_.empty(), "all changes come before the first step()");
     removed_.push_back({leaf, slot});
 }
 
 void BlockEdit::add(FaceSet&& faces) {
+    FIRMA_ASSERT(touched_.empty(), "all changes come before the first step()");
     if (added_.faces.empty()) {
         added_ = std::move(faces);
         return;

@@ -19,6 +19,15 @@ void add(Hasher& hasher, const std::string& text) {
     }
 }
 
+/// Four in a word.
+void add(Hasher& hasher, const PoolVector<std::uint16_t>& numbers) {
+    std::size_t k = 0;
+    for (; k + 4 <= numbers.size(); k += 4)
+        hasher.add(std::uint64_t(numbers[k]) << 48 | std::uint64_t(numbers[k + 1]) << 32 |
+                   std::uint64_t(numbers[k + 2]) << 16 | numbers[k + 3]);
+    for (; k < numbers.size(); ++k) hasher.add(numbers[k]);
+}
+
 void add(Hasher& hasher, const Bin& bin) {
     for (int axis = 0; axis < 3; ++axis) hasher.add(bin.box.low[axis], bin.box.high[axis]);
     hasher.add(bin.first, bin.count);
@@ -42,7 +51,7 @@ void add(Hasher& hasher, const Block& block) {
         hasher.add(p.x, p.y);
         hasher.add(std::uint32_t(p.z));
     }
-    for (const std::uint16_t corner : block.corner_vertices) hasher.add(corner);
+    add(hasher, block.corner_vertices);
     for (const Ref<const FaceOwner>& owner : block.owners) owner->add_to(hasher);
     for (const Ref<const Block>& child : block.children) add(hasher, *child);
 }
@@ -54,7 +63,8 @@ std::uint64_t hash_world(const World& world) {
     Hasher hasher;
     hasher.add(data.version);
     hasher.add(data.face_count);
-    hasher.add(data.next_face);
+    hasher.add(data.next_face, data.edits);
+    hasher.add(data.rock_outside);
     hasher.add(data.tolerance.skin);
     hasher.add(data.materials ? data.materials->size() : std::size_t(0));
     if (data.materials)

@@ -30,10 +30,9 @@ struct WorldData {
     TreeOptions tree_options;  ///< how trees are built, and rebuilt by edits
     std::uint64_t version = 0;
     std::size_t face_count = 0;
-    std::uint32_t next_face = 0;  ///< the id that the next new face gets
-    std::uint32_t edits = 0;      ///< cuts so far: the next one's faces say they come from edit `edits + 1`
-    bool rock_outside = false;    ///< whether what no face separates from infinity is solid
-    TreeOptions tree;             ///< how blocks are made
+    std::uint32_t next_face = 0;              ///< the id that the next new face gets
+    std::uint32_t edits = 0;                  ///< cuts so far: the next one's faces say they come from edit `edits + 1`
+    bool rock_outside = false;                ///< whether what no face separates from infinity is solid
     std::shared_ptr<const CarveRules> rules;  ///< null: none
 };
 

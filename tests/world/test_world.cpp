@@ -173,6 +173,15 @@ TEST(World, RefusesALevelThatNoReaderMakes) {
     EXPECT_FALSE(make_world(level));
 }
 
+TEST(World, TheNextVersionSharesAllButItsNumber) {
+    const World world = room();
+    const World next(next_version(world.data()));
+    EXPECT_EQ(next.version(), world.version() + 1);
+    EXPECT_EQ(next.data().rooms[0].get(), world.data().rooms[0].get());
+    EXPECT_EQ(next.face_count(), world.face_count());
+    EXPECT_FALSE(check_world(next));
+}
+
 TEST(World, CheckFindsWhatIsBroken) {
     const World world = room();
     const auto broken = [&](auto&& change) {

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// What refuses a cut or shrinks it: zones, materials, limits, and cutters that cannot be placed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "firma/carve.h"
+#include "firma/level.h"
+
+namespace firma {
+namespace {
+
+/// A room of 8 m in rock: a cube wound inward, its floor of one material and the rest of another.
+World room(const CarveRules& rules = {}) {
+    const Level level =
+        read_obj(
+            "v -4 -4 -4\nv 4 -4 -4\nv 4 4 -4\nv -4 4 -4\nv -4 -4 4\nv 4 -4 4\nv 4 4 4\nv -4 4 4\n"
+            "usemtl floor\nf 1 2 3 4\nusemtl wall\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n",
+            "room")
+            .value();
+    return make_world(level, {{}, {}, rules}).value();
+}
+
+std::uint32_t material_of(const World& world, const char* name) {
+    for (std::uint32_t k = 0; k < 8; ++k)
+        if (world.material_name(k) == name) return k;
+    return ~0u;
+}
+
+CarveRules with_hardness(const World& world, const char* name, double hardness) {
+    CarveRules rules;
+    rules.hardness.assign(8, 0);
+    rules.hardness[material_of(world, name)] = hardness;
+    return rules;
+}
+
+Pose at(double x, double y, double z, double scale = 1) {
+    Pose pose;
+    pose.position = {x, y, z};
+    pose.scale = scale;
+    return pose;
+}
+
+const Cutter kRock = make_crater(CutterShape::kRocky, 5);
+
+void expect_refused(const World& before, const CarveResult& result, const char* part_of_reason) {
+    EXPECT_EQ(result.status, CarveStatus::kRefused);
+    EXPECT_NE(result.error.text().find(part_of_reason), std::string::npos) << result.error.text();
+    EXPECT_EQ(&result.world.data(), &before.data());
+    EXPECT_FALSE(check_world(result.world));
+}
+
+TEST(CarveRules, AZoneRefusesACutThatReachesIntoIt) {
+    CarveRules rules;
+    rules.zones.push_back({"vault", {{3, -1, -1}, {6, 1, 1}}, 1});
+    const World world = room(rules);
+    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "zone vault may not be carved");
+    EXPECT_TRUE(carve(world, kRock, at(-4, 0, 0)).done());
+}
+
+TEST(CarveRules, AZoneInsideTheCutterCountsAsWell) {
+    CarveRules rules;
+    rules.zones.push_back({"pea", {{-4.01, 0, 0}, {-4, 0.01, 0.01}}, 1});
+    const World world = room(rules);
+    expect_refused(world, carve(world, kRock, at(-4, 0, 0, 3)), "zone pea");
+}
+
+TEST(CarveRules, ASoftZoneShrinksTheCutter) {
+    CarveRules rules;
+    rules.zones.push_back({"clay", {{3, -2, -2}, {9, 2, 2}}, 0.5});
+    const World world = room(rules), plain = room();
+    const CarveResult shrunk = carve(world, kRock, at(4, 0, 0, 2)), small = carve(plain, kRock, at(4, 0, 0, 1));
+    ASSERT_TRUE(shrunk.done());
+    EXPECT_EQ(shrunk.report.scale, 0.5);
+    EXPECT_EQ(shrunk.report.volume, small.report.volume);
+    EXPECT_EQ(carve(world, kRock, at(-4, 0, 0, 2)).report.scale, 1);
+}
+
+TEST(CarveRules, AMaterialRefusesOrShrinks) {
+    const World plain = room();
+    const World hard = with_rules(plain, with_hardness(plain, "floor", 1));
+    expect_refused(hard, carve(hard, kRock, at(0, 0, -4)), "material floor may not be carved");
+    EXPECT_TRUE(carve(hard, kRock, at(4, 0, 0)).done());
+    const World tough = with_rules(plain, with_hardness(plain, "floor", 0.75));
+    const CarveResult shrunk = carve(tough, kRock, at(0, 0, -4, 2));
+    ASSERT_TRUE(shrunk.done());
+    EXPECT_EQ(shrunk.report.scale, 0.25);
+    EXPECT_EQ(shrunk.report.volume, carve(plain, kRock, at(0, 0, -4, 0.5)).report.volume);
+}
+
+TEST(CarveRules, HardnessIsAskedOfWhatIsTakenOnly) {
+    const World plain = room();
+    const World hard = with_rules(plain, with_hardness(plain, "floor", 1));
+    // Its box meets the floor's, it does not.
+    EXPECT_TRUE(carve(hard, make_crater(CutterShape::kBox, 0), at(4, 0, -2.5)).done());
+}
+
+TEST(CarveRules, LimitsRefuse) {
+    const auto limited = [](auto set) {
+        CarveRules rules;
+        set(rules);
+        return room(rules);
+    };
+    World world = limited([](CarveRules& r) { r.most_faces = 10; });
+    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "more than 10 faces");
+    world = limited([](CarveRules& r) { r.most_new_faces = 20; });
+    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "more than the 20 new faces");
+    world = limited([](CarveRules& r) { r.most_faces_looked_at = 2; });
+    expect_refused(world, carve(world, kRock, at(4, 4, 4)), "it meets 3 faces; the world allows 2");
+    world = limited([](CarveRules& r) { r.most_cutter_triangles = 100; });
+    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "180 triangles; the world allows 100");
+    world = limited([](CarveRules& r) { r.largest_cutter = 2; });
+    expect_refused(world, carve(world, kRock, at(4, 0, 0, 3)), "the world allows 2 m");
+}
+
+TEST(CarveRules, WhatCannotBePlacedIsRefused) {
+    const World world = room();
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    expect_refused(world, carve(world, Cutter(), at(0, 0, 0)), "empty cutter");
+    expect_refused(world, carve(world, kRock, at(nan, 0, 0)), "not finite");
+    expect_refused(world, carve(world, kRock, at(0, 0, 0, infinity)), "finite number above zero");
+    expect_refused(world, carve(world, kRock, at(0, 0, 0, 0)), "above zero");
+    expect_refused(world, carve(world, kRock, at(8192, 0, 0)), "outside the world");
+    expect_refused(world, carve(world, kRock, at(0, 0, 0, 1e-5)), "no area on the grid");
+    Pose spun = at(0, 0, 0);
+    spun.rotation = {0, 0, 0, 0};
+    expect_refused(world, carve(world, kRock, spun), "rotation");
+}
+
+TEST(CarveRules, ZonesThatAreNoBoxesDoNothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CarveRules rules;
+    rules.zones.push_back({"empty", {}, 1});
+    rules.zones.push_back({"nothing", {{nan, nan, nan}, {nan, nan, nan}}, 1});
+    rules.zones.push_back({"far", {{9000, 9000, 9000}, {9001, 9001, 9001}}, 1});
+    rules.zones.push_back({"unasked", {{-9e9, -9e9, -9e9}, {9e9, 9e9, 9e9}}, nan});
+    const World world = room(rules);
+    EXPECT_TRUE(carve(world, kRock, at(4, 0, 0)).done());
+    rules.zones.push_back({"everywhere", {{-9e9, -9e9, -9e9}, {9e9, 9e9, 9e9}}, 1});
+    const World closed = with_rules(world, rules);
+    expect_refused(closed, carve(closed, kRock, at(4, 0, 0)), "zone everywhere");
+}
+
+TEST(Carve, InTheAirNothingHappens) {
+    const World world = room();
+    const CarveResult result = carve(world, kRock, at(0, 0, 0));
+    EXPECT_EQ(result.status, CarveStatus::kNothing);
+    EXPECT_EQ(&result.world.data(), &world.data());
+    EXPECT_EQ(fill(world, kRock, at(100, 0, 0)).status, CarveStatus::kNothing);  // in the rock
+}
+
+TEST(Carve, NewFacesSayWhereTheyComeFrom) {
+    const World world = room();
+    CarveOptions options;
+    options.material = "rubble";
+    const CarveResult result = carve(world, kRock, at(4, 0, 0), options);
+    ASSERT_TRUE(result.done());
+    EXPECT_EQ(result.world.version(), world.version() + 1);
+    std::size_t from_cutter = 0, from_level = 0;
+    for (const Face& face : result.world.faces()) {
+        EXPECT_TRUE(face.solid);
+        if (face.source_edit == 0) {
+            ++from_level;
+            EXPECT_LT(face.source, 6u);
+            continue;
+        }
+        ++from_cutter;
+        EXPECT_EQ(face.source_edit, 1u);
+        EXPECT_LT(face.source, 180u);
+        EXPECT_EQ(result.world.material_name(face.material), "rubble");
+    }
+    EXPECT_GT(from_cutter, 40u);
+    EXPECT_GT(from_level, 6u);
+    EXPECT_EQ(result.world.face_count(), world.face_count() - result.report.faces_gone + result.report.faces_new);
+}
+
+TEST(Carve, UntouchedFacesKeepTheirIds) {
+    const World world = room();
+    const CarveResult result = carve(world, kRock, at(0, 0, -4));
+    ASSERT_TRUE(result.done());
+    for (std::uint32_t id = 0; id < 6; ++id) {
+        const auto before = world.find_face({id}), after = result.world.find_face({id});
+        ASSERT_TRUE(before);
+        EXPECT_EQ(after.has_value(), id != 0) << "the floor alone was cut";
+        if (after) {
+            EXPECT_EQ(after->corners, before->corners);
+        }
+    }
+}
+
+TEST(Carve, SeveralEditsBecomeOneVersion) {
+    const World world = room();
+    WorldEdit edit(world);
+    EXPECT_TRUE(edit.carve(kRock, at(4, 0, 0)).done());
+    EXPECT_TRUE(edit.carve(kRock, at(-4, 0, 0)).done());
+    EXPECT_EQ(edit.carve(kRock, at(0, 0, 0)).status, CarveStatus::kNothing);
+    EXPECT_TRUE(edit.fill(make_crater(CutterShape::kBox, 0), at(0, 0, -4)).done());
+    const World after = edit.finish();
+    EXPECT_EQ(after.version(), world.version() + 1);
+    EXPECT_FALSE(check_world(after));
+    World one_by_one = carve(world, kRock, at(4, 0, 0)).world;
+    one_by_one = carve(one_by_one, kRock, at(-4, 0, 0)).world;
+    one_by_one = fill(one_by_one, make_crater(CutterShape::kBox, 0), at(0, 0, -4)).world;
+    EXPECT_EQ(after.face_count(), one_by_one.face_count());
+    EXPECT_EQ(world.face_count(), 6u);
+    EXPECT_EQ(WorldEdit(world).finish().version(), world.version());
+}
+
+TEST(Carve, InSlicesItEndsInTheSameFaces) {
+    const World world = room();
+    const CarveResult at_once = carve(world, kRock, at(4, 1, 1, 1.5));
+    CarveJob job(world, kRock, at(4, 1, 1, 1.5));
+    int slices = 1;
+    while (!job.run(0)) ++slices;
+    EXPECT_GT(slices, 10);
+    const CarveResult sliced = job.result();
+    ASSERT_TRUE(sliced.done());
+    const std::vector<Face> a = at_once.world.faces(), b = sliced.world.faces();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        EXPECT_EQ(a[k].id, b[k].id);
+        EXPECT_EQ(a[k].corners, b[k].corners);
+    }
+    EXPECT_EQ(sliced.report.volume, at_once.report.volume);
+}
+
+TEST(Carve, ADroppedJobLeavesNoTrace) {
+    const World world = room();
+    {
+        CarveJob job(world, kRock, at(4, 0, 0));
+        for (int k = 0; k < 8; ++k) job.run(0);
+        EXPECT_FALSE(job.finished());
+    }
+    EXPECT_EQ(world.face_count(), 6u);
+    EXPECT_FALSE(check_world(world));
+}
+
+TEST(Carve, ABoxOutOfARoomsWallHasItsVolume) {
+    const World world = room();
+    // 2 x 2 x 2 m, one metre of it in the rock; a flush one takes all of it.
+    EXPECT_NEAR(carve(world, make_crater(CutterShape::kBox, 0), at(4, 0, 0)).report.volume, 4, 0.01);
+    const CarveResult flush = carve(world, make_crater(CutterShape::kBox, 0), at(5, 0, 0));
+    ASSERT_TRUE(flush.done());
+    EXPECT_NEAR(flush.report.volume, 8, 0.02);
+    // It opened the wall: there is a way in.
+    EXPECT_EQ(cast(flush.world, {{0, 0, 0}, 0.5}, {5, 0, 0}).status, Status::kMiss);
+}
+
+TEST(Carve, ACavityInRockAndAPillarInTheAir) {
+    const World world = room();
+    const CarveResult cavity = carve(world, kRock, at(20, 0, 0));
+    ASSERT_TRUE(cavity.done());
+    EXPECT_EQ(cavity.report.faces_gone, 0u);
+    EXPECT_EQ(cavity.report.faces_new, 180u);
+    EXPECT_EQ(in_solid(cavity.world, {20, 0, 0}), std::optional(false));
+    EXPECT_EQ(in_solid(world, {20, 0, 0}), std::optional(true));
+    const CarveResult boulder = fill(world, kRock, at(0, 0, 0));
+    ASSERT_TRUE(boulder.done());
+    EXPECT_EQ(in_solid(boulder.world, {0, 0, 0}), std::optional(true));
+    EXPECT_NEAR(boulder.report.volume, -cavity.report.volume, 1e-9);
+    // A larger cutter around either takes it away again.
+    EXPECT_EQ(carve(boulder.world, kRock, at(0, 0, 0, 2)).world.face_count(), world.face_count());
+    EXPECT_EQ(fill(cavity.world, kRock, at(20, 0, 0, 2)).world.face_count(), world.face_count());
+}
+
+TEST(Carve, AWorldOfNothingIsAir) {
+    const World empty;
+    EXPECT_EQ(carve(empty, kRock, at(0, 0, 0)).status, CarveStatus::kNothing);
+    const CarveResult rock = fill(empty, kRock, at(0, 0, 0));
+    ASSERT_TRUE(rock.done());
+    EXPECT_EQ(rock.world.face_count(), 180u);
+    EXPECT_FALSE(check_world(rock.world));
+}
+
+TEST(Carve, TheWholeLevelCanGo) {
+    const World world = room();
+    const CarveResult all = fill(world, make_crater(CutterShape::kBox, 0), at(0, 0, 0, 10));
+    ASSERT_TRUE(all.done());
+    EXPECT_EQ(all.world.face_count(), 0u);
+    EXPECT_EQ(in_solid(all.world, {0, 0, 0}), std::optional(true));
+    EXPECT_TRUE(carve(all.world, kRock, at(0, 0, 0)).done());
+}
+
+}  // namespace
+}  // namespace firma
