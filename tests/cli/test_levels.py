@@ -195,8 +195,21 @@ class Demo(CliTest):
         self.assertLess(report['share_of_faces'], 0.02)
         self.assertGreater(report['hit'], 5000)
         xml.etree.ElementTree.parse(self.path('new/folder/demo.svg'))
-        text = self.firma('demo', FIRST, '--casts', '2000')
+        craters = report['craters']
+        self.assertEqual([craters[k] for k in ['count', 'refused', 'casts', 'rays', 'escaped_before', 'escaped', 'disagreements']],
+                         [200, 0, 20000, 20000, 0, 0, 0])
+        self.assertGreater(craters['done'], 150)
+        self.assertGreater(craters['faces_after'], report['faces'] + 50 * craters['done'])
+        self.assertGreater(craters['checked'], 500)
+        self.assertEqual(report['view'], 'new/folder/demo_view.png')
+        self.assertEqual(self.read('new/folder/demo_view.png')[:4], b'\x89PNG')
+        again = self.firma_json('demo', FIRST, '--casts', '20000', '-o', 'x.svg')
+        self.assertEqual(again['craters']['hash'], craters['hash'])
+        self.assertEqual(self.read('x.svg'), self.read('new/folder/demo.svg'))
+        text = self.firma('demo', FIRST, '--casts', '2000', '--craters', '20')
         self.assertIn('0 disagreements', text)
+        self.assertIn('rays that escape         0 of 2,000', text)
+        self.assertIn('before and after         firma_demo_view.png', text)
         self.assertIn('firma_demo.svg', text)
         self.assertTrue(os.path.exists(self.path('firma_demo.svg')))
 
@@ -209,11 +222,14 @@ class Demo(CliTest):
 
     def test_open_level(self):
         self.write('open.obj', obj(CORNERS, FACES[:3]))
-        self.assertEqual(self.firma_json('demo', 'open.obj', '--casts', '500')['disagreements'], 0)
+        report = self.firma_json('demo', 'open.obj', '--casts', '500')
+        self.assertEqual((report['disagreements'], report['craters']['done'], report['view']), (0, 0, None))
+        self.assertIn('nothing here bounds a closed solid', self.firma('demo', 'open.obj', '--casts', '500', '-o', 'x.svg'))
 
     def test_bad_calls(self):
         self.refuse('demo', FIRST, '--casts', '0', says='--casts')
         self.refuse('demo', FIRST, '--seed', '1.5', says='--seed')
+        self.refuse('demo', FIRST, '--craters', '-1', says='--craters')
 
 
 if __name__ == '__main__':
