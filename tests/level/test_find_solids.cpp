@@ -299,8 +299,9 @@ void expect_edits_along(const Level& level, double low, double high, std::uint64
         const Cutter cutter = make_crater(CutterShape(k % 5), std::uint64_t(k));
         const CarveResult result = k % 3 == 2 ? fill(world, cutter, pose) : carve(world, cutter, pose);
         done += result.done();
-        if (result.status == CarveStatus::kRefused)
+        if (result.status == CarveStatus::kRefused) {
             EXPECT_NE(result.error.reason.find("degenerate position"), std::string::npos) << result.error.reason;
+        }
         world = result.world;
         const auto fault = check_solid(world);
         ASSERT_FALSE(fault) << k << ": " << fault->what;
