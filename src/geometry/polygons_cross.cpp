@@ -102,6 +102,7 @@ struct CornerSides {
     std::int8_t of[kMaxCorners];
     bool apart = false;     ///< all on one side
     bool coplanar = false;  ///< all in the plane
+    bool one_side = false;  ///< all but those in the plane
 
     CornerSides(const MeshPolygon& polygon, const Target& target) {
         bool front = false, back = false, on = false;
@@ -113,6 +114,7 @@ struct CornerSides {
         }
         apart = !on && front != back;
         coplanar = !front && !back;
+        one_side = front != back;
     }
 };
 
@@ -122,6 +124,22 @@ bool edges_meet(const MeshPolygon& polygon, const CornerSides& sides, const Targ
         const std::size_t next = k + 1 < count ? k + 1 : 0;
         if (target.met_by(polygon.corners[k], polygon.corners[next], sides.of[k], sides.of[next])) return true;
     }
+    return false;
+}
+
+/// Whether all that a polygon on one side of another's plane has in that plane is a corner in common: so it is with
+/// most neighbours.
+bool leaves_from_corner(const MeshPolygon& p, const CornerSides& sides, const MeshPolygon& q) {
+    if (!sides.one_side) return false;
+    std::size_t on = 0, corner = 0;
+    for (std::size_t k = 0; k < p.corners.size(); ++k)
+        if (sides.of[k] == 0) {
+            ++on;
+            corner = k;
+        }
+    if (on != 1) return false;
+    for (const std::uint32_t other : q.corners)
+        if (other == p.corners[corner]) return true;
     return false;
 }
 
@@ -153,9 +171,9 @@ AreaVector polygon_normal(std::span<const InputPoint> points, std::span<const st
 bool polygons_cross(std::span<const InputPoint> points, const MeshPolygon& p, const MeshPolygon& q) {
     const Target at_p(points, p), at_q(points, q);
     const CornerSides of_p(p, at_q);
-    if (of_p.apart) return false;
+    if (of_p.apart || leaves_from_corner(p, of_p, q)) return false;
     const CornerSides of_q(q, at_p);
-    if (of_q.apart) return false;
+    if (of_q.apart || leaves_from_corner(q, of_q, p)) return false;
     if (of_p.coplanar && folded(p, q)) return true;
     return edges_meet(p, of_p, at_q) || edges_meet(q, of_q, at_p);
 }
