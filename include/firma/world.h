@@ -71,8 +71,8 @@ private:
 
 struct WorldOptions {
     TreeOptions tree;
-    Tolerance tolerance;
-    CarveRules rules;
+    Tolerance tolerance{};
+    CarveRules rules{};
 };
 
 /// The same world under other rules for carving.

@@ -59,13 +59,31 @@ std::uint32_t FaceCutter::cutter_crossing(std::uint32_t edge, std::uint32_t face
     return known;
 }
 
+std::uint32_t FaceCutter::new_vertex(std::uint32_t crossing) {
+    cut_.real.push_back(crossing);
+    return cut_.first_real() + std::uint32_t(cut_.real.size()) - 1;
+}
+
+/// Where solids touch along a line there are several edges, but one vertex where they cross a triangle: loops on it
+/// must be able to turn from one to the other.
 std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
     CutPoint& it = cut_.crossings[crossing];
-    if (it.vertex == ~0u) {
-        it.vertex = cut_.first_real() + std::uint32_t(cut_.real.size());
-        cut_.real.push_back(crossing);
+    if (it.vertex != ~0u) return it.vertex;
+    cut_.met.push_back(crossing);
+    if (!it.of_world) return it.vertex = new_vertex(crossing);
+    const GridPoint& p = it.point.rounded();
+    const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
+    for (std::uint64_t key = mix_bits(xy) + std::uint32_t(p.z) + mix_bits(it.face);; key = mix_bits(key + 1)) {
+        std::uint32_t& known = cut_.met_at.at(key);
+        if (known == FlatMap::kNone) {
+            known = crossing;
+            return it.vertex = new_vertex(crossing);
+        }
+        const CutPoint& other = cut_.crossings[known];
+        if (other.face == it.face && exact_side(it.planes[0]->plane, other.point) == 0 &&
+            exact_side(it.planes[1]->plane, other.point) == 0)
+            return it.vertex = other.vertex;
     }
-    return it.vertex;
 }
 
 int FaceCutter::side_of_face(std::uint32_t vertex, const GridBox& face) {

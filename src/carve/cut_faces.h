@@ -34,6 +34,7 @@ private:
     std::uint32_t cutter_crossing(std::uint32_t edge, std::uint32_t face);
     Verdict emit(std::uint32_t face, std::uint32_t triangle);
     std::uint32_t vertex_of(std::uint32_t crossing);
+    std::uint32_t new_vertex(std::uint32_t crossing);
 
     Cut& cut_;
     const Plane* face_plane_ = nullptr;

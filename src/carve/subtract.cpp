@@ -68,7 +68,9 @@ void Cut::clear() {
     crossings.clear();
     world_crossing.clear();
     cutter_crossing.clear();
+    met.clear();
     real.clear();
+    met_at.clear();
     segments.clear();
     face_cut.assign(patch->faces.size(), 0);
     new_edges.clear();
@@ -236,8 +238,10 @@ Subtraction::Phase Subtraction::gather() {
 }
 
 Subtraction::Phase Subtraction::tile() {
-    if (tree_of_room())
-        tile_faces(*tree_of_room(), grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput), patch_);
+    // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
+    // divided into facets, whose corners are rounded.
+    const GridBox reach = grown(solid_cutter_.box, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2);
+    if (tree_of_room()) tile_faces(*tree_of_room(), reach, patch_);
     return start_cut();
 }
 

@@ -18,6 +18,27 @@ std::pair<int, double> longest_axis(const GridBox& box) {
     return {best, box.extent(best)};
 }
 
+/// Whether a loop and what it encloses reach into a box, by clipping it on each side in turn. Corners that lie along a
+/// side make no difference, as they come and go with the neighbours' edges: whether a face is halved must not depend on
+/// what was cut elsewhere before.
+bool reaches_into(std::vector<Vec3>& loop, const GridBox& box) {
+    std::vector<Vec3> kept;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            const double bound = sign * (sign > 0 ? box.low : box.high)[axis] / kSurfacePerInput;
+            kept.clear();
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const Vec3 &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
+                const double at_a = sign * a[axis] - bound, at_b = sign * b[axis] - bound;
+                if (at_a >= 0) kept.push_back(a);
+                if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0))
+                    kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+            }
+            loop.swap(kept);
+        }
+    return !loop.empty();
+}
+
 class Tiler {
 public:
     Tiler(const Block& root, const GridBox& box, SolidPatch& patch) : root_(root), box_(box), patch_(patch) {}
@@ -32,9 +53,14 @@ public:
     }
 
 private:
-    bool too_large(std::uint32_t face) const {
-        const GridBox& box = patch_.faces[face].box;
-        return longest_axis(box).second > kLargestTile && boxes_meet(grown(box, 1), box_);
+    bool too_large(std::uint32_t index) {
+        const PatchFace& face = patch_.faces[index];
+        if (face.loop_count != 1 || longest_axis(face.box).second <= kLargestTile || !boxes_meet(face.box, box_))
+            return false;
+        loop_.clear();
+        for (const PatchUse& use : patch_.uses(face))
+            loop_.push_back(patch_.vertices[patch_.from(use)].point.approximate());
+        return reaches_into(loop_, box_);
     }
 
     /// The face's loop with every split edge as its halves.
@@ -50,7 +76,6 @@ private:
     }
 
     void halve(std::uint32_t index) {
-        if (patch_.faces[index].loop_count != 1) return;
         const GridBox box = patch_.faces[index].box;
         const int axis = longest_axis(box).first;
         const std::int64_t middle = (std::int64_t(box.low[axis]) + box.high[axis]) / 2;
@@ -197,6 +222,7 @@ private:
     std::vector<std::uint32_t> split_;
     std::vector<PatchUse> uses_;
     std::vector<int> sides_;
+    std::vector<Vec3> loop_;  ///< input steps
 };
 
 }  // namespace
