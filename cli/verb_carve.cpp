@@ -20,6 +20,8 @@
 #include "cli/progress.h"
 #include "cli/read_blasts.h"
 #include "firma/write_obj.h"
+#include "tree/visit.h"
+#include "world/world_data.h"
 
 namespace firma::cli {
 
@@ -56,11 +58,12 @@ A number that makes no crater (a radius of 0 or less, a place outside the world)
 change the exit code.
 
 The level written: the faces that casts meet, convex polygons of exactly the corners they have (decimals, multiples
-of 1/262144 m), with their materials. Only closed solids are carved; a .bsp has none. Both files appear whole or
-not at all; `-` writes standard output. Should a cut contradict itself, which is a fault of Firma, the blast is
-refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter: please send it.
+of 1/262144 m), with their materials. Only closed solids are carved; a .bsp has none. Read again, its vertices are snapped to
+1/4096 m; where that makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. Both files appear whole or
+not at all; `-` writes standard output. Should cuts contradict each other, which would be a fault of Firma, the
+blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter.
 
---json: level, blasts, done, nothing, refused, faces_before, faces_after, median_ms, p99_ms, longest_ms,
+--json: level, blasts, done, nothing, refused, faces_before, faces_after, castable_only, median_ms, p99_ms, longest_ms,
 longest_slice_ms, retries, volume, hash, read_seconds, build_seconds, out, report.
 
 For instance, a crater and a drill hole in our level:
@@ -70,7 +73,7 @@ For instance, a crater and a drill hole in our level:
 
 /// What is told about all blasts together.
 struct Tally {
-    std::size_t done = 0, nothing = 0, refused = 0, contradictions = 0;
+    std::size_t done = 0, nothing = 0, refused = 0;
     std::size_t faces_before = 0, faces_after = 0;
     std::vector<double> seconds;  ///< of the edits that carved something
     double longest_slice = 0, longest = 0;
@@ -90,6 +93,18 @@ const char* status_name(CarveStatus status) {
     return "";
 }
 
+/// Faces that blasts pass by.
+std::size_t castable_only(const World& world) {
+    std::size_t count = 0;
+    for (const Ref<const Room>& room : world.data().rooms) {
+        if (!room->tree) continue;
+        for_each_face_block(*room->tree, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) count += !face.solid;
+        });
+    }
+    return count;
+}
+
 std::string hash_text(const World& world) {
     return fmt::format("{:016x}", hash_world(world));
 }
@@ -104,25 +119,27 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
     report.write(row + ',' + hash_text(world) + '\n');
 }
 
-void complain(const std::string& place, std::size_t blast, const std::string& text) {
-    std::fflush(stdout);
-    std::fputs(fmt::format("firma: {}:{}: blast {} {}\n", place, blast + 2, blast, text).c_str(), stderr);
-}
-
 /// after.obj -> after.repro-7.obj
 std::string reproduction_path(const std::string& out, std::size_t blast) {
     const std::filesystem::path path(out);
     return (path.parent_path() / fmt::format("{}.repro-{}.obj", path.stem().string(), blast)).string();
 }
 
-void keep_reproduction(const CarveArguments& arguments, std::size_t blast, const std::string& text) {
-    if (is_standard_output(arguments.out))
-        return complain(arguments.blasts, blast, "contradicts itself; with -o FILE a reproduction would be kept");
-    const std::string path = reproduction_path(arguments.out, blast);
+/// Writes what it takes to see a contradiction again. @return where, for people
+std::string keep_reproduction(const std::string& out, std::size_t blast, const std::string& text) {
+    if (is_standard_output(out)) return "with -o FILE what it takes to see this again would be kept";
+    const std::string path = reproduction_path(out, blast);
     AtomicFile file(path);
     file.write(text);
     file.commit();
-    complain(arguments.blasts, blast, "contradicts itself: see " + path);
+    return "to see this again: " + path;
+}
+
+void tell_refusal(const CarveArguments& arguments, std::size_t blast, const CarveResult& result) {
+    std::string text =
+        fmt::format("firma: {}:{}: blast {} refused: {}", arguments.blasts, blast + 2, blast, result.error.text());
+    if (!result.reproduction.empty()) text += "; " + keep_reproduction(arguments.out, blast, result.reproduction);
+    std::fputs((text + "\n").c_str(), stderr);
 }
 
 Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions& options,
@@ -145,8 +162,7 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
             tally.volume += result.report.volume;
         }
         if (report) write_row(*report, k, fired, world);
-        if (result.status == CarveStatus::kRefused) complain(arguments.blasts, k, "refused: " + result.error.text());
-        if (!result.reproduction.empty()) keep_reproduction(arguments, k, result.reproduction);
+        if (result.status == CarveStatus::kRefused) tell_refusal(arguments, k, result);
         progress.add(1);
     }
     tally.faces_after = world.face_count();
@@ -170,6 +186,7 @@ std::string json_text(const CarveArguments& arguments, const LoadedLevel& loaded
     json.add("refused", tally.refused);
     json.add("faces_before", tally.faces_before);
     json.add("faces_after", tally.faces_after);
+    json.add("castable_only", castable_only(world));
     json.add("median_ms", 1e3 * percentile(tally.seconds, 0.5));
     json.add("p99_ms", 1e3 * percentile(tally.seconds, 0.99));
     json.add("longest_ms", 1e3 * tally.longest);
@@ -197,6 +214,8 @@ std::string text_for_people(const CarveArguments& arguments, Tally& tally, const
         text += fmt::format("  {:<12} {}\n", what, value);
     };
     row("faces", fmt::format("{} before, {} after", grouped(tally.faces_before), grouped(tally.faces_after)));
+    if (const std::size_t faces = castable_only(world); faces > 0)
+        row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them", grouped(faces)));
     row("volume", fmt::format("{:.6g} cubic metres taken", tally.volume));
     if (!tally.seconds.empty())
         row("an edit", fmt::format("median {}, 99th percentile {}", seconds_text(percentile(tally.seconds, 0.5)),

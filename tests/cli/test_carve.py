@@ -154,6 +154,9 @@ class After(CarveTest):
         row, = self.carve('open.obj', '2,2,0,1,rocky,1\n')
         self.assertEqual((row['status'], row['faces_new']), ('nothing', '0'))
         self.assertEqual(len(self.faces('a.obj')), 1)
+        self.assertIn('1 of the faces bound no closed solid', self.firma('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj'))
+        self.assertEqual(self.firma_json('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 1)
+        self.assertEqual(self.firma_json('carve', FIRST, '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 0)
 
     def test_scale(self):
         self.write('large.obj', box(400, 400, 400))
