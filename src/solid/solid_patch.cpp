@@ -32,8 +32,10 @@ void fetch_ahead(std::span<const FacetPlace> facets) {
         faces.push_back(face);
     }
     constexpr std::size_t kUsesOfALine = 4;
-    for (const SolidFace* face : faces)
+    for (const SolidFace* face : faces) {
+        fetch(face->plane.get());
         for (std::size_t k = 0; k < face->uses.size(); k += kUsesOfALine) fetch(face->uses.data() + k);
+    }
     for (const SolidFace* face : faces)
         for (const SolidUse& use : face->uses) fetch(use.edge.get());
     for (const SolidFace* face : faces)
