@@ -2,6 +2,7 @@
 // A hash map from 64 bits to 32, for scratch: open addressing, emptied in no time, its memory kept.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,6 +46,12 @@ public:
     }
 
     std::size_t size() const { return count_; }
+
+    /// Makes room for as many entries, before the first.
+    void reserve(std::size_t count) {
+        const std::size_t places = std::bit_ceil(2 * (count + 1));
+        if (count_ == 0 && places > entries_.size()) entries_.assign(places, Entry{});
+    }
 
 private:
     struct Entry {

@@ -228,7 +228,7 @@ Subtraction::Phase Subtraction::gather() {
     // The cutter may be moved aside later: by so many steps of the input grid.
     const GridBox reach = grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput);
     if (tree_of_room()) gather_facets(*tree_of_room(), reach, facets_);
-    for (const FacetPlace& facet : facets_) patch_.add(facet);
+    patch_.add(facets_);
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > rules_.most_faces_looked_at)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +

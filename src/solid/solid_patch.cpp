@@ -15,6 +15,37 @@ std::uint64_t key_of(const InputPoint& p) {
     return mix_bits(xy) + std::uint64_t(std::uint32_t(p.z)) * 0x9E3779B97F4A7C15ull;
 }
 
+void fetch(const void* memory) {
+    __builtin_prefetch(memory);
+}
+
+/// Faces, their edges and vertices lie scattered: asks for all of a kind before the first is needed, so that waits for
+/// memory overlap. Changes nothing.
+void fetch_ahead(std::span<const FacetPlace> facets) {
+    std::vector<const SolidFace*> faces;
+    faces.reserve(facets.size());
+    for (const FacetPlace& facet : facets) {
+        const auto* face = static_cast<const SolidFace*>(facet.block->owner_of(facet.record()));
+        if (!face || (!faces.empty() && faces.back() == face)) continue;
+        fetch(face);
+        fetch(&face->uses);
+        faces.push_back(face);
+    }
+    constexpr std::size_t kUsesOfALine = 4;
+    for (const SolidFace* face : faces) {
+        fetch(face->plane.get());
+        for (std::size_t k = 0; k < face->uses.size(); k += kUsesOfALine) fetch(face->uses.data() + k);
+    }
+    for (const SolidFace* face : faces)
+        for (const SolidUse& use : face->uses) fetch(use.edge.get());
+    for (const SolidFace* face : faces)
+        for (const SolidUse& use : face->uses) {
+            const SolidVertex* vertex = &use.from();  // each is the start of some use
+            fetch(vertex);
+            fetch(&vertex->planes);
+        }
+}
+
 }  // namespace
 
 void SolidPatch::clear() {
@@ -38,6 +69,14 @@ std::uint32_t SolidPatch::add(const FacetPlace& facet) {
     if (known != FlatMap::kNone) return known;
     known = std::uint32_t(faces.size());
     return owner ? add_stored(facet, static_cast<const SolidFace&>(*owner)) : add_untouched(facet);
+}
+
+void SolidPatch::add(std::span<const FacetPlace> facets) {
+    fetch_ahead(facets);
+    face_of_.reserve(facets.size());
+    vertex_of_point_.reserve(facets.size());
+    edge_of_pair_.reserve(2 * facets.size());
+    for (const FacetPlace& facet : facets) add(facet);
 }
 
 std::uint32_t SolidPatch::grid_vertex(const InputPoint& point) {

@@ -61,6 +61,8 @@ public:
     /// Takes in the face that a facet belongs to, unless it is there already.
     /// @return its number
     std::uint32_t add(const FacetPlace& facet);
+    /// Likewise the faces of several facets, in this order; quicker than one by one.
+    void add(std::span<const FacetPlace> facets);
     /// The number of a facet's face, or none: ~0.
     std::uint32_t find(const FacetPlace& facet) const;
 

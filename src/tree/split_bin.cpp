@@ -58,9 +58,38 @@ struct Plane {
     double cost = 0;
 };
 
+constexpr std::size_t kFew = 12;  ///< items that are sorted rather than dropped into buckets
+
+/// improve_along_axis() for few items: sweeps over them in order of their buckets.
+void improve_with_few(std::span<const BuildItem> items, const Buckets& buckets, int axis, Plane& best) {
+    std::array<int, kFew> bucket_of;
+    std::array<std::uint8_t, kFew> order;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        bucket_of[k] = buckets.of(items[k].centre(axis));
+        std::size_t at = k;
+        for (; at > 0 && bucket_of[order[at - 1]] > bucket_of[k]; --at) order[at] = order[at - 1];
+        order[at] = std::uint8_t(k);
+    }
+    std::array<double, kFew> right_cost;  // of all from this one on
+    GridBox box;
+    for (std::size_t k = items.size(); k-- > 1;) {
+        box.add(items[order[k]].box);
+        right_cost[k] = box.half_area() * double(items.size() - k);
+    }
+    box = {};
+    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+        box.add(items[order[k]].box);
+        const int bucket = bucket_of[order[k]];
+        if (bucket == bucket_of[order[k + 1]]) continue;
+        const double cost = box.half_area() * double(k + 1) + right_cost[k + 1];
+        if (best.axis < 0 || cost < best.cost) best = {axis, bucket, cost};
+    }
+}
+
 void improve_along_axis(std::span<const BuildItem> items, int axis, Plane& best) {
     const Buckets buckets(items, axis);
     if (buckets.low == buckets.high) return;
+    if (items.size() <= kFew) return improve_with_few(items, buckets, axis, best);
     std::array<GridBox, kBuckets> boxes;
     std::array<std::size_t, kBuckets> counts{};
     for (const BuildItem& item : items) {
