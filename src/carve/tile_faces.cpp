@@ -3,6 +3,7 @@
 #include "carve/tile_faces.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "carve/gather.h"
 #include "tree/box_tree.h"
@@ -79,13 +80,40 @@ private:
         const GridBox box = patch_.faces[index].box;
         const int axis = longest_axis(box).first;
         const std::int64_t middle = (std::int64_t(box.low[axis]) + box.high[axis]) / 2;
-        const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, std::int32_t(middle / kSurfacePerInput))));
+        const std::int64_t step = (std::int64_t(box.high[axis]) - box.low[axis]) / 16;
         expand(patch_.faces[index], uses_);
-        sides_.clear();
-        for (const PatchUse& use : uses_)
-            sides_.push_back(exact_side(plane->plane, patch_.vertices[patch_.from(use)].point));
-        if (sign_changes() != 2) return;
-        divide(index, plane);
+        for (const int steps : {0, 1, -1, 2, -2}) {
+            const auto at = std::int32_t((middle + steps * step) / kSurfacePerInput);
+            const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, at)));
+            sides_.clear();
+            for (const PatchUse& use : uses_)
+                sides_.push_back(exact_side(plane->plane, patch_.vertices[patch_.from(use)].point));
+            if (sign_changes() == 2 && !crowds(plane->plane)) return divide(index, plane);
+        }
+    }
+
+    static bool near(const GridPoint& a, const GridPoint& b) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(std::int64_t(a[axis]) - b[axis]) >= kSurfacePerInput) return false;
+        return true;
+    }
+
+    /// Whether a vertex that the plane makes would lie within a step of the input grid of another one: rounded, such a
+    /// piece may have no sound facets, wherever the cutter is moved.
+    bool crowds(const Plane& plane) {
+        std::vector<GridPoint> made;
+        for (std::size_t k = 0; k < uses_.size(); ++k) {
+            const int here = sides_[k], there = sides_[(k + 1) % sides_.size()];
+            const GridPoint from = patch_.vertices[patch_.from(uses_[k])].point.rounded();
+            if (here == 0) made.push_back(from);
+            if (here * there >= 0) continue;
+            patch_.settle_planes(uses_[k].edge);
+            const PatchEdge& edge = patch_.edges[uses_[k].edge];
+            const GridPoint point = ExactPoint(edge.plane[0]->plane, edge.plane[1]->plane, plane).rounded();
+            if (near(point, from) || near(point, patch_.vertices[patch_.to(uses_[k])].point.rounded())) return true;
+            made.push_back(point);
+        }
+        return made.size() == 2 && near(made[0], made[1]);
     }
 
     int sign_changes() const {

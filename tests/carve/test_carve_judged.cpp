@@ -81,6 +81,16 @@ TEST(CarvedWorlds, NoRayEscapes) {
     EXPECT_EQ(tally.lost, 0u) << tally.first_failure;
 }
 
+// Halving the long thin faces that a drill of 400 m left made pieces with two corners in one place.
+TEST(FoundByTheJudge, LargeThinFacesCanBeTiled) {
+    const scenes::CutCase it = scenes::make_cut_case(family_of("huge"), 5, 18, our_level());
+    World world = make_world(it.level).value();
+    for (std::size_t k = 0; k < 7; ++k) world = reference::make_cut(world, it.cuts[k]).world;
+    const CarveResult result = reference::make_cut(world, it.cuts[7]);
+    EXPECT_EQ(result.status, CarveStatus::kDone) << result.error.text();
+    EXPECT_EQ(result.report.retries, 0);
+}
+
 // The judge must be able to find fault.
 
 World without_face(const World& world, std::size_t which) {

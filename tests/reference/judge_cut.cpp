@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "carve/place_cutter.h"
+#include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
@@ -91,6 +92,7 @@ public:
         if (const std::string edge = open_edge(after_, &tally_.shared_edges); !edge.empty()) fail(edge);
         if (const auto fault = check_world(after_))
             fail("check_world: " + fault->what + " at face " + std::to_string(fault->face.value));
+        if (const auto fault = check_solid(after_)) fail("check_solid: " + fault->what);
         if (options_.volume) judge_volume();
         judge_casts();
         judge_points();
