@@ -73,9 +73,13 @@ std::uint32_t SolidPatch::add(const FacetPlace& facet) {
 
 void SolidPatch::add(std::span<const FacetPlace> facets) {
     fetch_ahead(facets);
+    faces.reserve(facets.size());
+    vertices.reserve(2 * facets.size());
+    edges.reserve(3 * facets.size());
+    all_uses.reserve(4 * facets.size());
     face_of_.reserve(facets.size());
-    vertex_of_point_.reserve(facets.size());
-    edge_of_pair_.reserve(2 * facets.size());
+    for (FlatMap* map : {&vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
+        map->reserve(facets.size());
     for (const FacetPlace& facet : facets) add(facet);
 }
 
