@@ -3,6 +3,7 @@
 #include "firma/carve.h"
 
 #include <chrono>
+#include <cmath>
 
 #include "base/assert.h"
 #include "carve/subtract.h"
@@ -21,6 +22,11 @@ CarveJob::CarveJob(CarveJob&&) noexcept = default;
 CarveJob& CarveJob::operator=(CarveJob&&) noexcept = default;
 
 bool CarveJob::run(double microseconds) {
+    if (microseconds == INFINITY) {
+        while (state_->work.step()) {
+        }
+        return state_->finished = true;
+    }
     const auto start = std::chrono::steady_clock::now();
     while (!state_->finished) {
         state_->finished = !state_->work.step();

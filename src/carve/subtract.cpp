@@ -24,6 +24,10 @@ constexpr std::uint32_t kMostFaceIds = ~0u - 1;
 /// How many facets' worth of faces one step makes.
 constexpr std::uint32_t kFacesAStep = 16;
 
+/// One step cuts so many faces, fewer once it has seen so many pairs of face and triangle.
+constexpr int kFacesCutAStep = 16;
+constexpr std::uint64_t kPairsAStep = 32;
+
 double microseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
@@ -106,7 +110,7 @@ bool Subtraction::step() {
             phase_ = tile();
             break;
         case Phase::kCut:
-            phase_ = cut_next_face();
+            phase_ = cut_next_faces();
             break;
         case Phase::kLabel:
             phase_ = label();
@@ -290,10 +294,15 @@ Subtraction::Phase Subtraction::contradiction() {
                                            ": the solid or the cutter crosses itself");
 }
 
-Subtraction::Phase Subtraction::cut_next_face() {
-    while (next_ < patch_.faces.size() && patch_.faces[next_].replaced) ++next_;
-    if (next_ == patch_.faces.size()) return move_on(order_cuts(cut_), Phase::kLabel);
-    return move_on(face_cutter_.cut_face(next_++), Phase::kCut);
+Subtraction::Phase Subtraction::cut_next_faces() {
+    const std::uint64_t before = face_cutter_.pairs;
+    for (int left = kFacesCutAStep; left > 0 && face_cutter_.pairs - before < kPairsAStep; --left) {
+        while (next_ < patch_.faces.size() && patch_.faces[next_].replaced) ++next_;
+        if (next_ == patch_.faces.size()) return move_on(order_cuts(cut_), Phase::kLabel);
+        const Verdict verdict = face_cutter_.cut_face(next_++);
+        if (verdict != Verdict::kFine) return move_on(verdict, Phase::kCut);
+    }
+    return Phase::kCut;
 }
 
 Subtraction::Phase Subtraction::label() {

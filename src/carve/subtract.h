@@ -49,7 +49,7 @@ private:
     Phase judge_cutter();
     Phase gather();
     Phase tile();
-    Phase cut_next_face();
+    Phase cut_next_faces();
     Phase label();
     Phase trace();
     Phase apply_materials();

@@ -73,9 +73,13 @@ std::uint32_t SolidPatch::add(const FacetPlace& facet) {
 
 void SolidPatch::add(std::span<const FacetPlace> facets) {
     fetch_ahead(facets);
+    faces.reserve(facets.size());
+    vertices.reserve(2 * facets.size());
+    edges.reserve(3 * facets.size());
+    all_uses.reserve(4 * facets.size());
     face_of_.reserve(facets.size());
-    vertex_of_point_.reserve(facets.size());
-    edge_of_pair_.reserve(2 * facets.size());
+    for (FlatMap* map : {&vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
+        map->reserve(facets.size());
     for (const FacetPlace& facet : facets) add(facet);
 }
 
@@ -120,9 +124,9 @@ std::uint32_t SolidPatch::edge_between(std::uint32_t a, std::uint32_t b) {
 
 PatchUse SolidPatch::stored_edge(const SolidUse& use) {
     const SolidEdge& stored = *use.edge;
-    const std::uint32_t a = stored_vertex(*stored.vertex[0]), b = stored_vertex(*stored.vertex[1]);
     // An edge of the grid may have a neighbour that no cut has touched: the two vertices say which edge it is.
     if (stored.vertex[0]->point.on_grid() && stored.vertex[1]->point.on_grid() && !stored.doubled) {
+        const std::uint32_t a = stored_vertex(*stored.vertex[0]), b = stored_vertex(*stored.vertex[1]);
         const std::uint32_t edge = edge_between(a, b);
         PatchEdge& it = edges[edge];
         if (!it.stored) {
@@ -136,8 +140,8 @@ PatchUse SolidPatch::stored_edge(const SolidUse& use) {
     if (known == FlatMap::kNone) {
         known = std::uint32_t(edges.size());
         PatchEdge edge;
-        edge.vertex[0] = a;
-        edge.vertex[1] = b;
+        edge.vertex[0] = stored_vertex(*stored.vertex[0]);
+        edge.vertex[1] = stored_vertex(*stored.vertex[1]);
         edge.plane[0] = stored.plane[0];
         edge.plane[1] = stored.plane[1];
         edge.stored = use.edge;
