@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/flat_map.h"
+#include "geometry/polygon_shape.h"
 #include "level/solid_pieces.h"
 
 namespace firma {
@@ -48,9 +49,9 @@ private:
             made->box.add(to_surface(mesh_.points[from]));
         }
         made->loop_ends.assign(1, std::uint32_t(corners.size()));
-        const Plane& p = made->plane->plane;
-        const Vec3 n{p.n[0], p.n[1], p.n[2]};
-        made->normal = n * (1 / length(n));
+        std::vector<Vec3> metres;  // the normal to the bit as a face without an owner has it
+        for (const std::uint32_t corner : corners) metres.push_back(to_metres(to_surface(mesh_.points[corner])));
+        made->normal = make_shape(metres).unit_normal();
         return Ref<const SolidFace>(made.get());
     }
 
