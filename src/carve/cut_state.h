@@ -24,9 +24,9 @@ enum class Verdict : std::uint8_t {
 /// Where an edge of the world crosses a cutter triangle's plane, or an edge of the cutter a world face's plane.
 struct CutPoint {
     ExactPoint point;
-    Ref<const SolidPlane> planes[3];
-    std::uint32_t edge = 0;      ///< of the patch, or of the cutter
-    std::uint32_t face = 0;      ///< the triangle, or the patch's face, that it crosses
+    const SolidPlane* planes[3] = {nullptr, nullptr, nullptr};  ///< the patch's and the cutter's
+    std::uint32_t edge = 0;                                     ///< of the patch, or of the cutter
+    std::uint32_t face = 0;                                     ///< the triangle, or the patch's face, that it crosses
     std::uint32_t vertex = ~0u;  ///< its number, once it proved to be on both; see Cut::real
     bool of_world = false;       ///< whether `edge` is one of the patch
 };
@@ -39,7 +39,7 @@ struct Segment {
 /// An edge that the cut makes: part of one that it split, or a segment.
 struct NewEdge {
     std::uint32_t from, to;
-    Ref<const SolidPlane> plane[2];
+    const SolidPlane* plane[2];  ///< the patch's and the cutter's
 };
 
 /// A face that the cut makes.

@@ -23,12 +23,14 @@ const Ref<const SolidVertex>& FaceMaker::vertex(std::uint32_t number) {
     if (made) return made;
     if (number < cut_.first_cutter_vertex()) {
         const PatchVertex& old = cut_.patch->vertices[number];
-        made = old.stored ? old.stored : Ref<const SolidVertex>(new SolidVertex(old.point, old.planes));
+        made = Ref<const SolidVertex>(old.stored ? old.stored : new SolidVertex(old.point, old.planes));
     } else if (number < cut_.first_real()) {
         made = Ref<const SolidVertex>(new SolidVertex(cut_.point(number), {}));
     } else {
         const CutPoint& crossing = cut_.crossings[cut_.real[number - cut_.first_real()]];
-        made = Ref<const SolidVertex>(new SolidVertex(crossing.point, crossing.planes));
+        Ref<const SolidPlane> planes[3];
+        for (std::size_t k = 0; k < 3; ++k) planes[k] = Ref<const SolidPlane>(crossing.planes[k]);
+        made = Ref<const SolidVertex>(new SolidVertex(crossing.point, planes));
     }
     return made;
 }
@@ -38,20 +40,19 @@ const Ref<const SolidEdge>& FaceMaker::edge(std::uint32_t number) {
     if (made) return made;
     Ref<SolidEdge> fresh(new SolidEdge);
     if (number < cut_.first_new_edge()) {
-        if (cut_.patch->edges[number].stored) return made = cut_.patch->edges[number].stored;
+        if (cut_.patch->edges[number].stored) return made = Ref<const SolidEdge>(cut_.patch->edges[number].stored);
         cut_.patch->settle_planes(number);
         const PatchEdge& old = cut_.patch->edges[number];
         for (int k = 0; k < 2; ++k) {
             fresh->vertex[k] = vertex(old.vertex[k]);
-            fresh->plane[k] = old.plane[k];
+            fresh->plane[k] = Ref<const SolidPlane>(old.plane[k]);
         }
         fresh->doubled = old.doubled;
     } else {
         const NewEdge& part = cut_.new_edges[number - cut_.first_new_edge()];
         fresh->vertex[0] = vertex(part.from);
         fresh->vertex[1] = vertex(part.to);
-        fresh->plane[0] = part.plane[0];
-        fresh->plane[1] = part.plane[1];
+        for (std::size_t k = 0; k < 2; ++k) fresh->plane[k] = Ref<const SolidPlane>(part.plane[k]);
     }
     return made = Ref<const SolidEdge>(fresh.get());
 }

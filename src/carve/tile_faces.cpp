@@ -152,7 +152,8 @@ private:
             at = -at;
         }
         // crossing[1]: to the front; crossing[0]: to the back. The new edge closes both pieces.
-        const std::uint32_t inner = add_edge(crossing[0], crossing[1], patch_.faces[index].plane, plane);
+        const std::uint32_t inner =
+            add_edge(crossing[0], crossing[1], patch_.faces[index].plane.get(), patch_.keep(plane));
         close(piece[1], {inner, false});
         close(piece[0], {inner, true});
         for (const std::vector<PatchUse>& uses : piece) add_piece(index, uses);
@@ -173,8 +174,7 @@ private:
         uses.push_back(closing);
     }
 
-    std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, const Ref<const SolidPlane>& p,
-                           const Ref<const SolidPlane>& q) {
+    std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, const SolidPlane* p, const SolidPlane* q) {
         PatchEdge edge;
         edge.vertex[0] = a;
         edge.vertex[1] = b;
@@ -190,8 +190,8 @@ private:
         patch_.settle_planes(use.edge);
         const PatchEdge edge = patch_.edges[use.edge];
         PatchVertex vertex;
-        vertex.planes[0] = edge.plane[0];
-        vertex.planes[1] = edge.plane[1];
+        vertex.planes[0] = Ref<const SolidPlane>(edge.plane[0]);
+        vertex.planes[1] = Ref<const SolidPlane>(edge.plane[1]);
         vertex.planes[2] = plane;
         vertex.point = ExactPoint(edge.plane[0]->plane, edge.plane[1]->plane, plane->plane);
         const std::uint32_t middle = std::uint32_t(patch_.vertices.size());

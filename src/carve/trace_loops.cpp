@@ -36,14 +36,14 @@ private:
     };
 
     /// Parts of an edge that lie where `keep` says, one after the other from its first vertex.
-    Parts split(const Cut::Range& range, std::uint32_t a, std::uint32_t b, bool keeps,
-                const Ref<const SolidPlane> (&plane)[2]) {
+    Parts split(const Cut::Range& range, std::uint32_t a, std::uint32_t b, bool keeps, const SolidPlane* p,
+                const SolidPlane* q) {
         Parts parts{std::uint32_t(cut_.new_edges.size()), 0};
         std::uint32_t from = a;
         for (std::uint32_t k = 0; k <= range.count; ++k) {
             const std::uint32_t to = k < range.count ? cut_.crossings[cut_.along[range.first + k]].vertex : b;
             if (keeps) {
-                cut_.new_edges.push_back({from, to, {plane[0], plane[1]}});
+                cut_.new_edges.push_back({from, to, {p, q}});
                 ++parts.count;
             }
             keeps = !keeps;
@@ -62,7 +62,8 @@ private:
             if (cut_.world_cuts[e].count == 0) continue;
             const PatchEdge& edge = patch_.edges[e];
             const bool outside = cut_.world_label[edge.vertex[0]] == Where::kOutside;
-            world_parts_[e] = split(cut_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane);
+            world_parts_[e] =
+                split(cut_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane[0], edge.plane[1]);
         }
         cutter_parts_.assign(cutter_.edges.size(), {});
         const std::uint32_t base = cut_.first_cutter_vertex();
@@ -70,7 +71,8 @@ private:
             const CutterSolid::Edge& edge = cutter_.edges[e];
             const bool keeps = wanted(cut_.cutter_label[edge.a]);
             if (cut_.cutter_cuts[e].count == 0 && !keeps) continue;
-            cutter_parts_[e] = split(cut_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane);
+            cutter_parts_[e] = split(cut_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane[0].get(),
+                                     edge.plane[1].get());
         }
     }
 
@@ -80,7 +82,9 @@ private:
         by_face_.assign(patch_.faces.size() + 1, 0);
         for (const Segment& segment : cut_.segments) {
             cut_.new_edges.push_back(
-                {segment.from, segment.to, {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle]}});
+                {segment.from,
+                 segment.to,
+                 {patch_.faces[segment.face].plane.get(), cutter_.planes[segment.triangle].get()}});
             ++by_triangle_[segment.triangle + 1];
             ++by_face_[segment.face + 1];
         }

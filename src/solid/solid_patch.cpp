@@ -54,6 +54,7 @@ void SolidPatch::clear() {
     faces.clear();
     all_uses.clear();
     loop_ends.clear();
+    kept_planes_.clear();
     for (FlatMap* map : {&face_of_, &vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
         map->clear();
 }
@@ -98,13 +99,13 @@ std::uint32_t SolidPatch::grid_vertex(const InputPoint& point) {
 std::uint32_t SolidPatch::stored_vertex(const SolidVertex& vertex) {
     if (vertex.point.on_grid()) {
         const std::uint32_t known = grid_vertex(vertex.point.grid());
-        if (!vertices[known].stored) vertices[known].stored = Ref<const SolidVertex>(&vertex);
+        if (!vertices[known].stored) vertices[known].stored = &vertex;
         return known;
     }
     std::uint32_t& known = vertex_of_stored_.at(key_of(&vertex, 0));
     if (known == FlatMap::kNone) {
         known = std::uint32_t(vertices.size());
-        vertices.push_back({vertex.point, Ref<const SolidVertex>(&vertex), {}});
+        vertices.push_back({vertex.point, &vertex, {}});
     }
     return known;
 }
@@ -130,9 +131,9 @@ PatchUse SolidPatch::stored_edge(const SolidUse& use) {
         const std::uint32_t edge = edge_between(a, b);
         PatchEdge& it = edges[edge];
         if (!it.stored) {
-            it.stored = use.edge;
-            it.plane[0] = stored.plane[0];
-            it.plane[1] = stored.plane[1];
+            it.stored = &stored;
+            it.plane[0] = stored.plane[0].get();
+            it.plane[1] = stored.plane[1].get();
         }
         return {edge, (it.vertex[0] == a) == use.reversed};
     }
@@ -142,9 +143,9 @@ PatchUse SolidPatch::stored_edge(const SolidUse& use) {
         PatchEdge edge;
         edge.vertex[0] = stored_vertex(*stored.vertex[0]);
         edge.vertex[1] = stored_vertex(*stored.vertex[1]);
-        edge.plane[0] = stored.plane[0];
-        edge.plane[1] = stored.plane[1];
-        edge.stored = use.edge;
+        edge.plane[0] = stored.plane[0].get();
+        edge.plane[1] = stored.plane[1].get();
+        edge.stored = &stored;
         edge.doubled = stored.doubled;
         edges.push_back(std::move(edge));
     }
@@ -224,7 +225,7 @@ void SolidPatch::settle_planes(std::uint32_t index) {
     if (edge.plane[0]) return;
     for (const std::uint32_t face : edge.face) {
         if (face == ~0u) continue;
-        const Ref<const SolidPlane>& plane = faces[face].plane;
+        const SolidPlane* plane = faces[face].plane.get();
         if (!edge.plane[0])
             edge.plane[0] = plane;
         else if (!exact_parallel(edge.plane[0]->plane, plane->plane))
@@ -233,7 +234,7 @@ void SolidPatch::settle_planes(std::uint32_t index) {
     if (edge.plane[1]) return;
     const InputPoint& a = vertices[edge.vertex[0]].point.grid();
     const InputPoint& b = vertices[edge.vertex[1]].point.grid();
-    edge.plane[1] = Ref<const SolidPlane>(new SolidPlane(edge_plane(a, b, edge.plane[0]->plane)));
+    edge.plane[1] = keep(Ref<const SolidPlane>(new SolidPlane(edge_plane(a, b, edge.plane[0]->plane))));
 }
 
 }  // namespace firma

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/flat_map.h"
@@ -19,14 +20,14 @@ struct PatchUse {
 
 struct PatchVertex {
     ExactPoint point;
-    Ref<const SolidVertex> stored;    ///< null for one that no cut has touched
-    Ref<const SolidPlane> planes[3];  ///< of a new one off the grid, until it is stored
+    const SolidVertex* stored = nullptr;  ///< null for one that no cut has touched
+    Ref<const SolidPlane> planes[3];      ///< of a new one off the grid, until it is stored
 };
 
 struct PatchEdge {
     std::uint32_t vertex[2] = {0, 0};
-    Ref<const SolidPlane> plane[2];  ///< see SolidPatch::settle_planes()
-    Ref<const SolidEdge> stored;
+    const SolidPlane* plane[2] = {nullptr, nullptr};  ///< see SolidPatch::settle_planes()
+    const SolidEdge* stored = nullptr;
     std::uint32_t face[2] = {~0u, ~0u};  ///< the face that uses it forward, and the one that uses it back; none: ~0
     std::uint32_t half[2] = {~0u, ~0u};  ///< what it was split into, by halving a large face
     bool doubled = false;
@@ -54,6 +55,7 @@ struct PatchFace {
     bool replaced = false;                         ///< by pieces, or by itself with split edges
 };
 
+/// Points into the blocks that it was taken from: whoever works on it keeps their world alive.
 class SolidPatch {
 public:
     void clear();
@@ -82,6 +84,9 @@ public:
     /// there is only one, or both lie in one plane.
     void settle_planes(std::uint32_t edge);
 
+    /// Keeps a plane that was made for the patch alive as long as the patch.
+    const SolidPlane* keep(Ref<const SolidPlane> plane) { return kept_planes_.emplace_back(std::move(plane)).get(); }
+
     std::vector<PatchVertex> vertices;
     std::vector<PatchEdge> edges;
     std::vector<PatchFace> faces;
@@ -97,6 +102,7 @@ private:
     PatchUse stored_edge(const SolidUse& use);
     void finish(std::uint32_t face);
 
+    std::vector<Ref<const SolidPlane>> kept_planes_;
     FlatMap face_of_, vertex_of_point_, vertex_of_stored_, edge_of_pair_, edge_of_stored_;
 };
 

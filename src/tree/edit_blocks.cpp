@@ -263,6 +263,8 @@ void BlockEdit::rebuild_leaves(std::uint32_t index) {
 
 void BlockEdit::rebuild_inner(std::uint32_t index) {
     collect_items(touched_[index]);
+    if (index != 0 && hand_up_leaves(touched_[index])) return;
+    if (!loose_.empty()) join_loose();
     if (items_.size() > 1) {
         builder_.divide(items_);
         if (merge_small_items()) builder_.divide(items_);
@@ -281,6 +283,8 @@ void BlockEdit::collect_items(const Touched& touched) {
     for (std::uint32_t k = touched.first_child; k != kNone; k = touched_[k].next_sibling) by_item[touched_[k].item] = k;
     items_.clear();
     is_new_.clear();
+    loose_.clear();
+    loose_new_.clear();
     for (std::size_t item = 0; item < block.children.size(); ++item) {
         if (by_item[item] == kNone) {
             items_.push_back(block.children[item]);
@@ -289,10 +293,44 @@ void BlockEdit::collect_items(const Touched& touched) {
         }
         const Touched& child = touched_[by_item[item]];
         for (std::uint32_t k = 0; k < child.pieces; ++k) {
-            items_.push_back(pieces_[child.first_piece + k]);
-            is_new_.push_back(true);
+            (child.loose ? loose_ : items_).push_back(pieces_[child.first_piece + k]);
+            if (child.loose)
+                loose_new_.push_back(loose_is_new_[child.first_loose + k]);
+            else
+                is_new_.push_back(true);
         }
     }
+}
+
+/// A block over leaf blocks leaves them to the block above, which divides those of all its touched children as a whole:
+/// otherwise blocks side by side grow into each other, edit by edit.
+/// @return whether it did
+bool BlockEdit::hand_up_leaves(Touched& touched) {
+    if (!loose_.empty()) return false;
+    for (const Ref<const Block>& item : items_)
+        if (item->holds_blocks()) return false;
+    touched.loose = true;
+    touched.first_loose = std::uint32_t(loose_is_new_.size());
+    loose_is_new_.insert(loose_is_new_.end(), is_new_.begin(), is_new_.end());
+    pieces_.insert(pieces_.end(), items_.begin(), items_.end());
+    return true;
+}
+
+/// Makes blocks of the leaf blocks handed up, and items of those.
+void BlockEdit::join_loose() {
+    std::swap(items_, loose_);
+    std::swap(is_new_, loose_new_);
+    if (items_.size() > 1) {
+        builder_.divide(items_);
+        if (merge_small_items()) builder_.divide(items_);
+    }
+    const auto from = std::ptrdiff_t(pieces_.size());
+    join_items();
+    std::swap(items_, loose_);
+    std::swap(is_new_, loose_new_);
+    items_.insert(items_.end(), pieces_.begin() + from, pieces_.end());
+    is_new_.resize(items_.size(), true);
+    pieces_.resize(std::size_t(from));
 }
 
 /// Blocks side by side in the division, a new one among them, that together hold few faces become one.

@@ -52,6 +52,10 @@ private:
         /// first.
         std::uint32_t next_together = kNone;
         bool follows = false;
+        /// Whether the pieces are children that are still to be joined: leaf blocks, by the block above, together with
+        /// those of the blocks beside this one. `first_loose` of them, in loose_is_new_, says which are new.
+        bool loose = false;
+        std::uint32_t first_loose = 0;
     };
     static constexpr std::uint32_t kNone = ~0u;
     struct Change {
@@ -75,6 +79,8 @@ private:
     void append_changed(std::uint32_t index);
     void rebuild_inner(std::uint32_t index);
     void collect_items(const Touched& touched);
+    bool hand_up_leaves(Touched& touched);
+    void join_loose();
     bool merge_small_items();
     void join_items();
     void add_joined(const std::vector<Ref<const Block>>& children);
@@ -96,7 +102,9 @@ private:
     BlockBuilder builder_;  // and scratch
     FaceSet faces_;
     std::vector<Ref<const Block>> items_, merged_;
-    std::vector<bool> is_new_;
+    std::vector<bool> is_new_, loose_is_new_;
+    std::vector<Ref<const Block>> loose_;  ///< handed up to the block at hand
+    std::vector<bool> loose_new_;
     std::vector<std::uint32_t> order_;
 };
 
