@@ -214,7 +214,7 @@ private:
         if (exact_parallel(edge.plane[0]->plane, edge.plane[1]->plane))
             return report_vertex("an edge's two planes are parallel", edge.vertex[0]);
         for (const std::uint32_t vertex : edge.vertex)
-            for (const Ref<const SolidPlane>& plane : edge.plane)
+            for (const SolidPlane* plane : edge.plane)
                 if (!holds(plane->plane, patch_.vertices[vertex].point))
                     return report_vertex("an edge's plane does not hold its vertex", vertex);
     }
