@@ -263,8 +263,10 @@ void BlockEdit::rebuild_leaves(std::uint32_t index) {
 
 void BlockEdit::rebuild_inner(std::uint32_t index) {
     collect_items(touched_[index]);
-    if (index != 0 && hand_up_leaves(touched_[index])) return;
-    if (!loose_.empty()) join_loose();
+    if (items_.empty() && index != 0) return hand_up_leaves(touched_[index]);
+    if (!items_.empty() && loose_.size() >= kFewestChildren) join_loose();
+    items_.insert(items_.end(), loose_.begin(), loose_.end());
+    is_new_.insert(is_new_.end(), loose_new_.begin(), loose_new_.end());
     if (items_.size() > 1) {
         builder_.divide(items_);
         if (merge_small_items()) builder_.divide(items_);
@@ -275,7 +277,8 @@ void BlockEdit::rebuild_inner(std::uint32_t index) {
         join_items();
 }
 
-/// The children as they are now: what took the place of touched ones, and the others.
+/// The children as they are now, what took the place of touched ones and the others: leaf blocks in `loose_`, those
+/// above leaf blocks in `items_`.
 void BlockEdit::collect_items(const Touched& touched) {
     const Block& block = *touched.block;
     std::vector<std::uint32_t>& by_item = order_;
@@ -285,49 +288,42 @@ void BlockEdit::collect_items(const Touched& touched) {
     is_new_.clear();
     loose_.clear();
     loose_new_.clear();
+    const auto add = [&](const Ref<const Block>& item, bool is_new) {
+        (item->holds_blocks() ? items_ : loose_).push_back(item);
+        (item->holds_blocks() ? is_new_ : loose_new_).push_back(is_new);
+    };
     for (std::size_t item = 0; item < block.children.size(); ++item) {
         if (by_item[item] == kNone) {
-            items_.push_back(block.children[item]);
-            is_new_.push_back(false);
+            add(block.children[item], false);
             continue;
         }
         const Touched& child = touched_[by_item[item]];
-        for (std::uint32_t k = 0; k < child.pieces; ++k) {
-            (child.loose ? loose_ : items_).push_back(pieces_[child.first_piece + k]);
-            if (child.loose)
-                loose_new_.push_back(loose_is_new_[child.first_loose + k]);
-            else
-                is_new_.push_back(true);
-        }
+        for (std::uint32_t k = 0; k < child.pieces; ++k)
+            add(pieces_[child.first_piece + k], !child.loose || loose_is_new_[child.first_loose + k]);
     }
 }
 
-/// A block over leaf blocks leaves them to the block above, which divides those of all its touched children as a whole:
-/// otherwise blocks side by side grow into each other, edit by edit.
-/// @return whether it did
-bool BlockEdit::hand_up_leaves(Touched& touched) {
-    if (!loose_.empty()) return false;
-    for (const Ref<const Block>& item : items_)
-        if (item->holds_blocks()) return false;
+/// A block over nothing but leaf blocks leaves them to the block above, which divides those of all its touched children
+/// as a whole: otherwise blocks side by side grow into each other, edit by edit.
+void BlockEdit::hand_up_leaves(Touched& touched) {
     touched.loose = true;
     touched.first_loose = std::uint32_t(loose_is_new_.size());
-    loose_is_new_.insert(loose_is_new_.end(), is_new_.begin(), is_new_.end());
-    pieces_.insert(pieces_.end(), items_.begin(), items_.end());
-    return true;
+    loose_is_new_.insert(loose_is_new_.end(), loose_new_.begin(), loose_new_.end());
+    pieces_.insert(pieces_.end(), loose_.begin(), loose_.end());
 }
 
-/// Makes blocks of the leaf blocks handed up, and items of those.
+/// Makes blocks of the loose leaf blocks, which become items.
 void BlockEdit::join_loose() {
     std::swap(items_, loose_);
     std::swap(is_new_, loose_new_);
-    if (items_.size() > 1) {
-        builder_.divide(items_);
-        if (merge_small_items()) builder_.divide(items_);
-    }
+    builder_.divide(items_);
+    if (merge_small_items()) builder_.divide(items_);
     const auto from = std::ptrdiff_t(pieces_.size());
     join_items();
     std::swap(items_, loose_);
     std::swap(is_new_, loose_new_);
+    loose_.clear();
+    loose_new_.clear();
     items_.insert(items_.end(), pieces_.begin() + from, pieces_.end());
     is_new_.resize(items_.size(), true);
     pieces_.resize(std::size_t(from));

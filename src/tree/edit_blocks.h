@@ -4,8 +4,8 @@
 // The rules are those of a B-tree over bins. A face that comes goes down the tree before the edit, at each bin to the
 // child that has to grow least. Each leaf block that faces left or came to is built anew from what it then holds; one
 // of more than 64 faces becomes several. Then, from the bottom up, each block above: bins over its children are split
-// anew, one of more than 64 children becomes several, one of few hands its children to the block above, and small
-// blocks side by side become one. So the work follows the change, not the tree.
+// anew, one of more than 64 children becomes several, one of few, or of nothing but leaf blocks, hands its children to
+// the block above, and small blocks side by side become one. So the work follows the change, not the tree.
 #pragma once
 
 #include <cstdint>
@@ -52,8 +52,8 @@ private:
         /// first.
         std::uint32_t next_together = kNone;
         bool follows = false;
-        /// Whether the pieces are children that are still to be joined: leaf blocks, by the block above, together with
-        /// those of the blocks beside this one. `first_loose` of them, in loose_is_new_, says which are new.
+        /// Whether the pieces are leaf blocks that the block above is still to join, together with those of the blocks
+        /// beside this one. From `first_loose` on, loose_is_new_ says which of them are new.
         bool loose = false;
         std::uint32_t first_loose = 0;
     };
@@ -79,7 +79,7 @@ private:
     void append_changed(std::uint32_t index);
     void rebuild_inner(std::uint32_t index);
     void collect_items(const Touched& touched);
-    bool hand_up_leaves(Touched& touched);
+    void hand_up_leaves(Touched& touched);
     void join_loose();
     bool merge_small_items();
     void join_items();
@@ -103,7 +103,7 @@ private:
     FaceSet faces_;
     std::vector<Ref<const Block>> items_, merged_;
     std::vector<bool> is_new_, loose_is_new_;
-    std::vector<Ref<const Block>> loose_;  ///< handed up to the block at hand
+    std::vector<Ref<const Block>> loose_;  ///< leaf blocks of the block at hand
     std::vector<bool> loose_new_;
     std::vector<std::uint32_t> order_;
 };
