@@ -119,7 +119,7 @@ TEST(HashBoundary, UntouchedAndStoredFacesAreTheSame) {
         Ref<SolidEdge> made(new SolidEdge);
         for (int k = 0; k < 2; ++k) {
             made->vertex[k] = vertices[edge.vertex[k]];
-            made->plane[k] = edge.plane[k];
+            made->plane[k] = Ref<const SolidPlane>(edge.plane[k]);
         }
         edges.emplace_back(made.get());
     }
