@@ -19,7 +19,8 @@ FUZZ = os.path.join('build', 'fuzz', 'bin')
 
 CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt']
-CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level/find_solids.cpp', 'scenes', 'levels', 'tests/reference']
+CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level/find_solids.cpp', 'src/level/solid_pieces.cpp',
+                                'src/level/turn_pieces.cpp', 'src/level/pair_edges.cpp', 'scenes', 'levels', 'tests/reference']
 READ_SOURCES = ['include', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp']
 
