@@ -69,10 +69,9 @@ struct CarveOptions {
 /// nothing. docs/carving.md says more. The result depends on world, cutter, pose and options alone, to the bit.
 ///
 /// @param pose  where the cutter goes; its rotation and scale
-/// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that place_cutter()
-/// refuses
-///         (not finite, outside the world, collapsed on the grid), one that crosses itself, a rule of the world, no way
-///         out of degenerate position, or a contradiction (then `reproduction` holds it).
+/// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
+///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, no way out of
+///         degenerate position, or a contradiction (then `reproduction` holds it).
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
