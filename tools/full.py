@@ -58,6 +58,10 @@ def fuzz(reader):
     return command
 
 
+def same_cuts(seed, count):
+    return ['tools/same_bits.sh', '1000']
+
+
 CLAIMS = [
     Claim('casts_vs_twin', 'casts judged by the exact twin, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
           CAST_SOURCES + ['scenes', 'tests/reference', 'tests/full/full_casts.cpp'], 'test', casts),
@@ -69,6 +73,8 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'], 'test', carved('casts')),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'], 'test', carved('rays')),
+    Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
+          CARVE_SOURCES + ['src', 'tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
           CARVE_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('carve')),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
