@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes aside and renames; signals clean up by the one name in `aside_name`.
+// Writes aside and renames; signals clean up by the names in `asides`.
 #include "cli/atomic_file.h"
 
 #include <fcntl.h>
@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "cli/failure.h"
@@ -23,13 +24,24 @@ namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
 
-// The handler may run on any thread at any moment, so the name is set before the file is made and dropped after it is
+// The handler may run on any thread at any moment, so a name is set before its file is made and dropped after it is
 // gone.
-char aside_name[PATH_MAX + 64];
-std::atomic<bool> is_aside{false};
+struct Aside {
+    char name[PATH_MAX + 64];
+    std::atomic<bool> used{false};
+};
+Aside asides[8];
+
+/// A place for a name; -1 when all are taken.
+int free_slot() {
+    for (int slot = 0; slot < int(std::size(asides)); ++slot)
+        if (!asides[slot].used.load()) return slot;
+    return -1;
+}
 
 extern "C" void on_signal(int) {
-    if (is_aside.load()) unlink(aside_name);
+    for (const Aside& aside : asides)
+        if (aside.used.load()) unlink(aside.name);
     constexpr char kText[] = "\nfirma: stopped by a signal\n";
     [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, kText, sizeof kText - 1);
     _exit(2);
@@ -113,26 +125,29 @@ AtomicFile::AtomicFile(const std::string& path) : name_(path) {
 void AtomicFile::open_aside(const std::string& target) {
     const std::size_t slash = target.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
+    const int slot = free_slot();
+    if (slot < 0) throw Failure(name_, "cannot be written: too many outputs at once");
+    Aside& mine = asides[slot];
     for (int attempt = 0; file_ < 0; ++attempt) {
         const std::string aside =
             folder + ".firma-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".part";
-        if (aside.size() >= sizeof aside_name) fail(ENAMETOOLONG);
-        std::memcpy(aside_name, aside.c_str(), aside.size() + 1);
-        is_aside = true;
+        if (aside.size() >= sizeof mine.name) fail(ENAMETOOLONG);
+        std::memcpy(mine.name, aside.c_str(), aside.size() + 1);
+        mine.used = true;
         file_ = open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file_ >= 0) break;
-        is_aside = false;
+        mine.used = false;
         if (errno != EEXIST || attempt == 100) fail(errno);
     }
     target_ = target;
+    slot_ = slot;
 }
 
 AtomicFile::~AtomicFile() {
     if (file_ >= 0) close(file_);
-    if (!target_.empty() && is_aside.load()) {
-        unlink(aside_name);
-        is_aside = false;
-    }
+    if (slot_ < 0) return;
+    unlink(asides[slot_].name);
+    asides[slot_].used = false;
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -147,17 +162,24 @@ void AtomicFile::write(std::string_view text) {
     }
 }
 
-void AtomicFile::commit() {
+void AtomicFile::finish() {
+    if (finished_) return;
     put(buffer_.data(), buffer_.size());
     buffer_.clear();
-    if (target_.empty()) return;
+    finished_ = true;
+    if (slot_ < 0) return;
     if (fsync(file_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
     const int closed = close(file_);
     file_ = -1;
     if (closed != 0) fail(errno);
-    if (rename(aside_name, target_.c_str()) != 0) fail(errno);
-    is_aside = false;
-    target_.clear();
+}
+
+void AtomicFile::commit() {
+    finish();
+    if (slot_ < 0) return;
+    if (rename(asides[slot_].name, target_.c_str()) != 0) fail(errno);
+    asides[slot_].used = false;
+    slot_ = -1;
 }
 
 void AtomicFile::put(const char* from, std::size_t size) {

@@ -12,7 +12,7 @@ namespace firma::cli {
 /// large becomes an error of the write. Call once, first thing in main().
 void end_cleanly_on_signals();
 
-/// One at a time. Until commit() a file that was there before stays as it was.
+/// A few at a time. Until commit() a file that was there before stays as it was.
 class AtomicFile {
 public:
     /// Opens at once, so that an output that cannot be written is known before the work.
@@ -28,7 +28,9 @@ public:
 
     /// @throws Failure when the disk is full, the pipe closed ...
     void write(std::string_view text);
-    /// Flushes and puts the file in its place.
+    /// Flushes: from here on only the renaming can fail. With several files: all of them first, then commit() each.
+    void finish();
+    /// Finishes and puts the file in its place.
     void commit();
 
 private:
@@ -40,6 +42,8 @@ private:
     std::string target_;  ///< what to rename to; empty when written directly
     std::string buffer_;
     int file_ = -1;
+    int slot_ = -1;  ///< among the names that a signal removes; -1 when written directly
+    bool finished_ = false;
 };
 
 /// Whether a path given as an output means standard output.

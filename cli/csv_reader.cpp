@@ -32,7 +32,8 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// For a message: what is not printable as '?', and not too much of it.
+}  // namespace
+
 std::string shown(std::string_view text) {
     std::string out(text.substr(0, 40));
     for (char& c : out) {
@@ -40,8 +41,6 @@ std::string shown(std::string_view text) {
     }
     return text.size() > 40 ? out + "..." : out;
 }
-
-}  // namespace
 
 std::string read_file(const std::string& path) {
     const Descriptor in{path == "-" ? dup(STDIN_FILENO) : open(path.c_str(), O_RDONLY | O_CLOEXEC)};

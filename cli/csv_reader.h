@@ -14,6 +14,9 @@ namespace firma::cli {
 /// @throws Failure when it is missing, a folder, or cannot be read
 std::string read_file(const std::string& path);
 
+/// For a message: a piece of a file, with what is not printable as '?', and not too much of it.
+std::string shown(std::string_view text);
+
 /// Plain csv: fields between commas, no quotes; blanks around a field do not count; lines end in LF or CRLF. The header
 /// must hold each column asked for exactly once, and no other.
 class CsvReader {

@@ -18,6 +18,7 @@
 #include "cli/atomic_file.h"
 #include "cli/failure.h"
 #include "cli/verb.h"
+#include "cli/verb_carve.h"
 #include "cli/verb_cast.h"
 #include "cli/verb_check.h"
 #include "cli/verb_demo.h"
@@ -62,14 +63,14 @@ std::string place_of(const CLI::App& app) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Firma: casts particles and spheres through levels, exactly.", "firma");
+    CLI::App app("Firma: casts particles and spheres through levels and carves craters into them, exactly.", "firma");
     app.footer(kFooter);
     app.set_version_flag("--version", "firma " FIRMA_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(30);
     app.get_formatter()->label("SUBCOMMAND", "VERB");
     app.get_formatter()->label("Subcommands", "Verbs");
-    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),
+    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app), add_carve(app),
                                   add_walk(app), add_draw(app),  add_demo(app)};
     refuse_unknown_verb(argc, argv, verbs);
     try {

@@ -14,6 +14,7 @@
 #include "cli/load_level.h"
 #include "cli/numbers.h"
 #include "firma/check_mesh.h"
+#include "firma/solid.h"
 
 namespace firma::cli {
 
@@ -35,8 +36,14 @@ from 1.
 Faults: open_edge (an edge that fewer faces use one way than the other), reversed_face (wound against its
 neighbours), a broken world. Notes: no_area, dropped (by the snap), bent, turned (by the snap), divided.
 
+Then it says which faces bound solids, which can be carved. A piece of the surface, joined by edges, that cannot be
+is castable only, which is no fault: open_edge, folded_edge (faces around it lie on each other), two_sided, off_grid,
+crossing (it crosses or touches itself or another piece), wrong_way (a solid in a solid, a hollow in the air).
+
 --json: level, sound, faces, vertices, fault_count, faults [{what, face, line, from, to, t_joint}], note_count,
-notes [{what, face, line, at}], world_fault or null; lists hold the first 20 unless --all is given.
+notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, castable_only_count, castable_only
+[{what, faces, face, other (crossing: the face it meets, else null), at, to}]; lists hold the first 20 unless --all
+is given. `faces` of a piece, and solid_faces, count faces as divided.
 
 Exit codes: 0 sound, notes or not; 1 faults were found; 2 a bad call or bad input, with `firma: place: reason` on
 stderr.
@@ -45,6 +52,8 @@ stderr.
 struct Findings {
     MeshCheck mesh;
     std::optional<WorldFault> world_fault;
+    LevelSolidity solidity;
+    std::size_t level_faces = 0;  ///< as divided
     bool sound() const { return mesh.closed() && !world_fault; }
 };
 
@@ -84,6 +93,24 @@ const char* note_sentence(MeshNote what) {
     return "";
 }
 
+const char* solid_note_name(SolidNoteKind what) {
+    switch (what) {
+        case SolidNoteKind::kOpenEdge:
+            return "open_edge";
+        case SolidNoteKind::kFoldedEdge:
+            return "folded_edge";
+        case SolidNoteKind::kTwoSided:
+            return "two_sided";
+        case SolidNoteKind::kOffGrid:
+            return "off_grid";
+        case SolidNoteKind::kCrossing:
+            return "crossing";
+        case SolidNoteKind::kWrongWay:
+            return "wrong_way";
+    }
+    return "";
+}
+
 std::string point_text(const Vec3& p) {
     return fmt::format("({}, {}, {})", p.x, p.y, p.z);
 }
@@ -105,6 +132,25 @@ std::string note_text(const std::string& path, const MeshNotePlace& note) {
                        point_text(note.at));
 }
 
+std::string solid_note_sentence(const SolidNote& note) {
+    const std::string edge = point_text(note.at) + " to " + point_text(note.to), at = " at " + point_text(note.at);
+    switch (note.what) {
+        case SolidNoteKind::kOpenEdge:
+            return "the edge " + edge + " is open";
+        case SolidNoteKind::kFoldedEdge:
+            return "faces lie on each other, or do not alternate, around the edge " + edge;
+        case SolidNoteKind::kTwoSided:
+            return "a two-sided face" + at;
+        case SolidNoteKind::kOffGrid:
+            return "a vertex off the grid" + at;
+        case SolidNoteKind::kCrossing:
+            return fmt::format("crosses or touches face {}{}", note.other, at);
+        case SolidNoteKind::kWrongWay:
+            return "turned the wrong way for where it lies" + at;
+    }
+    return "";
+}
+
 std::size_t shown(std::size_t count, bool all) {
     return all ? count : std::min(count, kShown);
 }
@@ -113,8 +159,22 @@ std::string counted(std::size_t count, const char* what) {
     return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
 }
 
+std::string solid_note_text(const std::string& path, const SolidNote& note) {
+    return fmt::format("{}: piece of {}: {}\n", place_text(path, 0, note.source), counted(note.faces, "face"),
+                       solid_note_sentence(note));
+}
+
+/// What the last line says of solids.
+std::string solid_text(const Findings& found) {
+    const std::size_t solid = found.solidity.solid_faces;
+    const char* outside = found.solidity.rock_outside ? ", rock outside" : "";
+    if (solid == found.level_faces) return fmt::format("solid{}", outside);
+    return fmt::format("{} of {} bound solids{}", grouped(solid), counted(found.level_faces, "face"), outside);
+}
+
 std::string text_for_people(const std::string& path, const Findings& found, bool all) {
     const auto& [faults, notes, faces, vertices] = found.mesh;
+    const std::vector<SolidNote>& castable = found.solidity.notes;
     std::string text;
     const auto list = [&](const auto& places, auto line_of) {
         for (std::size_t k = 0; k < shown(places.size(), all); ++k) text += line_of(path, places[k]);
@@ -128,9 +188,12 @@ std::string text_for_people(const std::string& path, const Findings& found, bool
     if (found.world_fault)
         text += fmt::format("{}: the world is broken: {} (face id {})\n", path, found.world_fault->what,
                             found.world_fault->face.value);
-    text += fmt::format("{}: {}; {}, {} different positions; {}, {}\n", path, found.sound() ? "sound" : "faulty",
+    if (!castable.empty()) text += counted(castable.size(), "piece") + " castable only:\n";
+    list(castable, solid_note_text);
+    text += fmt::format("{}: {}; {}, {} different positions; {}, {}; {}\n", path, found.sound() ? "sound" : "faulty",
                         counted(faces, "face"), grouped(vertices),
-                        counted(faults.size() + (found.world_fault ? 1 : 0), "fault"), counted(notes.size(), "note"));
+                        counted(faults.size() + (found.world_fault ? 1 : 0), "fault"), counted(notes.size(), "note"),
+                        solid_text(found));
     return text;
 }
 
@@ -140,6 +203,29 @@ void add_line(JsonWriter& json, std::uint32_t line) {
     } else {
         json.add_null("line");
     }
+}
+
+void add_solidity(JsonWriter& json, const LevelSolidity& solidity, bool all) {
+    json.add("solid_faces", solidity.solid_faces);
+    json.add("rock_outside", solidity.rock_outside);
+    json.add("castable_only_count", solidity.notes.size());
+    json.open_array("castable_only");
+    for (std::size_t k = 0; k < shown(solidity.notes.size(), all); ++k) {
+        const SolidNote& note = solidity.notes[k];
+        json.open_object();
+        json.add("what", solid_note_name(note.what));
+        json.add("faces", note.faces);
+        json.add("face", note.source);
+        if (note.what == SolidNoteKind::kCrossing) {
+            json.add("other", note.other);
+        } else {
+            json.add_null("other");
+        }
+        json.add("at", note.at);
+        json.add("to", note.to);
+        json.close();
+    }
+    json.close();
 }
 
 std::string json_text(const std::string& path, const Findings& found, bool all) {
@@ -180,6 +266,7 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
     } else {
         json.add_null("world_fault");
     }
+    add_solidity(json, found.solidity, all);
     json.close();
     return json.text();
 }
@@ -187,7 +274,10 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
 int run(const CheckArguments& arguments) {
     Findings found;
     found.mesh = take(check_mesh(arguments.level.path, read_options(arguments.level)));
-    found.world_fault = check_world(load_level(arguments.level).world);
+    const LoadedLevel loaded = load_level(arguments.level);
+    found.world_fault = check_world(loaded.world);
+    found.solidity = level_solidity(loaded.level);
+    found.level_faces = loaded.level.faces.size();
     const std::string& path = arguments.level.path;
     print(arguments.json ? json_text(path, found, arguments.all) : text_for_people(path, found, arguments.all));
     return found.sound() ? 0 : 1;

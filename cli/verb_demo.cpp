@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fires casts, asks a twin without a tree whether they are right, prints a table, draws a picture.
+// Fires casts and craters, asks a twin without a tree whether casts are right, prints a table, draws pictures.
 #include "cli/verb_demo.h"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -13,18 +13,24 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/atomic_file.h"
 #include "cli/demo_casts.h"
+#include "cli/demo_craters.h"
 #include "cli/failure.h"
+#include "cli/find_camera.h"
+#include "cli/fire_blast.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_hits.h"
 #include "debug/draw_plan.h"
+#include "debug/draw_view.h"
+#include "debug/picture.h"
 #include "firma/polygon.h"
 
 namespace firma::cli {
@@ -33,12 +39,12 @@ namespace {
 
 struct DemoArguments {
     LevelArguments level;
-    std::string out, casts, seed;
+    std::string out, casts, craters, seed;
     bool json = false;
 };
 
 constexpr std::size_t kSample = 2000;
-constexpr std::size_t kMostTwinFaces = 200000000;  // faces the twin looks at in all; a smaller sample in huge levels
+constexpr std::size_t kMostTwinFaces = 40000000;  // faces the twin looks at in all; a smaller sample in huge levels
 constexpr std::size_t kDrawn = 100;
 
 constexpr const char* kFooter =
@@ -49,15 +55,27 @@ The casts are seeded: half of them particles, half spheres of up to 0.5 m, paths
 diagonal to all of it. A sample is checked against a twin without a tree, which asks the pair function of every
 face; they must agree to the last bit.
 
---json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
-casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, out.
+Then craters are carved where casts meet the level (200, or --craters; 0.4 to 1.6 m, made from the seed), with the
+same casts spread between them, checked again after the last. Out of a closed level no ray may escape, after any
+of them: 100 are cast after each. The picture shows the level after them; beside it, in FILE_view.png, stands the
+view that shows them well, before and after. Levels without closed solids (.bsp) have nothing to carve.
 
-Exit codes: 0 done; 1 the twin disagrees; 2 a bad call or bad input, with `firma: place: reason` on stderr.
+--json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
+casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, craters {count,
+done, nothing, refused, median_ms, p99_ms, volume, faces_after, casts, casts_per_second, rays, escaped_before,
+escaped, checked, disagreements, hash}, view (null where there is none), out.
+
+Exit codes: 0 done; 1 the twin disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
 )";
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+struct Checked {
+    std::size_t casts = 0, disagreements = 0;
+    std::string first;  ///< disagreement
+};
 
 struct Results {
     std::vector<Hit> hits;
@@ -65,8 +83,11 @@ struct Results {
     CastCounts counts;
     double seconds = 0, parallel_seconds = 0;  ///< of all casts on one thread, on all
     int threads = 1;
-    std::size_t checked = 0, disagreements = 0;
-    std::string first_disagreement;
+    Checked checked, checked_after;  ///< without craters, after the last
+    DemoCraters craters;
+    std::string view;  ///< the picture of them; empty: none
+
+    std::size_t disagreements() const { return checked.disagreements + checked_after.disagreements; }
 };
 
 void fire(const World& world, const std::vector<Query>& queries, Results& results) {
@@ -125,28 +146,30 @@ std::string describe(const Query& query, const Hit& hit, const TwinHit& twin) {
         int(twin.hit.status), twin.hit.fraction, twin.face.value);
 }
 
-void check_sample(const World& world, const std::vector<Query>& queries, Results& results) {
+Checked check_sample(const World& world, const std::vector<Query>& queries) {
+    Checked checked;
     const std::vector<Face> faces = world.faces();
-    if (faces.empty()) return;
-    results.checked = std::min({kSample, queries.size(), std::max<std::size_t>(kMostTwinFaces / faces.size(), 20)});
-    Progress progress("checking", results.checked);
-    std::vector<std::string> wrong(results.checked);
-    tbb::parallel_for(std::size_t(0), results.checked, [&](std::size_t k) {
-        const std::size_t which = k * queries.size() / results.checked;
-        const TwinHit twin = ask_every_face(faces, queries[which]);
-        if (!agree(results.hits[which], twin)) wrong[k] = describe(queries[which], results.hits[which], twin);
+    if (faces.empty()) return checked;
+    checked.casts = std::min({kSample, queries.size(), std::max<std::size_t>(kMostTwinFaces / faces.size(), 20)});
+    Progress progress("checking", checked.casts);
+    std::vector<std::string> wrong(checked.casts);
+    tbb::parallel_for(std::size_t(0), checked.casts, [&](std::size_t k) {
+        const Query& query = queries[k * queries.size() / checked.casts];
+        const Hit hit = cast(world, query.sphere, query.path);
+        const TwinHit twin = ask_every_face(faces, query);
+        if (!agree(hit, twin)) wrong[k] = describe(query, hit, twin);
         progress.add(1);
     });
     for (const std::string& text : wrong) {
         if (text.empty()) continue;
-        if (results.disagreements++ == 0) results.first_disagreement = text;
+        if (checked.disagreements++ == 0) checked.first = text;
     }
+    return checked;
 }
 
-debug::Plan draw(const World& world, const std::vector<Query>& queries, const Results& results,
-                 const std::string& title) {
+debug::Plan draw(const World& world, const std::vector<Query>& queries, const std::string& title) {
     std::vector<debug::DrawnCast> casts;
-    for (std::size_t k = 0; k < queries.size(); ++k) casts.push_back(drawn(queries[k], results.hits[k]));
+    for (const Query& query : queries) casts.push_back(drawn(query, cast(world, query.sphere, query.path)));
     debug::PlanOptions options;
     options.title = title;
     options.most_casts = kDrawn;
@@ -157,15 +180,48 @@ double per_cast(const Results& results) {
     return results.hits.empty() ? 0 : double(results.counts.faces) / double(results.hits.size());
 }
 
-double rate(const Results& results, double seconds) {
-    return seconds > 0 ? double(results.hits.size()) / seconds : 0;
+double rate(std::size_t casts, double seconds) {
+    return seconds > 0 ? double(casts) / seconds : 0;
+}
+
+std::string checked_text(const Checked& checked) {
+    return fmt::format("{} casts, {} disagreements", grouped(checked.casts), grouped(checked.disagreements));
+}
+
+std::string row_text(const char* what, const std::string& value) {
+    return fmt::format("{:<24} {}\n", what, value);
+}
+
+std::string craters_text(const LoadedLevel& loaded, const Results& results) {
+    const DemoCraters& craters = results.craters;
+    if (craters.fired == 0) return "";
+    std::string text =
+        row_text("craters", fmt::format("{}: {} done, {} nothing, {} refused", grouped(craters.fired),
+                                        grouped(craters.done), grouped(craters.nothing), grouped(craters.refused)));
+    if (craters.done == 0) return text + row_text("", "nothing here bounds a closed solid");
+    std::vector<double> seconds = craters.seconds;
+    text += row_text("time of a crater",
+                     fmt::format("median {}, 99th percentile {}", seconds_text(percentile(seconds, 0.5)),
+                                 seconds_text(percentile(seconds, 0.99))));
+    text += row_text("volume taken", fmt::format("{:.4g} cubic metres", craters.volume));
+    text += row_text(
+        "faces after",
+        fmt::format("{}, {:.0f} more a crater", grouped(craters.after.face_count()),
+                    (double(craters.after.face_count()) - double(loaded.world.face_count())) / double(craters.done)));
+    text += row_text("casts between", fmt::format("{}: {} a second on one thread", grouped(craters.casts),
+                                                  grouped(std::uint64_t(rate(craters.casts, craters.cast_seconds)))));
+    text += row_text("rays that escape",
+                     craters.escaped_before == 0
+                         ? fmt::format("{} of {}", grouped(craters.escaped), grouped(craters.rays))
+                         : fmt::format("{} of {}; {} before: the level is open", grouped(craters.escaped),
+                                       grouped(craters.rays), grouped(craters.escaped_before)));
+    text += row_text("checked by the twin", checked_text(results.checked_after));
+    return text + row_text("hash of the world", fmt::format("{:016x}", hash_world(craters.after)));
 }
 
 std::string text_for_people(const LoadedLevel& loaded, const Results& results, const std::string& out) {
     std::string text;
-    const auto row = [&](const char* what, const std::string& value) {
-        text += fmt::format("{:<24} {}\n", what, value);
-    };
+    const auto row = [&](const char* what, const std::string& value) { text += row_text(what, value); };
     const double faces = double(std::max<std::size_t>(loaded.world.face_count(), 1));
     row("level", loaded.level.name);
     row("faces", grouped(loaded.world.face_count()));
@@ -174,17 +230,43 @@ std::string text_for_people(const LoadedLevel& loaded, const Results& results, c
     row("casts", fmt::format("{}: {} hit, {} touching, {} miss", grouped(results.hits.size()), grouped(results.hit),
                              grouped(results.touching), grouped(results.miss)));
     row("casts a second",
-        fmt::format("{} on one thread, {} on {}", grouped(std::uint64_t(rate(results, results.seconds))),
-                    grouped(std::uint64_t(rate(results, results.parallel_seconds))), results.threads));
+        fmt::format("{} on one thread, {} on {}", grouped(std::uint64_t(rate(results.hits.size(), results.seconds))),
+                    grouped(std::uint64_t(rate(results.hits.size(), results.parallel_seconds))), results.threads));
     row("faces looked at a cast",
         fmt::format("{:.1f}, {:.2f}% of all", per_cast(results), 100 * per_cast(results) / faces));
-    row("checked by the twin",
-        fmt::format("{} casts, {} disagreements", grouped(results.checked), grouped(results.disagreements)));
+    row("checked by the twin", checked_text(results.checked));
+    text += craters_text(loaded, results);
     row("picture", out);
-    if (results.disagreements > 0)
+    if (!results.view.empty()) row("before and after", results.view);
+    if (results.disagreements() > 0)
         text += "\nTHE TWIN DISAGREES: casts through the tree are not right. The first:\n" +
-                results.first_disagreement + "\n";
+                (results.checked.first.empty() ? results.checked_after.first : results.checked.first) + "\n";
+    if (results.craters.leaks()) text += "\nTHE LEVEL LEAKS: rays escape through what was carved.\n";
     return text;
+}
+
+void add_craters(JsonWriter& json, const Results& results) {
+    const DemoCraters& craters = results.craters;
+    std::vector<double> seconds = craters.seconds;
+    json.open_object("craters");
+    json.add("count", craters.fired);
+    json.add("done", craters.done);
+    json.add("nothing", craters.nothing);
+    json.add("refused", craters.refused);
+    json.add("median_ms", 1e3 * percentile(seconds, 0.5));
+    json.add("p99_ms", 1e3 * percentile(seconds, 0.99));
+    json.add("volume", craters.volume);
+    json.add("faces_after", craters.after.face_count());
+    json.add("casts", craters.casts);
+    json.add("casts_per_second", rate(craters.casts, craters.cast_seconds));
+    json.add("rays", craters.rays);
+    json.add("escaped_before", craters.escaped_before);
+    json.add("escaped", craters.escaped);
+    json.add("checked", results.checked_after.casts);
+    json.add("disagreements", results.checked_after.disagreements);
+    if (results.checked_after.disagreements > 0) json.add("first_disagreement", results.checked_after.first);
+    json.add("hash", fmt::format("{:016x}", hash_world(craters.after)));
+    json.close();
 }
 
 std::string json_text(const LoadedLevel& loaded, const Results& results, const std::string& out) {
@@ -199,14 +281,20 @@ std::string json_text(const LoadedLevel& loaded, const Results& results, const s
     json.add("hit", results.hit);
     json.add("touching", results.touching);
     json.add("miss", results.miss);
-    json.add("casts_per_second", rate(results, results.seconds));
-    json.add("casts_per_second_all_threads", rate(results, results.parallel_seconds));
+    json.add("casts_per_second", rate(results.hits.size(), results.seconds));
+    json.add("casts_per_second_all_threads", rate(results.hits.size(), results.parallel_seconds));
     json.add("threads", results.threads);
     json.add("faces_per_cast", per_cast(results));
     json.add("share_of_faces", faces > 0 ? per_cast(results) / double(faces) : 0);
-    json.add("checked", results.checked);
-    json.add("disagreements", results.disagreements);
-    if (results.disagreements > 0) json.add("first_disagreement", results.first_disagreement);
+    json.add("checked", results.checked.casts);
+    json.add("disagreements", results.checked.disagreements);
+    if (results.checked.disagreements > 0) json.add("first_disagreement", results.checked.first);
+    add_craters(json, results);
+    if (results.view.empty()) {
+        json.add_null("view");
+    } else {
+        json.add("view", results.view);
+    }
     json.add("out", out);
     json.close();
     return json.text();
@@ -232,6 +320,26 @@ void make_folder_of(const std::string& path) {
     if (error) throw Failure(folder.string(), "cannot be made: " + error.message());
 }
 
+/// build/demo.svg -> build/demo_view.png
+std::string view_path(const std::string& out) {
+    const std::filesystem::path path(out);
+    return (path.parent_path() / (path.stem().string() + "_view.png")).string();
+}
+
+/// Before and after, where the picture itself goes to a file and craters are to be seen.
+void draw_craters(const World& before, const std::string& out, Results& results) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(out, none)) return;
+    debug::Camera size;
+    const std::optional<debug::Camera> camera = find_camera(before, results.craters.after, size);
+    if (!camera) return;
+    results.view = view_path(out);
+    AtomicFile file(results.view);
+    file.write(
+        png_bytes(side_by_side(debug::draw_view(before, *camera), debug::draw_view(results.craters.after, *camera))));
+    file.commit();
+}
+
 int run(const DemoArguments& given) {
     DemoArguments arguments = given;
     if (arguments.level.path.empty()) arguments.level.path = default_level();
@@ -239,6 +347,8 @@ int run(const DemoArguments& given) {
     const std::size_t count = arguments.casts.empty() ? 100000 : count_option("--casts", arguments.casts, 1, 10000000);
     const std::uint64_t seed =
         arguments.seed.empty() ? 1 : count_option("--seed", arguments.seed, 0, ~std::uint64_t(0));
+    const std::size_t craters =
+        arguments.craters.empty() ? 200 : count_option("--craters", arguments.craters, 0, 100000);
     refuse_json_beside(arguments.json, arguments.out);
     refuse_overwriting(arguments.out, arguments.level.path);
     const LoadedLevel loaded = load_level(arguments.level);
@@ -248,26 +358,31 @@ int run(const DemoArguments& given) {
     const std::vector<Query> queries = make_demo_casts(loaded.world, count, seed);
     Results results;
     fire(loaded.world, queries, results);
-    check_sample(loaded.world, queries, results);
-    out.write(draw(loaded.world, queries, results, short_name(arguments.level.path)).svg);
+    results.checked = check_sample(loaded.world, queries);
+    results.craters = fire_demo_craters(loaded.world, queries, craters, seed);
+    const World& after = results.craters.after;
+    if (results.craters.done > 0) results.checked_after = check_sample(after, queries);
+    out.write(draw(after, queries, short_name(arguments.level.path)).svg);
     out.commit();
+    draw_craters(loaded.world, arguments.out, results);
     if (arguments.json) {
         print(json_text(loaded, results, arguments.out));
     } else if (may_print_beside(arguments.out)) {
         print(text_for_people(loaded, results, arguments.out));
     }
-    return results.disagreements > 0 ? 1 : 0;
+    return results.disagreements() > 0 || results.craters.leaks() ? 1 : 0;
 }
 
 }  // namespace
 
 Verb add_demo(CLI::App& app) {
-    Command command(app, "demo", "Fires 100,000 casts in our level, checks a sample, prints a table, draws");
+    Command command(app, "demo", "Casts through our level, carves craters into it, checks, prints a table, draws");
     const auto arguments = std::make_shared<DemoArguments>();
     add_level_arguments(command, arguments->level, false);
     add_out_option(command, arguments->out, "SVG to write (default: see below); its folder is made when missing",
                    false);
     command.add_option("--casts", arguments->casts, "N", "how many, 1 .. 10000000 (default 100000)");
+    command.add_option("--craters", arguments->craters, "N", "how many, 0 .. 100000 (default 200)");
     command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1 (default 1)");
     add_json_flag(command, arguments->json);
     command.set_footer(kFooter);

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Gathers level and casts; src/debug/draw_plan.h draws.
+// Gathers level, blasts and casts; src/debug/draw_plan.h and draw_view.h draw.
 #include "cli/verb_draw.h"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/atomic_file.h"
 #include "cli/failure.h"
+#include "cli/find_camera.h"
+#include "cli/fire_blast.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
+#include "cli/read_blasts.h"
 #include "cli/read_hits.h"
 #include "cli/read_queries.h"
 #include "debug/draw_plan.h"
+#include "debug/draw_view.h"
+#include "debug/picture.h"
 
 namespace firma::cli {
 
@@ -23,8 +30,8 @@ namespace {
 
 struct DrawArguments {
     LevelArguments level;
-    std::string queries, casts, out, up, at, most_casts;
-    bool json = false;
+    std::string queries, casts, blasts, out, up, at, most_casts, eye, look, zoom;
+    bool view = false, before_after = false, json = false;
 };
 
 constexpr const char* kFooter =
@@ -39,9 +46,18 @@ is looked into through its ceiling. Faces too small to be seen are left out, and
 touches at the start red; a sphere shows as circles at its start and at the contact. With --queries alone the
 casts are made here, one-sided.
 
+--blasts is the file that `firma carve` reads: the level is drawn after them, new faces brown.
+
+--view writes a PNG instead: the level as seen from --eye toward --look, with the shadows of a lamp beside the eye.
+Without both, and with --blasts, it looks for a place from which many of the new faces are seen. --before-after
+shows the level without the blasts on the left, with them on the right.
+  firma draw levels/first.obj --blasts blasts.csv --view --before-after -o crater.png
+
 --json: level, cut_axis, cut_at, faces_in_plan, faces_in_section, faces_cut, faces_left_out, casts, casts_drawn,
-bytes, out.
+blasts, new_faces, bytes, out. With --view: level, eye, look, blasts, new_faces, bytes, out.
 )";
+
+constexpr int kViewWidth = 640, kViewHeight = 480;
 
 int axis_option(const std::string& text) {
     if (text.empty() || text == "z") return 2;
@@ -59,23 +75,76 @@ std::vector<debug::DrawnCast> gather_casts(const DrawArguments& arguments, const
     return casts;
 }
 
-int run(const DrawArguments& arguments) {
-    if (!arguments.casts.empty() && arguments.queries.empty())
-        throw Failure("--casts", "needs --queries as well: the hits do not say where the casts began");
+World after_blasts(const World& before, const std::vector<Blast>& blasts) {
+    World world = before;
+    for (const Blast& blast : blasts) fire_blast(world, blast);
+    return world;
+}
+
+std::size_t new_faces(const World& world) {
+    std::size_t count = 0;
+    for (const Face& face : world.faces()) count += face.source_edit != 0;
+    return count;
+}
+
+debug::Camera camera_of(const DrawArguments& arguments, const World& before, const World& after) {
+    debug::Camera camera;
+    camera.up = axis_option(arguments.up);
+    camera.width = kViewWidth;
+    camera.height = kViewHeight;
+    if (!arguments.zoom.empty()) camera.zoom = number_option("--zoom", arguments.zoom, 0.1, 100);
+    if (arguments.eye.empty() != arguments.look.empty()) throw Failure("--view", "needs --eye and --look, or neither");
+    if (!arguments.eye.empty()) {
+        camera.eye = point_option("--eye", arguments.eye);
+        camera.target = point_option("--look", arguments.look);
+        if (camera.eye == camera.target) throw Failure("--look", "is where the eye is");
+        return camera;
+    }
+    const std::optional<debug::Camera> found = find_camera(before, after, camera);
+    if (!found) throw Failure("--view", "needs --eye and --look where no blast made anything to look at");
+    return *found;
+}
+
+/// A PNG in perspective.
+void draw_view(const DrawArguments& arguments, const World& before, const World& after, std::size_t blasts) {
+    const debug::Camera camera = camera_of(arguments, before, after);
+    AtomicFile out(arguments.out);
+    debug::Picture picture = debug::draw_view(after, camera);
+    if (arguments.before_after) picture = side_by_side(debug::draw_view(before, camera), picture);
+    const std::string bytes = png_bytes(picture);
+    out.write(bytes);
+    out.commit();
+    if (arguments.json) {
+        JsonWriter json;
+        json.open_object();
+        json.add("level", arguments.level.path);
+        json.add("eye", camera.eye);
+        json.add("look", camera.target);
+        json.add("blasts", blasts);
+        json.add("new_faces", new_faces(after));
+        json.add("bytes", bytes.size());
+        json.add("out", arguments.out);
+        json.close();
+        print(json.text());
+    } else if (may_print_beside(arguments.out)) {
+        const Vec3 &eye = camera.eye, &look = camera.target;
+        print(fmt::format("{}: from ({:.2f}, {:.2f}, {:.2f}) toward ({:.2f}, {:.2f}, {:.2f}); {}\n", arguments.out,
+                          eye.x, eye.y, eye.z, look.x, look.y, look.z, bytes_text(bytes.size())));
+    }
+}
+
+/// An SVG with plan and section.
+void draw_plan(const DrawArguments& arguments, const World& world, std::size_t blasts) {
     debug::PlanOptions options;
     options.title = short_name(arguments.level.path);
     options.up = axis_option(arguments.up);
     if (!arguments.at.empty()) options.at = number_option("--at", arguments.at);
     if (!arguments.most_casts.empty())
         options.most_casts = count_option("--most-casts", arguments.most_casts, 0, 100000);
-    refuse_json_beside(arguments.json, arguments.out);
-    for (const std::string& input : {arguments.level.path, arguments.queries, arguments.casts})
-        refuse_overwriting(arguments.out, input);
-    const LoadedLevel loaded = load_level(arguments.level);
-    const std::vector<debug::DrawnCast> casts = gather_casts(arguments, loaded.world);
+    const std::vector<debug::DrawnCast> casts = gather_casts(arguments, world);
 
     AtomicFile out(arguments.out);
-    const debug::Plan plan = debug::draw_plan(loaded.world, casts, options);
+    const debug::Plan plan = debug::draw_plan(world, casts, options);
     out.write(plan.svg);
     out.commit();
     if (arguments.json) {
@@ -90,6 +159,8 @@ int run(const DrawArguments& arguments) {
         json.add("faces_left_out", plan.faces_left_out);
         json.add("casts", casts.size());
         json.add("casts_drawn", plan.casts_drawn);
+        json.add("blasts", blasts);
+        json.add("new_faces", plan.new_faces);
         json.add("bytes", plan.svg.size());
         json.add("out", arguments.out);
         json.close();
@@ -99,21 +170,52 @@ int run(const DrawArguments& arguments) {
                           grouped(plan.faces_in_plan), grouped(plan.faces_in_section), grouped(plan.casts_drawn),
                           grouped(casts.size()), bytes_text(plan.svg.size())));
     }
+}
+
+int run(const DrawArguments& arguments) {
+    if (!arguments.casts.empty() && arguments.queries.empty())
+        throw Failure("--casts", "needs --queries as well: the hits do not say where the casts began");
+    if (!arguments.view) {
+        for (const auto& [option, given] :
+             {std::pair("--eye", !arguments.eye.empty()), std::pair("--look", !arguments.look.empty()),
+              std::pair("--zoom", !arguments.zoom.empty()), std::pair("--before-after", arguments.before_after)})
+            if (given) throw Failure(option, "needs --view: the plan has no such thing");
+    } else if (!arguments.queries.empty() || !arguments.at.empty() || !arguments.most_casts.empty()) {
+        throw Failure("--view", "shows neither casts nor a section");
+    }
+    axis_option(arguments.up);
+    refuse_json_beside(arguments.json, arguments.out);
+    for (const std::string& input : {arguments.level.path, arguments.queries, arguments.casts, arguments.blasts})
+        refuse_overwriting(arguments.out, input);
+    const LoadedLevel loaded = load_level(arguments.level);
+    const std::vector<Blast> blasts = arguments.blasts.empty() ? std::vector<Blast>{} : read_blasts(arguments.blasts);
+    const World world = after_blasts(loaded.world, blasts);
+    if (arguments.view) {
+        draw_view(arguments, loaded.world, world, blasts.size());
+    } else {
+        draw_plan(arguments, world, blasts.size());
+    }
     return 0;
 }
 
 }  // namespace
 
 Verb add_draw(CLI::App& app) {
-    Command command(app, "draw", "Draws a plan and a section of a level, with casts, as SVG");
+    Command command(app, "draw", "Draws a level, before or after blasts: plan and section as SVG, or a view as PNG");
     const auto arguments = std::make_shared<DrawArguments>();
     add_level_arguments(command, arguments->level);
     command.add_option("--queries", arguments->queries, "FILE", "csv of casts to draw, as for `firma cast`");
     command.add_option("--casts", arguments->casts, "FILE", "csv of their hits, as `firma cast` writes it");
-    add_out_option(command, arguments->out, "SVG to write", true);
+    command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts to fire first, as for `firma carve`");
+    add_out_option(command, arguments->out, "SVG to write; with --view a PNG", true);
     command.add_option("--up", arguments->up, "AXIS", "the axis that points up: x, y or z (default z)");
     command.add_option("--at", arguments->at, "M", "where the section cuts, metres (default: where it shows most)");
     command.add_option("--most-casts", arguments->most_casts, "N", "casts drawn at most, evenly taken (default 200)");
+    command.add_flag("--view", arguments->view, "draw a view in perspective, as PNG");
+    command.add_option("--eye", arguments->eye, "X,Y,Z", "with --view: where it looks from, metres");
+    command.add_option("--look", arguments->look, "X,Y,Z", "with --view: the point in the middle of the picture");
+    command.add_option("--zoom", arguments->zoom, "Z", "with --view: 1 (default) sees 90 degrees, 2 half as much");
+    command.add_flag("--before-after", arguments->before_after, "with --view: the level before the blasts beside it");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};

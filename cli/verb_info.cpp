@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
+#include "firma/solid.h"
 
 namespace firma::cli {
 
@@ -31,7 +33,9 @@ cover, 0 .. 1.
 
 --json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
 corners, materials [names], groups, ignored_entries, bounds {low, high} or null, rooms, tree {faces, blocks,
-bins, leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, read_seconds, build_seconds.
+bins, leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
+build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
+reaches to infinity: then it is that of the air.
 )";
 
 TreeOptions tree_options(const InfoArguments& arguments) {
@@ -116,6 +120,12 @@ std::string json_text(const LoadedLevel& loaded) {
     json.add("bytes", tree.bytes);
     json.add("bytes_per_face", tree.bytes_per_face());
     json.close();
+    const SolidMeasures solid = measure_solid(loaded.world);
+    json.open_object("solid");
+    json.add("faces", solid.facets);
+    json.add("volume", solid.volume);
+    json.add("area", solid.area);
+    json.close();
     json.add("read_seconds", loaded.read_seconds);
     json.add("build_seconds", loaded.build_seconds);
     json.close();
@@ -159,6 +169,11 @@ std::string text_for_people(const LoadedLevel& loaded) {
         row("size", fmt::format("{} x {} x {} m", size.x, size.y, size.z));
     }
     row("rooms", grouped(loaded.world.room_count()));
+    const SolidMeasures solid = measure_solid(loaded.world);
+    row("solid", solid.facets == 0
+                     ? "no face bounds a solid"
+                     : fmt::format("{} faces bound {:.6g} m3 of {}, by {:.6g} m2", grouped(solid.facets),
+                                   std::fabs(solid.volume), solid.volume < 0 ? "air" : "rock", solid.area));
     row("tree", fmt::format("{} bins, {} of them leaves, in {} blocks; depth {}; fullest leaf {} faces; overlap {:.3f}",
                             grouped(tree.bins), grouped(tree.leaf_bins), grouped(tree.blocks), tree.depth,
                             grouped(tree.largest_bin), tree.overlap));

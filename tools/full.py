@@ -19,6 +19,7 @@ FUZZ = os.path.join('build', 'fuzz', 'bin')
 
 CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt']
+CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level/find_solids.cpp', 'scenes', 'levels', 'tests/reference']
 READ_SOURCES = ['include', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp']
 
@@ -37,6 +38,15 @@ def watertight(seed, count):
     return [f'{BUILD}/full_watertight', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def carve(seed, count):
+    return [f'{BUILD}/full_carve', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
+def carved(what):
+    return lambda seed, count: [f'{BUILD}/full_carved_casts', '--what', what, '--count', str(count), '--seed', str(seed),
+                                '--cuts', '1000', '--threads', '2']
+
+
 def fuzz(reader):
     def command(seed, count):
         scratch = os.path.join('build', 'fuzz', f'corpus_{reader}')
@@ -52,6 +62,14 @@ CLAIMS = [
           CAST_SOURCES + ['scenes', 'tests/reference', 'tests/full/full_casts.cpp'], 'test', casts),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + ['scenes', 'tests/full/full_watertight.cpp'], 'test', watertight),
+    Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
+          CARVE_SOURCES + ['tests/full/full_carve.cpp'], 'test', carve),
+    Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'], 'test', carved('casts')),
+    Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'], 'test', carved('rays')),
+    Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
+          CARVE_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('carve')),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_obj')),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',

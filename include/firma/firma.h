@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything: levels in, worlds out, casts through them.
+// Everything: levels in, worlds out, casts through them, craters into them.
 #pragma once
 
 #include "firma/carve.h"
@@ -17,3 +17,4 @@
 #include "firma/tree_options.h"
 #include "firma/vec.h"
 #include "firma/world.h"
+#include "firma/write_obj.h"

@@ -17,6 +17,7 @@ enum class ErrorCode : std::uint8_t {
     kTooLarge,     ///< a count or size exceeds a limit, found before memory is taken
     kUnsupported,  ///< a format or version that Firma does not read
     kInvalid,      ///< a call with arguments that make no sense
+    kCannotWrite,  ///< the file cannot be made or written: no folder, no permission, no room
 };
 
 /// Where and why. `place` is "file", "file:line" or "file: entry", whichever the format has.

@@ -71,8 +71,8 @@ private:
 
 struct WorldOptions {
     TreeOptions tree;
-    Tolerance tolerance;
-    CarveRules rules;
+    Tolerance tolerance{};
+    CarveRules rules{};
 };
 
 /// The same world under other rules for carving.
@@ -156,7 +156,8 @@ struct WorldFault {
 };
 
 /// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin; ids unique.
+/// around what they hold; every face in exactly one bin; ids unique. Of the exact solid behind the faces see
+/// check_solid().
 std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

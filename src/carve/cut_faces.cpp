@@ -5,19 +5,13 @@
 #include <algorithm>
 
 #include "carve/gather.h"
+#include "carve/touch_polygon.h"
 #include "geometry/exact_shift.h"
 
 namespace firma {
 namespace {
 
 constexpr std::int8_t kUnasked = 2;
-
-/// Whether a point lies in a box, or within the rounding of its corners to the grid.
-bool near(const GridBox& box, const ExactPoint& point) {
-    GridBox at;
-    at.add(point.rounded());
-    return boxes_meet(grown(box, 1), at);
-}
 
 std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t(a) << 32 | b;
@@ -59,21 +53,53 @@ std::uint32_t FaceCutter::cutter_crossing(std::uint32_t edge, std::uint32_t face
     return known;
 }
 
-std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
-    CutPoint& it = cut_.crossings[crossing];
-    if (it.vertex == ~0u) {
-        it.vertex = cut_.first_real() + std::uint32_t(cut_.real.size());
-        cut_.real.push_back(crossing);
-    }
-    return it.vertex;
+std::uint32_t FaceCutter::new_vertex(std::uint32_t crossing) {
+    cut_.real.push_back(crossing);
+    return cut_.first_real() + std::uint32_t(cut_.real.size()) - 1;
 }
 
-int FaceCutter::side_of_face(std::uint32_t vertex, const GridBox& face) {
+/// Where solids touch along a line there are several edges, but one vertex where they cross a triangle: loops on it
+/// must be able to turn from one to the other.
+std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
+    CutPoint& it = cut_.crossings[crossing];
+    if (it.vertex != ~0u) return it.vertex;
+    cut_.met.push_back(crossing);
+    if (!it.of_world) return it.vertex = new_vertex(crossing);
+    const GridPoint& p = it.point.rounded();
+    const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
+    for (std::uint64_t key = mix_bits(xy) + std::uint32_t(p.z) + mix_bits(it.face);; key = mix_bits(key + 1)) {
+        std::uint32_t& known = cut_.met_at.at(key);
+        if (known == FlatMap::kNone) {
+            known = crossing;
+            return it.vertex = new_vertex(crossing);
+        }
+        const CutPoint& other = cut_.crossings[known];
+        if (other.face == it.face && exact_side(it.planes[0]->plane, other.point) == 0 &&
+            exact_side(it.planes[1]->plane, other.point) == 0)
+            return it.vertex = other.vertex;
+    }
+}
+
+bool FaceCutter::touches_face(const PatchFace& face, const ExactPoint& point) {
+    points_.clear();
+    for (const PatchUse& use : cut_.patch->uses(face))
+        points_.push_back(cut_.patch->vertices[cut_.patch->from(use)].point.rounded());
+    return touches_polygon(points_, cut_.patch->ends(face), face.plane->plane, point.rounded());
+}
+
+bool FaceCutter::touches_triangle(std::uint32_t triangle, const ExactPoint& point) const {
+    GridPoint corners[3];
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = cut_.cutter->points[cut_.cutter->triangle(triangle)[k]].rounded();
+    const std::uint32_t ends[] = {3};
+    return touches_polygon(corners, ends, cut_.cutter->planes[triangle]->plane, point.rounded());
+}
+
+int FaceCutter::side_of_face(std::uint32_t vertex, const PatchFace& face) {
     std::int8_t& known = cutter_sides_[vertex];
     if (known != kUnasked) return known;
     const ExactPoint& point = cut_.cutter->points[vertex];
     int side = exact_side(*face_plane_, point);
-    if (side == 0) side = near(face, point) ? 0 : shifted_side(*face_plane_);
+    if (side == 0) side = touches_face(face, point) ? 0 : shifted_side(*face_plane_);
     known = std::int8_t(side);
     return side;
 }
@@ -82,7 +108,7 @@ int FaceCutter::side_of_triangle(std::uint32_t vertex, std::uint32_t triangle) c
     const Plane& plane = cut_.cutter->planes[triangle]->plane;
     const ExactPoint& point = cut_.patch->vertices[vertex].point;
     const int side = exact_side(plane, point);
-    if (side != 0 || near(cut_.cutter->boxes[triangle], point)) return side;
+    if (side != 0 || touches_triangle(triangle, point)) return side;
     return -shifted_side(plane);
 }
 
@@ -117,7 +143,7 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
     const auto& corners = cut_.cutter->triangle(triangle);
     int corner_side[3];
     for (std::size_t k = 0; k < 3; ++k) {
-        corner_side[k] = side_of_face(corners[k], face.box);
+        corner_side[k] = side_of_face(corners[k], face);
         if (corner_side[k] == 0) return Verdict::kDegenerate;
     }
     if (corner_side[0] == corner_side[1] && corner_side[1] == corner_side[2]) return Verdict::kFine;

@@ -9,8 +9,8 @@ namespace firma {
 /// Cuts one face of the patch by all triangles whose boxes meet its own.
 ///
 /// A predicate that answers zero is settled as if the cutter were shifted by less than anything (exact_shift.h), where
-/// nothing touches: a corner on a plane, but beside the polygon in it. Where something touches, by the boxes, the
-/// position is degenerate.
+/// nothing touches: a corner on a plane, but beside the polygon in it. Where something touches, the position is
+/// degenerate.
 class FaceCutter {
 public:
     explicit FaceCutter(Cut& cut) : cut_(cut) {}
@@ -27,19 +27,23 @@ private:
     };
 
     Verdict cut_pair(std::uint32_t face, std::uint32_t triangle);
-    int side_of_face(std::uint32_t cutter_vertex, const GridBox& face);
+    bool touches_face(const PatchFace& face, const ExactPoint& point);
+    bool touches_triangle(std::uint32_t triangle, const ExactPoint& point) const;
+    int side_of_face(std::uint32_t cutter_vertex, const PatchFace& face);
     int side_of_triangle(std::uint32_t patch_vertex, std::uint32_t triangle) const;
     int order(const OnLine& a, const OnLine& b, const Plane& triangle) const;
     std::uint32_t world_crossing(std::uint32_t edge, std::uint32_t triangle);
     std::uint32_t cutter_crossing(std::uint32_t edge, std::uint32_t face);
     Verdict emit(std::uint32_t face, std::uint32_t triangle);
     std::uint32_t vertex_of(std::uint32_t crossing);
+    std::uint32_t new_vertex(std::uint32_t crossing);
 
     Cut& cut_;
     const Plane* face_plane_ = nullptr;
     std::vector<std::int8_t> cutter_sides_;  ///< of the face at hand; kUnasked where not known yet
     std::vector<std::int8_t> face_sides_;
     std::vector<OnLine> line_;
+    std::vector<GridPoint> points_;
 };
 
 }  // namespace firma

@@ -60,7 +60,10 @@ struct Cut {
 
     std::vector<CutPoint> crossings;
     FlatMap world_crossing, cutter_crossing;  ///< by edge and face
-    std::vector<std::uint32_t> real;          ///< crossings that are vertices, in order of their numbers
+    std::vector<std::uint32_t> met;           ///< crossings that are on both, edge and face, as they were met
+    std::vector<std::uint32_t> real;  ///< crossings that are vertices, in order of their numbers: of `met` those
+                                      ///< but where copies of an edge cross at the same place
+    FlatMap met_at;                   ///< by triangle and place, those of world edges
     std::vector<Segment> segments;
     std::vector<std::uint8_t> face_cut;  ///< whether a patch face has a segment
 

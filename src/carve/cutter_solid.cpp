@@ -2,6 +2,10 @@
 // A placed cutter as a solid.
 #include "carve/cutter_solid.h"
 
+#include <optional>
+
+#include "carve/gather.h"
+
 namespace firma {
 namespace {
 
@@ -70,29 +74,37 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     cutter.tree = BoxTree(cutter.boxes);
 }
 
+namespace {
+
+/// A point outside the cutter's box, beside it along one axis; nothing where that would be outside the world. No two
+/// ways give points in line with the middle.
+std::optional<InputPoint> point_outside(const GridBox& box, int way) {
+    InputPoint outside;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t low = box.low[axis] / kSurfacePerInput, high = box.high[axis] / kSurfacePerInput;
+        const std::int64_t size = high - low + 1;
+        const std::int64_t beside = way % 2 ? low - 5 - way : high + 5 + way;
+        const std::int64_t at = axis == way % 3 ? beside : low + size * ((3 + 7 * way + 11 * axis) % 31) / 31;
+        if (at < INT32_MIN / kSurfacePerInput || at > INT32_MAX / kSurfacePerInput) return {};
+        outside[axis] = std::int32_t(at);
+    }
+    return outside;
+}
+
+}  // namespace
+
 int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
-    // Points outside the cutter's box, none of them in line with another and the middle.
-    const GridBox& box = cutter.box;
     for (int way = 0; way < 12; ++way) {
-        InputPoint outside;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int32_t low = box.low[axis] / kSurfacePerInput, high = box.high[axis] / kSurfacePerInput;
-            const std::int32_t size = high - low + 1;
-            outside[axis] = axis == way % 3 ? (way % 2 ? low - 5 - way : high + 5 + way)
-                                            : low + std::int32_t(std::int64_t(size) * (3 + 7 * way + axis) % size);
-        }
-        const GridPoint far = to_surface(outside);
+        const std::optional<InputPoint> outside = point_outside(cutter.box, way);
+        if (!outside) continue;
         GridBox reach;
-        reach.add(far);
+        reach.add(to_surface(*outside));
         reach.add(point.rounded());
-        for (int axis = 0; axis < 3; ++axis) {  // the point itself lies within a step of its rounded one
-            if (reach.low[axis] > INT32_MIN) --reach.low[axis];
-            if (reach.high[axis] < INT32_MAX) ++reach.high[axis];
-        }
+        reach = grown(reach, 1);  // the point itself lies within a step of its rounded one
         int crossings = 0;
         bool unsure = false;
         cutter.tree.for_each_meeting(reach, [&](std::uint32_t t) {
-            const int verdict = crosses(cutter, t, point, outside);
+            const int verdict = crosses(cutter, t, point, *outside);
             if (verdict < 0) unsure = true;
             crossings += verdict == 1;
             return unsure;

@@ -39,7 +39,7 @@ Verdict order_along(Cut& cut, std::uint32_t first, std::uint32_t count) {
 }
 
 Verdict order_edges(Cut& cut, bool of_world, std::vector<Cut::Range>& ranges) {
-    for (const std::uint32_t crossing : cut.real)
+    for (const std::uint32_t crossing : cut.met)
         if (cut.crossings[crossing].of_world == of_world) ++ranges[cut.crossings[crossing].edge].count;
     std::uint32_t total = std::uint32_t(cut.along.size());
     for (Cut::Range& range : ranges) {
@@ -48,7 +48,7 @@ Verdict order_edges(Cut& cut, bool of_world, std::vector<Cut::Range>& ranges) {
         range.count = 0;
     }
     cut.along.resize(total);
-    for (const std::uint32_t crossing : cut.real) {
+    for (const std::uint32_t crossing : cut.met) {
         if (cut.crossings[crossing].of_world != of_world) continue;
         Cut::Range& range = ranges[cut.crossings[crossing].edge];
         cut.along[range.first + range.count++] = crossing;

@@ -99,6 +99,9 @@ std::int32_t farthest_move(int tries) {
     return kLeastMove << doublings;
 }
 
+/// An axis along which a vertex looks outward by less than this part of its largest has no outward.
+constexpr double kFlat = 0.25;
+
 /// At each vertex the sum of its triangles' normals.
 std::vector<Vec3> outward(const PlacedCutter& placed) {
     std::vector<Vec3> out(placed.vertices.size());
@@ -153,15 +156,35 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
             };
             // Outward by one step at least, where there is an outward along this axis.
             const double along = out[k][axis];
-            const std::int32_t by = std::fabs(along) < 0.25 * largest(out[k]) ? draw(2 * farthest + 1) - farthest
-                                    : along > 0                               ? 1 + draw(farthest)
-                                                                              : -1 - draw(farthest);
+            const std::int32_t by = std::fabs(along) < kFlat * largest(out[k]) ? draw(2 * farthest + 1) - farthest
+                                    : along > 0                                ? 1 + draw(farthest)
+                                                                               : -1 - draw(farthest);
             std::int32_t& coordinate = moved.vertices[k][axis];
             coordinate += by;
             if (coordinate < -kRimSteps || coordinate >= kRimSteps) return outside(placed.name, k);
         }
     }
     return finish(std::move(moved));
+}
+
+Result<PlacedCutter> shrink_cutter(const PlacedCutter& placed) {
+    const double count = double(placed.vertices.size());
+    Vec3 middle;
+    const auto point = [](const InputPoint& p) { return Vec3{double(p.x), double(p.y), double(p.z)}; };
+    for (const InputPoint& p : placed.vertices) middle = middle + point(p) * (1 / count);
+    double nearest = INFINITY;
+    for (const InputPoint& p : placed.vertices) {
+        const double distance = length(point(p) - middle);
+        if (distance < nearest) nearest = distance;
+    }
+    const double scale = 1 - kShrinkSteps / nearest;
+    if (!(scale > 0)) return error_at(placed.name, "", ErrorCode::kInvalid, "is too small to be made smaller");
+    PlacedCutter shrunk = placed;
+    for (InputPoint& p : shrunk.vertices) {
+        const Vec3 at = middle + (point(p) - middle) * scale;
+        for (int axis = 0; axis < 3; ++axis) p[axis] = std::int32_t(std::floor(at[axis] + 0.5));
+    }
+    return finish(std::move(shrunk));
 }
 
 }  // namespace firma

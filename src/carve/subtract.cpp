@@ -72,7 +72,9 @@ void Cut::clear() {
     crossings.clear();
     world_crossing.clear();
     cutter_crossing.clear();
+    met.clear();
     real.clear();
+    met_at.clear();
     segments.clear();
     face_cut.assign(patch->faces.size(), 0);
     new_edges.clear();
@@ -240,8 +242,10 @@ Subtraction::Phase Subtraction::gather() {
 }
 
 Subtraction::Phase Subtraction::tile() {
-    if (tree_of_room())
-        tile_faces(*tree_of_room(), grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput), patch_);
+    // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
+    // divided into facets, whose corners are rounded.
+    const GridBox reach = grown(solid_cutter_.box, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2);
+    if (tree_of_room()) tile_faces(*tree_of_room(), reach, patch_);
     return start_cut();
 }
 
@@ -257,7 +261,19 @@ Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
     return verdict == Verdict::kDegenerate ? move_cutter_aside() : next;
 }
 
+/// Before a cutter that touches something is moved outward: what it takes may be no more than the touch, as when it is
+/// put where it was before. A slightly smaller one tells.
+Subtraction::Phase Subtraction::look_inward() {
+    looks_inward_ = true;
+    Result<PlacedCutter> shrunk = shrink_cutter(placed_);
+    if (!shrunk || firma::check_cutter(shrunk.value())) return move_cutter_aside();
+    make_cutter_solid(std::move(shrunk).value(), solid_cutter_);
+    return start_cut();
+}
+
 Subtraction::Phase Subtraction::move_cutter_aside() {
+    if (result_.report.retries == 0 && !looks_inward_) return look_inward();
+    looks_inward_ = false;
     while (result_.report.retries < kMostTries) {
         Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
         if (!moved || firma::check_cutter(moved.value())) continue;
@@ -308,6 +324,7 @@ Subtraction::Phase Subtraction::trace() {
         result_.status = CarveStatus::kNothing;
         return Phase::kEnd;
     }
+    if (looks_inward_) return move_cutter_aside();
     keep_pieces(cut_);
     return Phase::kRules;
 }

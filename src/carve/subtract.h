@@ -62,6 +62,7 @@ private:
     Phase start_cut();
     Phase move_on(Verdict verdict, Phase next);
     Phase move_cutter_aside();
+    Phase look_inward();
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
     std::vector<FacetPlace> facets_gone() const;
@@ -85,7 +86,8 @@ private:
     std::unique_ptr<FaceMaker> face_maker_;
     FaceSet come_;
     std::unique_ptr<BlockEdit> block_edit_;
-    std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
+    bool looks_inward_ = false;  ///< at hand is a cutter made smaller, to see whether it takes anything but touch
+    std::uint32_t next_ = 0;     ///< face at hand, in phases that go through many
 };
 
 }  // namespace firma

@@ -3,6 +3,7 @@
 #include "carve/tile_faces.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "carve/gather.h"
 #include "tree/box_tree.h"
@@ -16,6 +17,27 @@ std::pair<int, double> longest_axis(const GridBox& box) {
     for (int axis = 1; axis < 3; ++axis)
         if (box.extent(axis) > box.extent(best)) best = axis;
     return {best, box.extent(best)};
+}
+
+/// Whether a loop and what it encloses reach into a box, by clipping it on each side in turn. Corners that lie along a
+/// side make no difference, as they come and go with the neighbours' edges: whether a face is halved must not depend on
+/// what was cut elsewhere before.
+bool reaches_into(std::vector<Vec3>& loop, const GridBox& box) {
+    std::vector<Vec3> kept;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            const double bound = sign * (sign > 0 ? box.low : box.high)[axis] / kSurfacePerInput;
+            kept.clear();
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const Vec3 &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
+                const double at_a = sign * a[axis] - bound, at_b = sign * b[axis] - bound;
+                if (at_a >= 0) kept.push_back(a);
+                if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0))
+                    kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+            }
+            loop.swap(kept);
+        }
+    return !loop.empty();
 }
 
 class Tiler {
@@ -32,9 +54,14 @@ public:
     }
 
 private:
-    bool too_large(std::uint32_t face) const {
-        const GridBox& box = patch_.faces[face].box;
-        return longest_axis(box).second > kLargestTile && boxes_meet(grown(box, 1), box_);
+    bool too_large(std::uint32_t index) {
+        const PatchFace& face = patch_.faces[index];
+        if (face.loop_count != 1 || longest_axis(face.box).second <= kLargestTile || !boxes_meet(face.box, box_))
+            return false;
+        loop_.clear();
+        for (const PatchUse& use : patch_.uses(face))
+            loop_.push_back(patch_.vertices[patch_.from(use)].point.approximate());
+        return reaches_into(loop_, box_);
     }
 
     /// The face's loop with every split edge as its halves.
@@ -50,17 +77,43 @@ private:
     }
 
     void halve(std::uint32_t index) {
-        if (patch_.faces[index].loop_count != 1) return;
         const GridBox box = patch_.faces[index].box;
         const int axis = longest_axis(box).first;
         const std::int64_t middle = (std::int64_t(box.low[axis]) + box.high[axis]) / 2;
-        const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, std::int32_t(middle / kSurfacePerInput))));
+        const std::int64_t step = (std::int64_t(box.high[axis]) - box.low[axis]) / 16;
         expand(patch_.faces[index], uses_);
-        sides_.clear();
-        for (const PatchUse& use : uses_)
-            sides_.push_back(exact_side(plane->plane, patch_.vertices[patch_.from(use)].point));
-        if (sign_changes() != 2) return;
-        divide(index, plane);
+        for (const int steps : {0, 1, -1, 2, -2}) {
+            const auto at = std::int32_t((middle + steps * step) / kSurfacePerInput);
+            const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, at)));
+            sides_.clear();
+            for (const PatchUse& use : uses_)
+                sides_.push_back(exact_side(plane->plane, patch_.vertices[patch_.from(use)].point));
+            if (sign_changes() == 2 && !crowds(plane->plane)) return divide(index, plane);
+        }
+    }
+
+    static bool near(const GridPoint& a, const GridPoint& b) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(std::int64_t(a[axis]) - b[axis]) >= kSurfacePerInput) return false;
+        return true;
+    }
+
+    /// Whether a vertex that the plane makes would lie within a step of the input grid of another one: rounded, such a
+    /// piece may have no sound facets, wherever the cutter is moved.
+    bool crowds(const Plane& plane) {
+        std::vector<GridPoint> made;
+        for (std::size_t k = 0; k < uses_.size(); ++k) {
+            const int here = sides_[k], there = sides_[(k + 1) % sides_.size()];
+            const GridPoint from = patch_.vertices[patch_.from(uses_[k])].point.rounded();
+            if (here == 0) made.push_back(from);
+            if (here * there >= 0) continue;
+            patch_.settle_planes(uses_[k].edge);
+            const PatchEdge& edge = patch_.edges[uses_[k].edge];
+            const GridPoint point = ExactPoint(edge.plane[0]->plane, edge.plane[1]->plane, plane).rounded();
+            if (near(point, from) || near(point, patch_.vertices[patch_.to(uses_[k])].point.rounded())) return true;
+            made.push_back(point);
+        }
+        return made.size() == 2 && near(made[0], made[1]);
     }
 
     int sign_changes() const {
@@ -197,6 +250,7 @@ private:
     std::vector<std::uint32_t> split_;
     std::vector<PatchUse> uses_;
     std::vector<int> sides_;
+    std::vector<Vec3> loop_;  ///< input steps
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "carve/trace_loops.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "carve/group_loops.h"
 
@@ -143,39 +144,82 @@ private:
         return trace_pieces({std::move(plane), 0, 0, 0, 0, ~0u, t});
     }
 
-    /// Follows the pieces around: each vertex has exactly one way out and one way in.
+    /// Follows the pieces around: each has one that comes next.
     Verdict trace_pieces(const NewFace& like) {
-        for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-            std::uint32_t& out = out_of_[cut_.from(pieces_[k])];
-            if (out != 0) return broken();
-            out = k + 1;
-        }
+        if (!find_next(like)) return Verdict::kBroken;
         loops_.clear();
         loop_ends_.clear();
-        bool closed = true;
-        for (std::uint32_t first = 0; first < pieces_.size() && closed; ++first) {
-            std::uint32_t piece = first;
-            while (closed && out_of_[cut_.from(pieces_[piece])] != 0) {
-                out_of_[cut_.from(pieces_[piece])] = 0;
+        for (std::uint32_t first = 0; first < pieces_.size(); ++first) {
+            for (std::uint32_t piece = first; next_[piece] != kNoPiece;) {
                 loops_.push_back(pieces_[piece]);
-                const std::uint32_t next = out_of_[cut_.to(pieces_[piece])];
-                if (next == 0) {
-                    closed = cut_.to(pieces_[piece]) == cut_.from(pieces_[first]);
-                    break;
-                }
-                piece = next - 1;
+                piece = std::exchange(next_[piece], kNoPiece);
             }
             if (loops_.size() > (loop_ends_.empty() ? 0 : loop_ends_.back()))
                 loop_ends_.push_back(std::uint32_t(loops_.size()));
         }
-        if (!closed) return broken();
         return loops_.empty() ? Verdict::kFine : group_loops(cut_, like, loops_, loop_ends_);
     }
 
-    Verdict broken() {
+    /// Mostly each vertex has one way out and one way in.
+    bool find_next(const NewFace& like) {
+        next_.assign(pieces_.size(), kNoPiece);
+        same_start_.assign(pieces_.size(), kNoPiece);
+        bool several = false;
+        for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+            std::uint32_t& out = out_of_[cut_.from(pieces_[k])];
+            several |= out != 0;
+            same_start_[k] = out - 1;  // none: kNoPiece
+            out = k + 1;
+        }
+        bool whole = true;
+        std::size_t ends = 0;
+        for (std::uint32_t k = 0; k < pieces_.size() && whole; ++k) {
+            next_[k] = out_of_[cut_.to(pieces_[k])] - 1;
+            whole = next_[k] != kNoPiece;
+            if (whole && several && same_start_[next_[k]] != kNoPiece) whole = choose_next(k, like);
+        }
         for (const PatchUse& piece : pieces_) out_of_[cut_.from(piece)] = 0;
-        return Verdict::kBroken;
+        if (!whole) return false;
+        used_.assign(pieces_.size(), 0);
+        for (const std::uint32_t next : next_) ends += used_[next]++ != 0;
+        return ends == 0;
     }
+
+    /// Where solids touch along a line that crosses this face there are several ways out of one vertex. The inside of
+    /// the face lies to the left of a piece: the next one is the first met when the way back turns clockwise. All of
+    /// them are segments, and run along face normal x triangle normal.
+    bool choose_next(std::uint32_t piece, const NewFace& like) {
+        if (!is_segment(piece)) return false;
+        std::uint32_t best = kNoPiece;
+        for (std::uint32_t out = next_[piece]; out != kNoPiece; out = same_start_[out]) {
+            if (!is_segment(out)) return false;
+            if (best == kNoPiece || comes_before(piece, out, best, like)) best = out;
+        }
+        next_[piece] = best;
+        return true;
+    }
+    bool is_segment(std::uint32_t piece) const { return pieces_[piece].edge >= segment_edge_; }
+
+    /// Whether a, turning clockwise from the way back along `in`, is met before b.
+    bool comes_before(std::uint32_t in, std::uint32_t a, std::uint32_t b, const NewFace& like) const {
+        // Against the way back all turns change sign: 1 within half a turn clockwise, 2 opposite, 3 beyond.
+        const auto part = [&](std::uint32_t out) { return 2 - turn(in, out, like); };
+        const int part_a = part(a), part_b = part(b);
+        return part_a != part_b ? part_a < part_b : turn(a, b, like) < 0;
+    }
+
+    /// Sign of the turn from one segment's direction to another's, seen against the normal of the new face:
+    /// (a x t) x (b x t) = t det(a, b, t).
+    int turn(std::uint32_t a, std::uint32_t b, const NewFace& like) const {
+        const NewEdge &one = cut_.new_edges[pieces_[a].edge - cut_.first_new_edge()],
+                      &other = cut_.new_edges[pieces_[b].edge - cut_.first_new_edge()];
+        const Plane& t = cutter_.planes[like.triangle]->plane;
+        const int sign = exact_turn(one.plane[0]->plane, other.plane[0]->plane, t);
+        const bool turned = pieces_[a].reversed != pieces_[b].reversed;
+        return (cut_.fill ? sign : -sign) * (turned ? -1 : 1);
+    }
+
+    static constexpr std::uint32_t kNoPiece = ~0u;
 
     Cut& cut_;
     const SolidPatch& patch_;
@@ -185,6 +229,9 @@ private:
     std::vector<std::uint32_t> by_triangle_, of_triangle_, by_face_, of_face_;
     std::vector<PatchUse> pieces_, loops_;
     std::vector<std::uint32_t> loop_ends_;
+    std::vector<std::uint32_t> next_;        ///< of each piece
+    std::vector<std::uint32_t> same_start_;  ///< of each piece: another one that starts at its vertex
+    std::vector<std::uint8_t> used_;
     std::vector<std::uint32_t> out_of_;  ///< a vertex's way out, as 1 + its place in pieces_; 0: none
 };
 

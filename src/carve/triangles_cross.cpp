@@ -12,18 +12,6 @@
 namespace firma {
 namespace {
 
-int sign_of(Int128 value) {
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
-int side(const InputPoint& a, const AreaVector& normal, const InputPoint& p) {
-    return sign_of(Int128(normal.x) * (p.x - a.x) + Int128(normal.y) * (p.y - a.y) + Int128(normal.z) * (p.z - a.z));
-}
-
-int orient(const InputPoint& a, const InputPoint& b, const InputPoint& c, const InputPoint& p) {
-    return side(a, area_vector(a, b, c), p);
-}
-
 /// A triangle with its plane. Views, for the length of one question.
 struct Corners {
     const InputPoint& a;
@@ -31,54 +19,21 @@ struct Corners {
     const InputPoint& c;
     AreaVector normal = area_vector(a, b, c);
 
-    int side_of(const InputPoint& p) const { return side(a, normal, p); }
+    int side_of(const InputPoint& p) const { return side_of_plane(a, normal, p); }
 };
 
-/// The two axes left when a plane is seen along the largest component of its normal. The view may be a mirrored one:
-/// signs are only compared with each other.
-struct View {
-    int u = 0, v = 1;
-
-    explicit View(const AreaVector& normal) {
-        const auto size = [](std::int64_t n) { return n < 0 ? -n : n; };
-        const std::int64_t x = size(normal.x), y = size(normal.y), z = size(normal.z);
-        if (x >= y && x >= z) {
-            u = 1;
-            v = 2;
-        } else if (y >= z) {
-            u = 2;
-            v = 0;
-        }
-    }
-    int turn(const InputPoint& a, const InputPoint& b, const InputPoint& p) const {
-        const std::int64_t bu = b[u] - a[u], bv = b[v] - a[v], pu = p[u] - a[u], pv = p[v] - a[v];
-        const std::int64_t area = bu * pv - bv * pu;
-        return area > 0 ? 1 : area < 0 ? -1 : 0;
-    }
-    bool in_triangle(const Corners& t, const InputPoint& p) const {
-        const int ab = turn(t.a, t.b, p), bc = turn(t.b, t.c, p), ca = turn(t.c, t.a, p);
-        return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-    }
-    /// Whether p, on the line a b, lies between the two, or at one.
-    bool between(const InputPoint& a, const InputPoint& b, const InputPoint& p) const {
-        const int axis = a[u] != b[u] ? u : v;
-        return a[axis] < b[axis] ? a[axis] <= p[axis] && p[axis] <= b[axis] : b[axis] <= p[axis] && p[axis] <= a[axis];
-    }
-    bool segments_meet(const InputPoint& a, const InputPoint& b, const InputPoint& p, const InputPoint& q) const {
-        const int sp = turn(a, b, p), sq = turn(a, b, q), sa = turn(p, q, a), sb = turn(p, q, b);
-        if (sp * sq < 0 && sa * sb < 0) return true;
-        return (sp == 0 && between(a, b, p)) || (sq == 0 && between(a, b, q)) || (sa == 0 && between(p, q, a)) ||
-               (sb == 0 && between(p, q, b));
-    }
-};
+bool in_triangle(const GridView& view, const Corners& t, const InputPoint& p) {
+    const int ab = view.turn(t.a, t.b, p), bc = view.turn(t.b, t.c, p), ca = view.turn(t.c, t.a, p);
+    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+}
 
 /// Whether a closed segment meets a closed triangle, given the sides of its plane that the ends lie on.
 bool segment_meets(const InputPoint& p, const InputPoint& q, int side_p, int side_q, const Corners& t) {
     if (side_p * side_q > 0) return false;
     if (side_p == 0 && side_q == 0) {
         // With both ends outside it crosses two sides, or passes through a corner: of two sides it meets one.
-        const View view(t.normal);
-        return view.in_triangle(t, p) || view.in_triangle(t, q) || view.segments_meet(t.a, t.b, p, q) ||
+        const GridView view(t.normal);
+        return in_triangle(view, t, p) || in_triangle(view, t, q) || view.segments_meet(t.a, t.b, p, q) ||
                view.segments_meet(t.b, t.c, p, q);
     }
     // The line p q meets the plane in one point: in the triangle when it leaves all sides on one hand.
@@ -112,7 +67,7 @@ bool vertex_cross(const Corners& t, const Corners& u) {
 /// The edge between a and b in common: only triangles of one plane can share more, when folded onto each other.
 bool edge_cross(const Corners& t, const InputPoint& other) {
     if (t.side_of(other) != 0) return false;
-    const View view(t.normal);
+    const GridView view(t.normal);
     return view.turn(t.a, t.b, t.c) == view.turn(t.a, t.b, other);
 }
 
@@ -129,12 +84,6 @@ CutterTriangle shared_first(const CutterTriangle& t, const CutterTriangle& u, st
 }
 
 }  // namespace
-
-AreaVector area_vector(const InputPoint& a, const InputPoint& b, const InputPoint& c) {
-    const std::int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-    const std::int64_t vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-    return {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
-}
 
 bool triangles_cross(std::span<const InputPoint> vertices, const CutterTriangle& t, const CutterTriangle& u) {
     std::size_t shared = 0;

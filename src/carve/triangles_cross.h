@@ -5,16 +5,9 @@
 #include <span>
 
 #include "firma/cutter.h"
-#include "geometry/exact_plane.h"
+#include "geometry/grid_orient.h"
 
 namespace firma {
-
-/// Twice the area vector of a triangle, counter-clockwise; components have 55 bits.
-struct AreaVector {
-    std::int64_t x = 0, y = 0, z = 0;
-};
-
-AreaVector area_vector(const InputPoint& a, const InputPoint& b, const InputPoint& c);
 
 /// Whether two triangles share a point beyond the vertices, or the edge, whose indices they share. Touching is sharing.
 /// Both have area.

@@ -31,6 +31,7 @@ struct Shape {
     double area = 0;      ///< square pixels
     double nearness = 0;  ///< metres
     int band = 0, shade = 0;
+    bool is_new = false;  ///< made by an edit
 };
 
 const Face* find(std::span<const Face> faces, FaceId id) {
@@ -105,6 +106,7 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
     shape.area = area_of(shape.outline);
     shape.nearness = sum / double(corners.size());
     shape.shade = std::clamp(int((1 - std::fabs(facing(view, face))) * kShades), 0, kShades - 1);
+    shape.is_new = face.source_edit != 0;
     return shape;
 }
 
@@ -161,9 +163,10 @@ std::array<int, 3> rgb(const std::string& colour) {
 }
 
 /// The tint of a band, darker where faces are steep.
-std::string colour_of(const FaceLook& look, int band, int shade) {
+std::string colour_of(const FaceLook& look, int band, int shade, bool is_new) {
     constexpr char kHex[] = "0123456789abcdef";
-    const std::array<int, 3> far = rgb(look.far_colour), near = rgb(look.near_colour);
+    const std::array<int, 3> far = rgb(is_new ? look.new_far : look.far_colour);
+    const std::array<int, 3> near = rgb(is_new ? look.new_near : look.near_colour);
     const double share = double(band) / (kBands - 1), light = 1 - 0.07 * shade;
     std::string colour = "#";
     for (std::size_t k = 0; k < 3; ++k) {
@@ -223,12 +226,15 @@ FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> face
     std::vector<Shape> shapes = collect_shapes(view, faces, look, counts);
     keep_to_budget(shapes, look.most_bytes, counts);
     set_bands(shapes);
-    std::array<std::array<std::vector<const Shape*>, kShades>, kBands> bands;
-    for (const Shape& shape : shapes) bands[std::size_t(shape.band)][std::size_t(shape.shade)].push_back(&shape);
+    constexpr int kKinds = 2 * kShades;  // of the level's file, then new ones
+    std::array<std::array<std::vector<const Shape*>, kKinds>, kBands> bands;
+    for (const Shape& shape : shapes)
+        bands[std::size_t(shape.band)][std::size_t(shape.shade + (shape.is_new ? kShades : 0))].push_back(&shape);
     for (int band = 0; band < kBands; ++band) {
-        for (int shade = 0; shade < kShades; ++shade)
-            draw_fills(svg, bands[std::size_t(band)][std::size_t(shade)], colour_of(look, band, shade));
-        for (int shade = 0; shade < kShades; ++shade) draw_edges(svg, bands[std::size_t(band)][std::size_t(shade)]);
+        const auto& kinds = bands[std::size_t(band)];
+        for (int kind = 0; kind < kKinds; ++kind)
+            draw_fills(svg, kinds[std::size_t(kind)], colour_of(look, band, kind % kShades, kind >= kShades));
+        for (const std::vector<const Shape*>& kind : kinds) draw_edges(svg, kind);
     }
     return counts;
 }
@@ -250,15 +256,17 @@ std::size_t cut_width(const View& view, std::span<const Face> faces, double cut)
 
 std::size_t draw_cut_lines(SvgText& svg, const View& view, std::span<const Face> faces, double cut) {
     std::size_t count = 0;
-    SvgText lines;
+    SvgText lines, new_lines;
     for (const Face& face : faces) {
         const std::optional<CutLine> line = cut_of(face, view.depth, cut);
         if (!line) continue;
         ++count;
         const PagePoint from = view.place(line->from), to = view.place(line->to);
-        if (length_of(from, to) >= kLeastCut) lines.raw("M").point(from).raw(" ").point(to);
+        if (length_of(from, to) < kLeastCut) continue;
+        (face.source_edit != 0 ? new_lines : lines).raw("M").point(from).raw(" ").point(to);
     }
     if (lines.size() > 0) svg.raw("<path class=\"cut\" d=\"").raw(lines.text()).raw("\"/>\n");
+    if (new_lines.size() > 0) svg.raw("<path class=\"cut new\" d=\"").raw(new_lines.text()).raw("\"/>\n");
     return count;
 }
 

@@ -15,6 +15,7 @@ namespace firma::debug {
 
 struct FaceLook {
     std::string far_colour, near_colour;  ///< "#rrggbb" of the two ends of the tint
+    std::string new_far, new_near;        ///< the same for faces that an edit made (Face::source_edit)
     std::optional<double> cut;            ///< metres along the view's depth axis: what lies nearer is cut away
     std::size_t most_bytes = 1 << 20;     ///< of SVG, about; the smallest faces are left out beyond that
 };

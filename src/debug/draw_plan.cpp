@@ -25,12 +25,17 @@ constexpr const char* kPlanLow = "#b4c3cd";
 constexpr const char* kPlanHigh = "#fbf6e9";
 constexpr const char* kSectionFar = "#f3f5f6";
 constexpr const char* kSectionNear = "#cdd8dd";
+// Faces that an edit made.
+constexpr const char* kNewPlanLow = "#c98a4b";
+constexpr const char* kNewPlanHigh = "#f3c283";
+constexpr const char* kNewSectionFar = "#f6dcc0";
+constexpr const char* kNewSectionNear = "#dfa871";
 
 constexpr const char* kStyles =
     "text{font-family:'DejaVu Sans',Arial,sans-serif;font-size:12px;fill:#222}"
     ".title{font-size:19px;font-weight:bold}.head{font-size:14px;font-weight:bold}.small{font-size:11px;fill:#555}"
     ".edge{fill:none;stroke:#78909c;stroke-width:.6;stroke-linejoin:round}"
-    ".cut{fill:none;stroke:#1c262b;stroke-width:1.8;stroke-linecap:round}"
+    ".cut{fill:none;stroke:#1c262b;stroke-width:1.8;stroke-linecap:round}.cut.new{stroke:#a34f00}"
     ".where{stroke:#8e24aa;stroke-width:1.2;stroke-dasharray:9 4 2 4}.mark{fill:#8e24aa;font-weight:bold}";
 
 /// Where a section shows most: of planes across the middle half, the one whose cut spans the greatest width; of several
@@ -204,8 +209,14 @@ void draw_legend(SvgText& svg, const Page& page, const Plan& plan, const CastCou
     const std::string up = kAxisNames[page.plan.depth], across = kAxisNames[page.section.depth];
     legend.sample(tint(kPlanLow, kPlanHigh, "low-high"), "plan: low to high " + up);
     legend.sample(tint(kSectionFar, kSectionNear, "far-near"), "section: far to near");
+    if (plan.new_faces > 0) {
+        legend.sample(tint(kNewPlanLow, kNewPlanHigh, "new-low-high"), "plan: made by an edit");
+        legend.sample(tint(kNewSectionFar, kNewSectionNear, "new-far-near"), "section: made by an edit");
+    }
     legend.sample("<path class=\"edge\" d=\"M-20,0 20,0\"/>", "edge of a face");
     legend.sample("<path class=\"cut\" d=\"M-20,0 20,0\"/>", "cut through a face");
+    if (plan.new_faces > 0)
+        legend.sample("<path class=\"cut new\" d=\"M-20,0 20,0\"/>", "cut through one an edit made");
     legend.sample("<path class=\"where\" d=\"M-22,0 22,0\"/>", "where the section cuts");
     draw_cast_legend(legend, casts, plan, in_section, slab);
     legend.heading("Drawn");
@@ -242,6 +253,8 @@ Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanO
     const Page page = lay_out(region_of(world.bounds(), some), options.up);
     const std::vector<Face> faces = world.faces();
     Plan plan;
+    plan.new_faces =
+        std::size_t(std::count_if(faces.begin(), faces.end(), [](const Face& face) { return face.source_edit != 0; }));
     plan.cut_axis = page.section.depth;
     const Box bounds = world.bounds();
     plan.at = options.at ? *options.at : best_cut(faces, bounds, page.section);
@@ -249,12 +262,14 @@ Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanO
 
     SvgText svg;
     draw_head(svg, page, world, options);
-    const FacesDrawn in_plan = draw_faces(svg, page.plan, faces, {kPlanLow, kPlanHigh, {}, 1 << 20});
+    const FacesDrawn in_plan =
+        draw_faces(svg, page.plan, faces, {kPlanLow, kPlanHigh, kNewPlanLow, kNewPlanHigh, {}, 1 << 20});
     draw_where(svg, page.plan, plan.at);
     plan.casts_drawn = draw_casts(svg, page.plan, some);
     draw_frame(svg, page.plan, std::string("Plan: seen along -") + kAxisNames[options.up]);
 
-    const FacesDrawn in_section = draw_faces(svg, page.section, faces, {kSectionFar, kSectionNear, plan.at, 1 << 20});
+    const FacesDrawn in_section = draw_faces(
+        svg, page.section, faces, {kSectionFar, kSectionNear, kNewSectionFar, kNewSectionNear, plan.at, 1 << 20});
     plan.faces_cut = draw_cut_lines(svg, page.section, faces, plan.at);
     const std::size_t casts_in_section = draw_casts(svg, page.section, some, Slab{plan.at, slab});
     draw_frame(svg, page.section,

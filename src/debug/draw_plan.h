@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A page with a plan and a section of a world, and casts in it, as SVG for people.
+// A page with a plan and a section of a world, what edits made in it and casts, as SVG for people.
 #pragma once
 
 #include <cstddef>
@@ -28,6 +28,7 @@ struct Plan {
     std::size_t faces_in_plan = 0, faces_in_section = 0, faces_cut = 0;
     std::size_t faces_left_out = 0;  ///< too small to be seen, of both views
     std::size_t casts_drawn = 0;
+    std::size_t new_faces = 0;  ///< of the world: those an edit made, in colours of their own
 };
 
 /// The plan looks along the `up` axis from above, the section along the next but one; both to one scale, one above the

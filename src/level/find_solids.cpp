@@ -1,108 +1,156 @@
 // SPDX-License-Identifier: MIT
-// Which faces of a level bound closed solids.
+// Which faces of a level bound closed solids: pieces are found, then judged; faces on doubled edges get exact ones.
 #include "level/find_solids.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <tuple>
 
-#include "geometry/exact_plane.h"
-#include "level/disjoint_sets.h"
+#include "base/flat_map.h"
+#include "geometry/polygon_shape.h"
+#include "level/solid_pieces.h"
 
 namespace firma {
 namespace {
 
-/// The first vertex at each vertex's position.
-std::vector<std::uint32_t> first_at_position(const std::vector<GridPoint>& vertices) {
-    std::vector<std::uint32_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
-    });
-    std::vector<std::uint32_t> first(vertices.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const bool same = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
-        first[order[k]] = same ? first[order[k - 1]] : order[k];
-    }
-    return first;
-}
+/// Makes the exact faces of those on doubled edges, which their vertices alone do not name.
+class FaceStorer {
+public:
+    FaceStorer(const SolidMesh& mesh, const SolidPieces& pieces) : mesh_(mesh), pieces_(pieces) {}
 
-struct EdgeUse {
-    std::uint32_t low, high, face;
-    bool upward;
-};
-
-std::vector<EdgeUse> edge_uses(const Level& level) {
-    const std::vector<std::uint32_t> first = first_at_position(level.vertices);
-    std::vector<EdgeUse> uses;
-    uses.reserve(level.corners.size());
-    for (std::uint32_t f = 0; f < level.faces.size(); ++f) {
-        const LevelFace& face = level.faces[f];
-        for (std::uint32_t c = 0; c < face.corner_count; ++c) {
-            const std::uint32_t next = c + 1 < face.corner_count ? c + 1 : 0;
-            const std::uint32_t a = first[level.corners[face.first_corner + c]];
-            const std::uint32_t b = first[level.corners[face.first_corner + next]];
-            uses.push_back({std::min(a, b), std::max(a, b), f, a < b});
+    std::vector<std::pair<std::uint32_t, Ref<const SolidFace>>> store() {
+        std::vector<std::uint32_t> faces;
+        for (std::uint32_t k = 0; k < pieces_.doubled.size(); ++k) {
+            const DoubledEdge& edge = pieces_.doubled[k];
+            if (!pieces_.good(edge.upward)) continue;
+            for (const std::uint32_t face : {edge.upward, edge.downward}) {
+                faces.push_back(face);
+                doubled_of_.push_back({edge.low, edge.high, face, k});
+            }
         }
+        std::sort(faces.begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+        std::sort(doubled_of_.begin(), doubled_of_.end());
+        doubled_.resize(pieces_.doubled.size());
+        std::vector<std::pair<std::uint32_t, Ref<const SolidFace>>> stored;
+        for (const std::uint32_t face : faces) stored.emplace_back(face, make(face));
+        return stored;
     }
-    std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-        return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
-    });
-    return uses;
-}
 
-/// Six times the volume between a face and the origin, cubic metres: a sign and a size to compare are all that is
-/// asked.
-double signed_volume(const Level& level, const LevelFace& face) {
-    const auto corner = [&](std::uint32_t c) {
-        return to_metres(level.vertices[level.corners[face.first_corner + c]]);
-    };
-    double sum = 0;
-    for (std::uint32_t c = 2; c < face.corner_count; ++c) sum += dot(corner(0), cross(corner(c - 1), corner(c)));
-    return sum;
-}
+private:
+    using Use = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;  // low, high, face, number
+
+    Ref<const SolidFace> make(std::uint32_t face) {
+        Ref<SolidFace> made(new SolidFace);
+        made->plane = plane(face);
+        const auto corners = mesh_.corners(face);
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const std::uint32_t from = corners[k], to = corners[k + 1 < corners.size() ? k + 1 : 0];
+            made->uses.push_back({edge(std::min(from, to), std::max(from, to), face), to < from});
+            made->box.add(to_surface(mesh_.points[from]));
+        }
+        made->loop_ends.assign(1, std::uint32_t(corners.size()));
+        std::vector<Vec3> metres;  // the normal to the bit as a face without an owner has it
+        for (const std::uint32_t corner : corners) metres.push_back(to_metres(to_surface(mesh_.points[corner])));
+        made->normal = make_shape(metres).unit_normal();
+        return Ref<const SolidFace>(made.get());
+    }
+
+    const Ref<const SolidPlane>& plane(std::uint32_t face) {
+        std::uint32_t& known = plane_of_.at(face);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(planes_.size());
+            const auto corners = mesh_.corners(face);
+            Plane plane;
+            for (std::size_t k = 2; k < corners.size() && !plane.valid(); ++k)
+                plane = plane_through(mesh_.points[corners[0]], mesh_.points[corners[k - 1]], mesh_.points[corners[k]]);
+            planes_.emplace_back(new SolidPlane(plane));
+        }
+        return planes_[known];
+    }
+
+    const Ref<const SolidVertex>& vertex(std::uint32_t point) {
+        std::uint32_t& known = vertex_of_.at(point);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(vertices_.size());
+            vertices_.emplace_back(new SolidVertex(ExactPoint(mesh_.points[point]), {}));
+        }
+        return vertices_[known];
+    }
+
+    Ref<const SolidEdge> edge(std::uint32_t low, std::uint32_t high, std::uint32_t face) {
+        const auto it = std::lower_bound(doubled_of_.begin(), doubled_of_.end(), Use{low, high, face, 0});
+        if (it != doubled_of_.end() && std::get<0>(*it) == low && std::get<1>(*it) == high &&
+            std::get<2>(*it) == face) {
+            const std::uint32_t number = std::get<3>(*it);
+            const DoubledEdge& doubled = pieces_.doubled[number];
+            if (!doubled_[number]) doubled_[number] = make_edge(low, high, doubled.upward, doubled.downward, true);
+            return doubled_[number];
+        }
+        const auto use =
+            std::lower_bound(mesh_.uses.begin(), mesh_.uses.end(), std::tie(low, high),
+                             [](const EdgeUse& a, const std::tuple<const std::uint32_t&, const std::uint32_t&>& key) {
+                                 return std::tie(a.low, a.high) < key;
+                             });
+        std::uint32_t& known = edge_of_.at(std::uint64_t(use - mesh_.uses.begin()));
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(edges_.size());
+            edges_.push_back(make_edge(low, high, use[0].face, use[1].face, false));
+        }
+        return edges_[known];
+    }
+
+    Ref<const SolidEdge> make_edge(std::uint32_t low, std::uint32_t high, std::uint32_t one, std::uint32_t other,
+                                   bool doubled) {
+        Ref<SolidEdge> made(new SolidEdge);
+        made->vertex[0] = vertex(low);
+        made->vertex[1] = vertex(high);
+        made->plane[0] = plane(one);
+        const Ref<const SolidPlane> second = plane(other);
+        made->plane[1] = exact_parallel(made->plane[0]->plane, second->plane)
+                             ? Ref<const SolidPlane>(new SolidPlane(
+                                   edge_plane(mesh_.points[low], mesh_.points[high], made->plane[0]->plane)))
+                             : second;
+        made->doubled = doubled;
+        return Ref<const SolidEdge>(made.get());
+    }
+
+    const SolidMesh& mesh_;
+    const SolidPieces& pieces_;
+    std::vector<Use> doubled_of_;
+    std::vector<Ref<const SolidEdge>> doubled_, edges_;
+    std::vector<Ref<const SolidPlane>> planes_;
+    std::vector<Ref<const SolidVertex>> vertices_;
+    FlatMap plane_of_, vertex_of_, edge_of_;
+};
 
 }  // namespace
 
 LevelSolids find_solids(const Level& level) {
-    DisjointSets pieces(level.faces.size());
-    std::vector<bool> open(level.faces.size(), false);
-    const std::vector<EdgeUse> uses = edge_uses(level);
-    for (std::size_t k = 0; k < uses.size();) {
-        std::size_t end = k;
-        int balance = 0;
-        while (end < uses.size() && uses[end].low == uses[k].low && uses[end].high == uses[k].high) {
-            balance += uses[end].upward ? 1 : -1;
-            pieces.join(uses[k].face, uses[end].face);
-            ++end;
-        }
-        if (end - k != 2 || balance != 0) open[uses[k].face] = true;
-        k = end;
-    }
-    for (std::uint32_t f = 0; f < level.faces.size(); ++f) {
-        const LevelFace& face = level.faces[f];
-        if (face.two_sided) open[f] = true;
-        for (std::uint32_t c = 0; c < face.corner_count; ++c)
-            if (!on_input_grid(level.vertices[level.corners[face.first_corner + c]])) open[f] = true;
-    }
-    std::vector<bool> open_piece(level.faces.size(), false);
-    std::vector<double> volume(level.faces.size(), 0);
-    for (std::uint32_t f = 0; f < level.faces.size(); ++f) {
-        const std::uint32_t piece = pieces.find(f);
-        if (open[f]) open_piece[piece] = true;
-        volume[piece] += signed_volume(level, level.faces[f]);
-    }
     LevelSolids found;
+    if (level.faces.empty()) return found;
+    const SolidMesh mesh = solid_mesh(level);
+    SolidPieces pieces = join_pieces(mesh);
+    const FaceTree tree = good_faces(mesh, pieces);
+    refuse_crossing(mesh, tree, pieces);
+    found.rock_outside = refuse_wrong_way(mesh, tree, pieces);
     found.solid.resize(level.faces.size());
-    double largest = 0;
-    for (std::uint32_t f = 0; f < level.faces.size(); ++f) {
-        const std::uint32_t piece = pieces.find(f);
-        found.solid[f] = !open_piece[piece];
-        if (!open_piece[piece] && std::fabs(volume[piece]) > std::fabs(largest)) largest = volume[piece];
+    for (std::uint32_t face = 0; face < level.faces.size(); ++face) found.solid[face] = pieces.good(face);
+    found.stored = FaceStorer(mesh, pieces).store();
+    for (SolidPieces::Piece& piece : pieces.pieces) {
+        if (!piece.note) continue;
+        found.notes.push_back(*piece.note);
+        found.notes.back().faces = piece.faces;
     }
-    found.rock_outside = largest < 0;
     return found;
+}
+
+LevelSolidity level_solidity(const Level& level) {
+    LevelSolids found = find_solids(level);
+    LevelSolidity solidity;
+    solidity.solid_faces = std::size_t(std::count(found.solid.begin(), found.solid.end(), true));
+    solidity.rock_outside = found.rock_outside;
+    solidity.notes = std::move(found.notes);
+    return solidity;
 }
 
 }  // namespace firma

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "level/divide_polygon.h"
+#include "level/mend_dropped.h"
 
 namespace firma {
 namespace {
@@ -50,6 +51,7 @@ void LevelBuilder::add_face(std::span<const std::uint32_t> outline, const FaceIn
             return;
         case Division::What::kNoArea:
             level_.notes.push_back({FaceNote::kNoArea, info.source, info.line});
+            if (mends_) dropped_.emplace_back(outline.begin(), outline.end());
             return;
         case Division::What::kSplit:
             level_.notes.push_back({FaceNote::kSplit, info.source, info.line});
@@ -81,6 +83,7 @@ void LevelBuilder::add_piece(std::span<const std::uint32_t> corners, const FaceI
 Level LevelBuilder::finish(std::uint32_t source_faces, std::uint64_t ignored_entries) {
     level_.source_faces = source_faces;
     level_.ignored_entries = ignored_entries;
+    if (!dropped_.empty()) mend_dropped(std::exchange(dropped_, {}), level_);
     Level finished = std::exchange(level_, Level{});
     material_index_.clear();
     group_index_.clear();

@@ -41,6 +41,9 @@ public:
     /// triangles on its own outline; without area it is dropped. Notes say which.
     void add_face(std::span<const std::uint32_t> outline, const FaceInfo& info);
 
+    /// Keeps the outlines of faces without area, and mends what dropping them leaves open: see mend_dropped.h.
+    void mend_what_is_dropped() { mends_ = true; }
+
     /// The level; the builder is empty afterwards.
     Level finish(std::uint32_t source_faces, std::uint64_t ignored_entries);
 
@@ -54,6 +57,8 @@ private:
 
     Level level_;
     std::vector<GridPoint> outline_;  ///< of the face at hand
+    bool mends_ = false;
+    std::vector<std::vector<std::uint32_t>> dropped_;
     std::unordered_map<std::string, std::uint32_t> material_index_, group_index_;
 };
 

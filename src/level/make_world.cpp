@@ -49,6 +49,10 @@ FaceSet face_set(const Level& level, const LevelSolids& solids) {
                              .two_sided = face.two_sided,
                              .solid = solids.solid[k]});
     }
+    for (const auto& [face, exact] : solids.stored) {
+        set.faces[face].owner = exact.get();
+        set.owners.emplace_back(exact.get());
+    }
     return set;
 }
 

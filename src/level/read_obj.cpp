@@ -11,7 +11,9 @@ namespace {
 
 class LevelMaker final : public ObjVisitor {
 public:
-    explicit LevelMaker(std::string_view name) : name_(name), builder_(std::string(name)) {}
+    explicit LevelMaker(std::string_view name) : name_(name), builder_(std::string(name)) {
+        builder_.mend_what_is_dropped();
+    }
 
     bool vertex(const ObjVertex& vertex) override { return builder_.add_vertex(vertex.metres).has_value(); }
 

@@ -38,6 +38,17 @@ struct FirstSolid {
     }
 };
 
+/// Whether a point of a polygon lies so near to its rim that rounding decides which of two neighbours is met first: of
+/// a surface that a ray only grazes, either may be.
+bool on_rim(const PolygonShape& polygon, const Vec3& point) {
+    constexpr double kNear = 1e-7;  // metres; where a ray meets a face is known far better
+    for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+        const Vec3 edge = polygon.corners[polygon.next(k)] - polygon.corners[k];
+        if (length(cross(edge, point - polygon.corners[k])) < kNear * length(edge)) return true;
+    }
+    return false;
+}
+
 enum class Answer { kAir, kSolid, kNothingMet, kUnsure, kBad };
 
 Answer look(const World& world, const Vec3& point, const Vec3& path) {
@@ -51,6 +62,7 @@ Answer look(const World& world, const Vec3& point, const Vec3& path) {
     // A sliver's own plane may look anywhere: it must agree with the exact one.
     const FaceRecord& record = first.block->faces[first.slot];
     const FaceShape shape(*first.block, record);
+    if (on_rim(shape.polygon, sweep.at(first.best.t))) return Answer::kUnsure;
     const Vec3 normal = shape.polygon.unit_normal();
     const FaceOwner* owner = first.block->owner_of(record);
     if (owner && dot(owner->normal, normal) < 0.9) return Answer::kUnsure;

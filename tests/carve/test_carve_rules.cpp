@@ -264,6 +264,22 @@ TEST(Carve, ACavityInRockAndAPillarInTheAir) {
     EXPECT_EQ(fill(cavity.world, kRock, at(20, 0, 0, 2)).world.face_count(), world.face_count());
 }
 
+TEST(Carve, TheSameCutterInTheSamePlaceTakesNothingMore) {
+    const World world = room();
+    for (const CutterShape shape : {CutterShape::kRocky, CutterShape::kSpiky, CutterShape::kBox}) {
+        const Cutter cutter = make_crater(shape, 9);
+        const CarveResult first = carve(world, cutter, at(4, 1, 1));
+        ASSERT_TRUE(first.done());
+        EXPECT_EQ(carve(first.world, cutter, at(4, 1, 1)).status, CarveStatus::kNothing);
+        if (shape == CutterShape::kSpiky) continue;  // spikes so steep that a smaller one does not lie within: moved
+        const CarveResult filled = fill(first.world, cutter, at(4, 1, 1));
+        ASSERT_TRUE(filled.done());
+        EXPECT_EQ(fill(filled.world, cutter, at(4, 1, 1)).status, CarveStatus::kNothing);
+    }
+    // Flush with the wall from the air's side.
+    EXPECT_EQ(carve(world, make_crater(CutterShape::kBox, 0), at(3, 0, 0)).status, CarveStatus::kNothing);
+}
+
 TEST(Carve, AWorldOfNothingIsAir) {
     const World empty;
     EXPECT_EQ(carve(empty, kRock, at(0, 0, 0)).status, CarveStatus::kNothing);

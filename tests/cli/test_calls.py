@@ -10,7 +10,7 @@ import unittest
 
 from harness import FIRMA, CliTest, box
 
-VERBS = ['info', 'check', 'cast', 'walk', 'draw', 'demo']
+VERBS = ['info', 'check', 'cast', 'carve', 'walk', 'draw', 'demo']
 WALK = ['--start', '1,1,1', '--radius', '0.5', '--seed', '1']
 
 
@@ -19,6 +19,7 @@ class Calls(CliTest):
         super().setUp()
         self.write('box.obj', box(4, 4, 4))
         self.write('q.csv', 'px,py,pz,dx,dy,dz,radius\n1,1,1,9,0,0,0.5\n')
+        self.write('b.csv', 'x,y,z,radius,shape,seed\n2,2,0,1,rocky,1\n')
 
     def test_help(self):
         text = self.firma('--help')
@@ -30,7 +31,7 @@ class Calls(CliTest):
             self.assertEqual(own, self.firma(verb, '-h'))
             for line in own.splitlines():
                 self.assertLess(len(line), 160, line)
-        for verb in ['cast', 'walk', 'draw', 'demo']:
+        for verb in ['cast', 'carve', 'walk', 'draw', 'demo']:
             self.assertIn('-o,--out', self.firma(verb, '--help'))
 
     def test_version(self):
@@ -66,6 +67,7 @@ class Calls(CliTest):
         self.write('empty.obj', '')
         self.write('bad.obj', 'v 0 0 nan\n')
         for verb, rest in [('info', []), ('check', []), ('cast', ['--queries', 'q.csv', '-o', 'x']),
+                           ('carve', ['--blasts', 'b.csv', '-o', 'x']),
                            ('walk', [*WALK, '--frames', '3', '-o', 'x']), ('draw', ['-o', 'x']), ('demo', ['-o', 'x'])]:
             for level in ['nothing.obj', 'folder.obj', 'empty.obj', '/dev/null', 'box.txt']:
                 self.refuse(verb, level, *rest, says=level)
@@ -73,6 +75,7 @@ class Calls(CliTest):
 
     def outputs(self, out):
         yield ['cast', 'box.obj', '--queries', 'q.csv', '--out', out]
+        yield ['carve', 'box.obj', '--blasts', 'b.csv', '-o', out]
         yield ['walk', 'box.obj', *WALK, '--frames', '3', '-o', out]
         yield ['draw', 'box.obj', '--out', out]
         yield ['demo', 'box.obj', '--casts', '10', '-o', out]
@@ -84,7 +87,7 @@ class Calls(CliTest):
             for call in self.outputs(out):
                 self.refuse(*call)
                 self.assertEqual(os.listdir(self.path('folder')), [])
-        for call in list(self.outputs('missing/x'))[:3]:
+        for call in list(self.outputs('missing/x'))[:4]:
             self.refuse(*call, says='missing/x')
         for call in self.outputs(''):
             if call[0] != 'demo':                                              # which takes its default then

@@ -57,6 +57,31 @@ class Check(CliTest):
         self.assertEqual((report['sound'], report['faces'], report['vertices'], report['fault_count']), (True, 6, 8, 0))
         self.assertTrue(self.firma_json('check', FIRST)['sound'])
 
+    def test_solid(self):
+        self.write('box.obj', box(4, 4, 4))
+        self.assertTrue(self.firma('check', 'box.obj').strip().endswith('0 notes; solid, rock outside'))
+        report = self.firma_json('check', 'box.obj')
+        self.assertEqual((report['solid_faces'], report['castable_only'], report['rock_outside']), (6, [], True))
+        solid = self.firma_json('info', 'box.obj')['solid']
+        self.assertEqual(solid, {'faces': 6, 'volume': -64, 'area': 96})
+        self.assertIn('6 faces bound 64 m3 of air, by 96 m2', self.firma('info', 'box.obj'))
+
+    def test_castable_only(self):
+        # Two boxes that cross: closed, so no fault, but nothing that can be carved.
+        second = [tuple(c + 2 for c in corner) for corner in CORNERS]
+        self.write('crossing.obj', obj(CORNERS + second, FACES + [[i + 8 for i in face] for face in FACES]))
+        text = self.firma('check', 'crossing.obj')
+        self.assertIn('2 pieces castable only:', text)
+        self.assertIn('piece of 6 faces: crosses or touches face', text)
+        self.assertIn('0 of 12 faces bound solids', text)
+        report = self.firma_json('check', 'crossing.obj')
+        self.assertTrue(report['sound'])
+        self.assertEqual((report['solid_faces'], report['castable_only_count']), (0, 2))
+        for note, other in zip(report['castable_only'], [range(6, 12), range(6)]):
+            self.assertEqual((note['what'], note['faces']), ('crossing', 6))
+            self.assertIn(note['other'], other)
+            self.assertNotIn(note['face'], other)
+
     def test_open(self):
         self.write('open.obj', obj(CORNERS, FACES[:5]))
         done = self.run_firma('check', 'open.obj')
@@ -70,6 +95,10 @@ class Check(CliTest):
         for fault in report['faults']:
             self.assertEqual(fault['from'][0], 4)                              # all edges of the missing face
             self.assertEqual(fault['to'][0], 4)
+        [note] = report['castable_only']
+        self.assertEqual((note['what'], note['faces'], note['other']), ('open_edge', 5, None))
+        self.assertEqual((note['at'][0], note['to'][0]), (4, 4))
+        self.assertEqual(report['solid_faces'], 0)
 
     def test_reversed(self):
         faces = FACES[:5] + [FACES[5][::-1]]
@@ -166,8 +195,21 @@ class Demo(CliTest):
         self.assertLess(report['share_of_faces'], 0.02)
         self.assertGreater(report['hit'], 5000)
         xml.etree.ElementTree.parse(self.path('new/folder/demo.svg'))
-        text = self.firma('demo', FIRST, '--casts', '2000')
+        craters = report['craters']
+        self.assertEqual([craters[k] for k in ['count', 'refused', 'casts', 'rays', 'escaped_before', 'escaped', 'disagreements']],
+                         [200, 0, 20000, 20000, 0, 0, 0])
+        self.assertGreater(craters['done'], 150)
+        self.assertGreater(craters['faces_after'], report['faces'] + 50 * craters['done'])
+        self.assertGreater(craters['checked'], 500)
+        self.assertEqual(report['view'], 'new/folder/demo_view.png')
+        self.assertEqual(self.read('new/folder/demo_view.png')[:4], b'\x89PNG')
+        again = self.firma_json('demo', FIRST, '--casts', '20000', '-o', 'x.svg')
+        self.assertEqual(again['craters']['hash'], craters['hash'])
+        self.assertEqual(self.read('x.svg'), self.read('new/folder/demo.svg'))
+        text = self.firma('demo', FIRST, '--casts', '2000', '--craters', '20')
         self.assertIn('0 disagreements', text)
+        self.assertIn('rays that escape         0 of 2,000', text)
+        self.assertIn('before and after         firma_demo_view.png', text)
         self.assertIn('firma_demo.svg', text)
         self.assertTrue(os.path.exists(self.path('firma_demo.svg')))
 
@@ -180,11 +222,14 @@ class Demo(CliTest):
 
     def test_open_level(self):
         self.write('open.obj', obj(CORNERS, FACES[:3]))
-        self.assertEqual(self.firma_json('demo', 'open.obj', '--casts', '500')['disagreements'], 0)
+        report = self.firma_json('demo', 'open.obj', '--casts', '500')
+        self.assertEqual((report['disagreements'], report['craters']['done'], report['view']), (0, 0, None))
+        self.assertIn('nothing here bounds a closed solid', self.firma('demo', 'open.obj', '--casts', '500', '-o', 'x.svg'))
 
     def test_bad_calls(self):
         self.refuse('demo', FIRST, '--casts', '0', says='--casts')
         self.refuse('demo', FIRST, '--seed', '1.5', says='--seed')
+        self.refuse('demo', FIRST, '--craters', '-1', says='--craters')
 
 
 if __name__ == '__main__':

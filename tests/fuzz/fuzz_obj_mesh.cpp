@@ -3,32 +3,13 @@
 #include <cstdint>
 #include <string>
 
+#include "tests/fuzz/bytes.h"
 #include "tests/fuzz/expect_sound_obj.h"
-
-namespace {
-
-/// Takes bytes from the front; zeros when none are left.
-class Bytes {
-public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-    bool empty() const { return size_ == 0; }
-    int next() {
-        if (size_ == 0) return 0;
-        --size_;
-        return *data_++;
-    }
-
-private:
-    const std::uint8_t* data_;
-    std::size_t size_;
-};
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     // Units from far below the grid's step to the size of the world.
     constexpr const char* kUnits[] = {"e-30", "e-5", "e-4", "e-3", "e-2", "", "e1", ".000000000000000000001e0"};
-    Bytes bytes(data, size);
+    firma::fuzz::Bytes bytes(data, size);
     std::string text;
     const int vertices = 1 + bytes.next() % 40;
     for (int k = 0; k < vertices; ++k) {

@@ -111,9 +111,10 @@ inline std::vector<Guise> all_guises(const std::vector<Corners>& polygons) {
             }
             guise.world = make_world(level_of(guise.polygons)).value();
             guise.two_sided = make_world(level_of(guise.polygons, true)).value();
-            guise.deep = make_world(level_of(guise.polygons),
-                                    {.tree = {.split = Split::kSurfaceArea, .faces_per_bin = 1}, .tolerance = {}})
-                             .value();
+            guise.deep =
+                make_world(level_of(guise.polygons),
+                           {.tree = {.split = Split::kSurfaceArea, .faces_per_bin = 1}, .tolerance = {}, .rules = {}})
+                    .value();
             guises.push_back(std::move(guise));
         }
     }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The shape is made before the clock starts: a game has its craters ready.
+#include "cli/fire_blast.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace firma::cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Fired fire_blast(World& world, const Blast& blast, const FireOptions& options) {
+    const Cutter cutter = cutter_of(blast);
+    const Pose pose = pose_of(blast);
+    Fired fired;
+    const Clock::time_point start = Clock::now();
+    {
+        CarveJob job(world, cutter, pose, options.carve);
+        for (bool finished = false; !finished;) {
+            const Clock::time_point begun = Clock::now();
+            finished = job.run(options.slice);
+            fired.longest_slice = std::max(fired.longest_slice, seconds_since(begun));
+        }
+        fired.result = job.result();
+        world = fired.result.world;
+    }
+    fired.seconds = seconds_since(start);
+    return fired;
+}
+
+double percentile(std::vector<double>& values, double share) {
+    if (values.empty()) return 0;
+    const std::size_t place = std::min(values.size() - 1, std::size_t(share * double(values.size())));
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(place), values.end());
+    return values[place];
+}
+
+}  // namespace firma::cli

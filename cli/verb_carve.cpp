@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// Fires blasts one after the other, keeps account of each, writes the world after the last.
+#include "cli/verb_carve.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/atomic_file.h"
+#include "cli/failure.h"
+#include "cli/fire_blast.h"
+#include "cli/json.h"
+#include "cli/load_level.h"
+#include "cli/numbers.h"
+#include "cli/progress.h"
+#include "cli/read_blasts.h"
+#include "firma/write_obj.h"
+#include "tree/visit.h"
+#include "world/world_data.h"
+
+namespace firma::cli {
+
+namespace {
+
+struct CarveArguments {
+    LevelArguments level;
+    std::string blasts, out, report, material, slices;
+    bool json = false;
+};
+
+constexpr const char* kReportHeader = "blast,status,ms,faces_gone,faces_new,retries,volume,hash\n";
+
+constexpr const char* kFooter =
+    R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, no
+others, in any order. Shapes, of mean radius 1 before `radius` scales them:
+  rocky  a rough ball of 180 triangles       spiky  a ball of 180 triangles with 32 spikes
+  drill  a pointed rod of 64 triangles       wedge  a blade of 8 triangles
+  box    a cube of 12 triangles, 2 a side
+The seed (0 .. 2^64 - 1) makes the shape and its random turn. An empty line, a missing or additional field, NaN,
+infinity, an unknown shape or a malformed seed is an error that names file and line; nothing is written then.
+Lines count from 1, the header included. `-` reads standard input.
+
+The report: one row a blast, in their order:
+  blast       row of the blasts, from 0
+  status      done; nothing (the cutter met only air); refused (see stderr; the world stays as it was)
+  ms          wall time of that edit alone with everything in it, milliseconds; not of the hash or of output
+  faces_gone  faces that casts met before and no more
+  faces_new   faces that casts meet from now on
+  retries     how often the cutter was moved by a few 1/4096 m, out of degenerate position
+  volume      taken from the solid, cubic metres, 17 significant digits
+  hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
+A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Refusals do not
+change the exit code.
+
+The level written: the faces that casts meet, convex polygons of exactly the corners they have (decimals, multiples
+of 1/262144 m), with their materials. Only closed solids are carved; a .bsp has none. Read again, its vertices are snapped to
+1/4096 m; where that makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. Both files appear whole or
+not at all; `-` writes standard output. Should cuts contradict each other, which would be a fault of Firma, the
+blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter.
+
+--json: level, blasts, done, nothing, refused, faces_before, faces_after, castable_only, median_ms, p99_ms, longest_ms,
+longest_slice_ms, retries, volume, hash, read_seconds, build_seconds, out, report.
+
+For instance, a crater and a drill hole in our level:
+  printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
+  firma carve levels/first.obj --blasts blasts.csv -o after.obj --report report.csv
+)";
+
+/// What is told about all blasts together.
+struct Tally {
+    std::size_t done = 0, nothing = 0, refused = 0;
+    std::size_t faces_before = 0, faces_after = 0;
+    std::vector<double> seconds;  ///< of the edits that carved something
+    double longest_slice = 0, longest = 0;
+    std::uint64_t retries = 0;
+    double volume = 0;
+};
+
+const char* status_name(CarveStatus status) {
+    switch (status) {
+        case CarveStatus::kDone:
+            return "done";
+        case CarveStatus::kNothing:
+            return "nothing";
+        case CarveStatus::kRefused:
+            return "refused";
+    }
+    return "";
+}
+
+/// Faces that blasts pass by.
+std::size_t castable_only(const World& world) {
+    std::size_t count = 0;
+    for (const Ref<const Room>& room : world.data().rooms) {
+        if (!room->tree) continue;
+        for_each_face_block(*room->tree, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) count += !face.solid;
+        });
+    }
+    return count;
+}
+
+std::string hash_text(const World& world) {
+    return fmt::format("{:016x}", hash_world(world));
+}
+
+void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const World& world) {
+    const CarveReport& did = fired.result.report;
+    const bool done = fired.result.done();
+    std::string row =
+        fmt::format("{},{},{:.4f},{},{},{},", blast, status_name(fired.result.status), 1e3 * fired.seconds,
+                    done ? did.faces_gone : 0, done ? did.faces_new : 0, did.retries);
+    append_17(row, done ? did.volume : 0);
+    report.write(row + ',' + hash_text(world) + '\n');
+}
+
+/// after.obj -> after.repro-7.obj
+std::string reproduction_path(const std::string& out, std::size_t blast) {
+    const std::filesystem::path path(out);
+    return (path.parent_path() / fmt::format("{}.repro-{}.obj", path.stem().string(), blast)).string();
+}
+
+/// Writes what it takes to see a contradiction again. @return where, for people
+std::string keep_reproduction(const std::string& out, std::size_t blast, const std::string& text) {
+    if (is_standard_output(out)) return "with -o FILE what it takes to see this again would be kept";
+    const std::string path = reproduction_path(out, blast);
+    AtomicFile file(path);
+    file.write(text);
+    file.commit();
+    return "to see this again: " + path;
+}
+
+void tell_refusal(const CarveArguments& arguments, std::size_t blast, const CarveResult& result) {
+    std::string text =
+        fmt::format("firma: {}:{}: blast {} refused: {}", arguments.blasts, blast + 2, blast, result.error.text());
+    if (!result.reproduction.empty()) text += "; " + keep_reproduction(arguments.out, blast, result.reproduction);
+    std::fputs((text + "\n").c_str(), stderr);
+}
+
+Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions& options,
+               const CarveArguments& arguments, AtomicFile* report) {
+    Progress progress("carving", blasts.size());
+    Tally tally;
+    tally.faces_before = world.face_count();
+    if (report) report->write(kReportHeader);
+    for (std::size_t k = 0; k < blasts.size(); ++k) {
+        const Fired fired = fire_blast(world, blasts[k], options);
+        const CarveResult& result = fired.result;
+        tally.done += result.done();
+        tally.nothing += result.status == CarveStatus::kNothing;
+        tally.refused += result.status == CarveStatus::kRefused;
+        tally.retries += std::uint64_t(result.report.retries);
+        tally.longest_slice = std::max(tally.longest_slice, fired.longest_slice);
+        tally.longest = std::max(tally.longest, fired.seconds);
+        if (result.done()) {
+            tally.seconds.push_back(fired.seconds);
+            tally.volume += result.report.volume;
+        }
+        if (report) write_row(*report, k, fired, world);
+        if (result.status == CarveStatus::kRefused) tell_refusal(arguments, k, result);
+        progress.add(1);
+    }
+    tally.faces_after = world.face_count();
+    return tally;
+}
+
+void write_level(const World& world, AtomicFile& out) {
+    write_obj(world, [&](std::string_view text) {
+        out.write(text);  // throws where that is not possible
+        return true;
+    });
+}
+
+std::string json_text(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally, const World& world) {
+    JsonWriter json;
+    json.open_object();
+    json.add("level", arguments.level.path);
+    json.add("blasts", tally.done + tally.nothing + tally.refused);
+    json.add("done", tally.done);
+    json.add("nothing", tally.nothing);
+    json.add("refused", tally.refused);
+    json.add("faces_before", tally.faces_before);
+    json.add("faces_after", tally.faces_after);
+    json.add("castable_only", castable_only(world));
+    json.add("median_ms", 1e3 * percentile(tally.seconds, 0.5));
+    json.add("p99_ms", 1e3 * percentile(tally.seconds, 0.99));
+    json.add("longest_ms", 1e3 * tally.longest);
+    json.add("longest_slice_ms", 1e3 * tally.longest_slice);
+    json.add("retries", tally.retries);
+    json.add("volume", tally.volume);
+    json.add("hash", hash_text(world));
+    json.add("read_seconds", loaded.read_seconds);
+    json.add("build_seconds", loaded.build_seconds);
+    json.add("out", arguments.out);
+    if (arguments.report.empty()) {
+        json.add_null("report");
+    } else {
+        json.add("report", arguments.report);
+    }
+    json.close();
+    return json.text();
+}
+
+std::string text_for_people(const CarveArguments& arguments, Tally& tally, const World& world) {
+    std::string text = fmt::format("{}: {} blasts: {} done, {} nothing, {} refused\n", arguments.out,
+                                   grouped(tally.done + tally.nothing + tally.refused), grouped(tally.done),
+                                   grouped(tally.nothing), grouped(tally.refused));
+    const auto row = [&](const char* what, const std::string& value) {
+        text += fmt::format("  {:<12} {}\n", what, value);
+    };
+    row("faces", fmt::format("{} before, {} after", grouped(tally.faces_before), grouped(tally.faces_after)));
+    if (const std::size_t faces = castable_only(world); faces > 0)
+        row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them", grouped(faces)));
+    row("volume", fmt::format("{:.6g} cubic metres taken", tally.volume));
+    if (!tally.seconds.empty())
+        row("an edit", fmt::format("median {}, 99th percentile {}", seconds_text(percentile(tally.seconds, 0.5)),
+                                   seconds_text(percentile(tally.seconds, 0.99))));
+    if (!arguments.slices.empty()) row("a slice", "longest " + seconds_text(tally.longest_slice));
+    row("hash", hash_text(world));
+    if (!arguments.report.empty()) row("report", arguments.report);
+    return text;
+}
+
+/// Outputs must differ from each other, and from what is read.
+void judge_outputs(const CarveArguments& arguments) {
+    refuse_json_beside(arguments.json, arguments.out);
+    refuse_json_beside(arguments.json, arguments.report);
+    for (const std::string& out : {arguments.out, arguments.report}) {
+        refuse_overwriting(out, arguments.level.path);
+        refuse_overwriting(out, arguments.blasts);
+    }
+    if (is_standard_output(arguments.out) && is_standard_output(arguments.report))
+        throw Failure("--report", "and --out both want standard output; name a file");
+    std::error_code none;
+    if (!arguments.report.empty() && std::filesystem::absolute(arguments.out, none).lexically_normal() ==
+                                         std::filesystem::absolute(arguments.report, none).lexically_normal())
+        throw Failure("--report", "and --out name one file");
+    refuse_overwriting(arguments.report, arguments.out);
+}
+
+int run(const CarveArguments& arguments) {
+    FireOptions options;
+    options.carve.material = arguments.material;
+    if (!arguments.slices.empty()) options.slice = number_option("--slices", arguments.slices, 0, 1e12);
+    judge_outputs(arguments);
+    const LoadedLevel loaded = load_level(arguments.level);
+    const std::vector<Blast> blasts = read_blasts(arguments.blasts);
+
+    AtomicFile out(arguments.out);
+    std::optional<AtomicFile> report;
+    if (!arguments.report.empty()) report.emplace(arguments.report);
+    World world = loaded.world;
+    Tally tally = fire_all(world, blasts, options, arguments, report ? &*report : nullptr);
+    write_level(world, out);
+    out.finish();
+    if (report) report->commit();
+    out.commit();
+    if (arguments.json) {
+        print(json_text(arguments, loaded, tally, world));
+    } else if (may_print_beside(arguments.out) && may_print_beside(arguments.report)) {
+        print(text_for_people(arguments, tally, world));
+    }
+    return 0;
+}
+
+}  // namespace
+
+Verb add_carve(CLI::App& app) {
+    Command command(app, "carve", "Carves craters from a csv file out of a level and writes what is left");
+    const auto arguments = std::make_shared<CarveArguments>();
+    add_level_arguments(command, arguments->level);
+    command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts, see below", true);
+    add_out_option(command, arguments->out, ".obj to write: the level after all blasts", true);
+    command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");
+    command.add_option("--material", arguments->material, "NAME", "material of the faces that blasts leave");
+    command.add_option("--slices", arguments->slices, "US",
+                       "run each edit in slices of so many microseconds; the result is the same");
+    add_json_flag(command, arguments->json);
+    command.set_footer(std::string(kFooter) + kExitCodes);
+    return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace firma::cli

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Draws the pictures of docs/ anew, by the built command line: docs/pictures/make.sh [FIRMA]
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+firma=${1:-build/release/bin/firma}
+pictures=docs/pictures
+
+"$firma" draw levels/first.obj --blasts $pictures/crater.csv --view --before-after \
+    --eye 24.2,31.6,2.4 --look 20.2,36.4,1.6 -o $pictures/crater.png

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Each face into a buffer of depths, four samples a pixel; then colour, shadow and edges sample by sample.
+#include "debug/draw_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "debug/svg_text.h"
+
+namespace firma::debug {
+namespace {
+
+constexpr int kSamples = 2;          // along each side of a pixel
+constexpr double kNear = 0.02;       // metres before the eye: nothing nearer is seen
+constexpr double kTooClose = 2;      // metres: a wall so near hides what a picture is to show
+constexpr double kCrease = 0.95;     // cosine of the angle from which on a turn of the surface is an edge
+constexpr double kJump = 0.02;       // of the depth: what lies farther behind its neighbour is another surface
+constexpr double kLift = 0.004;      // metres from a face to where its shadow ray begins
+constexpr double kLampShare = 0.55;  // of the way to the target, upward and to the left
+constexpr double kShadow = 0.66;     // light that is left in shadow
+constexpr double kEdgeShade = 0.5;   // light that is left on an edge
+constexpr std::uint32_t kNothing = ~0u;
+
+Vec3 unit(const Vec3& v) {
+    return v * (1 / length(v));
+}
+
+/// The camera's own axes, right-handed.
+struct Frame {
+    Vec3 eye, right, up, forward;
+    double width, height;  ///< samples
+    double half;           ///< half the picture's width at distance 1
+
+    Frame(const Camera& camera, int samples)
+        : eye(camera.eye), width(camera.width * samples), height(camera.height * samples), half(1 / camera.zoom) {
+        forward = unit(camera.target - camera.eye);
+        Vec3 upward;
+        upward[camera.up] = 1;
+        right = cross(forward, upward);
+        if (dot(right, right) < 1e-12) {  // straight up or down: any side will do
+            upward = {};
+            upward[(camera.up + 1) % 3] = 1;
+            right = cross(forward, upward);
+        }
+        right = unit(right);
+        up = cross(right, forward);
+    }
+
+    /// Right, up, forward.
+    Vec3 seen(const Vec3& point) const {
+        const Vec3 p = point - eye;
+        return {dot(p, right), dot(p, up), dot(p, forward)};
+    }
+    double column(const Vec3& p) const { return width / 2 * (1 + p.x / (p.z * half)); }
+    double row(const Vec3& p) const { return height / 2 - width / 2 * p.y / (p.z * half); }
+    /// Through the middle of a sample; its part along `forward` is 1.
+    Vec3 ray(double x, double y) const {
+        const double a = (x + 0.5) * 2 / width - 1, b = (height - 2 * (y + 0.5)) / width;
+        return forward + right * (a * half) + up * (b * half);
+    }
+};
+
+/// What each sample sees: the nearest face, and one over its distance.
+struct Buffer {
+    int width, height;
+    std::vector<double> nearness;
+    std::vector<std::uint32_t> face;
+
+    Buffer(int wide, int high)
+        : width(wide), height(high), nearness(std::size_t(wide) * std::size_t(high)), face(nearness.size(), kNothing) {}
+    std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
+};
+
+/// The corners before the eye.
+std::vector<Vec3> before_eye(const Frame& frame, const Face& face) {
+    std::vector<Vec3> seen, kept;
+    for (const Vec3& corner : face.corners) seen.push_back(frame.seen(corner));
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        const Vec3 &a = seen[k], &b = seen[(k + 1) % seen.size()];
+        if (a.z >= kNear) kept.push_back(a);
+        if ((a.z >= kNear) != (b.z >= kNear)) kept.push_back(a + (b - a) * ((kNear - a.z) / (b.z - a.z)));
+    }
+    return kept;
+}
+
+/// The columns whose middles a convex outline covers in a row.
+struct Span {
+    int first = 0, end = 0;
+};
+Span covered(const std::vector<PagePoint>& outline, double y, int width) {
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const PagePoint &a = outline[k], &b = outline[(k + 1) % outline.size()];
+        if ((a.y <= y) == (b.y <= y)) continue;
+        const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+        low = std::min(low, x);
+        high = std::max(high, x);
+    }
+    if (!(low < high)) return {};
+    const double first = std::clamp(std::floor(low + 0.5), 0.0, double(width));
+    const double end = std::clamp(std::floor(high + 0.5), 0.0, double(width));
+    return {int(first), int(end)};
+}
+
+bool seen_from(const Vec3& eye, const Face& face) {
+    const double side = dot(face.normal, eye - face.corners[0]);
+    return face.two_sided ? side != 0 : side > 0;
+}
+
+void paint(const Frame& frame, const Face& face, std::uint32_t index, Buffer& buffer) {
+    std::vector<PagePoint> outline;
+    double top = INFINITY, bottom = -INFINITY;
+    for (const Vec3& corner : before_eye(frame, face)) {
+        outline.push_back({frame.column(corner), frame.row(corner)});
+        top = std::min(top, outline.back().y);
+        bottom = std::max(bottom, outline.back().y);
+    }
+    if (outline.size() < 3) return;
+    const double away = dot(face.normal, face.corners[0] - frame.eye);
+    const int first_row = int(std::clamp(std::floor(top), 0.0, double(buffer.height)));
+    const int last_row = int(std::clamp(std::floor(bottom) + 1, 0.0, double(buffer.height)));
+    for (int y = first_row; y < last_row; ++y) {
+        const Span span = covered(outline, y + 0.5, buffer.width);
+        for (int x = span.first; x < span.end; ++x) {
+            const double nearness = dot(face.normal, frame.ray(x, y)) / away;  // of the plane: one over the distance
+            const std::size_t at = buffer.at(x, y);
+            if (!(nearness > buffer.nearness[at]) || nearness > 1.001 / kNear) continue;
+            buffer.nearness[at] = nearness;
+            buffer.face[at] = index;
+        }
+    }
+}
+
+Buffer paint_all(const Frame& frame, std::span<const Face> faces) {
+    Buffer buffer(int(frame.width), int(frame.height));
+    for (std::size_t k = 0; k < faces.size(); ++k)
+        if (seen_from(frame.eye, faces[k])) paint(frame, faces[k], std::uint32_t(k), buffer);
+    return buffer;
+}
+
+/// Toward the lamp from the eye: up and to the left, so that rims throw shadows into what lies behind them.
+Vec3 way_to_lamp(const Frame& frame, const Camera& camera) {
+    return (frame.up - frame.right) * (kLampShare * length(camera.target - camera.eye));
+}
+
+/// Where the lamp hangs: as far that way as there is room.
+Vec3 lamp_of(const World& world, const Frame& frame, const Camera& camera) {
+    const Vec3 path = way_to_lamp(frame, camera);
+    CastOptions both;
+    both.sides = Sides::kBoth;
+    const Hit hit = cast(world, {frame.eye, 0.0}, path, both);
+    return frame.eye + path * (hit.touched() ? 0.8 * hit.fraction : 1.0);
+}
+
+/// Light on a face without shadows: more from above and from the lamp's side.
+double light_on(const Vec3& normal, const Vec3& to_lamp, int up) {
+    const double facing = std::max(0.0, dot(normal, to_lamp));
+    return 0.6 + 0.4 * facing + 0.1 * normal[up];
+}
+
+bool in_shadow(const World& world, const Vec3& point, const Vec3& lamp) {
+    return cast_any(world, {point, 0.0}, lamp - point) != Status::kMiss;
+}
+
+/// Whether the surface turns or ends between two samples side by side.
+bool is_edge(const Buffer& buffer, std::span<const Face> faces, const Frame& frame, int x, int y, int other_x,
+             int other_y) {
+    if (other_x >= buffer.width || other_y >= buffer.height) return false;
+    const std::size_t here = buffer.at(x, y), there = buffer.at(other_x, other_y);
+    const std::uint32_t a = buffer.face[here], b = buffer.face[there];
+    if (a == b) return false;
+    if (a == kNothing || b == kNothing) return true;
+    if (dot(faces[a].normal, faces[b].normal) < kCrease) return true;
+    // How near the plane of the one would be at the other.
+    const Vec3& corner = faces[a].corners[0];
+    const double plane = dot(faces[a].normal, frame.ray(other_x, other_y)) / dot(faces[a].normal, corner - frame.eye);
+    return std::fabs(plane - buffer.nearness[there]) > kJump * buffer.nearness[there];
+}
+
+/// Red, green and blue of one sample, 0 .. 1.
+Vec3 colour_of(const World& world, std::span<const Face> faces, const Buffer& buffer, const Frame& frame,
+               const Vec3& lamp, int up, int x, int y) {
+    const std::size_t at = buffer.at(x, y);
+    if (buffer.face[at] == kNothing) return {};
+    const Face& face = faces[buffer.face[at]];
+    const Vec3 ray = frame.ray(x, y);
+    const Vec3 normal = dot(face.normal, ray) < 0 ? face.normal : -face.normal;
+    const Vec3 point = frame.eye + ray * (1 / buffer.nearness[at]) + normal * kLift;
+    const Vec3 base = face.source_edit != 0 ? Vec3{0.80, 0.55, 0.33} : Vec3{0.80, 0.81, 0.80};
+    Vec3 middle;
+    for (const Vec3& corner : face.corners) middle = middle + corner * (1.0 / double(face.corners.size()));
+    const Vec3 toward = face.source_edit != 0 ? unit(lamp - middle) : unit(frame.up - frame.right);
+    double light = light_on(normal, toward, up);
+    if (in_shadow(world, point, lamp)) light *= kShadow;
+    if (is_edge(buffer, faces, frame, x, y, x + 1, y) || is_edge(buffer, faces, frame, x, y, x, y + 1))
+        light *= kEdgeShade;
+    return base * std::min(light, 1.2);
+}
+
+}  // namespace
+
+Picture draw_view(const World& world, const Camera& camera) {
+    const std::vector<Face> faces = world.faces();
+    const Frame frame(camera, kSamples);
+    const Buffer buffer = paint_all(frame, faces);
+    const Vec3 lamp = lamp_of(world, frame, camera);
+    Picture picture(camera.width, camera.height, {0, 0, 0});
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            Vec3 sum;
+            for (int k = 0; k < kSamples * kSamples; ++k)
+                sum = sum + colour_of(world, faces, buffer, frame, lamp, camera.up, x * kSamples + k % kSamples,
+                                      y * kSamples + k / kSamples);
+            for (int part = 0; part < 3; ++part)
+                picture.at(x, y)[std::size_t(part)] =
+                    std::uint8_t(std::clamp(255 * sum[part] / (kSamples * kSamples), 0.0, 255.0));
+        }
+    return picture;
+}
+
+double share_of_new_faces(std::span<const Face> faces, const Camera& camera) {
+    const Frame frame(camera, 1);
+    const Buffer buffer = paint_all(frame, faces);
+    double good = 0;
+    for (std::size_t at = 0; at < buffer.face.size(); ++at) {
+        if (buffer.face[at] == kNothing) continue;
+        if (buffer.nearness[at] * kTooClose > 1) {
+            good -= 1;
+        } else if (faces[buffer.face[at]].source_edit != 0) {
+            good += 1;
+        }
+    }
+    return good / double(buffer.face.size());
+}
+
+}  // namespace firma::debug

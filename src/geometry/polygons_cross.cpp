@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Wherever two convex polygons meet, an edge of one meets the other: so each edge of each is asked.
+#include "geometry/polygons_cross.h"
+
+#include <cstddef>
+
+#include "geometry/polygon_shape.h"
+
+namespace firma {
+namespace {
+
+constexpr std::size_t kNotThere = ~std::size_t(0);
+
+/// A polygon to be met by edges of another.
+class Target {
+public:
+    Target(std::span<const InputPoint> points, const MeshPolygon& polygon)
+        : points_(points), polygon_(polygon), view_(polygon.normal) {}
+
+    int side_of(std::uint32_t point) const {
+        return side_of_plane(points_[polygon_.corners[0]], polygon_.normal, points_[point]);
+    }
+
+    /// Whether an edge of another polygon meets this one elsewhere than the corners and edges they have in common.
+    /// @param side_a, side_b  of its ends
+    bool met_by(std::uint32_t a, std::uint32_t b, int side_a, int side_b) const {
+        if (side_a * side_b > 0) return false;
+        if (side_a == 0 && side_b == 0) return met_within(a, b);
+        if (side_a == 0) return place_of(a) == kNotThere && holds(points_[a]);
+        if (side_b == 0) return place_of(b) == kNotThere && holds(points_[b]);
+        return passed_by(points_[a], points_[b]);
+    }
+
+private:
+    std::size_t count() const { return polygon_.corners.size(); }
+    const InputPoint& corner(std::size_t k) const { return points_[polygon_.corners[k % count()]]; }
+    std::size_t place_of(std::uint32_t point) const {
+        for (std::size_t k = 0; k < count(); ++k)
+            if (polygon_.corners[k] == point) return k;
+        return kNotThere;
+    }
+
+    /// A point of the plane.
+    bool holds(const InputPoint& p) const {
+        bool left = false, right = false;
+        for (std::size_t k = 0; k < count(); ++k) {
+            const int turn = view_.turn(corner(k), corner(k + 1), p);
+            left |= turn > 0;
+            right |= turn < 0;
+        }
+        return !left || !right;
+    }
+
+    /// A segment whose ends lie on either side: its line meets the plane in one point, in the polygon when it leaves
+    /// all sides on one hand.
+    bool passed_by(const InputPoint& a, const InputPoint& b) const {
+        bool left = false, right = false;
+        for (std::size_t k = 0; k < count(); ++k) {
+            const int side = orient(a, b, corner(k), corner(k + 1));
+            left |= side > 0;
+            right |= side < 0;
+            if (left && right) return false;
+        }
+        return true;
+    }
+
+    /// A segment in the plane.
+    bool met_within(std::uint32_t a, std::uint32_t b) const {
+        const std::size_t at_a = place_of(a), at_b = place_of(b);
+        if (at_a != kNotThere && at_b != kNotThere) {
+            const std::size_t between = at_a < at_b ? at_b - at_a : at_a - at_b;
+            return between != 1 && between != count() - 1;
+        }
+        if (at_a != kNotThere) return enters(at_a, points_[b]);
+        if (at_b != kNotThere) return enters(at_b, points_[a]);
+        if (holds(points_[a]) || holds(points_[b])) return true;
+        for (std::size_t k = 0; k < count(); ++k)
+            if (view_.segments_meet(corner(k), corner(k + 1), points_[a], points_[b])) return true;
+        return false;
+    }
+
+    /// Whether the way from a corner to a point of the plane leads through the polygon, or along its side.
+    bool enters(std::size_t k, const InputPoint& to) const {
+        const int before = view_.turn(corner(k + count() - 1), corner(k), to);
+        const int after = view_.turn(corner(k), corner(k + 1), to);
+        return hand() > 0 ? before >= 0 && after >= 0 : before <= 0 && after <= 0;
+    }
+    /// Which way the corners run in this view.
+    int hand() const {
+        for (std::size_t k = 0; k < count(); ++k)
+            if (const int turn = view_.turn(corner(k), corner(k + 1), corner(k + 2)); turn != 0) return turn;
+        return 0;
+    }
+
+    std::span<const InputPoint> points_;
+    const MeshPolygon& polygon_;
+    const GridView view_;
+};
+
+/// The sides of a target that corners lie on.
+struct CornerSides {
+    std::int8_t of[kMaxCorners];
+    bool apart = false;     ///< all on one side
+    bool coplanar = false;  ///< all in the plane
+    bool one_side = false;  ///< all but those in the plane
+
+    CornerSides(const MeshPolygon& polygon, const Target& target) {
+        bool front = false, back = false, on = false;
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+            of[k] = std::int8_t(target.side_of(polygon.corners[k]));
+            front |= of[k] > 0;
+            back |= of[k] < 0;
+            on |= of[k] == 0;
+        }
+        apart = !on && front != back;
+        coplanar = !front && !back;
+        one_side = front != back;
+    }
+};
+
+bool edges_meet(const MeshPolygon& polygon, const CornerSides& sides, const Target& target) {
+    const std::size_t count = polygon.corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t next = k + 1 < count ? k + 1 : 0;
+        if (target.met_by(polygon.corners[k], polygon.corners[next], sides.of[k], sides.of[next])) return true;
+    }
+    return false;
+}
+
+/// Whether all that a polygon on one side of another's plane has in that plane is a corner in common: so it is with
+/// most neighbours.
+bool leaves_from_corner(const MeshPolygon& p, const CornerSides& sides, const MeshPolygon& q) {
+    if (!sides.one_side) return false;
+    std::size_t on = 0, corner = 0;
+    for (std::size_t k = 0; k < p.corners.size(); ++k)
+        if (sides.of[k] == 0) {
+            ++on;
+            corner = k;
+        }
+    if (on != 1) return false;
+    for (const std::uint32_t other : q.corners)
+        if (other == p.corners[corner]) return true;
+    return false;
+}
+
+/// Whether two polygons of one plane lie on the same side of an edge that they share: folded onto each other.
+bool folded(const MeshPolygon& p, const MeshPolygon& q) {
+    const auto alike = [](std::int64_t a, std::int64_t b) { return (a > 0 && b > 0) || (a < 0 && b < 0); };
+    const bool same_way = alike(p.normal.x, q.normal.x) || alike(p.normal.y, q.normal.y) ||
+                          alike(p.normal.z, q.normal.z);  // they are parallel: any component that is not zero tells
+    const std::size_t count_p = p.corners.size(), count_q = q.corners.size();
+    for (std::size_t k = 0; k < count_p; ++k)
+        for (std::size_t j = 0; j < count_q; ++j) {
+            const std::uint32_t a = p.corners[k], b = p.corners[k + 1 < count_p ? k + 1 : 0];
+            const std::uint32_t c = q.corners[j], d = q.corners[j + 1 < count_q ? j + 1 : 0];
+            if ((a == c && b == d && same_way) || (a == d && b == c && !same_way)) return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+AreaVector polygon_normal(std::span<const InputPoint> points, std::span<const std::uint32_t> corners) {
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+        const AreaVector normal = area_vector(points[corners[0]], points[corners[k - 1]], points[corners[k]]);
+        if (normal.x != 0 || normal.y != 0 || normal.z != 0) return normal;
+    }
+    return {};
+}
+
+bool polygons_cross(std::span<const InputPoint> points, const MeshPolygon& p, const MeshPolygon& q) {
+    const Target at_p(points, p), at_q(points, q);
+    const CornerSides of_p(p, at_q);
+    if (of_p.apart || leaves_from_corner(p, of_p, q)) return false;
+    const CornerSides of_q(q, at_p);
+    if (of_q.apart || leaves_from_corner(q, of_q, p)) return false;
+    if (of_p.coplanar && folded(p, q)) return true;
+    return edges_meet(p, of_p, at_q) || edges_meet(q, of_q, at_p);
+}
+
+}  // namespace firma

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Positions, edges, pieces; and which pieces cross.
+#include "level/solid_pieces.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "level/disjoint_sets.h"
+
+namespace firma {
+namespace {
+
+/// A number for each vertex's position, by the first vertex there; ascending with it.
+std::vector<std::uint32_t> number_positions(const std::vector<GridPoint>& vertices, std::vector<InputPoint>& points) {
+    std::vector<std::uint32_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
+    });
+    std::vector<std::uint32_t> first(vertices.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const bool same = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
+        first[order[k]] = same ? first[order[k - 1]] : order[k];
+    }
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        if (first[v] == v) {
+            first[v] = std::uint32_t(points.size());
+            points.push_back(to_input(vertices[v]));
+        } else {
+            first[v] = first[first[v]];  // already a number, as the first one comes before
+        }
+    }
+    return first;
+}
+
+/// A corner off the line of an edge; any does.
+std::uint32_t apex_of(const SolidMesh& mesh, const EdgeUse& use) {
+    const InputPoint &a = mesh.points[use.low], &b = mesh.points[use.high];
+    for (const std::uint32_t corner : mesh.corners(use.face)) {
+        const AreaVector n = area_vector(a, b, mesh.points[corner]);
+        if (n.x != 0 || n.y != 0 || n.z != 0) return corner;
+    }
+    return use.low;
+}
+
+class PieceJoiner {
+public:
+    explicit PieceJoiner(const SolidMesh& mesh) : mesh_(mesh), sets_(mesh.level->faces.size()) {}
+
+    SolidPieces join() {
+        for (std::size_t k = 0, end = 0; k < mesh_.uses.size(); k = end) {
+            end = k;
+            while (end < mesh_.uses.size() && same_edge(mesh_.uses[end], mesh_.uses[k])) ++end;
+            join_edge({mesh_.uses.data() + k, end - k});
+        }
+        number_pieces();
+        for (const auto& [face, note] : faults_) found_.refuse(found_.of_face[face], note);
+        for (std::uint32_t face = 0; face < mesh_.level->faces.size(); ++face) check_face(face);
+        return std::move(found_);
+    }
+
+private:
+    static bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
+
+    void join_edge(std::span<const EdgeUse> uses) {
+        int balance = 0;
+        for (const EdgeUse& use : uses) balance += use.upward ? 1 : -1;
+        if (balance == 0 && uses.size() == 2) return sets_.join(uses[0].face, uses[1].face);
+        if (balance == 0 && join_doubled(uses)) return;
+        for (const EdgeUse& use : uses) sets_.join(uses[0].face, use.face);
+        const EdgeUse& shown = uses[0];
+        const std::uint32_t from = shown.upward ? shown.low : shown.high, to = shown.upward ? shown.high : shown.low;
+        faults_.emplace_back(shown.face,
+                             SolidNote{balance == 0 ? SolidNoteKind::kFoldedEdge : SolidNoteKind::kOpenEdge, 0,
+                                       mesh_.level->faces[shown.face].source, 0, mesh_.metres(from), mesh_.metres(to)});
+    }
+
+    bool join_doubled(std::span<const EdgeUse> uses) {
+        around_.assign(uses.begin(), uses.end());
+        for (EdgeUse& use : around_) use.apex = apex_of(mesh_, use);
+        const auto pairs = pair_uses(mesh_.points, around_);
+        for (const auto& [up, down] : pairs) {
+            sets_.join(uses[up].face, uses[down].face);
+            found_.doubled.push_back({uses[0].low, uses[0].high, uses[up].face, uses[down].face});
+        }
+        return !pairs.empty();
+    }
+
+    void number_pieces() {
+        const std::size_t count = mesh_.level->faces.size();
+        found_.of_face.resize(count);
+        for (std::uint32_t face = 0; face < count; ++face) {
+            const std::uint32_t first = sets_.find(face);
+            if (first == face) {
+                found_.of_face[face] = std::uint32_t(found_.pieces.size());
+                found_.pieces.push_back({face, 0, {}});
+            } else {
+                found_.of_face[face] = found_.of_face[first];
+            }
+            ++found_.pieces[found_.of_face[face]].faces;
+        }
+    }
+
+    void check_face(std::uint32_t index) {
+        const LevelFace& face = mesh_.level->faces[index];
+        const auto refuse = [&](SolidNoteKind what, const GridPoint& at) {
+            found_.refuse(found_.of_face[index], {what, 0, face.source, 0, to_metres(at), to_metres(at)});
+        };
+        for (std::uint32_t c = 0; c < face.corner_count; ++c) {
+            const GridPoint& at = mesh_.level->vertices[mesh_.level->corners[face.first_corner + c]];
+            if (face.two_sided) return refuse(SolidNoteKind::kTwoSided, at);
+            if (!on_input_grid(at)) return refuse(SolidNoteKind::kOffGrid, at);
+        }
+    }
+
+    const SolidMesh& mesh_;
+    DisjointSets sets_;
+    SolidPieces found_;
+    std::vector<std::pair<std::uint32_t, SolidNote>> faults_;  ///< with a face of the piece
+    std::vector<EdgeUse> around_;
+};
+
+}  // namespace
+
+SolidMesh solid_mesh(const Level& level) {
+    SolidMesh mesh;
+    mesh.level = &level;
+    const std::vector<std::uint32_t> number = number_positions(level.vertices, mesh.points);
+    mesh.corner_point.reserve(level.corners.size());
+    for (const std::uint32_t vertex : level.corners) mesh.corner_point.push_back(number[vertex]);
+    mesh.uses.reserve(level.corners.size());
+    for (std::uint32_t face = 0; face < level.faces.size(); ++face) {
+        const auto corners = mesh.corners(face);
+        std::uint32_t last = corners.back();
+        for (const std::uint32_t next : corners) {
+            mesh.uses.push_back({std::min(last, next), std::max(last, next), face, last < next, 0});
+            last = next;
+        }
+    }
+    std::sort(mesh.uses.begin(), mesh.uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+        return std::tie(a.low, a.high, a.face, a.upward) < std::tie(b.low, b.high, b.face, b.upward);
+    });
+    return mesh;
+}
+
+SolidPieces join_pieces(const SolidMesh& mesh) {
+    return PieceJoiner(mesh).join();
+}
+
+FaceTree good_faces(const SolidMesh& mesh, const SolidPieces& pieces) {
+    FaceTree good;
+    std::vector<GridBox> boxes;
+    for (std::uint32_t face = 0; face < mesh.level->faces.size(); ++face) {
+        if (!pieces.good(face)) continue;
+        good.faces.push_back(face);
+        boxes.emplace_back();
+        for (const std::uint32_t corner : mesh.corners(face)) boxes.back().add(to_surface(mesh.points[corner]));
+    }
+    good.tree = BoxTree(boxes);
+    return good;
+}
+
+void refuse_crossing(const SolidMesh& mesh, const FaceTree& good, SolidPieces& pieces) {
+    std::vector<MeshPolygon> polygons;
+    polygons.reserve(good.faces.size());
+    for (const std::uint32_t face : good.faces) polygons.push_back(mesh.polygon(face));
+    const auto refuse = [&](std::uint32_t face, std::uint32_t other) {
+        const Vec3 at = mesh.metres(mesh.corners(face)[0]);
+        const auto& faces = mesh.level->faces;
+        pieces.refuse(pieces.of_face[face],
+                      {SolidNoteKind::kCrossing, 0, faces[face].source, faces[other].source, at, at});
+    };
+    // In the order of the tree, so that one search finds in the cache what the last one looked at.
+    for (const BoxTree::Item& item : good.tree.items()) {
+        const std::uint32_t t = item.number, face = good.faces[t];
+        good.tree.for_each_meeting(item.box, [&](std::uint32_t u) {
+            const std::uint32_t other = good.faces[u];
+            if (u <= t || (!pieces.good(face) && !pieces.good(other))) return false;
+            if (!polygons_cross(mesh.points, polygons[t], polygons[u])) return false;
+            refuse(face, other);
+            refuse(other, face);
+            return false;
+        });
+    }
+}
+
+}  // namespace firma

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The pieces of a level's surface on their way to a verdict: can they be carved, and if not, what shows it?
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "firma/level.h"
+#include "firma/solid.h"
+#include "geometry/polygons_cross.h"
+#include "level/pair_edges.h"
+#include "tree/box_tree.h"
+
+namespace firma {
+
+/// A level's faces with one number for each position, and its edges.
+struct SolidMesh {
+    const Level* level = nullptr;
+    std::vector<InputPoint> points;           ///< by number
+    std::vector<std::uint32_t> corner_point;  ///< number of each of Level::corners
+    std::vector<EdgeUse> uses;                ///< by edge, then by face
+
+    std::span<const std::uint32_t> corners(std::uint32_t face) const {
+        const LevelFace& it = level->faces[face];
+        return {corner_point.data() + it.first_corner, it.corner_count};
+    }
+    MeshPolygon polygon(std::uint32_t face) const { return {corners(face), polygon_normal(points, corners(face))}; }
+    Vec3 metres(std::uint32_t point) const { return to_metres(to_surface(points[point])); }
+};
+
+/// An edge of several: it bounds the air between two faces.
+struct DoubledEdge {
+    std::uint32_t low, high;
+    std::uint32_t upward, downward;  ///< faces
+};
+
+struct SolidPieces {
+    std::vector<std::uint32_t> of_face;
+    struct Piece {
+        std::uint32_t first = 0;  ///< face
+        std::size_t faces = 0;
+        std::optional<SolidNote> note;  ///< the first reason found; none: so far it can be carved
+    };
+    std::vector<Piece> pieces;  ///< by their first faces
+    std::vector<DoubledEdge> doubled;
+
+    bool good(std::uint32_t face) const { return !pieces[of_face[face]].note; }
+    void refuse(std::uint32_t piece, const SolidNote& note) {
+        if (!pieces[piece].note) pieces[piece].note = note;
+    }
+};
+
+SolidMesh solid_mesh(const Level& level);
+
+/// Joins faces by edges and looks at edges, sides and vertices.
+SolidPieces join_pieces(const SolidMesh& mesh);
+
+/// Faces with a tree around them.
+struct FaceTree {
+    std::vector<std::uint32_t> faces;  ///< by their numbers in the tree
+    BoxTree tree;
+};
+
+/// Those of pieces that are good so far.
+FaceTree good_faces(const SolidMesh& mesh, const SolidPieces& pieces);
+
+/// Refuses pieces that cross or touch themselves or each other.
+void refuse_crossing(const SolidMesh& mesh, const FaceTree& tree, SolidPieces& pieces);
+
+/// Refuses pieces that are turned the wrong way for where they lie.
+/// @return whether rock is outside: what the outermost piece says
+bool refuse_wrong_way(const SolidMesh& mesh, const FaceTree& tree, SolidPieces& pieces);
+
+}  // namespace firma

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Closed pieces in each other: from the outermost inward, each must be turned as where it lies asks for. Solid and air
+// are told apart by how often the pieces around wind around a point of it, counted along a ray.
+#include <algorithm>
+#include <numeric>
+
+#include "level/solid_pieces.h"
+
+namespace firma {
+namespace {
+
+/// The middle of an edge, in half steps.
+struct Middle {
+    std::int64_t x = 0, y = 0, z = 0;
+};
+
+/// Sign of the turn from a to b to the middle, seen against the x axis; the middle stands a shade beside itself, by an
+/// infinitesimal in y and the square of it in z, so that it is on no edge that has any length in this view.
+int turn(const InputPoint& a, const InputPoint& b, const Middle& m) {
+    const std::int64_t uy = b.y - a.y, uz = b.z - a.z, vy = m.y - 2 * std::int64_t(a.y),
+                       vz = m.z - 2 * std::int64_t(a.z);
+    const std::int64_t area = uy * vz - uz * vy;
+    const std::int64_t decisive = area != 0 ? area : uz != 0 ? -uz : uy;
+    return decisive > 0 ? 1 : decisive < 0 ? -1 : 0;
+}
+
+/// How a ray from the middle along x passes through a face: 1 outward, -1 inward, 0 not at all.
+int passage(const SolidMesh& mesh, std::uint32_t face, const Middle& m) {
+    const MeshPolygon polygon = mesh.polygon(face);
+    const AreaVector& n = polygon.normal;
+    if (n.x == 0) return 0;
+    const int facing = n.x > 0 ? 1 : -1;
+    std::uint32_t last = polygon.corners.back();
+    for (const std::uint32_t next : polygon.corners) {
+        if (turn(mesh.points[last], mesh.points[next], m) != facing) return 0;
+        last = next;
+    }
+    const InputPoint& a = mesh.points[last];
+    const Int128 height = Int128(n.x) * (m.x - 2 * std::int64_t(a.x)) + Int128(n.y) * (m.y - 2 * std::int64_t(a.y)) +
+                          Int128(n.z) * (m.z - 2 * std::int64_t(a.z));
+    return (height < 0) == (facing > 0) ? facing : 0;
+}
+
+class PieceTurner {
+public:
+    PieceTurner(const SolidMesh& mesh, const FaceTree& good, SolidPieces& pieces)
+        : mesh_(mesh), good_(good), pieces_(pieces), accepted_(pieces.pieces.size(), false) {}
+
+    bool turn() {
+        measure();
+        const std::uint32_t outermost = find_outermost();
+        if (outermost == ~0u) return false;
+        rock_outside_ = volume_[outermost] < 0;
+        // What lies in a piece has less volume: outer ones first.
+        std::vector<std::uint32_t> order;
+        for (std::uint32_t piece = 0; piece < pieces_.pieces.size(); ++piece)
+            if (!pieces_.pieces[piece].note) order.push_back(piece);
+        const auto size = [&](std::uint32_t piece) { return volume_[piece] < 0 ? -volume_[piece] : volume_[piece]; };
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return size(a) != size(b) ? size(a) > size(b) : a < b; });
+        find_edges();
+        for (const std::uint32_t piece : order) judge(piece);
+        return rock_outside_;
+    }
+
+private:
+    /// Six times the volume of each piece about some point, cubic input steps.
+    void measure() {
+        volume_.assign(pieces_.pieces.size(), 0);
+        for (const std::uint32_t face : good_.faces) {
+            const auto corners = mesh_.corners(face);
+            const InputPoint &p = mesh_.points[corners[0]], &origin = mesh_.points[0];
+            for (std::size_t k = 2; k < corners.size(); ++k) {
+                const AreaVector n = area_vector(p, mesh_.points[corners[k - 1]], mesh_.points[corners[k]]);
+                volume_[pieces_.of_face[face]] +=
+                    Int128(n.x) * (p.x - origin.x) + Int128(n.y) * (p.y - origin.y) + Int128(n.z) * (p.z - origin.z);
+            }
+        }
+    }
+
+    /// Nothing lies around the piece with the least vertex. Of several that share it the largest holds the others, or
+    /// all are turned alike.
+    std::uint32_t find_outermost() const {
+        std::uint32_t outermost = ~0u;
+        InputPoint least;
+        const auto size = [&](std::uint32_t piece) { return volume_[piece] < 0 ? -volume_[piece] : volume_[piece]; };
+        for (const std::uint32_t face : good_.faces) {
+            const std::uint32_t piece = pieces_.of_face[face];
+            if (!pieces_.good(face)) continue;
+            for (const std::uint32_t corner : mesh_.corners(face)) {
+                const InputPoint& p = mesh_.points[corner];
+                if (outermost != ~0u && (p > least || (p == least && size(piece) <= size(outermost)))) continue;
+                least = p;
+                outermost = piece;
+            }
+        }
+        return outermost;
+    }
+
+    /// An edge of each piece that no other piece shares: nothing else passes through its middle.
+    void find_edges() {
+        edge_.assign(pieces_.pieces.size(), ~0u);
+        for (std::uint32_t k = 0; k + 1 < mesh_.uses.size(); ++k) {
+            const EdgeUse& use = mesh_.uses[k];
+            std::uint32_t& known = edge_[pieces_.of_face[use.face]];
+            if (known != ~0u) continue;
+            const auto same = [&](std::size_t other) {
+                return other < mesh_.uses.size() && mesh_.uses[other].low == use.low &&
+                       mesh_.uses[other].high == use.high;
+            };
+            const std::size_t count = 1 + (k > 0 && same(k - 1)) + same(k + 1) + (same(k + 1) && same(k + 2)) +
+                                      (k > 1 && same(k - 1) && same(k - 2));
+            if (count == 2) known = k;
+        }
+    }
+
+    void judge(std::uint32_t piece) {
+        const auto refuse = [&](const Vec3& at) {
+            const std::uint32_t face = pieces_.pieces[piece].first;
+            pieces_.refuse(piece, {SolidNoteKind::kWrongWay, 0, mesh_.level->faces[face].source, 0, at, at});
+        };
+        const Vec3 at = mesh_.metres(mesh_.corners(pieces_.pieces[piece].first)[0]);
+        if (edge_[piece] == ~0u) return refuse(at);
+        const int around = (rock_outside_ ? 1 : 0) + winding_around(piece);
+        const int wanted = volume_[piece] > 0 ? 0 : 1;
+        if (around != wanted) return refuse(at);
+        accepted_[piece] = true;
+    }
+
+    /// How often the pieces accepted so far wind around this one.
+    int winding_around(std::uint32_t piece) const {
+        const EdgeUse& use = mesh_.uses[edge_[piece]];
+        const InputPoint &a = mesh_.points[use.low], &b = mesh_.points[use.high];
+        const Middle m{std::int64_t(a.x) + b.x, std::int64_t(a.y) + b.y, std::int64_t(a.z) + b.z};
+        const auto steps = [](std::int64_t half_steps) { return std::int32_t(half_steps * (kSurfacePerInput / 2)); };
+        const GridBox ray{{steps(m.x), steps(m.y), steps(m.z)}, {INT32_MAX, steps(m.y), steps(m.z)}};
+        int winding = 0;
+        good_.tree.for_each_meeting(ray, [&](std::uint32_t number) {
+            const std::uint32_t face = good_.faces[number];
+            if (accepted_[pieces_.of_face[face]]) winding += passage(mesh_, face, m);
+            return false;
+        });
+        return winding;
+    }
+
+    const SolidMesh& mesh_;
+    const FaceTree& good_;
+    SolidPieces& pieces_;
+    std::vector<bool> accepted_;
+    std::vector<Int128> volume_;
+    std::vector<std::uint32_t> edge_;  ///< a use of it
+    bool rock_outside_ = false;
+};
+
+}  // namespace
+
+bool refuse_wrong_way(const SolidMesh& mesh, const FaceTree& tree, SolidPieces& pieces) {
+    return PieceTurner(mesh, tree, pieces).turn();
+}
+
+}  // namespace firma

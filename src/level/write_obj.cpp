@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Two passes over the faces: vertices numbered in order of place, then corners by those numbers.
+#include "firma/write_obj.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include "base/decimal.h"
+#include "tree/block.h"
+#include "tree/visit.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+constexpr std::size_t kPieceBytes = std::size_t(1) << 16;
+
+struct PlacedFace {
+    FaceId id;
+    const Block* block;
+    const FaceRecord* record;
+};
+
+std::vector<PlacedFace> faces_by_id(const WorldData& data) {
+    std::vector<PlacedFace> faces;
+    faces.reserve(data.face_count);
+    for (const Ref<const Room>& room : data.rooms) {
+        if (!room->tree) continue;
+        for_each_face_block(*room->tree, [&](const Block& block) {
+            for (const FaceRecord& record : block.faces) faces.push_back({record.id, &block, &record});
+        });
+    }
+    std::sort(faces.begin(), faces.end(), [](const PlacedFace& a, const PlacedFace& b) { return a.id < b.id; });
+    return faces;
+}
+
+std::vector<GridPoint> different_corners(const std::vector<PlacedFace>& faces) {
+    std::vector<GridPoint> points;
+    for (const PlacedFace& face : faces)
+        for (const std::uint16_t vertex : face.block->corners_of(*face.record))
+            points.push_back(face.block->vertices[vertex]);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+/// A name as the rest of a line that reads back as itself: no control characters, nothing that begins a comment or
+/// joins lines.
+std::string line_safe(std::string name) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    for (std::size_t k = 0; k < name.size(); ++k) {
+        const auto byte = static_cast<unsigned char>(name[k]);
+        const bool control = (byte < 0x20 && byte != '\t') || byte == 0x7f;
+        const bool comment =
+            byte == '#' && (k == 0 || is_blank(name[k - 1])) && (k + 1 == name.size() || is_blank(name[k + 1]));
+        const bool at_end = k == 0 || k + 1 == name.size();
+        if (control || comment || (at_end && (is_blank(name[k]) || byte == '\\'))) name[k] = '_';
+    }
+    return name;
+}
+
+/// Collects text and hands it on in pieces.
+class Pieces {
+public:
+    explicit Pieces(const TextSink& put) : put_(put) {}
+
+    std::string& text() { return text_; }
+    /// Hands on what has become enough of a piece; false when that is not possible.
+    bool flush(std::size_t least = kPieceBytes) {
+        if (text_.empty() || text_.size() < least) return true;
+        bytes_ += text_.size();
+        const bool taken = put_(text_);
+        text_.clear();
+        return taken;
+    }
+    std::uint64_t bytes() const { return bytes_; }
+
+private:
+    const TextSink& put_;
+    std::string text_;
+    std::uint64_t bytes_ = 0;
+};
+
+bool write_vertices(const std::vector<GridPoint>& points, Pieces& out) {
+    for (const GridPoint& p : points) {
+        std::string& text = out.text();
+        text += 'v';
+        for (int axis = 0; axis < 3; ++axis) {
+            text += ' ';
+            text += exact_decimal(p[axis]);
+        }
+        text += '\n';
+        if (!out.flush()) return false;
+    }
+    return true;
+}
+
+bool write_faces(const World& world, const std::vector<PlacedFace>& faces, const std::vector<GridPoint>& points,
+                 Pieces& out) {
+    const std::string* material = nullptr;
+    for (const PlacedFace& face : faces) {
+        std::string& text = out.text();
+        const std::string& name = world.material_name(face.record->material);
+        if (material ? *material != name : !name.empty()) text += "usemtl " + line_safe(name) + '\n';
+        material = &name;
+        text += 'f';
+        for (const std::uint16_t vertex : face.block->corners_of(*face.record)) {
+            const auto found = std::lower_bound(points.begin(), points.end(), face.block->vertices[vertex]);
+            text += ' ';
+            text += std::to_string(found - points.begin() + 1);
+        }
+        text += '\n';
+        if (!out.flush()) return false;
+    }
+    return true;
+}
+
+Error cannot_write(const std::string& path, int reason) {
+    return {ErrorCode::kCannotWrite, path, "cannot be written: " + std::generic_category().message(reason)};
+}
+
+struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// The whole file under its passing name; 0, or what went wrong.
+int write_aside(const World& world, const std::string& aside, ObjWritten& written) {
+    errno = 0;
+    std::unique_ptr<std::FILE, Closer> file(std::fopen(aside.c_str(), "wb"));
+    if (!file) return errno ? errno : EIO;
+    int reason = 0;
+    const auto put = [&](std::string_view text) {
+        errno = 0;
+        if (std::fwrite(text.data(), 1, text.size(), file.get()) == text.size()) return true;
+        reason = errno ? errno : EIO;
+        return false;
+    };
+    const std::optional<ObjWritten> done = write_obj(world, put);
+    if (!done) return reason;
+    errno = 0;
+    if (std::fclose(file.release()) != 0) return errno ? errno : EIO;
+    written = *done;
+    return 0;
+}
+
+}  // namespace
+
+std::optional<ObjWritten> write_obj(const World& world, const TextSink& put) {
+    const std::vector<PlacedFace> faces = faces_by_id(world.data());
+    const std::vector<GridPoint> points = different_corners(faces);
+    Pieces out(put);
+    out.text() = "# Written by Firma. Metres; all digits are exact, multiples of 1/262144.\n";
+    if (!write_vertices(points, out) || !write_faces(world, faces, points, out) || !out.flush(0)) return std::nullopt;
+    return ObjWritten{faces.size(), points.size(), out.bytes()};
+}
+
+Result<ObjWritten> write_obj(const World& world, const std::string& path) {
+    const std::string aside = path + ".part";
+    ObjWritten written;
+    std::error_code none;
+    if (const int reason = write_aside(world, aside, written); reason != 0) {
+        std::filesystem::remove(aside, none);
+        return cannot_write(path, reason);
+    }
+    std::error_code error;
+    std::filesystem::rename(aside, path, error);
+    if (!error) return written;
+    std::filesystem::remove(aside, none);
+    return cannot_write(path, error.value());
+}
+
+}  // namespace firma

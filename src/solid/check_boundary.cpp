@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// Face by face, then edge by edge; the first fault ends it.
+#include "solid/check_boundary.h"
+
+#include <vector>
+
+#include "base/flat_map.h"
+#include "geometry/polygon_shape.h"
+#include "solid/flat_point.h"
+
+namespace firma {
+namespace {
+
+bool opposite(const Plane& a, const Plane& b) {
+    return a.offset == -b.offset && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
+           a.normal[2] == -b.normal[2];
+}
+
+/// Whether a point lies on a plane, exactly. Mostly it is one of the point's own.
+bool holds(const Plane& plane, const ExactPoint& point) {
+    if (!point.on_grid())
+        for (int k = 0; k < 3; ++k)
+            if (*point.plane(k) == plane || opposite(*point.plane(k), plane)) return true;
+    return exact_side(plane, point) == 0;
+}
+
+/// Numbers for points of the surface grid.
+class PointNumbers {
+public:
+    std::uint32_t number(const GridPoint& p) {
+        const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
+        for (std::uint64_t key = mix_bits(xy) + std::uint32_t(p.z);; key = mix_bits(key + 1)) {
+            std::uint32_t& known = map_.at(key);
+            if (known == FlatMap::kNone) {
+                known = std::uint32_t(points_.size());
+                points_.push_back(p);
+            }
+            if (points_[known] == p) return known;
+        }
+    }
+    const GridPoint& point(std::uint32_t number) const { return points_[number]; }
+    std::size_t count() const { return points_.size(); }
+
+private:
+    FlatMap map_;
+    std::vector<GridPoint> points_;
+};
+
+/// Directed edges that ought to cancel.
+class EdgeSum {
+public:
+    void clear() {
+        map_.clear();
+        sums_.clear();
+    }
+    void add(std::uint32_t from, std::uint32_t to, int times) {
+        if (from == to) return;
+        const std::uint64_t low = from < to ? from : to, high = from < to ? to : from;
+        std::uint32_t& known = map_.at(low << 32 | high);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(sums_.size());
+            sums_.push_back({std::uint32_t(low), 0});
+        }
+        sums_[known].sum += from < to ? times : -times;
+    }
+    /// An end of an edge that does not cancel; ~0: all do.
+    std::uint32_t left_over() const {
+        for (const Entry& entry : sums_)
+            if (entry.sum != 0) return entry.point;
+        return ~0u;
+    }
+
+private:
+    struct Entry {
+        std::uint32_t point;
+        std::int32_t sum;
+    };
+    FlatMap map_;
+    std::vector<Entry> sums_;
+};
+
+class BoundaryChecker {
+public:
+    explicit BoundaryChecker(const Boundary& boundary)
+        : boundary_(boundary), patch_(boundary.patch), uses_(patch_.edges.size()) {}
+
+    std::optional<SolidFault> check() {
+        for (const PatchVertex& vertex : patch_.vertices) rounded_.push_back(numbers_.number(vertex.point.rounded()));
+        for (face_ = 0; face_ < patch_.faces.size() && !fault_; ++face_) {
+            check_loops();
+            if (!fault_ && !face().stored) check_untouched();
+            if (!fault_) check_plane();
+            if (!fault_ && face().stored) check_stored(*face().stored);
+            if (!fault_) check_facets();
+        }
+        for (std::uint32_t edge = 0; edge < patch_.edges.size() && !fault_; ++edge) check_edge(edge);
+        if (!fault_)
+            if (const std::uint32_t point = all_.left_over(); point != ~0u)
+                fault_ = {"facets leave a gap", {}, to_metres(numbers_.point(point))};
+        return fault_;
+    }
+
+private:
+    const PatchFace& face() const { return patch_.faces[face_]; }
+
+    void report(const char* what, const Vec3& at) {
+        if (!fault_) fault_ = {what, face().facet.record().id, at};
+    }
+    void report_vertex(const char* what, std::uint32_t vertex) {
+        report(what, to_metres(patch_.vertices[vertex].point.rounded()));
+    }
+    void report_point(const char* what, std::uint32_t number) { report(what, to_metres(numbers_.point(number))); }
+    Vec3 some_corner() const {
+        const FacetPlace& facet = face().facet;
+        return to_metres(facet.block->vertices[facet.block->corners_of(facet.record())[0]]);
+    }
+
+    void check_loops() {
+        const auto uses = patch_.uses(face());
+        const auto ends = patch_.ends(face());
+        if (ends.empty() || ends.back() != uses.size()) return report("a face without loops", some_corner());
+        if (!face().plane || !face().plane->plane.valid()) return report("a face without a plane", some_corner());
+        const Plane& plane = face().plane->plane;
+        const int axis = plane.dominant_axis();
+        std::uint32_t first = 0;
+        for (const std::uint32_t end : ends) {
+            if (end < first || end > uses.size() || end - first < 3)
+                return report("a loop of fewer than three edges", some_corner());
+            Int128 area = 0;
+            const FlatPoint start = flat(uses[first], axis);
+            for (std::uint32_t k = first; k < end; ++k) {
+                const PatchUse& next = uses[k + 1 < end ? k + 1 : first];
+                if (patch_.to(uses[k]) != patch_.from(next)) return report_vertex("a loop is open", patch_.to(uses[k]));
+                area += turn(start, flat(uses[k], axis), flat(next, axis));
+            }
+            if (plane.normal[axis] < 0) area = -area;
+            if (first == 0 && area <= 0)
+                return report_vertex("the outer loop runs against the normal", patch_.from(uses[first]));
+            if (first != 0 && area >= 0)
+                return report_vertex("a hole runs the same way as the outer loop", patch_.from(uses[first]));
+            first = end;
+        }
+    }
+    FlatPoint flat(const PatchUse& use, int axis) const {
+        return project(patch_.vertices[patch_.from(use)].point.rounded(), axis, false);
+    }
+
+    void check_plane() {
+        const Plane& plane = face().plane->plane;
+        for (const PatchUse& use : patch_.uses(face())) {
+            (use.reversed ? uses_[use.edge].back : uses_[use.edge].forward)++;
+            if (!holds(plane, patch_.vertices[patch_.from(use)].point))
+                return report_vertex("a vertex lies off the plane of its face", patch_.from(use));
+        }
+    }
+
+    void check_stored(const FaceOwner& owner) {
+        const Plane& plane = face().plane->plane;
+        if (!(dot(owner.normal, Vec3{plane.n[0], plane.n[1], plane.n[2]}) > 0))
+            return report("a face's normal points into the solid", some_corner());
+        for (int axis = 0; axis < 3; ++axis)
+            if (owner.box.low[axis] > face().box.low[axis] || owner.box.high[axis] < face().box.high[axis])
+                return report("a face reaches out of its box", some_corner());
+    }
+
+    void check_untouched() {
+        const FacetPlace& facet = face().facet;
+        for (const std::uint16_t corner : facet.block->corners_of(facet.record()))
+            if (!on_input_grid(facet.block->vertices[corner]))
+                return report("a face that no cut touched has a corner off the input grid",
+                              to_metres(facet.block->vertices[corner]));
+    }
+
+    void check_facets() {
+        const auto facets = boundary_.facets_of(face_);
+        const std::size_t expected = face().stored ? face().stored->facets : 1;
+        if (facets.size() != expected) return report("a face has not the facets that it counts", some_corner());
+        inner_.clear();
+        add_loops();
+        for (const FacetPlace& facet : facets) {
+            const auto corners = facet.block->corners_of(facet.record());
+            std::uint32_t last = numbers_.number(facet.block->vertices[corners.back()]);
+            for (const std::uint16_t corner : corners) {
+                const std::uint32_t next = numbers_.number(facet.block->vertices[corner]);
+                if (next >= of_face_.size() || of_face_[next] != face_ + 1)
+                    return report_point("a facet's corner is no rounded vertex of its face", next);
+                inner_.add(last, next, 1);
+                all_.add(last, next, 1);
+                last = next;
+            }
+        }
+        if (const std::uint32_t point = inner_.left_over(); point != ~0u)
+            report_point("facets do not cover their face", point);
+    }
+    void add_loops() {
+        of_face_.resize(numbers_.count(), 0);
+        for (const PatchUse& use : patch_.uses(face())) {
+            const std::uint32_t from = rounded_[patch_.from(use)];
+            of_face_[from] = face_ + 1;
+            inner_.add(from, rounded_[patch_.to(use)], -1);
+        }
+    }
+
+    void check_edge(std::uint32_t index) {
+        const PatchEdge& edge = patch_.edges[index];
+        face_ = edge.face[edge.face[0] == ~0u];
+        if (uses_[index].forward != 1 || uses_[index].back != 1)
+            return report_vertex(uses_[index].forward + uses_[index].back == 1
+                                     ? "an edge is used once"
+                                     : "an edge is not used exactly once each way",
+                                 edge.vertex[0]);
+        if (!edge.stored) return;
+        if (!edge.plane[0] || !edge.plane[1]) return report_vertex("an edge lacks a plane", edge.vertex[0]);
+        if (exact_parallel(edge.plane[0]->plane, edge.plane[1]->plane))
+            return report_vertex("an edge's two planes are parallel", edge.vertex[0]);
+        for (const std::uint32_t vertex : edge.vertex)
+            for (const SolidPlane* plane : edge.plane)
+                if (!holds(plane->plane, patch_.vertices[vertex].point))
+                    return report_vertex("an edge's plane does not hold its vertex", vertex);
+    }
+
+    struct Uses {
+        std::uint32_t forward = 0, back = 0;
+    };
+
+    const Boundary& boundary_;
+    const SolidPatch& patch_;
+    std::uint32_t face_ = 0;
+    std::optional<SolidFault> fault_;
+    std::vector<Uses> uses_;  ///< of each edge
+    PointNumbers numbers_;
+    std::vector<std::uint32_t> rounded_;  ///< number of each vertex's rounded point
+    std::vector<std::uint32_t> of_face_;  ///< of each numbered point: 1 + the last face that has it as a vertex
+    EdgeSum inner_, all_;
+};
+
+}  // namespace
+
+std::optional<SolidFault> check_boundary(const Boundary& boundary) {
+    return BoundaryChecker(boundary).check();
+}
+
+}  // namespace firma

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Thousands of cuts of every family, judged one by one. Prints a claim a family and one in total.
+//
+//   full_carve --count 20000 --seed 1 [--threads 2] [--from 0] [--to N] [--family NAME] [--level levels/first.obj]
+//              [--show 3 (of each family)]
+//
+// The work is a list of cases, (case, family) in that order, each seeded by itself: case k is the same whatever ran
+// before it.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/assert.h"
+#include "tests/reference/judge_cut.h"
+
+namespace {
+
+using namespace firma;
+using reference::CutTally;
+using ull = unsigned long long;
+
+struct Options {
+    std::uint64_t count = 20000, seed = 1, from = 0, to = ~0ull;
+    int threads = 1;
+    std::size_t show = 3;
+    std::string family, level = FIRMA_ROOT "/levels/first.obj";
+};
+
+bool read_options(int count, char** words, Options& options) {
+    for (int k = 1; k < count; k += 2) {
+        const std::string word = words[k];
+        if (k + 1 >= count) return false;
+        const std::uint64_t number = std::strtoull(words[k + 1], nullptr, 10);
+        if (word == "--count")
+            options.count = number;
+        else if (word == "--seed")
+            options.seed = number;
+        else if (word == "--from")
+            options.from = number;
+        else if (word == "--to")
+            options.to = number;
+        else if (word == "--threads")
+            options.threads = int(std::clamp<std::uint64_t>(number, 1, 64));
+        else if (word == "--show")
+            options.show = std::size_t(number);
+        else if (word == "--family")
+            options.family = words[k + 1];
+        else if (word == "--level")
+            options.level = words[k + 1];
+        else
+            return false;
+    }
+    return true;
+}
+
+/// Hands out cases until enough cuts have been judged, and adds up.
+class Run {
+public:
+    Run(const Options& options, const Level& ours) : options_(options), ours_(ours), next_(options.from) {
+        for (const scenes::CutFamily& family : scenes::cut_families())
+            if (options.family.empty() || family.name == options.family) families_.push_back(family);
+        tallies_.resize(families_.size());
+        seconds_.resize(families_.size());
+        shown_.resize(families_.size());
+    }
+
+    bool empty() const { return families_.empty(); }
+
+    void work() {
+        for (;;) {
+            std::uint64_t number = 0;
+            {
+                const std::lock_guard lock(mutex_);
+                // Whole rounds of families, so that what is run does not depend on which thread was faster.
+                if (next_ >= options_.to || (cuts_ >= options_.count && next_ % families_.size() == 0)) return;
+                number = next_++;
+            }
+            const std::size_t family = number % families_.size();
+            const auto start = std::chrono::steady_clock::now();
+            const CutTally tally =
+                reference::judge_case(families_[family], options_.seed, number / families_.size(), ours_);
+            const std::lock_guard lock(mutex_);
+            seconds_[family] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            for (const std::string& failure : tally.failures)
+                if (shown_[family]++ < options_.show)
+                    std::printf("failure number=%llu %s\n", ull(number), failure.c_str());
+            std::fflush(stdout);
+            tallies_[family].add(tally);
+            cuts_ += tally.cuts;
+        }
+    }
+
+    int report() const {
+        CutTally total;
+        double seconds = 0;
+        for (std::size_t family = 0; family < families_.size(); ++family) {
+            claim(std::string(families_[family].name), tallies_[family], seconds_[family]);
+            total.add(tallies_[family]);
+            seconds += seconds_[family];
+        }
+        for (const auto& [reason, some] : total.refusals)
+            std::printf("refused %llu times: %s (first %s)\n", ull(some.count), reason.c_str(), some.first.c_str());
+        claim("total", total, seconds);
+        return total.failed == 0 && total.done > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+
+private:
+    void claim(const std::string& family, const CutTally& tally, double seconds) const {
+        std::printf(
+            "claim=carve_cuts family=%s count=%llu seed=%llu failed=%llu done=%llu nothing=%llu refused=%llu "
+            "moved=%llu retries=%llu sliced=%llu commuted=%llu reseamed=%llu points=%llu rays=%llu casts=%llu "
+            "shared_edges=%llu "
+            "ms_a_cut=%.3f judged_a_second=%.1f result=%s\n",
+            family.c_str(), ull(tally.cuts), ull(options_.seed), ull(tally.failed), ull(tally.done), ull(tally.nothing),
+            ull(tally.refused), ull(tally.moved), ull(tally.retries), ull(tally.sliced), ull(tally.commuted),
+            ull(tally.reseamed), ull(tally.points), ull(tally.rays), ull(tally.casts), ull(tally.shared_edges),
+            1e3 * tally.carve_seconds / double(std::max<std::uint64_t>(tally.cuts, 1)), double(tally.cuts) / seconds,
+            tally.failed == 0 ? "pass" : "fail");
+    }
+
+    const Options options_;
+    const Level& ours_;
+    std::vector<scenes::CutFamily> families_;
+    std::mutex mutex_;
+    std::uint64_t next_, cuts_ = 0;
+    std::vector<CutTally> tallies_;
+    std::vector<double> seconds_;
+    std::vector<std::size_t> shown_;
+};
+
+/// A contradiction is reported by the judge, with what it takes to see it again; anything else ends the program.
+void on_assert(const char* condition, const char* advice, const char* file, int line) {
+    if (std::strstr(advice, "contradict")) return;
+    std::fprintf(stderr, "%s:%d: %s: %s\n", file, line, condition, advice);
+    std::abort();
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    Options options;
+    if (!read_options(count, words, options)) {
+        std::fprintf(stderr,
+                     "full_carve [--count N] [--seed N] [--threads N] [--from CASE] [--to CASE] [--family NAME] "
+                     "[--level FILE] [--show N]\n");
+        return 2;
+    }
+    const Result<Level> ours = read_level(options.level);
+    if (!ours) {
+        std::fprintf(stderr, "%s\n", ours.error().text().c_str());
+        return 2;
+    }
+    set_assert_handler(on_assert);
+    Run run(options, ours.value());
+    if (run.empty()) {
+        std::fprintf(stderr, "full_carve: no such family\n");
+        return 2;
+    }
+    std::vector<std::thread> threads;
+    for (int k = 0; k < options.threads; ++k) threads.emplace_back([&] { run.work(); });
+    for (std::thread& thread : threads) thread.join();
+    return run.report();
+}

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+// Judges a cut.
+#include "tests/reference/judge_cut.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "carve/place_cutter.h"
+#include "firma/solid.h"
+#include "tests/reference/carve_oracle.h"
+#include "tests/reference/world_facets.h"
+#include "world/world_data.h"
+
+namespace firma::reference {
+namespace {
+
+using scenes::CutOrder;
+using scenes::Rng;
+
+constexpr std::size_t kFailuresKept = 8;
+
+/// Digits out, so that like reasons count together.
+std::string reason_of(const Error& error) {
+    std::string text;
+    for (const char c : error.reason) {
+        if (c >= '0' && c <= '9') {
+            if (text.empty() || text.back() != '#') text += '#';
+        } else if (c != '.' && c != '-') {
+            text += c;
+        }
+    }
+    return text;
+}
+
+std::string words(const Vec3& v) {
+    char text[100];
+    std::snprintf(text, sizeof text, "(%.17g, %.17g, %.17g)", v.x, v.y, v.z);
+    return text;
+}
+
+Box box_of(const PlacedCutter& placed) {
+    Box box;
+    for (const InputPoint& p : placed.vertices) box.add(to_metres(to_surface(p)));
+    return box;
+}
+
+Vec3 point_in(const Box& box, Rng& rng) {
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = rng.uniform(box.low[axis], box.high[axis]);
+    return p;
+}
+
+bool same(const Hit& a, const Hit& b) {
+    return a.status == b.status && a.feature == b.feature && a.feature_index == b.feature_index &&
+           a.fraction == b.fraction && a.safe_fraction == b.safe_fraction && a.centre == b.centre &&
+           a.point == b.point && a.normal == b.normal && a.face_normal == b.face_normal && a.face == b.face &&
+           a.other_face == b.other_face && a.source == b.source && a.source_edit == b.source_edit &&
+           a.material == b.material;
+}
+
+/// One cut and everything that is known of it.
+class Judge {
+public:
+    Judge(const World& before, const CutOrder& order, const CarveResult& result, Rng& rng, const std::string& where,
+          CutTally& tally, const JudgeOptions& options)
+        : before_(before),
+          after_(result.world),
+          order_(order),
+          result_(result),
+          rng_(rng),
+          where_(where),
+          tally_(tally),
+          options_(options),
+          fill_(order.kind == CarveKind::kFill) {}
+
+    void judge() {
+        place();
+        if (!result_.done()) {
+            if (&before_.data() != &after_.data()) fail("not done, and yet another world");
+            if (result_.status == CarveStatus::kRefused && !result_.reproduction.empty())
+                fail("a contradiction: " + result_.error.text());
+            if (result_.status == CarveStatus::kNothing && options_.volume) judge_volume();
+            return;
+        }
+        if (!placed_) return fail("done with a cutter that cannot be placed");
+        change_ = compare_facets(before_, after_);
+        for (const FacetPlace& place : all_facets(after_)) all_solid_ = all_solid_ && place.record().solid;
+        judge_faces();
+        if (const std::string edge = open_edge(after_, &tally_.shared_edges); !edge.empty()) fail(edge);
+        if (const auto fault = check_world(after_))
+            fail("check_world: " + fault->what + " at face " + std::to_string(fault->face.value));
+        if (const auto fault = check_solid(after_)) fail("check_solid: " + fault->what);
+        if (options_.volume) judge_volume();
+        judge_casts();
+        judge_points();
+        judge_rays();
+    }
+
+    bool failed() const { return failed_; }
+
+private:
+    void fail(const std::string& what) {
+        tally_.fail(where_ + ": " + what);
+        failed_ = true;
+    }
+
+    void place() {
+        Pose pose = order_.pose;
+        pose.scale *= result_.report.scale;
+        Result<PlacedCutter> placed = place_cutter(order_.cutter, pose);
+        if (placed && result_.report.retries > 0) placed = move_cutter(placed.value(), result_.report.retries);
+        if (placed) placed_ = std::move(placed).value();
+    }
+
+    void judge_faces() {
+        if (!change_.untouched_kept) fail("a face that kept its id is another one");
+        if (result_.report.faces_gone != change_.gone.size()) fail("report.faces_gone");
+        if (result_.report.faces_new != change_.come.size()) fail("report.faces_new");
+        if (after_.face_count() != before_.face_count() - change_.gone.size() + change_.come.size())
+            fail("face_count is not before - gone + new");
+        if (after_.version() != before_.version() + 1) fail("version");
+        for (const FacetPlace& place : change_.gone)
+            if (!place.record().solid) return fail("a face that bounds no solid is gone");
+        for (const FacetPlace& place : change_.come)
+            if (place.record().id.value < before_.data().next_face) return fail("a new face with an old id");
+    }
+
+    void judge_volume() {
+        if (!placed_) return;
+        const Real all = volume_of(*placed_), within = volume_within(before_, *placed_);
+        const Real expected = fill_ ? Real(within - all) : within;
+        const Real lost = volume_lost(change_.gone, change_.come, *placed_);
+        const auto digits = [](const Real& value) { return value.str(30); };
+        if (abs(lost - expected) > all * Real("1e-20"))
+            fail("volume " + digits(lost) + " instead of " + digits(expected) + " of " + digits(all));
+        // In double, what a crater of millimetres takes of a wall of metres is a small difference of large numbers.
+        double longest = 0;
+        for (const FacetPlace& place : change_.gone) {
+            GridBox box;
+            for (const std::uint16_t corner : place.block->corners_of(place.record()))
+                box.add(place.block->vertices[corner]);
+            for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, box.extent(axis));
+        }
+        const double rounding = 1e-15 * longest * longest * longest;
+        if (abs(Real(result_.report.volume) - lost) > all * 1e-9 + rounding)
+            fail("report.volume " + digits(Real(result_.report.volume)) + " instead of " + digits(lost));
+    }
+
+    void judge_casts() {
+        const World scratch = rebuilt(after_);
+        Box box = box_of(*placed_);
+        const Vec3 size = box.high - box.low;
+        for (const double sign : {-0.5, 0.5}) box.add((box.low + box.high) * 0.5 + size * (sign * 2));
+        for (int k = 0; k < options_.casts; ++k) {
+            const Vec3 start = point_in(box, rng_);
+            const Vec3 direction = rng_.direction();
+            const double distance = length(size) * std::ldexp(1.0, int(rng_.below(6)) - 3);
+            const double radius = rng_.chance(0.5) ? 0 : distance * 0.2 * rng_.uniform();
+            const Sides sides = rng_.chance(0.5) ? Sides::kFront : Sides::kBoth;
+            const Hit a = cast(after_, {start, radius}, direction * distance, {.sides = sides});
+            const Hit b = cast(scratch, {start, radius}, direction * distance, {.sides = sides});
+            ++tally_.casts;
+            if (!same(a, b))
+                return fail("a tree from scratch answers otherwise: from " + words(start) + " by " +
+                            words(direction * distance) + " radius " + std::to_string(radius));
+        }
+    }
+
+    /// Whether a point is far from all surfaces of both worlds.
+    bool is_clear(const Vec3& p, double distance) const {
+        return !closest(before_, p, distance) && !closest(after_, p, distance);
+    }
+
+    void judge_points() {
+        const std::vector<FacetPlace> facets = all_facets(before_);
+        Box box = box_of(*placed_);
+        const Vec3 size = box.high - box.low;
+        for (const double sign : {-0.5, 0.5}) box.add((box.low + box.high) * 0.5 + size * (sign * 1.3));
+        const int rock = before_.data().rock_outside;
+        for (int k = 0; k < options_.points; ++k) {
+            const Vec3 p = point_in(box, rng_);
+            if (!is_clear(p, 1e-4)) continue;
+            ++tally_.points;
+            const std::optional<bool> was = in_solid(before_, p), is = in_solid(after_, p);
+            const bool in_cutter = winding(*placed_, p) > 0.5;
+            if (!was || !is) return fail("in_solid cannot tell of " + words(p));
+            if (*is != (fill_ ? *was || in_cutter : *was && !in_cutter))
+                return fail("wrong side after the cut: " + words(p));
+            const double now = winding(facets, p) - winding(change_.gone, p) + winding(change_.come, p) + rock;
+            if (std::fabs(now - *is) > 1e-3)
+                return fail("the surface winds " + std::to_string(now) + " times around " + words(p));
+            if (!*is) air_.push_back(p);
+        }
+    }
+
+    /// A corner, a point of an edge or of the inside, most often of a new facet.
+    Vec3 target() {
+        const std::vector<FacetPlace>& facets = change_.come.empty() ? change_.gone : change_.come;
+        const FacetPlace& place = facets[rng_.below(std::uint32_t(facets.size()))];
+        const auto corners = place.block->corners_of(place.record());
+        const std::uint32_t k = rng_.below(std::uint32_t(corners.size()));
+        const auto at = [&](std::size_t c) { return to_metres(place.block->vertices[corners[c % corners.size()]]); };
+        const Vec3 a = at(k), b = at(k + 1), c = at(k + 2);
+        const double which = rng_.uniform(), u = rng_.uniform(), v = rng_.uniform();
+        if (which < 0.4) return a;
+        const Vec3 on_edge = a + (b - a) * (rng_.chance(0.3) ? 0.5 : u);
+        return which < 0.8 ? on_edge : on_edge + (c - on_edge) * v;
+    }
+
+    void judge_rays() {
+        if (air_.empty() || (change_.come.empty() && change_.gone.empty()) || !all_solid_) return;
+        for (int k = 0; k < options_.rays; ++k) {
+            const Vec3 start = air_[rng_.below(std::uint32_t(air_.size()))];
+            const Vec3 path = (target() - start) * 65536;
+            ++tally_.rays;
+            const Hit front = cast(after_, {start, 0}, path);
+            if (after_.data().rock_outside && !front.touched())
+                return fail("a ray escapes from " + words(start) + " by " + words(path));
+            const Hit both = cast(after_, {start, 0}, path, {.sides = Sides::kBoth});
+            if (!both.touched()) continue;
+            // At an edge where the surface turns away both faces are met at once, up to rounding.
+            const double gap = (front.touched() ? front.fraction - both.fraction : INFINITY) * length(path);
+            if (dot(path, both.face_normal) > 1e-6 * length(path) && gap > 1e-5)
+                return fail("a ray from the air meets the back of a face first, from " + words(start) + " by " +
+                            words(path) + ", a front " + std::to_string(gap) + " m later");
+        }
+    }
+
+    const World &before_, &after_;
+    const CutOrder& order_;
+    const CarveResult& result_;
+    Rng& rng_;
+    const std::string& where_;
+    CutTally& tally_;
+    const JudgeOptions& options_;
+    const bool fill_;
+    std::optional<PlacedCutter> placed_;
+    FacetChange change_;
+    std::vector<Vec3> air_;
+    bool all_solid_ = true;
+    bool failed_ = false;
+};
+
+/// The same cut in slices; once dropped half way, once to the end.
+std::string judge_slices(const World& world, const CutOrder& order, const CarveResult& whole, Rng& rng) {
+    CarveJob job(world, order.cutter, order.pose, {}, order.kind);
+    int steps = 0;
+    while (!job.run(0)) ++steps;
+    const CarveResult result = job.result();
+    if (result.status != whole.status) return "in slices it ends otherwise";
+    if (hash_of_facets(result.world) != hash_of_facets(whole.world)) return "in slices it ends in other bits";
+    if (result.report.volume != whole.report.volume || result.report.retries != whole.report.retries)
+        return "in slices it reports otherwise";
+    const std::uint64_t hash = hash_of_facets(world);
+    {
+        CarveJob dropped(world, order.cutter, order.pose, {}, order.kind);
+        const int end = steps > 0 ? int(rng.below(std::uint32_t(steps))) : 0;
+        for (int k = 0; k < end; ++k) dropped.run(0);
+    }
+    return hash_of_facets(world) == hash ? "" : "a dropped edit changed the world";
+}
+
+bool disjoint(const CutOrder& a, const CutOrder& b) {
+    const Result<PlacedCutter> p = place_cutter(a.cutter, a.pose), q = place_cutter(b.cutter, b.pose);
+    if (!p || !q) return false;
+    const Box one = box_of(p.value()), other = box_of(q.value());
+    for (int axis = 0; axis < 3; ++axis)
+        if (one.high[axis] + 0.01 < other.low[axis] || other.high[axis] + 0.01 < one.low[axis]) return true;
+    return false;
+}
+
+}  // namespace
+
+void CutTally::fail(const std::string& text) {
+    if (failures.size() < kFailuresKept) failures.push_back(text);
+}
+
+void CutTally::add(const CutTally& other) {
+    cuts += other.cuts;
+    done += other.done;
+    nothing += other.nothing;
+    refused += other.refused;
+    moved += other.moved;
+    retries += other.retries;
+    sliced += other.sliced;
+    commuted += other.commuted;
+    reseamed += other.reseamed;
+    points += other.points;
+    rays += other.rays;
+    casts += other.casts;
+    shared_edges += other.shared_edges;
+    carve_seconds += other.carve_seconds;
+    failed += other.failed;
+    for (const auto& [reason, some] : other.refusals) {
+        Refusals& mine = refusals[reason];
+        mine.count += some.count;
+        if (mine.first.empty()) mine.first = some.first;
+    }
+    for (const std::string& text : other.failures) fail(text);
+}
+
+std::string open_edge(const World& world, std::uint64_t* shared_edges) {
+    struct Use {
+        GridPoint low, high;
+        int way;
+    };
+    std::vector<Use> uses;
+    for (const FacetPlace& place : all_facets(world)) {
+        if (!place.record().solid) continue;
+        const auto corners = place.block->corners_of(place.record());
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const GridPoint& a = place.block->vertices[corners[k]];
+            const GridPoint& b = place.block->vertices[corners[k + 1 < corners.size() ? k + 1 : 0]];
+            uses.push_back(a < b ? Use{a, b, 1} : Use{b, a, -1});
+        }
+    }
+    std::sort(uses.begin(), uses.end(),
+              [](const Use& a, const Use& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+    for (std::size_t k = 0, end = 0; k < uses.size(); k = end) {
+        int sum = 0;
+        for (end = k; end < uses.size() && uses[end].low == uses[k].low && uses[end].high == uses[k].high; ++end)
+            sum += uses[end].way;
+        if (sum != 0 || (end - k) % 2 != 0)
+            return "open edge from " + words(to_metres(uses[k].low)) + " to " + words(to_metres(uses[k].high));
+        if (shared_edges && end - k > 2) ++*shared_edges;
+    }
+    return "";
+}
+
+CarveResult make_cut(const World& world, const CutOrder& order) {
+    return order.kind == CarveKind::kFill ? fill(world, order.cutter, order.pose)
+                                          : carve(world, order.cutter, order.pose);
+}
+
+CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::string& where, CutTally& tally,
+                      const JudgeOptions& options) {
+    const std::uint64_t hash = hash_of_facets(world);
+    const auto start = std::chrono::steady_clock::now();
+    CarveResult result = make_cut(world, order);
+    tally.carve_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ++tally.cuts;
+    tally.done += result.done();
+    tally.nothing += result.status == CarveStatus::kNothing;
+    if (result.status == CarveStatus::kRefused) {
+        ++tally.refused;
+        CutTally::Refusals& like = tally.refusals[reason_of(result.error)];
+        if (++like.count == 1) like.first = where;
+    }
+    tally.retries += std::uint64_t(result.report.retries);
+    tally.moved += result.report.retries > 0;
+
+    Judge judge(world, order, result, rng, where, tally, options);
+    judge.judge();
+    bool failed = judge.failed();
+    const auto expect = [&](bool holds, const std::string& what) {
+        if (holds) return;
+        tally.fail(where + ": " + what);
+        failed = true;
+    };
+    expect(hash_of_facets(world) == hash, "the world before is not as it was");
+    if (rng.chance(options.slices)) {
+        ++tally.sliced;
+        const std::string what = judge_slices(world, order, result, rng);
+        expect(what.empty(), what);
+    }
+    tally.failed += failed;
+    world = result.world;
+    return result;
+}
+
+CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::uint64_t index, const Level& ours,
+                    const JudgeOptions& options) {
+    const scenes::CutCase it = scenes::make_cut_case(family, seed, index, ours);
+    CutTally tally;
+    const std::string name =
+        std::string(family.name) + " seed=" + std::to_string(seed) + " case=" + std::to_string(index);
+    Result<World> made = make_world(it.level);
+    if (!made) {
+        tally.fail(name + ": " + made.error().text());
+        ++tally.failed;
+        return tally;
+    }
+    World world = made.value(), before_last = world;
+    Rng rng(seed ^ index << 32);
+    for (std::size_t k = 0; k < std::min(it.cuts.size(), options.most_cuts); ++k) {
+        const World before = world;
+        const std::string where = name + " cut=" + std::to_string(k);
+        const CarveResult result = judge_cut(world, it.cuts[k], rng, where, tally, options);
+        if (k > 0 && disjoint(it.cuts[k - 1], it.cuts[k]) && rng.chance(0.5)) {
+            const World other = make_cut(make_cut(before_last, it.cuts[k]).world, it.cuts[k - 1]).world;
+            ++tally.commuted;
+            const bool same_facets = hash_of_surface(other) == hash_of_surface(world);
+            tally.reseamed += !same_facets;
+            if (!same_facets && !same_solid(other, world)) {
+                tally.fail(where + ": another solid when made before cut " + std::to_string(k - 1));
+                ++tally.failed;
+            }
+        }
+        before_last = before;
+    }
+    return tally;
+}
+
+}  // namespace firma::reference

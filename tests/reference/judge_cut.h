@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Judges a cut by all that must hold after every edit: edges, faces, volume, tree, leaks, slices, the world before.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "firma/carve.h"
+#include "scenes/cut_families.h"
+#include "scenes/rng.h"
+
+namespace firma::reference {
+
+/// What judging came to. Adds up.
+struct CutTally {
+    std::uint64_t cuts = 0, done = 0, nothing = 0, refused = 0;
+    std::uint64_t moved = 0;     ///< out of degenerate position
+    std::uint64_t retries = 0;   ///< of all cuts together
+    std::uint64_t sliced = 0;    ///< made again in slices
+    std::uint64_t commuted = 0;  ///< pairs of disjoint cuts made in both orders
+    std::uint64_t reseamed = 0;  ///< of those, with the same solid but its large faces divided otherwise
+    std::uint64_t points = 0, rays = 0, casts = 0;
+    std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
+    double carve_seconds = 0;
+    struct Refusals {
+        std::uint64_t count = 0;
+        std::string first;  ///< the cut that met it first
+    };
+    std::map<std::string, Refusals> refusals;  ///< by reason, numbers left out
+    std::uint64_t failed = 0;                  ///< cuts with at least one failure
+    std::vector<std::string> failures;         ///< the first few
+
+    void add(const CutTally& other);
+    void fail(const std::string& text);
+};
+
+struct JudgeOptions {
+    int casts = 40, rays = 24, points = 8;
+    double slices = 0.25;  ///< share of cuts made again in slices
+    bool volume = true;
+    std::size_t most_cuts = ~std::size_t(0);  ///< of a case
+};
+
+/// Makes a cut and judges it.
+/// @param world  before; replaced by the world after
+/// @param where  for failures: what it takes to see the cut again
+/// @return how it ended
+CarveResult judge_cut(World& world, const scenes::CutOrder& order, scenes::Rng& rng, const std::string& where,
+                      CutTally& tally, const JudgeOptions& options = {});
+
+/// All cuts of a case, one after another, and neighbouring ones that are disjoint in both orders.
+CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::uint64_t index, const Level& ours,
+                    const JudgeOptions& options = {});
+
+CarveResult make_cut(const World& world, const scenes::CutOrder& order);
+
+/// The first directed edge of the solid's facets that is not used as often the other way; empty when all are.
+std::string open_edge(const World& world, std::uint64_t* shared_edges = nullptr);
+
+}  // namespace firma::reference

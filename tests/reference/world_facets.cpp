@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Every facet of a world, out of its blocks.
+#include "tests/reference/world_facets.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "tree/append_faces.h"
+#include "tree/build_blocks.h"
+#include "world/world_data.h"
+
+namespace firma::reference {
+namespace {
+
+void collect(const Block& block, std::vector<FacetPlace>& facets) {
+    for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) facets.push_back({&block, slot});
+    for (const Ref<const Block>& child : block.children) collect(*child, facets);
+}
+
+class Fnv {
+public:
+    void add(std::uint64_t word) {
+        for (int k = 0; k < 8; ++k) value_ = (value_ ^ (word >> (8 * k) & 0xff)) * 0x100000001b3ull;
+    }
+    void add(const GridPoint& p) {
+        add(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y));
+        add(std::uint64_t(std::uint32_t(p.z)));
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0xcbf29ce484222325ull;
+};
+
+bool same_facet(const FacetPlace& a, const FacetPlace& b) {
+    if (a == b) return true;
+    const FaceRecord &f = a.record(), &g = b.record();
+    if (f.id != g.id || f.source != g.source || f.material != g.material || f.mask != g.mask || f.edit != g.edit ||
+        f.two_sided != g.two_sided || f.solid != g.solid || a.block->owner_of(f) != b.block->owner_of(g))
+        return false;
+    const auto p = a.block->corners_of(f), q = b.block->corners_of(g);
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
+                      [&](std::uint16_t i, std::uint16_t k) { return a.block->vertices[i] == b.block->vertices[k]; });
+}
+
+}  // namespace
+
+std::vector<FacetPlace> all_facets(const World& world) {
+    std::vector<FacetPlace> facets;
+    for (const Ref<const Room>& room : world.data().rooms)
+        if (room->tree) collect(*room->tree, facets);
+    std::sort(facets.begin(), facets.end(),
+              [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
+    return facets;
+}
+
+FacetChange compare_facets(const World& before, const World& after) {
+    FacetChange change;
+    const std::vector<FacetPlace> a = all_facets(before), b = all_facets(after);
+    std::size_t i = 0, k = 0;
+    while (i < a.size() || k < b.size()) {
+        if (k == b.size() || (i < a.size() && a[i].record().id < b[k].record().id)) {
+            change.gone.push_back(a[i++]);
+        } else if (i == a.size() || b[k].record().id < a[i].record().id) {
+            change.come.push_back(b[k++]);
+        } else {
+            if (!same_facet(a[i++], b[k++])) change.untouched_kept = false;
+        }
+    }
+    return change;
+}
+
+FaceSet set_of(const World& world) {
+    FaceSet set;
+    for (const Ref<const Room>& room : world.data().rooms)
+        if (room->tree) append_all_faces(*room->tree, set);
+    return set;
+}
+
+World rebuilt(const World& world) {
+    auto data = std::make_shared<WorldData>(world.data());
+    Ref<Room> room(new Room);
+    const FaceSet set = set_of(world);
+    room->tree = build_blocks(set, data->tree_options);
+    data->rooms.assign(1, Ref<const Room>(room.get()));
+    return World(std::move(data));
+}
+
+std::uint64_t hash_of_facets(const World& world) {
+    Fnv hash;
+    for (const FacetPlace& place : all_facets(world)) {
+        const FaceRecord& face = place.record();
+        hash.add(std::uint64_t(face.id.value) << 32 | face.source);
+        hash.add(std::uint64_t(face.material) << 32 | face.edit);
+        hash.add(std::uint64_t(face.mask) << 32 | std::uint64_t(face.corner_count) << 2 |
+                 std::uint64_t(face.two_sided) << 1 | face.solid);
+        for (const std::uint16_t corner : place.block->corners_of(face)) hash.add(place.block->vertices[corner]);
+        const FaceOwner* owner = place.block->owner_of(face);
+        if (!owner) continue;
+        for (int axis = 0; axis < 3; ++axis) hash.add(std::bit_cast<std::uint64_t>(owner->normal[axis]));
+    }
+    hash.add(world.face_count());
+    hash.add(world.version());
+    return hash.value();
+}
+
+std::uint64_t hash_of_surface(const World& world) {
+    std::uint64_t sum = 0;
+    for (const FacetPlace& place : all_facets(world)) {
+        std::vector<GridPoint> corners;
+        for (const std::uint16_t corner : place.block->corners_of(place.record()))
+            corners.push_back(place.block->vertices[corner]);
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        Fnv hash;
+        for (const GridPoint& corner : corners) hash.add(corner);
+        sum += mix_bits(hash.value());
+    }
+    return sum;
+}
+
+}  // namespace firma::reference
