@@ -31,7 +31,7 @@ for name in "$@"; do
         pieces) pieces ;;
         openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
         peers) bench/peers/run.sh ;;
-        carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 4 GB
+        carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB
         carve_cgal)  # only where there is CGAL
             [ ! -x build/bench/bin/bench_carve_cgal ] || build/bench/bin/bench_carve_cgal --csv "$results" ;;
         *) "build/bench/bin/bench_$name" --csv "$results" ;;
