@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a crater costs in levels of 10 thousand to 10 million triangles, spread over the level and all in one corner:
-// time by phase, the first cuts against the last, memory. `bench_carve huge` has the largest level too (some 10 GB).
+// time by phase, the first cuts against the last, memory. `bench_carve huge` has the largest level too (2.6 GB).
 #include <sys/resource.h>
 
 #include <algorithm>

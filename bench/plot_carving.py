@@ -66,10 +66,8 @@ def plot(path, title, x_name, y_name, series, log_x, log_y):
     """series: (name, points, whether dashed)"""
     xs = [x for _, points, _ in series for x, _ in points]
     ys = [y for _, points, _ in series for _, y in points]
-    x_low, x_high = (10 ** math.floor(math.log10(min(xs)) + 1e-9), 10 ** math.ceil(math.log10(max(xs)) - 1e-9)) if log_x else (0, max(xs))
+    x_low, x_high = (10 ** math.floor(math.log10(min(xs)) + 1e-9), max(xs) * 1.3) if log_x else (0, max(xs))
     y_low, y_high = (10 ** math.floor(math.log10(min(ys))), 10 ** math.ceil(math.log10(max(ys)))) if log_y else (0, max(ys) * 1.1)
-    if log_x and max(xs) > x_high * 0.999:
-        x_high *= 1.3
     x_axis = Scale(x_low, x_high, LEFT, WIDTH - RIGHT, log_x)
     y_axis = Scale(y_low, y_high, HEIGHT - BOTTOM, TOP, log_y)
     out = [

@@ -3,7 +3,8 @@
 # All benchmarks, one after the other, and their tables into docs/benchmarks.md. About half an hour.
 #
 #   bench/run_all.sh [name ...]        only these: article_formulas boxes edges first_level inside pieces stop_distance
-#                                      subdivision tree peers openarena
+#                                      subdivision tree carve carve_cgal carve_rebuild carved_casts versions peers
+#                                      openarena
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -22,14 +23,19 @@ pieces() {
     cat "$results/pieces.csv"
 }
 
-[ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces openarena peers
+[ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces \
+    carve carve_cgal carve_rebuild carved_casts versions openarena peers
 for name in "$@"; do
     echo "--- $name"
     case $name in
         pieces) pieces ;;
         openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
         peers) bench/peers/run.sh ;;
+        carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB
+        carve_cgal)  # only where there is CGAL
+            [ ! -x build/bench/bin/bench_carve_cgal ] || build/bench/bin/bench_carve_cgal --csv "$results" ;;
         *) "build/bench/bin/bench_$name" --csv "$results" ;;
     esac
 done
 python3 bench/fill_tables.py docs/benchmarks.md "$results"
+python3 bench/plot_carving.py "$results" docs/pictures
