@@ -30,6 +30,8 @@ struct CarveRules {
     std::size_t most_faces_looked_at = 4'000'000;   ///< by one edit
     std::size_t most_new_faces = 4'000'000;         ///< by one edit
     std::size_t most_cutter_triangles = 1'000'000;  ///< of one cutter
+    std::size_t most_pairs = 20'000'000;            ///< of triangles, or of a face and a triangle, tested by one edit
+    std::size_t most_corners = 20'000;              ///< of one new face; dividing it into facets takes their square
     double largest_cutter = 16384;                  ///< metres along any axis, once placed
 };
 

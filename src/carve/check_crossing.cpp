@@ -97,17 +97,19 @@ std::vector<GridBox> triangle_boxes(const PlacedCutter& placed) {
     return boxes;
 }
 
-std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed) {
+std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudget* budget) {
     const BoxTree tree(triangle_boxes(placed));
     Crossing crossing;
     // In the order of the tree, so that one search finds in the cache what the last one looked at.
     for (const BoxTree::Item& item : tree.items()) {
         const std::uint32_t t = item.number;
         const bool found = tree.for_each_meeting(item.box, [&](std::uint32_t u) {
+            if (budget && !budget->take()) return true;
             if (u <= t || !triangles_cross(placed.vertices, placed.triangles[t], placed.triangles[u])) return false;
             crossing = {t, u};
             return true;
         });
+        if (budget && budget->spent()) return std::nullopt;
         if (found) return crossing;
     }
     return std::nullopt;

@@ -29,7 +29,19 @@ std::vector<GridBox> triangle_boxes(const PlacedCutter& placed);
 /// The parts of find_crossing(). Whether the surface is seen whole from the middle of its vertices: then it cannot
 /// cross itself.
 bool is_star_shaped(const PlacedCutter& placed);
+/// How many more pairs of triangles may be looked at: some meshes (a fan of long triangles) have boxes that all meet.
+struct PairBudget {
+    std::uint64_t left = ~std::uint64_t(0);
+
+    bool spent() const { return left == 0; }
+    bool take() {
+        if (left > 0) --left;
+        return left > 0;
+    }
+};
+
 /// Pair by pair, for any mesh, closed or not.
-std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed);
+/// @param budget  may be null; once spent(), nothing is known
+std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudget* budget = nullptr);
 
 }  // namespace firma

@@ -91,7 +91,8 @@ int passage(const PlacedCutter& placed, const CutterTriangle& triangle, const Mi
 }
 
 /// How often the other shells wind around this one.
-int winding_around(std::uint32_t shell, const PlacedCutter& placed, const Shells& shells, const BoxTree& tree) {
+int winding_around(std::uint32_t shell, const PlacedCutter& placed, const Shells& shells, const BoxTree& tree,
+                   PairBudget* budget) {
     const CutterTriangle& corners = placed.triangles[shells.first[shell]];
     const InputPoint &a = placed.vertices[corners[0]], &b = placed.vertices[corners[1]];
     const Middle m{std::int64_t(a.x) + b.x, std::int64_t(a.y) + b.y, std::int64_t(a.z) + b.z};
@@ -99,6 +100,7 @@ int winding_around(std::uint32_t shell, const PlacedCutter& placed, const Shells
     const GridBox ray{{steps(m.x), steps(m.y), steps(m.z)}, {INT32_MAX, steps(m.y), steps(m.z)}};
     int winding = 0;
     tree.for_each_meeting(ray, [&](std::uint32_t t) {
+        if (budget && !budget->take()) return true;
         if (shells.of_triangle[t] != shell) winding += passage(placed, placed.triangles[t], m);
         return false;
     });
@@ -118,24 +120,33 @@ Error wrong_shell(const PlacedCutter& placed, std::uint32_t triangle) {
 
 }  // namespace
 
-std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed) {
+std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed, PairBudget* budget) {
     FIRMA_ASSERT(placed.topology || placed.triangles.empty(), "a cutter by place_cutter() has its edges");
     const Shells shells = shells_of(placed);
     if (shells.first.empty()) return std::nullopt;
     const std::vector<bool> outward = turned_outward(placed, shells);
     if (shells.first.size() == 1) return outward[0] ? std::nullopt : std::optional(shells.first[0]);
     const BoxTree tree(triangle_boxes(placed));
-    for (std::uint32_t shell = 0; shell < shells.first.size(); ++shell)
-        if (winding_around(shell, placed, shells, tree) != (outward[shell] ? 0 : 1)) return shells.first[shell];
+    for (std::uint32_t shell = 0; shell < shells.first.size(); ++shell) {
+        const int winding = winding_around(shell, placed, shells, tree, budget);
+        if (budget && budget->spent()) return std::nullopt;
+        if (winding != (outward[shell] ? 0 : 1)) return shells.first[shell];
+    }
     return std::nullopt;
 }
 
-std::optional<Error> check_cutter(const PlacedCutter& placed) {
+std::optional<Error> check_cutter(const PlacedCutter& placed, std::uint64_t most_pairs) {
     // A star is one shell, and faces outward.
     if (is_star_shaped(placed)) return std::nullopt;
-    if (const auto crossing = find_crossing_pair(placed)) return self_crossing(placed, *crossing);
-    if (const auto triangle = find_wrong_shell(placed)) return wrong_shell(placed, *triangle);
-    return std::nullopt;
+    PairBudget budget{most_pairs};
+    if (const auto crossing = find_crossing_pair(placed, &budget)) return self_crossing(placed, *crossing);
+    if (!budget.spent()) {
+        if (const auto triangle = find_wrong_shell(placed, &budget)) return wrong_shell(placed, *triangle);
+    }
+    if (!budget.spent()) return std::nullopt;
+    return Error{ErrorCode::kTooLarge, placed.name,
+                 "the boxes of its triangles overlap so much that it takes more than " + std::to_string(most_pairs) +
+                     " pairs to tell whether it crosses itself"};
 }
 
 }  // namespace firma

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "carve/check_crossing.h"
 #include "carve/place_cutter.h"
 
 namespace firma {
@@ -13,10 +14,13 @@ namespace firma {
 /// such a shell a point would be in the cutter twice, or less than not at all.
 ///
 /// @param placed  with its topology; find_crossing() found nothing
-std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed);
+/// @param budget  may be null; once spent(), nothing is known
+std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed, PairBudget* budget = nullptr);
 
 /// Whether a placed cutter bounds a solid: it does not cross itself, and its shells are turned as they should be.
-/// @return nothing, or kInvalid with the triangles
-std::optional<Error> check_cutter(const PlacedCutter& placed);
+///
+/// @param most_pairs  of triangles to be looked at: some meshes (a fan of many long triangles) have boxes that all meet
+/// @return nothing; kInvalid with the triangles; kTooLarge when it would take more than that
+std::optional<Error> check_cutter(const PlacedCutter& placed, std::uint64_t most_pairs = ~std::uint64_t(0));
 
 }  // namespace firma

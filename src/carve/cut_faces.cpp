@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "carve/gather.h"
+#include "carve/sort_along.h"
 #include "carve/touch_polygon.h"
 #include "geometry/exact_shift.h"
 
@@ -186,13 +187,8 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
 /// Orders the points along the line and walks them: where the line is inside both, there is a segment.
 Verdict FaceCutter::emit(std::uint32_t face, std::uint32_t triangle) {
     const Plane& t = cut_.cutter->planes[triangle]->plane;
-    for (std::size_t k = 1; k < line_.size(); ++k)  // few points: insertion
-        for (std::size_t j = k; j > 0; --j) {
-            const int sign = order(line_[j - 1], line_[j], t);
-            if (sign == 0) return Verdict::kDegenerate;
-            if (sign > 0) break;
-            std::swap(line_[j - 1], line_[j]);
-        }
+    const auto before = [&](const OnLine& a, const OnLine& b) { return order(a, b, t); };
+    if (!sort_along(line_.begin(), line_.end(), before)) return Verdict::kDegenerate;
     bool in_face = false, in_triangle = false;
     const OnLine* last = nullptr;
     for (const OnLine& here : line_) {

@@ -82,6 +82,7 @@ struct Cut {
     std::vector<std::uint32_t> loop_ends;
     std::vector<NewFace> new_faces;
     std::vector<std::uint32_t> gone;  ///< patch faces that are no more, or were replaced
+    std::size_t first_kept = 0;       ///< in new_faces: from here on pieces that the cut itself left whole
 
     std::uint32_t first_cutter_vertex() const { return std::uint32_t(patch->vertices.size()); }
     std::uint32_t first_real() const { return first_cutter_vertex() + std::uint32_t(cutter->points.size()); }

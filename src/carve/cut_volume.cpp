@@ -38,15 +38,17 @@ double volume_taken(const Cut& cut) {
     double before = 0, after = 0;
     for (const std::uint32_t index : cut.gone) {
         const PatchFace& face = patch.faces[index];
-        if (face.parent != ~0u) continue;
+        if (face.replaced) continue;  // only divided: its pieces count, as far as they changed
         const auto uses = patch.uses(face);
         before += cones(patch.ends(face), apex,
                         [&](std::size_t k) { return patch.vertices[patch.from(uses[k])].point.approximate(); });
     }
-    for (const NewFace& face : cut.new_faces) {
+    for (std::size_t k = 0; k < cut.first_kept; ++k) {
+        const NewFace& face = cut.new_faces[k];
         const std::span<const std::uint32_t> ends(cut.loop_ends.data() + face.first_loop, face.loop_count);
-        after += cones(ends, apex,
-                       [&](std::size_t k) { return cut.point(cut.from(cut.uses[face.first_use + k])).approximate(); });
+        after += cones(ends, apex, [&](std::size_t corner) {
+            return cut.point(cut.from(cut.uses[face.first_use + corner])).approximate();
+        });
     }
     return (before - after) / 6 / (kInputSteps * kInputSteps * kInputSteps);
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "carve/sort_along.h"
+
 namespace firma {
 namespace {
 
@@ -24,15 +26,12 @@ bool enters(const Cut& cut, const CutPoint& crossing) {
 /// Orders crossings [first, first + count) of one edge: b comes before a when it lies on the start's side of a's plane.
 Verdict order_along(Cut& cut, std::uint32_t first, std::uint32_t count) {
     const auto begin = cut.along.begin() + first;
-    for (std::uint32_t k = 1; k < count; ++k)
-        for (std::uint32_t j = k; j > 0; --j) {
-            const CutPoint &a = cut.crossings[begin[j - 1]], &b = cut.crossings[begin[j]];
-            const Plane& plane = plane_crossed(cut, a);
-            const int side = exact_side(plane, b.point);
-            if (side == 0) return Verdict::kDegenerate;
-            if (side != exact_side(plane, start_of(cut, a))) break;
-            std::swap(begin[j - 1], begin[j]);
-        }
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        const CutPoint& at_a = cut.crossings[a];
+        const Plane& plane = plane_crossed(cut, at_a);
+        return -exact_side(plane, cut.crossings[b].point) * exact_side(plane, start_of(cut, at_a));
+    };
+    if (!sort_along(begin, begin + count, before)) return Verdict::kDegenerate;
     for (std::uint32_t k = 1; k < count; ++k)
         if (enters(cut, cut.crossings[begin[k - 1]]) == enters(cut, cut.crossings[begin[k]])) return Verdict::kBroken;
     return Verdict::kFine;

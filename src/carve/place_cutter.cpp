@@ -167,24 +167,4 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
     return finish(std::move(moved));
 }
 
-Result<PlacedCutter> shrink_cutter(const PlacedCutter& placed) {
-    const double count = double(placed.vertices.size());
-    Vec3 middle;
-    const auto point = [](const InputPoint& p) { return Vec3{double(p.x), double(p.y), double(p.z)}; };
-    for (const InputPoint& p : placed.vertices) middle = middle + point(p) * (1 / count);
-    double nearest = INFINITY;
-    for (const InputPoint& p : placed.vertices) {
-        const double distance = length(point(p) - middle);
-        if (distance < nearest) nearest = distance;
-    }
-    const double scale = 1 - kShrinkSteps / nearest;
-    if (!(scale > 0)) return error_at(placed.name, "", ErrorCode::kInvalid, "is too small to be made smaller");
-    PlacedCutter shrunk = placed;
-    for (InputPoint& p : shrunk.vertices) {
-        const Vec3 at = middle + (point(p) - middle) * scale;
-        for (int axis = 0; axis < 3; ++axis) p[axis] = std::int32_t(std::floor(at[axis] + 0.5));
-    }
-    return finish(std::move(shrunk));
-}
-
 }  // namespace firma

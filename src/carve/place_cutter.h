@@ -47,12 +47,4 @@ inline constexpr std::int32_t kFarthestMove = 24;
 /// Errors: kInvalid, kOutOfRange as above.
 Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries);
 
-/// How far the vertex nearest to the middle moves when a cutter is shrunk, in input steps: about 2 mm.
-inline constexpr double kShrinkSteps = 8;
-
-/// A placed cutter scaled down a little toward the middle of its vertices: what it takes beyond touching. One that is
-/// seen whole from there shrinks into itself.
-/// Errors: as above, for one too thin.
-Result<PlacedCutter> shrink_cutter(const PlacedCutter& placed);
-
 }  // namespace firma

@@ -11,6 +11,7 @@
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
 #include "carve/label.h"
+#include "carve/polygon_reaches.h"
 #include "carve/tile_faces.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
@@ -47,7 +48,7 @@ const CarveRules& rules_of(const World& world) {
     return world.data().rules ? *world.data().rules : kNone;
 }
 
-/// Whether a cutter reaches into a region: by a triangle's box, or by holding its middle.
+/// Whether a cutter reaches into a region: by a triangle, or by holding its middle.
 bool reaches_into(const CutterSolid& cutter, const Box& region) {
     GridBox box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -59,7 +60,13 @@ bool reaches_into(const CutterSolid& cutter, const Box& region) {
         box.high[axis] = high > INT32_MAX ? INT32_MAX : std::int32_t(high);
     }
     if (!boxes_meet(box, cutter.box)) return false;
-    if (cutter.tree.for_each_meeting(box, [](std::uint32_t) { return true; })) return true;
+    std::vector<Vec3> corners;
+    const auto reaches = [&](std::uint32_t t) {
+        corners.clear();
+        for (const std::uint32_t v : cutter.triangle(t)) corners.push_back(cutter.points[v].approximate());
+        return polygon_reaches_into(corners, box);
+    };
+    if (cutter.tree.for_each_meeting(box, reaches)) return true;
     GridPoint middle;
     for (int axis = 0; axis < 3; ++axis)
         middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2);
@@ -103,6 +110,9 @@ bool Subtraction::step() {
         case Phase::kCheck:
             phase_ = judge_cutter();
             break;
+        case Phase::kMove:
+            phase_ = try_move();
+            break;
         case Phase::kGather:
             phase_ = gather();
             break;
@@ -145,6 +155,7 @@ double* Subtraction::clock_of(Phase phase) {
     switch (phase) {
         case Phase::kPlace:
         case Phase::kCheck:
+        case Phase::kMove:
             return &times.place;
         case Phase::kGather:
         case Phase::kTile:
@@ -199,14 +210,19 @@ Subtraction::Phase Subtraction::place() {
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
                                                     " m long; the world allows " + number(rules_.largest_cutter) +
                                                     " m");
-    double hardest = 0;
-    const CarveZone* by = nullptr;
-    for (const CarveZone& zone : rules_.zones)
-        if (zone.hardness > hardest && reaches_into(solid_cutter_, zone.box)) {
-            hardest = zone.hardness;
-            by = &zone;
-        }
-    return by ? shrink(hardest, "zone " + by->name, Phase::kCheck) : Phase::kCheck;
+    const CarveZone* zone = zone_reached(0);
+    return zone ? shrink(zone->hardness, "zone " + zone->name, Phase::kCheck) : Phase::kCheck;
+}
+
+/// The hardest zone that the cutter at hand reaches into; the first of several. Null when none is hard.
+const CarveZone* Subtraction::zone_reached(double harder_than) const {
+    const CarveZone* hardest = nullptr;
+    for (const CarveZone& zone : rules_.zones) {
+        if (!(zone.hardness > harder_than) || !reaches_into(solid_cutter_, zone.box)) continue;
+        hardest = &zone;
+        harder_than = zone.hardness;
+    }
+    return hardest;
 }
 
 /// Places the cutter anew, smaller, unless it is that small already.
@@ -214,11 +230,12 @@ Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, P
     if (hardness >= 1) return refuse(ErrorCode::kInvalid, by + " may not be carved");
     if (result_.report.scale <= 1 - hardness) return otherwise;
     result_.report.scale = 1 - hardness;
+    result_.report.retries = 0;  // another cutter
     return Phase::kPlace;
 }
 
 Subtraction::Phase Subtraction::judge_cutter() {
-    if (std::optional<Error> fault = firma::check_cutter(placed_)) {
+    if (std::optional<Error> fault = firma::check_cutter(placed_, rules_.most_pairs)) {
         result_.status = CarveStatus::kRefused;
         result_.error = std::move(*fault);
         return Phase::kEnd;
@@ -261,27 +278,19 @@ Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
     return verdict == Verdict::kDegenerate ? move_cutter_aside() : next;
 }
 
-/// Before a cutter that touches something is moved outward: what it takes may be no more than the touch, as when it is
-/// put where it was before. A slightly smaller one tells.
-Subtraction::Phase Subtraction::look_inward() {
-    looks_inward_ = true;
-    Result<PlacedCutter> shrunk = shrink_cutter(placed_);
-    if (!shrunk || firma::check_cutter(shrunk.value())) return move_cutter_aside();
-    make_cutter_solid(std::move(shrunk).value(), solid_cutter_);
-    return start_cut();
-}
-
 Subtraction::Phase Subtraction::move_cutter_aside() {
-    if (result_.report.retries == 0 && !looks_inward_) return look_inward();
-    looks_inward_ = false;
-    while (result_.report.retries < kMostTries) {
-        Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
-        if (!moved || firma::check_cutter(moved.value())) continue;
-        make_cutter_solid(std::move(moved).value(), solid_cutter_);
-        return start_cut();
-    }
+    if (result_.report.retries < kMostTries) return Phase::kMove;
     return refuse(ErrorCode::kInvalid,
                   "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
+}
+
+/// One try. A cutter that was moved must pass what it passed before.
+Subtraction::Phase Subtraction::try_move() {
+    Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
+    if (!moved || firma::check_cutter(moved.value(), rules_.most_pairs)) return move_cutter_aside();
+    make_cutter_solid(std::move(moved).value(), solid_cutter_);
+    if (const CarveZone* zone = zone_reached(0); zone && zone->hardness >= 1) return move_cutter_aside();
+    return start_cut();
 }
 
 Subtraction::Phase Subtraction::contradiction() {
@@ -302,6 +311,9 @@ Subtraction::Phase Subtraction::cut_next_faces() {
         const Verdict verdict = face_cutter_.cut_face(next_++);
         if (verdict != Verdict::kFine) return move_on(verdict, Phase::kCut);
     }
+    if (face_cutter_.pairs > rules_.most_pairs)
+        return refuse(ErrorCode::kTooLarge, "more than " + std::to_string(rules_.most_pairs) +
+                                                " pairs of its triangles and faces of the world meet");
     return Phase::kCut;
 }
 
@@ -324,7 +336,6 @@ Subtraction::Phase Subtraction::trace() {
         result_.status = CarveStatus::kNothing;
         return Phase::kEnd;
     }
-    if (looks_inward_) return move_cutter_aside();
     keep_pieces(cut_);
     return Phase::kRules;
 }
@@ -349,8 +360,13 @@ Subtraction::Phase Subtraction::apply_materials() {
 
 Subtraction::Phase Subtraction::make_next_faces() {
     const std::uint32_t end = std::min(next_ + kFacesAStep, std::uint32_t(cut_.new_faces.size()));
-    for (; next_ < end; ++next_)
+    for (; next_ < end; ++next_) {
+        if (cut_.new_faces[next_].use_count > rules_.most_corners)
+            return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(cut_.new_faces[next_].use_count) +
+                                                    " corners; the world allows " +
+                                                    std::to_string(rules_.most_corners));
         if (!face_maker_->make(next_)) return move_cutter_aside();
+    }
     if (come_.faces.size() > rules_.most_new_faces)
         return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.most_new_faces) +
                                                 " new faces that the world allows");
@@ -380,13 +396,14 @@ Subtraction::Phase Subtraction::remove_facets() {
     const WorldData& data = world_.data();
     const std::vector<FacetPlace> gone = facets_gone();
     CarveReport& report = result_.report;
-    report.faces_gone = gone.size();
-    report.faces_new = come_.faces.size();
-    if (data.face_count - gone.size() + come_.faces.size() > rules_.most_faces)
+    const std::size_t come = come_.faces.size();
+    if (data.face_count - gone.size() + come > rules_.most_faces)
         return refuse(ErrorCode::kTooLarge,
                       "the world would have more than " + std::to_string(rules_.most_faces) + " faces");
-    if (come_.faces.size() >= kMostFaceIds - data.next_face)
+    if (come >= kMostFaceIds - data.next_face)
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
+    report.faces_gone = gone.size();
+    report.faces_new = come;
     report.volume = volume_taken(cut_);
     std::uint32_t id = data.next_face;
     for (FaceSet::Entry& face : come_.faces) face.id = {id++};

@@ -32,6 +32,7 @@ private:
     enum class Phase : std::uint8_t {
         kPlace,
         kCheck,
+        kMove,
         kGather,
         kTile,
         kCut,
@@ -62,7 +63,8 @@ private:
     Phase start_cut();
     Phase move_on(Verdict verdict, Phase next);
     Phase move_cutter_aside();
-    Phase look_inward();
+    Phase try_move();
+    const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
     std::vector<FacetPlace> facets_gone() const;
@@ -86,8 +88,7 @@ private:
     std::unique_ptr<FaceMaker> face_maker_;
     FaceSet come_;
     std::unique_ptr<BlockEdit> block_edit_;
-    bool looks_inward_ = false;  ///< at hand is a cutter made smaller, to see whether it takes anything but touch
-    std::uint32_t next_ = 0;     ///< face at hand, in phases that go through many
+    std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
 };
 
 }  // namespace firma

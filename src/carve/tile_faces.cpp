@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "carve/gather.h"
+#include "carve/polygon_reaches.h"
 #include "tree/box_tree.h"
 
 namespace firma {
@@ -17,27 +18,6 @@ std::pair<int, double> longest_axis(const GridBox& box) {
     for (int axis = 1; axis < 3; ++axis)
         if (box.extent(axis) > box.extent(best)) best = axis;
     return {best, box.extent(best)};
-}
-
-/// Whether a loop and what it encloses reach into a box, by clipping it on each side in turn. Corners that lie along a
-/// side make no difference, as they come and go with the neighbours' edges: whether a face is halved must not depend on
-/// what was cut elsewhere before.
-bool reaches_into(std::vector<Vec3>& loop, const GridBox& box) {
-    std::vector<Vec3> kept;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double sign : {1.0, -1.0}) {
-            const double bound = sign * (sign > 0 ? box.low : box.high)[axis] / kSurfacePerInput;
-            kept.clear();
-            for (std::size_t k = 0; k < loop.size(); ++k) {
-                const Vec3 &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
-                const double at_a = sign * a[axis] - bound, at_b = sign * b[axis] - bound;
-                if (at_a >= 0) kept.push_back(a);
-                if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0))
-                    kept.push_back(a + (b - a) * (at_a / (at_a - at_b)));
-            }
-            loop.swap(kept);
-        }
-    return !loop.empty();
 }
 
 class Tiler {
@@ -61,7 +41,7 @@ private:
         loop_.clear();
         for (const PatchUse& use : patch_.uses(face))
             loop_.push_back(patch_.vertices[patch_.from(use)].point.approximate());
-        return reaches_into(loop_, box_);
+        return polygon_reaches_into(loop_, box_);
     }
 
     /// The face's loop with every split edge as its halves.
@@ -263,6 +243,7 @@ void keep_pieces(Cut& cut) {
     const SolidPatch& patch = *cut.patch;
     std::vector<bool> gone(patch.faces.size(), false);
     for (const std::uint32_t face : cut.gone) gone[face] = true;
+    cut.first_kept = cut.new_faces.size();
     for (std::uint32_t index = 0; index < patch.faces.size(); ++index) {
         const PatchFace& face = patch.faces[index];
         if (face.replaced) {

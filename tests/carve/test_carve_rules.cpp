@@ -7,6 +7,7 @@
 
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/solid.h"
 
 namespace firma {
 namespace {
@@ -264,20 +265,106 @@ TEST(Carve, ACavityInRockAndAPillarInTheAir) {
     EXPECT_EQ(fill(cavity.world, kRock, at(20, 0, 0, 2)).world.face_count(), world.face_count());
 }
 
-TEST(Carve, TheSameCutterInTheSamePlaceTakesNothingMore) {
+TEST(Carve, TheSameCutterInTheSamePlaceTakesNextToNothing) {
     const World world = room();
     for (const CutterShape shape : {CutterShape::kRocky, CutterShape::kSpiky, CutterShape::kBox}) {
         const Cutter cutter = make_crater(shape, 9);
         const CarveResult first = carve(world, cutter, at(4, 1, 1));
         ASSERT_TRUE(first.done());
-        EXPECT_EQ(carve(first.world, cutter, at(4, 1, 1)).status, CarveStatus::kNothing);
-        if (shape == CutterShape::kSpiky) continue;  // spikes so steep that a smaller one does not lie within: moved
-        const CarveResult filled = fill(first.world, cutter, at(4, 1, 1));
-        ASSERT_TRUE(filled.done());
-        EXPECT_EQ(fill(filled.world, cutter, at(4, 1, 1)).status, CarveStatus::kNothing);
+        const CarveResult second = carve(first.world, cutter, at(4, 1, 1));
+        ASSERT_NE(second.status, CarveStatus::kRefused);
+        EXPECT_LT(std::fabs(second.report.volume), 0.02);  // moved outward by a few quarters of a millimetre
+        EXPECT_FALSE(check_world(second.world));
     }
-    // Flush with the wall from the air's side.
-    EXPECT_EQ(carve(world, make_crater(CutterShape::kBox, 0), at(3, 0, 0)).status, CarveStatus::kNothing);
+}
+
+TEST(Carve, VolumeIsThatOfTheCraterHoweverLargeTheWall) {
+    const Cutter rock = make_crater(CutterShape::kRocky, 3);
+    const World rock_alone = fill(World(), rock, at(0, 0, 0, 0.05)).world;
+    const double whole = measure_solid(rock_alone).volume;
+    for (const double half : {4.0, 400.0, 8000.0}) {
+        const World slab = fill(World(), make_crater(CutterShape::kBox, 0), at(0, 0, 0, half)).world;
+        // What it takes of the wall, and what it adds beside it, make up the rock.
+        Pose pose = at(half + 0.0103, 0.3, 0.4, 0.05);
+        const double taken = carve(slab, rock, pose).report.volume, added = -fill(slab, rock, pose).report.volume;
+        EXPECT_GT(taken, whole / 5);
+        EXPECT_GT(added, whole / 5);
+        EXPECT_NEAR(taken + added, whole, 0.01 * whole) << half;  // snapped elsewhere it is another rock
+    }
+}
+
+/// Two fans around one rim, the lower one dented inward: its triangles' boxes all meet, and it is no star.
+Cutter umbrella(std::uint32_t spokes) {
+    std::vector<Vec3> vertices{{0, 0, 1}, {0, 0, 0.5}};
+    for (std::uint32_t k = 0; k < spokes; ++k) {
+        // Around a square, evenly.
+        const double along = 4.0 * k / spokes, part = along - std::floor(along);
+        const Vec3 corners[] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}};
+        const int side = int(along);
+        vertices.push_back(corners[side] + (corners[side + 1] - corners[side]) * part);
+    }
+    std::vector<CutterTriangle> triangles;
+    for (std::uint32_t k = 0; k < spokes; ++k) {
+        const std::uint32_t a = 2 + k, b = 2 + (k + 1) % spokes;
+        triangles.push_back({0, a, b});
+        triangles.push_back({1, b, a});
+    }
+    return make_cutter(vertices, triangles, "umbrella").value();
+}
+
+TEST(CarveRules, ACutterThatTakesTooLongToJudgeIsRefused) {
+    const World world = room();
+    EXPECT_TRUE(carve(world, umbrella(400), at(4, 0, 0, 2)).done());
+    CarveRules rules;
+    rules.most_pairs = 50'000;
+    const World hasty = with_rules(world, rules);
+    const CarveResult result = carve(hasty, umbrella(400), at(4, 0, 0, 2));
+    expect_refused(hasty, result, "more than 50000 pairs");
+    EXPECT_EQ(result.error.code, ErrorCode::kTooLarge);
+    expect_refused(world, carve(world, umbrella(20'000), at(4, 0, 0, 2)), "more than 20000000 pairs");
+}
+
+TEST(CarveRules, AFaceOfTooManyCornersIsRefused) {
+    CarveRules rules;
+    rules.most_corners = 50;
+    const World world = room(rules);
+    expect_refused(world, carve(world, umbrella(400), at(4, 0, 0, 2)), "corners; the world allows 50");
+}
+
+TEST(CarveRules, AZoneIsKeptByACutterThatIsMoved) {
+    CarveRules rules;
+    rules.zones.push_back({"beyond", {{5.0003, -9, -9}, {9, 9, 9}}, 1});
+    const World world = room(rules);
+    // Flush with the room's wall at x = 4 and up to x = 5: it must move, and may not move into the zone.
+    const CarveResult result = carve(world, make_crater(CutterShape::kBox, 0), at(4.5, 0, -3.5, 0.5));
+    if (result.done()) {
+        EXPECT_LE(result.world.bounds().high.x, 5.0003);
+    } else {
+        EXPECT_EQ(result.status, CarveStatus::kRefused);
+    }
+}
+
+TEST(CarveRules, AZoneBesideATurnedCutterDoesNothing) {
+    CarveRules rules;
+    rules.zones.push_back({"vault", {{3.6, 3.6, -0.1}, {3.9, 3.9, 0.1}}, 1});
+    const World world = room(rules);
+    Pose turned = at(0, 0, 0, 3);  // an octahedron-like stance: its box holds the vault, it does not
+    turned.rotation = {0, 0, 0.3826834323650898, 0.9238795325112867};
+    EXPECT_NE(carve(world, make_crater(CutterShape::kBox, 0), turned).status, CarveStatus::kRefused);
+    turned.position = {2, 2, 0};
+    expect_refused(world, carve(world, make_crater(CutterShape::kBox, 0), turned), "zone vault");
+}
+
+TEST(CarveRules, AShrunkCutterIsCountedFromItsOwnFirstTry) {
+    const World plain = room();
+    const World tough = with_rules(plain, with_hardness(plain, "wall", 0.5));
+    const Cutter box = make_crater(CutterShape::kBox, 0);
+    for (const double x : {3.0, 4.0, 6.0}) {
+        const CarveResult shrunk = carve(tough, box, at(x, 2, 0, 2)), small = carve(plain, box, at(x, 2, 0, 1));
+        EXPECT_EQ(shrunk.report.retries, small.report.retries) << x;
+        EXPECT_EQ(shrunk.status, small.status) << x;
+        EXPECT_EQ(shrunk.report.volume, small.report.volume) << x;
+    }
 }
 
 TEST(Carve, AWorldOfNothingIsAir) {
