@@ -65,8 +65,8 @@ struct CarveOptions {
 ///
 /// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. A cutter that touches
 /// what it cuts (a vertex on a face, edges that meet, faces in one plane) is moved outward by up to 3 steps of the
-/// input grid, after every 16 tries by up to twice as much, up to 64 times; one that does no more than touch takes
-/// nothing. docs/carving.md says more. The result depends on world, cutter, pose and options alone, to the bit.
+/// input grid, after every 16 tries by up to twice as much (24 at last), up to 64 times. The result depends on world,
+/// cutter, pose and options alone, to the bit.
 ///
 /// @param pose  where the cutter goes; its rotation and scale
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
@@ -90,7 +90,9 @@ public:
     CarveJob(CarveJob&&) noexcept;
     CarveJob& operator=(CarveJob&&) noexcept;
 
-    /// Goes on for about this long; always does at least one piece of work (most take some ten microseconds).
+    /// Goes on for about this long; always does at least one piece of work. With a cutter of some hundred triangles a
+    /// piece takes some ten microseconds, seldom more than a hundred; placing a cutter, judging it, gathering,
+    /// labelling and tracing are a piece each, and so take longer for one of many thousand.
     /// @param microseconds  INFINITY: to the end
     /// @return true once it is finished
     bool run(double microseconds);
