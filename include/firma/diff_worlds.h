@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,11 +26,17 @@ struct ChangedFace {
 /// A cell of a grid over space: from coordinate * size to (coordinate + 1) * size along each axis.
 using Tile = std::array<std::int32_t, 3>;
 
+/// Tiles of a smaller size are none.
+inline constexpr double kLeastTile = 1.0 / 16;  // metres
+/// More of them are not listed.
+inline constexpr std::size_t kMostTiles = std::size_t(1) << 22;
+
 struct WorldDiff {
     std::vector<ChangedFace> gone;  ///< in order of id, then room; refs good in `before`
     std::vector<ChangedFace> come;  ///< likewise in `after`
     Box bounds;                     ///< of all of them; empty when nothing changed
     std::vector<Tile> tiles;        ///< those that the box of a changed face touches, each once, in order
+    bool too_many_tiles = false;    ///< there are more than kMostTiles: `tiles` is empty; go by `bounds`
 
     bool empty() const { return gone.empty() && come.empty(); }
 };
@@ -37,8 +44,9 @@ struct WorldDiff {
 /// Compares two worlds. A face is the same when it has the same id and is alike in everything; rooms are compared by
 /// their ids. What the worlds share is not looked at, so for versions a few edits apart the cost follows the edits.
 ///
-/// @param tile_size  metres, for `tiles`; 0 (or what is no number) leaves them out. A long face slanted across many
-///                   tiles counts for each in its box, so a size far below the faces' makes a long list.
+/// @param tile_size  metres, for `tiles`, at least kLeastTile; anything smaller (0, say) or not finite leaves them out.
+///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
+///                   makes a long list; one of more than kMostTiles is left out, and too_many_tiles is set.
 WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
 
 }  // namespace firma

@@ -126,18 +126,23 @@ private:
         const Vec3 low = to_metres(box.low), high = to_metres(box.high);
         diff_.bounds.add(low);
         diff_.bounds.add(high);
-        if (tile_size_ > 0 && tile_size_ < INFINITY) add_tiles(low, high);
+        if (tile_size_ >= kLeastTile && tile_size_ < INFINITY && !diff_.too_many_tiles) add_tiles(low, high);
     }
 
     void add_tiles(const Vec3& low, const Vec3& high) {
-        Tile from, to;
+        // 64 bits: the last tile may be the last number of 32 bits, and a box holds many more than that.
+        std::array<std::int64_t, 3> from, to;
+        std::int64_t count = 1;
         for (int axis = 0; axis < 3; ++axis) {
-            from[axis] = std::int32_t(std::floor(low[axis] / tile_size_));
-            to[axis] = std::int32_t(std::floor(high[axis] / tile_size_));
+            from[axis] = std::int64_t(std::floor(low[axis] / tile_size_));
+            to[axis] = std::int64_t(std::floor(high[axis] / tile_size_));
+            count *= to[axis] - from[axis] + 1;  // below 2^19 an axis: the world is 2^14 m wide
         }
-        for (std::int32_t x = from[0]; x <= to[0]; ++x)
-            for (std::int32_t y = from[1]; y <= to[1]; ++y)
-                for (std::int32_t z = from[2]; z <= to[2]; ++z) diff_.tiles.push_back({x, y, z});
+        if (count > std::int64_t(kMostTiles)) return give_up_tiles();
+        for (std::int64_t x = from[0]; x <= to[0]; ++x)
+            for (std::int64_t y = from[1]; y <= to[1]; ++y)
+                for (std::int64_t z = from[2]; z <= to[2]; ++z)
+                    diff_.tiles.push_back({std::int32_t(x), std::int32_t(y), std::int32_t(z)});
         if (diff_.tiles.size() > 2 * sorted_ + 1000) sort_tiles();  // many faces, few tiles
     }
 
@@ -145,6 +150,13 @@ private:
         std::sort(diff_.tiles.begin(), diff_.tiles.end());
         diff_.tiles.erase(std::unique(diff_.tiles.begin(), diff_.tiles.end()), diff_.tiles.end());
         sorted_ = diff_.tiles.size();
+        if (sorted_ > kMostTiles) give_up_tiles();
+    }
+
+    void give_up_tiles() {
+        diff_.too_many_tiles = true;
+        diff_.tiles = {};
+        sorted_ = 0;
     }
 
     const double tile_size_;

@@ -2,6 +2,9 @@
 // A sample of cuts of every family, each judged by all that must hold after an edit; ./test --full makes thousands.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+
 #include "tests/reference/judge_carved_casts.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/world_facets.h"
@@ -79,6 +82,7 @@ TEST(CarvedWorlds, NoRayEscapes) {
     reference::RayTally tally;
     reference::shoot_from_air(world, rng, 20000, tally);
     EXPECT_EQ(tally.lost, 0u) << tally.first_failure;
+    EXPECT_EQ(tally.rays, 20000u);
 }
 
 // Halving the long thin faces that a drill of 400 m left made pieces with two corners in one place.
@@ -108,6 +112,41 @@ TEST(Judge, FindsAnOpenEdge) {
     const World world = reference::carved_world(family_of("our_level_spread"), 1, 3, our_level());
     EXPECT_EQ(reference::open_edge(world), "");
     EXPECT_NE(reference::open_edge(without_face(world, 7)), "");
+}
+
+/// The surface of a cube around the origin, as text of an .obj; `out` turns it to the outside.
+std::string cube(int half, bool out) {
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const int side : {-1, 1}) {
+            const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+            for (int corner = 0; corner < 4; ++corner) {
+                std::array<int, 3> at;
+                at[std::size_t(axis)] = side * half;
+                at[std::size_t(a)] = corner == 1 || corner == 2 ? half : -half;
+                at[std::size_t(b)] = corner >= 2 ? half : -half;
+                text += "v " + std::to_string(at[0]) + ' ' + std::to_string(at[1]) + ' ' + std::to_string(at[2]) + '\n';
+            }
+            text += (side > 0) == out ? "f -4 -3 -2 -1\n" : "f -1 -2 -3 -4\n";
+        }
+    }
+    return text;
+}
+
+TEST(Judge, LosesRaysInAHoleThoughARoomLiesBehindIt) {
+    // A cell in a block in a hall in rock. Who gets out of the cell through the block meets the hall's wall from the
+    // front; only the block's side, met from behind, tells.
+    const World whole = make_world(read_obj(cube(1, false) + cube(2, true) + cube(10, false), "").value()).value();
+    ASSERT_EQ(whole.face_count(), 18u);
+    reference::RayTally closed;
+    scenes::Rng rng(1);
+    reference::shoot_from_air(whole, rng, 5000, closed);
+    EXPECT_EQ(closed.lost, 0u) << closed.first_failure;
+    for (std::size_t face = 0; face < whole.face_count(); ++face) {
+        reference::RayTally open;
+        reference::shoot_from_air(without_face(whole, face), rng, 20000, open);
+        EXPECT_GT(open.lost, 0u) << face;
+    }
 }
 
 TEST(Judge, FindsAChangedFace) {

@@ -16,10 +16,15 @@ namespace {
 
 using scenes::Rng;
 
-std::vector<Vec3> corners_of(const FacetPlace& place) {
-    std::vector<Vec3> corners;
+void corners_of(const FacetPlace& place, std::vector<Vec3>& corners) {
+    corners.clear();
     for (const std::uint16_t corner : place.block->corners_of(place.record()))
         corners.push_back(to_metres(place.block->vertices[corner]));
+}
+
+std::vector<Vec3> corners_of(const FacetPlace& place) {
+    std::vector<Vec3> corners;
+    corners_of(place, corners);
     return corners;
 }
 
@@ -37,6 +42,23 @@ PolygonHit with_own_normal(const Hit& hit, const std::vector<Vec3>& polygon) {
     const PolygonShape shape = make_shape({polygon.data(), polygon.size()});
     own.face_normal = shape.normal * (1 / length(shape.normal));
     return own;
+}
+
+/// Whether a ray from the air, so long that it must meet something, gets out or into the rock. The first face met must
+/// be met from its front: one met from behind is the far side of rock that the ray got into through a crack. Front or
+/// back is what the facet's own plane says; casts go by no other.
+/// @param corners  scratch
+bool is_lost(const World& world, const Vec3& start, const Vec3& path, std::vector<Vec3>& corners, RayTally& tally) {
+    const Hit first = cast(world, {start, 0}, path, {.sides = Sides::kBoth});
+    if (!first.touched()) return true;
+    corners_of({static_cast<const Block*>(first.ref.block), first.ref.slot}, corners);
+    const PolygonShape shape = make_shape({corners.data(), corners.size()});
+    const double distance = length(path);
+    if (dot(path, shape.normal) <= 1e-6 * distance * shape.normal_length) return false;
+    // At an edge where the surface turns away both faces are met at once, up to rounding.
+    ++tally.at_edges;
+    const Hit front = cast(world, {start, 0}, path);
+    return !front.touched() || (front.fraction - first.fraction) * distance > 1e-5;
 }
 
 }  // namespace
@@ -110,6 +132,7 @@ void shoot_from_air(const World& world, Rng& rng, std::uint64_t rays, RayTally& 
     const std::vector<FacetPlace> facets = all_facets(world);
     const Box bounds = world.bounds();
     const double far = 2 * length(bounds.high - bounds.low);
+    std::vector<Vec3> corners;
     std::uint64_t shot = 0;
     while (shot < rays) {
         // A start in the air before a face, and a hundred faces around it to aim at.
@@ -130,10 +153,9 @@ void shoot_from_air(const World& world, Rng& rng, std::uint64_t rays, RayTally& 
             const Vec3 way = target - start;
             if (!(length(way) > 1e-9)) continue;
             const Vec3 path = way * std::exp2(std::ceil(std::log2(far / length(way))));
-            const Hit hit = cast(world, {start, 0}, path);
             ++shot;
             ++tally.rays;
-            if (hit.touched()) continue;
+            if (!is_lost(world, start, path, corners, tally)) continue;
             ++tally.lost;
             if (!tally.first_failure.empty()) continue;
             char text[300];

@@ -16,12 +16,15 @@ namespace firma::reference {
 Tally judge_casts_at(const World& world, scenes::Rng& rng, int casts, double size);
 
 struct RayTally {
-    std::uint64_t rays = 0, lost = 0;
+    std::uint64_t rays = 0;
+    std::uint64_t lost = 0;      ///< met nothing, or a face from behind
+    std::uint64_t at_edges = 0;  ///< met a back first, most with a front in the same place: looked at again
     std::string first_failure;
 };
 
 /// Rays from the air at corners, edges and insides of faces nearby, going on for twice the world's size: in a world
-/// whose outside is rock each must meet something.
+/// whose outside is rock each must meet something, and that from the front, however far behind a crack the next front
+/// may be.
 void shoot_from_air(const World& world, scenes::Rng& rng, std::uint64_t rays, RayTally& tally);
 
 /// A world after cuts of one family, one after another until so many are done: cases go on in the first one's level.

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 
+#include "firma/level.h"
 #include "scenes/room_grid.h"
 #include "tests/tree/edited_tree.h"
 
@@ -104,6 +106,47 @@ TEST(DiffWorlds, FromAndToNothing) {
     EXPECT_EQ(diff_worlds(World(), edited.world()).come.size(), edited.held.size());
     EXPECT_EQ(diff_worlds(edited.world(), World()).gone.size(), edited.held.size());
     EXPECT_TRUE(diff_worlds(World(), World()).empty());
+}
+
+/// Triangles whose boxes are cubes of 100 m, side by side.
+World slanted_triangles(int count) {
+    std::string text;
+    for (int k = 0; k < count; ++k) {
+        const std::string x = std::to_string(150 * k), beyond = std::to_string(150 * k + 100);
+        text += "v " + x + " 0 0\nv " + beyond + " 0 0\nv " + x + " 100 100\nf -3 -2 -1\n";
+    }
+    return make_world(read_obj(text, "slanted").value()).value();
+}
+
+TEST(DiffWorlds, TilesTooSmallOrNoNumberAreNone) {
+    const World world = slanted_triangles(1);
+    for (const double size : {0.0, -1.0, 1e-300, 1e-9, 3e-6, 0.0624, double(INFINITY), double(NAN)}) {
+        const WorldDiff diff = diff_worlds(World(), world, size);
+        EXPECT_EQ(diff.come.size(), 1u);
+        EXPECT_TRUE(diff.tiles.empty()) << size;
+        EXPECT_FALSE(diff.too_many_tiles) << size;
+    }
+    const World plain = rooms().world();
+    const WorldDiff least = diff_worlds(World(), plain, kLeastTile);
+    EXPECT_FALSE(least.too_many_tiles);
+    const std::set<Tile> tiles = tiles_of(plain, least.come, kLeastTile);
+    EXPECT_EQ(least.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
+}
+
+TEST(DiffWorlds, TooManyTilesAreSaidSo) {
+    constexpr std::size_t kOfOne = 101 * 101 * 101;
+    static_assert(4 * kOfOne <= kMostTiles && 5 * kOfOne > kMostTiles);
+    const WorldDiff four = diff_worlds(World(), slanted_triangles(4), 1);
+    EXPECT_EQ(four.tiles.size(), 4 * kOfOne);
+    EXPECT_FALSE(four.too_many_tiles);
+    const WorldDiff five = diff_worlds(World(), slanted_triangles(5), 1);
+    EXPECT_TRUE(five.tiles.empty());
+    EXPECT_TRUE(five.too_many_tiles);
+    EXPECT_EQ(five.come.size(), 5u);
+    const WorldDiff fine = diff_worlds(slanted_triangles(1), World(), kLeastTile);
+    EXPECT_TRUE(fine.tiles.empty()) << "one face alone";
+    EXPECT_TRUE(fine.too_many_tiles);
+    EXPECT_FALSE(diff_worlds(World(), slanted_triangles(5), 50).too_many_tiles);
 }
 
 }  // namespace
