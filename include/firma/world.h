@@ -145,8 +145,9 @@ std::optional<NearFace> closest(const World& world, const Vec3& point, double re
 ///         rounding to the grid made (a few millionths of a metre wide)
 std::optional<bool> in_solid(const World& world, const Vec3& point);
 
-/// A hash of all that the world is: ids, rooms, trees, counters, version. Worlds made by equal edits in equal order
-/// have equal ones on every machine; it takes some nanoseconds a face.
+/// A hash of what the world holds: ids, rooms, trees, exact faces, counters, version; not of the rules for carving and
+/// of the options for trees. Worlds made by equal edits in equal order have equal ones on every machine; it takes some
+/// nanoseconds a face.
 std::uint64_t hash_world(const World& world);
 
 /// A broken invariant, named.
