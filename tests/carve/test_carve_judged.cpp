@@ -29,6 +29,9 @@ TEST_P(CutFamilies, HoldEveryInvariant) {
     for (const std::string& failure : tally.failures) ADD_FAILURE() << failure;
     EXPECT_GE(tally.done, 5u);
     EXPECT_GE(tally.points, 20u);
+    EXPECT_EQ(tally.replayed, tally.cuts);
+    EXPECT_EQ(tally.cuts, tally.done + tally.nothing + tally.refused);
+    EXPECT_LE(tally.unplaceable + tally.blamed, tally.refused);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CutFamilies, testing::ValuesIn(scenes::cut_families()),

@@ -4,6 +4,9 @@
 //   full_carve --count 20000 --seed 1 [--threads 2] [--from 0] [--to N] [--family NAME] [--level levels/first.obj]
 //              [--show 3 (of each family)]
 //
+// Counted are the cuts that were done; those that met nothing or were refused are judged too, and told beside. Refusals
+// must stay few: see kMostRefused.
+//
 // The work is a list of cases, (case, family) in that order, each seeded by itself: case k is the same whatever ran
 // before it.
 #include <algorithm>
@@ -24,6 +27,13 @@ namespace {
 using namespace firma;
 using reference::CutTally;
 using ull = unsigned long long;
+
+/// Of all cuts asked for, at most so large a share may be refused though the cutter can be placed ...
+constexpr double kMostRefused = 0.1;
+/// ... and so large a share for what the library is to blame for: degenerate position, a contradiction.
+constexpr double kMostBlamed = 0.02;
+/// A run ends, and fails, when this many times the count have been asked for and still too few were done.
+constexpr std::uint64_t kMostAsked = 8;
 
 struct Options {
     std::uint64_t count = 20000, seed = 1, from = 0, to = ~0ull;
@@ -59,7 +69,11 @@ bool read_options(int count, char** words, Options& options) {
     return true;
 }
 
-/// Hands out cases until enough cuts have been judged, and adds up.
+bool within(std::uint64_t part, const CutTally& tally, double share) {
+    return double(part) <= share * double(tally.cuts);
+}
+
+/// Hands out cases until enough cuts have been done, and adds up.
 class Run {
 public:
     Run(const Options& options, const Level& ours) : options_(options), ours_(ours), next_(options.from) {
@@ -78,7 +92,8 @@ public:
             {
                 const std::lock_guard lock(mutex_);
                 // Whole rounds of families, so that what is run does not depend on which thread was faster.
-                if (next_ >= options_.to || (cuts_ >= options_.count && next_ % families_.size() == 0)) return;
+                const bool enough = done_ >= options_.count || asked_ / kMostAsked >= options_.count;
+                if (next_ >= options_.to || (enough && next_ % families_.size() == 0)) return;
                 number = next_++;
             }
             const std::size_t family = number % families_.size();
@@ -92,7 +107,8 @@ public:
                     std::printf("failure number=%llu %s\n", ull(number), failure.c_str());
             std::fflush(stdout);
             tallies_[family].add(tally);
-            cuts_ += tally.cuts;
+            done_ += tally.done;
+            asked_ += tally.cuts;
         }
     }
 
@@ -100,35 +116,44 @@ public:
         CutTally total;
         double seconds = 0;
         for (std::size_t family = 0; family < families_.size(); ++family) {
-            claim(std::string(families_[family].name), tallies_[family], seconds_[family]);
+            const CutTally& tally = tallies_[family];
+            claim(std::string(families_[family].name), tally, seconds_[family], tally.failed == 0);
             total.add(tallies_[family]);
             seconds += seconds_[family];
         }
         for (const auto& [reason, some] : total.refusals)
             std::printf("refused %llu times: %s (first %s)\n", ull(some.count), reason.c_str(), some.first.c_str());
-        claim("total", total, seconds);
-        return total.failed == 0 && total.done > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+        const bool few_refused = within(total.refused_in_place(), total, kMostRefused);
+        const bool few_blamed = within(total.blamed, total, kMostBlamed);
+        if (!few_refused) std::printf("failure: too many cuts refused whose cutter can be placed\n");
+        if (!few_blamed) std::printf("failure: too many cuts refused that the library is to blame for\n");
+        const bool enough = options_.to != ~0ull || total.done >= options_.count;
+        if (!enough) std::printf("failure: too few cuts done of those asked for\n");
+        const bool pass = total.failed == 0 && total.done > 0 && few_refused && few_blamed && enough;
+        claim("total", total, seconds, pass);
+        return pass ? EXIT_SUCCESS : EXIT_FAILURE;
     }
 
 private:
-    void claim(const std::string& family, const CutTally& tally, double seconds) const {
+    void claim(const std::string& family, const CutTally& tally, double seconds, bool pass) const {
         std::printf(
-            "claim=carve_cuts family=%s count=%llu seed=%llu failed=%llu done=%llu nothing=%llu refused=%llu "
-            "moved=%llu retries=%llu sliced=%llu commuted=%llu reseamed=%llu points=%llu rays=%llu casts=%llu "
-            "shared_edges=%llu "
-            "ms_a_cut=%.3f judged_a_second=%.1f result=%s\n",
-            family.c_str(), ull(tally.cuts), ull(options_.seed), ull(tally.failed), ull(tally.done), ull(tally.nothing),
-            ull(tally.refused), ull(tally.moved), ull(tally.retries), ull(tally.sliced), ull(tally.commuted),
-            ull(tally.reseamed), ull(tally.points), ull(tally.rays), ull(tally.casts), ull(tally.shared_edges),
+            "claim=carve_cuts family=%s count=%llu seed=%llu asked=%llu failed=%llu nothing=%llu refused=%llu "
+            "unplaceable=%llu blamed=%llu moved=%llu retries=%llu sliced=%llu commuted=%llu reseamed=%llu "
+            "replayed=%llu points=%llu rays=%llu casts=%llu shared_edges=%llu ms_a_cut=%.3f judged_a_second=%.1f "
+            "result=%s\n",
+            family.c_str(), ull(tally.done), ull(options_.seed), ull(tally.cuts), ull(tally.failed), ull(tally.nothing),
+            ull(tally.refused), ull(tally.unplaceable), ull(tally.blamed), ull(tally.moved), ull(tally.retries),
+            ull(tally.sliced), ull(tally.commuted), ull(tally.reseamed), ull(tally.replayed), ull(tally.points),
+            ull(tally.rays), ull(tally.casts), ull(tally.shared_edges),
             1e3 * tally.carve_seconds / double(std::max<std::uint64_t>(tally.cuts, 1)), double(tally.cuts) / seconds,
-            tally.failed == 0 ? "pass" : "fail");
+            pass ? "pass" : "fail");
     }
 
     const Options options_;
     const Level& ours_;
     std::vector<scenes::CutFamily> families_;
     std::mutex mutex_;
-    std::uint64_t next_, cuts_ = 0;
+    std::uint64_t next_, done_ = 0, asked_ = 0;
     std::vector<CutTally> tallies_;
     std::vector<double> seconds_;
     std::vector<std::size_t> shown_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "carve/check_shells.h"
 #include "carve/place_cutter.h"
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
@@ -78,6 +79,7 @@ public:
 
     void judge() {
         place();
+        if (result_.status == CarveStatus::kRefused) count_refusal();
         if (!result_.done()) {
             if (&before_.data() != &after_.data()) fail("not done, and yet another world");
             if (result_.status == CarveStatus::kRefused && !result_.reproduction.empty())
@@ -113,6 +115,17 @@ private:
         Result<PlacedCutter> placed = place_cutter(order_.cutter, pose);
         if (placed && result_.report.retries > 0) placed = move_cutter(placed.value(), result_.report.retries);
         if (placed) placed_ = std::move(placed).value();
+    }
+
+    void count_refusal() {
+        // As asked for, before any move: what was moved could be placed.
+        const bool unplaceable = result_.report.retries == 0 && (!placed_ || check_cutter(*placed_));
+        const bool blamed = !result_.reproduction.empty() ||
+                            result_.error.reason.find("degenerate position") != std::string::npos ||
+                            result_.error.reason.find("contradict") != std::string::npos;
+        if (unplaceable && blamed) fail("blamed on the cutter and on the library: " + result_.error.text());
+        tally_.unplaceable += unplaceable;
+        tally_.blamed += blamed;
     }
 
     void judge_faces() {
@@ -251,16 +264,17 @@ std::string judge_slices(const World& world, const CutOrder& order, const CarveR
     while (!job.run(0)) ++steps;
     const CarveResult result = job.result();
     if (result.status != whole.status) return "in slices it ends otherwise";
-    if (hash_of_facets(result.world) != hash_of_facets(whole.world)) return "in slices it ends in other bits";
+    if (hash_world(result.world) != hash_world(whole.world)) return "in slices it ends in other bits";
+    if (hash_solid(result.world) != hash_solid(whole.world)) return "in slices it ends in another solid";
     if (result.report.volume != whole.report.volume || result.report.retries != whole.report.retries)
         return "in slices it reports otherwise";
-    const std::uint64_t hash = hash_of_facets(world);
+    const std::uint64_t hash = hash_world(world);
     {
         CarveJob dropped(world, order.cutter, order.pose, {}, order.kind);
         const int end = steps > 0 ? int(rng.below(std::uint32_t(steps))) : 0;
         for (int k = 0; k < end; ++k) dropped.run(0);
     }
-    return hash_of_facets(world) == hash ? "" : "a dropped edit changed the world";
+    return hash_world(world) == hash ? "" : "a dropped edit changed the world";
 }
 
 bool disjoint(const CutOrder& a, const CutOrder& b) {
@@ -283,11 +297,14 @@ void CutTally::add(const CutTally& other) {
     done += other.done;
     nothing += other.nothing;
     refused += other.refused;
+    unplaceable += other.unplaceable;
+    blamed += other.blamed;
     moved += other.moved;
     retries += other.retries;
     sliced += other.sliced;
     commuted += other.commuted;
     reseamed += other.reseamed;
+    replayed += other.replayed;
     points += other.points;
     rays += other.rays;
     casts += other.casts;
@@ -337,7 +354,7 @@ CarveResult make_cut(const World& world, const CutOrder& order) {
 
 CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::string& where, CutTally& tally,
                       const JudgeOptions& options) {
-    const std::uint64_t hash = hash_of_facets(world);
+    const std::uint64_t hash = hash_world(world);
     const auto start = std::chrono::steady_clock::now();
     CarveResult result = make_cut(world, order);
     tally.carve_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -360,7 +377,7 @@ CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::
         tally.fail(where + ": " + what);
         failed = true;
     };
-    expect(hash_of_facets(world) == hash, "the world before is not as it was");
+    expect(hash_world(world) == hash, "the world before is not as it was");
     if (rng.chance(options.slices)) {
         ++tally.sliced;
         const std::string what = judge_slices(world, order, result, rng);
@@ -385,7 +402,8 @@ CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::ui
     }
     World world = made.value(), before_last = world;
     Rng rng(seed ^ index << 32);
-    for (std::size_t k = 0; k < std::min(it.cuts.size(), options.most_cuts); ++k) {
+    const std::size_t cuts = std::min(it.cuts.size(), options.most_cuts);
+    for (std::size_t k = 0; k < cuts; ++k) {
         const World before = world;
         const std::string where = name + " cut=" + std::to_string(k);
         const CarveResult result = judge_cut(world, it.cuts[k], rng, where, tally, options);
@@ -400,6 +418,14 @@ CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::ui
             }
         }
         before_last = before;
+    }
+    // Equal logs, equal bytes: also from a level read anew, in memory laid out otherwise.
+    World again = make_world(it.level).value();
+    for (std::size_t k = 0; k < cuts; ++k) again = make_cut(again, it.cuts[k]).world;
+    tally.replayed += cuts;
+    if (hash_world(again) != hash_world(world)) {
+        tally.fail(name + ": made again from the level it ends in another world");
+        ++tally.failed;
     }
     return tally;
 }

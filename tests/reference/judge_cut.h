@@ -16,11 +16,14 @@ namespace firma::reference {
 /// What judging came to. Adds up.
 struct CutTally {
     std::uint64_t cuts = 0, done = 0, nothing = 0, refused = 0;
-    std::uint64_t moved = 0;     ///< out of degenerate position
-    std::uint64_t retries = 0;   ///< of all cuts together
-    std::uint64_t sliced = 0;    ///< made again in slices
-    std::uint64_t commuted = 0;  ///< pairs of disjoint cuts made in both orders
-    std::uint64_t reseamed = 0;  ///< of those, with the same solid but its large faces divided otherwise
+    std::uint64_t unplaceable = 0;  ///< refused for the cutter: no area on the grid, crossing itself, out of the world
+    std::uint64_t blamed = 0;       ///< refused, and the library is to blame: degenerate position, a contradiction
+    std::uint64_t moved = 0;        ///< out of degenerate position
+    std::uint64_t retries = 0;      ///< of all cuts together
+    std::uint64_t sliced = 0;       ///< made again in slices
+    std::uint64_t commuted = 0;     ///< pairs of disjoint cuts made in both orders
+    std::uint64_t reseamed = 0;     ///< of those, with the same solid but its large faces divided otherwise
+    std::uint64_t replayed = 0;     ///< made once more, a whole case from its level, and the last world was the same
     std::uint64_t points = 0, rays = 0, casts = 0;
     std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
     double carve_seconds = 0;
@@ -31,6 +34,9 @@ struct CutTally {
     std::map<std::string, Refusals> refusals;  ///< by reason, numbers left out
     std::uint64_t failed = 0;                  ///< cuts with at least one failure
     std::vector<std::string> failures;         ///< the first few
+
+    /// Of the cuts refused, how many had a cutter that can be placed.
+    std::uint64_t refused_in_place() const { return refused - unplaceable; }
 
     void add(const CutTally& other);
     void fail(const std::string& text);
@@ -50,7 +56,8 @@ struct JudgeOptions {
 CarveResult judge_cut(World& world, const scenes::CutOrder& order, scenes::Rng& rng, const std::string& where,
                       CutTally& tally, const JudgeOptions& options = {});
 
-/// All cuts of a case, one after another, and neighbouring ones that are disjoint in both orders.
+/// All cuts of a case, one after another, and neighbouring ones that are disjoint in both orders; then all of them
+/// again from the level, which must end in the same bits.
 CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::uint64_t index, const Level& ours,
                     const JudgeOptions& options = {});
 
