@@ -76,7 +76,7 @@ CLAIMS = [
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['src', 'tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
-          CARVE_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('carve')),
+          CAST_SOURCES + ['src/solid', 'src/carve', 'src/level', 'tests/fuzz'], 'fuzz', fuzz('carve')),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_obj')),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',
