@@ -4,10 +4,12 @@
 
 Each claim is a count of seeded checks to be made on the sources as they are. It is worked off in chunks; every chunk leaves a line
 in bench/results/full.txt with its seed, count, result and the commit it ran on. Lines count until a file the claim exercises changes;
-so a run can be broken off and resumed, and lines gathered in several goes add up.
+so a run can be broken off and resumed, and lines gathered in several goes add up. A line of a chunk that failed makes its claim fail
+until such a file changes: more chunks cannot outvote it.
 """
 import datetime
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -18,11 +20,10 @@ BUILD = os.path.join('build', 'test', 'bin')
 FUZZ = os.path.join('build', 'fuzz', 'bin')
 
 CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
-                'CMakeLists.txt']
-CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level/find_solids.cpp', 'src/level/solid_pieces.cpp',
-                                'src/level/turn_pieces.cpp', 'src/level/pair_edges.cpp', 'scenes', 'levels', 'tests/reference']
+                'CMakeLists.txt', 'CMakePresets.json']
+CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level', 'scenes', 'levels', 'tests/reference']
 READ_SOURCES = ['include', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
-                'src/geometry/polygon_shape.cpp']
+                'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
 
 
 class Claim:
@@ -103,7 +104,8 @@ def fields(line):
     return dict(part.split('=', 1) for part in line.split() if '=' in part)
 
 
-def lines_that_count(claim):
+def lines_of(claim):
+    """All lines of the sources as they are, of chunks that passed and of chunks that failed."""
     if not os.path.exists(RESULTS):
         return []
     known = {}
@@ -111,7 +113,7 @@ def lines_that_count(claim):
     with open(RESULTS, encoding='utf-8') as file:
         for line in file:
             entry = fields(line)
-            if entry.get('claim') != claim.name or entry.get('result') != 'pass':
+            if entry.get('claim') != claim.name:
                 continue
             commit = entry['commit']
             if commit not in known:
@@ -122,11 +124,15 @@ def lines_that_count(claim):
 
 
 def done(claim):
-    return sum(int(entry['count']) for entry in lines_that_count(claim))
+    return sum(int(entry['count']) for entry in lines_of(claim) if entry.get('result') == 'pass')
+
+
+def failures(claim):
+    return [entry for entry in lines_of(claim) if entry.get('result') != 'pass']
 
 
 def next_seed(claim):
-    return 1 + max([int(entry['seed']) for entry in lines_that_count(claim)], default=0)
+    return 1 + max([int(entry['seed']) for entry in lines_of(claim)], default=0)
 
 
 def leave(line):
@@ -161,6 +167,9 @@ def run_chunk(claim, commit):
     if changed(claim) or not same_sources(commit, claim):
         print(f'{claim.name}: sources changed meanwhile; this chunk does not count', file=sys.stderr)
         return False
+    if process.returncode in (-signal.SIGHUP, -signal.SIGINT, -signal.SIGTERM):
+        print(f'{claim.name}: broken off; this chunk leaves no line', file=sys.stderr)
+        return False
     result = 'pass' if process.returncode == 0 else 'fail'
     said = totals(process.stdout)
     line = {'claim': claim.name, 'count': said.get('count', count), 'unit': claim.unit, 'seed': seed}
@@ -185,15 +194,18 @@ def work_off(claim):
         return
     commit = head()
     build(claim.preset)
-    while done(claim) < claim.need and run_chunk(claim, commit):
+    while done(claim) < claim.need and not failures(claim) and run_chunk(claim, commit):
         pass
 
 
 def summary(claim):
-    have = done(claim)
-    state = 'holds' if have >= claim.need else 'open'
+    """Prints how a claim stands. Returns whether it holds."""
+    have, failed = done(claim), failures(claim)
+    state = 'FAILS' if failed else 'holds' if have >= claim.need else 'open'
     print(f'{claim.name:18} {have:>10,} of {claim.need:,} {claim.unit}: {state}   ({claim.what})')
-    return have >= claim.need
+    for entry in failed:
+        print(f'{"":18} failed: seed={entry.get("seed")} count={entry.get("count")} commit={entry["commit"]}')
+    return state == 'holds'
 
 
 def main():
@@ -207,7 +219,7 @@ def main():
     if options:
         return 0 if all([summary(claim) for claim in chosen]) else 1
     for claim in chosen:
-        if done(claim) < claim.need:
+        if done(claim) < claim.need and not failures(claim):
             work_off(claim)
     return 0 if all([summary(claim) for claim in chosen]) else 1
 

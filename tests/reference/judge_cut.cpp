@@ -149,16 +149,17 @@ private:
         const auto digits = [](const Real& value) { return value.str(30); };
         if (abs(lost - expected) > all * Real("1e-20"))
             fail("volume " + digits(lost) + " instead of " + digits(expected) + " of " + digits(all));
-        // In double, what a crater of millimetres takes of a wall of metres is a small difference of large numbers.
-        double longest = 0;
-        for (const FacetPlace& place : change_.gone) {
-            GridBox box;
-            for (const std::uint16_t corner : place.block->corners_of(place.record()))
-                box.add(place.block->vertices[corner]);
-            for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, box.extent(axis));
-        }
-        const double rounding = 1e-15 * longest * longest * longest;
-        if (abs(Real(result_.report.volume) - lost) > all * 1e-9 + rounding)
+        // The report sums in double what changed: coordinates of the size of `reach`, each rounded once, on faces as
+        // wide as the change, seen from the cutter. Of 6,000 cuts the worst was off by 0.19 times this.
+        const Box cutter = box_of(*placed_);
+        Box box = cutter;
+        for (const std::vector<FacetPlace>* facets : {&change_.gone, &change_.come})
+            for (const FacetPlace& place : *facets)
+                for (const std::uint16_t corner : place.block->corners_of(place.record()))
+                    box.add(to_metres(place.block->vertices[corner]));
+        const double size = length(box.high - box.low), reach = size + length(box.low);
+        const double rounding = std::ldexp(reach * size * length(cutter.high - cutter.low), -51);
+        if (abs(Real(result_.report.volume) - lost) > rounding)
             fail("report.volume " + digits(Real(result_.report.volume)) + " instead of " + digits(lost));
     }
 

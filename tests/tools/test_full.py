@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""test_full.py ROOT: which lines of tools/full.py count, which make a claim fail, and which seed comes next."""
+import contextlib
+import importlib.util
+import io
+import os
+import sys
+import tempfile
+import unittest
+
+ROOT = sys.argv.pop(1)
+
+
+def load():
+    spec = importlib.util.spec_from_file_location('full', os.path.join(ROOT, 'tools', 'full.py'))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+class Lines(unittest.TestCase):
+    def setUp(self):
+        self.full = load()
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.full.RESULTS = os.path.join(self.folder.name, 'full.txt')
+        self.full.same_sources = lambda commit, claim: commit == 'now'
+        self.full.changed = lambda claim: False
+        self.full.head = lambda: 'now'
+        self.full.build = lambda preset: None
+        self.code = 0
+        self.claim = self.full.Claim('stones', 'turned', 100, 40, 'stones', [], 'test', self.command)
+        self.full.CLAIMS = [self.claim]
+        self.ran = []
+
+    def command(self, seed, count):
+        self.ran.append((seed, count))
+        return [sys.executable, '-c', f'import sys; print("claim=x family=total count={count}"); {self.code}']
+
+    def line(self, seed, count, result='pass', commit='now', claim='stones'):
+        with open(self.full.RESULTS, 'a', encoding='utf-8') as file:
+            file.write(f'claim={claim} count={count} unit=stones seed={seed} result={result} commit={commit}\n')
+
+    def run_main(self, *arguments):
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            sys.argv = ['full.py', *arguments]
+            code = self.full.main()
+        return code, said.getvalue()
+
+    def test_lines_add_up(self):
+        self.line(1, 60)
+        self.assertEqual(self.run_main('--list')[0], 1)
+        self.line(2, 40)
+        self.line(9, 1, 'fail', claim='others')
+        code, said = self.run_main('--list')
+        self.assertEqual(code, 0)
+        self.assertIn('100 of 100 stones: holds', said)
+
+    def test_a_failed_line_fails_the_claim(self):
+        self.line(1, 100)
+        self.line(2, 40, 'fail')
+        self.line(3, 100)
+        code, said = self.run_main('--list')
+        self.assertEqual(code, 1)
+        self.assertIn('FAILS', said)
+        self.assertIn('seed=2', said)
+        self.assertEqual(self.run_main()[0], 1)
+        self.assertEqual(self.ran, [], 'there is no outvoting it')
+
+    def test_until_the_sources_change(self):
+        self.line(1, 40, 'fail', commit='before')
+        self.line(2, 100)
+        self.assertEqual(self.run_main('--list')[0], 0)
+
+    def test_seeds_are_not_used_twice(self):
+        self.line(7, 10, 'fail')
+        self.line(3, 10)
+        self.line(50, 10, commit='before')
+        self.assertEqual(self.full.next_seed(self.claim), 8)
+
+    def test_works_off_in_chunks(self):
+        self.assertEqual(self.run_main()[0], 0)
+        self.assertEqual(self.ran, [(1, 40), (2, 40), (3, 20)])
+
+    def test_stops_at_a_failure(self):
+        self.code = 'sys.exit(1)'
+        code, said = self.run_main()
+        self.assertEqual(code, 1)
+        self.assertIn('FAILS', said)
+        self.assertEqual(len(self.ran), 1)
+        self.assertEqual(self.full.next_seed(self.claim), 2)
+
+    def test_broken_off_is_no_failure(self):
+        self.code = 'import os; os.kill(os.getpid(), 15)'
+        self.assertEqual(self.run_main()[0], 1)
+        self.assertEqual(self.full.lines_of(self.claim), [])
+
+
+if __name__ == '__main__':
+    unittest.main()
