@@ -145,8 +145,11 @@ std::optional<NearFace> closest(const World& world, const Vec3& point, double re
 ///         rounding to the grid made (a few millionths of a metre wide)
 std::optional<bool> in_solid(const World& world, const Vec3& point);
 
-/// A hash of all that the world is: ids, rooms, trees, counters, version. Worlds made by equal edits in equal order
-/// have equal ones on every machine; it takes some nanoseconds a face.
+/// A hash of what the world has become: ids, rooms, faces, the exact faces behind them, trees, materials, skin,
+/// counters, version. Worlds made by equal edits in equal order have equal ones on every machine; it takes some
+/// nanoseconds a face. Rules for carving (with_rules()) and TreeOptions are not in it, though later edits go by both:
+/// worlds that differ in nothing else hash alike, and may part ways at the next edit. Whoever keeps worlds in step by
+/// it must see to equal rules and options.
 std::uint64_t hash_world(const World& world);
 
 /// A broken invariant, named.
