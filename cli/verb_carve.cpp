@@ -48,7 +48,8 @@ Lines count from 1, the header included. `-` reads standard input.
 The report: one row a blast, in their order:
   blast       row of the blasts, from 0
   status      done; nothing (the cutter met only air); refused (see stderr; the world stays as it was)
-  ms          wall time of that edit alone with everything in it, milliseconds; not of the hash or of output
+  ms          wall time of that edit alone with everything in it, milliseconds; not of making the cutter's shape
+              from its seed, nor of the hash or of output
   faces_gone  faces that casts met before and no more
   faces_new   faces that casts meet from now on
   retries     how often the cutter was moved by a few 1/4096 m, out of degenerate position
@@ -60,8 +61,9 @@ change the exit code.
 The level written: the faces that casts meet, convex polygons of exactly the corners they have (decimals, multiples
 of 1/262144 m), with their materials. Only closed solids are carved; a .bsp has none. Read again, its vertices are snapped to
 1/4096 m; where that makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. Both files appear whole or
-not at all; `-` writes standard output. Should cuts contradict each other, which would be a fault of Firma, the
-blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter.
+not at all; `-` writes standard output. When blasts leave no face at all, stderr says so: AFTER.obj then holds none,
+and `firma check` does not take it ("no face"). Should cuts contradict each other, which would be a fault of Firma,
+the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter.
 
 --json: level, blasts, done, nothing, refused, faces_before, faces_after, castable_only, median_ms, p99_ms, longest_ms,
 longest_slice_ms, retries, volume, hash, read_seconds, build_seconds, out, report.
@@ -169,6 +171,15 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
     return tally;
 }
 
+/// An .obj without faces is what is left, but no level to anyone who reads it.
+void tell_if_empty(const CarveArguments& arguments, const World& world) {
+    if (world.face_count() > 0) return;
+    std::fputs(fmt::format("firma: {}: the blasts left no face: it holds none, and `firma check` will not take it\n",
+                           is_standard_output(arguments.out) ? "standard output" : arguments.out)
+                   .c_str(),
+               stderr);
+}
+
 void write_level(const World& world, AtomicFile& out) {
     write_obj(world, [&](std::string_view text) {
         out.write(text);  // throws where that is not possible
@@ -260,6 +271,7 @@ int run(const CarveArguments& arguments) {
     out.finish();
     if (report) report->commit();
     out.commit();
+    tell_if_empty(arguments, world);
     if (arguments.json) {
         print(json_text(arguments, loaded, tally, world));
     } else if (may_print_beside(arguments.out) && may_print_beside(arguments.report)) {

@@ -158,6 +158,16 @@ class After(CarveTest):
         self.assertEqual(self.firma_json('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 1)
         self.assertEqual(self.firma_json('carve', FIRST, '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 0)
 
+    def test_nothing_left(self):
+        corners = [(k & 1, k >> 1 & 1, k >> 2 & 1) for k in range(8)]
+        sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        self.write('block.obj', obj(corners, sides))
+        row, = self.carve('block.obj', '0.5,0.5,0.5,4,rocky,1\n', stderr=True)
+        self.assertEqual(row['status'], 'done')
+        self.assertEqual(self.faces('a.obj'), set())
+        self.assertIn('a.obj: the blasts left no face', self.stderr)
+        self.refuse('check', 'a.obj', says='a.obj')
+
     def test_scale(self):
         self.write('large.obj', box(400, 400, 400))
         row, = self.carve('large.obj', '2,2,0,1,rocky,1\n', '--scale', '0.01')
