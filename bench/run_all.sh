@@ -1,4 +1,4 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # All benchmarks, one after the other, and their tables into docs/benchmarks.md. About half an hour.
 #
@@ -10,6 +10,9 @@ set -eu
 repository=$(cd "$(dirname "$0")/.." && pwd)
 results=$repository/bench/results
 cd "$repository"
+. tools/needs.sh
+need_build
+need libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
 mkdir -p "$results"
 cmake --preset bench >/dev/null
 cmake --build --preset bench >/dev/null
@@ -37,5 +40,5 @@ for name in "$@"; do
         *) "build/bench/bin/bench_$name" --csv "$results" ;;
     esac
 done
-python3 bench/fill_tables.py docs/benchmarks.md "$results"
+/usr/bin/python3 bench/fill_tables.py docs/benchmarks.md "$results"
 python3 bench/plot_carving.py "$results" docs/pictures
