@@ -134,7 +134,8 @@ void huge_cuts(CutCase& it, double size, Rng& rng) {
 void tiny_cuts(CutCase& it, Rng& rng) {
     const Spot spot = spot_on(it.level, rng);
     for (int k = 0; k < kCuts; ++k) {
-        const double radius = std::ldexp(rng.uniform(0.5, 1), -int(rng.below(8)) - 3);
+        const int halvings = 3 + int(rng.below(8));
+        const double radius = std::ldexp(rng.uniform(0.5, 1), -halvings);
         const Spot near{spot.point + rng.direction() * 0.02, spot.normal};
         it.cuts.push_back(crater_at(rng.chance(0.5) ? near : spot_on(it.level, rng), radius, rng));
     }

