@@ -21,7 +21,13 @@ FUZZ = os.path.join('build', 'fuzz', 'bin')
 
 CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt', 'CMakePresets.json']
-CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level', 'scenes', 'levels', 'tests/reference']
+CARVE_SOURCES = CAST_SOURCES + ['src/solid', 'src/carve', 'src/level', 'scenes', 'levels']
+
+
+def reference(*names):
+    return [f'tests/reference/{name}.{ending}' for name in names for ending in ('h', 'cpp')]
+
+
 READ_SOURCES = ['include', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
 
@@ -69,11 +75,11 @@ CLAIMS = [
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + ['scenes', 'tests/full/full_watertight.cpp'], 'test', watertight),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
-          CARVE_SOURCES + ['tests/full/full_carve.cpp'], 'test', carve),
+          CARVE_SOURCES + ['tests/full/full_carve.cpp'] + reference('judge_cut', 'carve_oracle', 'world_facets'), 'test', carve),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
-          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'], 'test', carved('casts')),
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('casts')),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',
-          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'], 'test', carved('rays')),
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('rays')),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['src', 'tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
