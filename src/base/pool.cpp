@@ -4,37 +4,39 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <mutex>
+#include <new>
+
+#include "firma/memory.h"
 
 namespace firma {
 namespace {
 
+#if defined(_LIBCPP_HAS_NO_THREADS)
+struct Lock {  // nobody to wait for: the standard library of wasm has no std::mutex
+    void lock() {}
+    void unlock() {}
+};
+#else
+using Lock = std::mutex;
+#endif
+
 constexpr std::size_t kSmallest = 16;            // and the step of sizes up to 256
-constexpr std::size_t kLargest = 16384;          // anything larger goes to the general allocator
-constexpr std::size_t kSizes = 8 + 7 * 8;        // eight up to 128, then eight in each doubling
+constexpr std::size_t kSizes = 8 + 7 * 8;        // eight up to 128, then eight in each doubling up to kLargestPooled
 constexpr std::size_t kFirstSlab = 4096;         // small programs stay small
 constexpr std::size_t kLargestSlab = 256 << 10;  // each slab is twice the one before, up to this
 
-// The address sanitizer sees a use after the end only when memory really ends.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kUsesPool = false;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool kUsesPool = false;
-#else
-constexpr bool kUsesPool = true;
-#endif
-#else
-constexpr bool kUsesPool = true;
-#endif
+constexpr std::size_t kAlignment = alignof(std::max_align_t);
 
 struct Size {
     std::size_t index, bytes;
 };
 
-/// @param bytes  1 .. kLargest
+/// @param bytes  1 .. kLargestPooled
 Size size_for(std::size_t bytes) {
     if (bytes <= 128) {
         const std::size_t index = (bytes - 1) / kSmallest;
@@ -46,10 +48,53 @@ Size size_for(std::size_t bytes) {
     return {8 + (width - 8) * 8 + eighth, below + (eighth + 1) * step};
 }
 
+/// Where memory comes from: settled by whoever takes the first of it.
+class Source {
+public:
+    bool set(const MemorySource& source) {
+        if (!source.take || !source.give_back) return false;
+        const std::lock_guard<Lock> guard(lock_);
+        if (settled_.load(std::memory_order_relaxed)) return false;
+        source_ = source;
+        return true;
+    }
+
+    void* take(std::size_t bytes) {
+        settle();
+        if (!source_.take) return ::operator new(bytes);
+        void* memory = source_.take(bytes, kAlignment, source_.user);
+        if (!memory) pool_exhausted();
+        return memory;
+    }
+
+    void give_back(void* memory, std::size_t bytes) {
+        if (!source_.take) return ::operator delete(memory);
+        if (memory) source_.give_back(memory, bytes, kAlignment, source_.user);
+    }
+
+private:
+    /// From here on `source_` does not change, and may be read without the lock.
+    void settle() {
+        if (settled_.load(std::memory_order_acquire)) return;
+        const std::lock_guard<Lock> guard(lock_);
+        settled_.store(true, std::memory_order_release);
+    }
+
+    Lock lock_;
+    std::atomic<bool> settled_ = false;
+    MemorySource source_;
+};
+
+/// Never destroyed: a World may outlive everything static.
+Source& general() {
+    static auto& source = *new Source;
+    return source;
+}
+
 class Shelf {
 public:
     void* take(std::size_t bytes) {
-        const std::lock_guard<std::mutex> guard(lock_);
+        const std::lock_guard<Lock> guard(lock_);
         if (given_back_) {
             Piece* piece = given_back_;
             given_back_ = piece->next;
@@ -63,7 +108,7 @@ public:
     }
 
     void give_back(void* memory) {
-        const std::lock_guard<std::mutex> guard(lock_);
+        const std::lock_guard<Lock> guard(lock_);
         given_back_ = new (memory) Piece{given_back_};
     }
 
@@ -73,43 +118,55 @@ private:
     };
 
     void open_slab(std::size_t bytes) {
-        next_slab_ = std::min(std::max(next_slab_ * 2, 4 * bytes), kLargestSlab);
-        fresh_ = static_cast<std::byte*>(::operator new(next_slab_));
-        left_ = next_slab_;
+        const std::size_t size = std::min(std::max(next_slab_ * 2, 4 * bytes), kLargestSlab);
+        fresh_ = static_cast<std::byte*>(general().take(size));
+        left_ = next_slab_ = size;
     }
 
-    alignas(64) std::mutex lock_;  // shelves do not share a cache line
+    alignas(64) Lock lock_;  // shelves do not share a cache line
     Piece* given_back_ = nullptr;
     std::byte* fresh_ = nullptr;
     std::size_t left_ = 0;
     std::size_t next_slab_ = kFirstSlab / 2;
 };
 
-/// Never destroyed: a World may outlive everything static.
+/// Never destroyed, as above.
 Shelf& shelf(std::size_t index) {
     static auto& shelves = *new std::array<Shelf, kSizes>;
     return shelves[index];
 }
 
 bool is_pooled(std::size_t bytes) {
-    return kUsesPool && bytes <= kLargest && bytes > 0;
+    return kPoolKeepsSlabs && bytes <= kLargestPooled && bytes > 0;
 }
 
 }  // namespace
 
 void* pool_take(std::size_t bytes) {
-    if (!is_pooled(bytes)) return ::operator new(bytes);
+    if (!is_pooled(bytes)) return general().take(bytes);
     const Size size = size_for(bytes);
     return shelf(size.index).take(size.bytes);
 }
 
 void pool_give_back(void* memory, std::size_t bytes) noexcept {
-    if (!is_pooled(bytes)) return ::operator delete(memory);
+    if (!is_pooled(bytes)) return general().give_back(memory, bytes);
     if (memory) shelf(size_for(bytes).index).give_back(memory);
 }
 
 std::size_t pool_size(std::size_t bytes) {
     return is_pooled(bytes) ? size_for(bytes).bytes : bytes;
+}
+
+void pool_exhausted() {
+#if defined(__cpp_exceptions)
+    throw std::bad_alloc();
+#else
+    std::abort();
+#endif
+}
+
+bool set_memory_source(const MemorySource& source) {
+    return general().set(source);
 }
 
 }  // namespace firma

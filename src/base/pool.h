@@ -3,24 +3,41 @@
 // sizes.
 //
 // Both taking and giving back are a few instructions under a lock of their size's own, however much is held; memory is
-// got from the general allocator in slabs of at most 256 KiB and kept, so that neither growth nor the end of a version
-// ever stalls. (With std::pmr::synchronized_pool_resource of GNU's library the time that a piece takes grows with how
-// many are held: see docs/architecture.md.)
+// got from the general allocator, or from the program's own source (set_memory_source), in slabs of at most 256 KiB and
+// kept, so that neither growth nor the end of a version ever stalls. (With std::pmr::synchronized_pool_resource of
+// GNU's library the time that a piece takes grows with how many are held: see docs/architecture.md.)
 #pragma once
 
 #include <cstddef>
 #include <limits>
-#include <new>
 #include <vector>
 
 namespace firma {
 
-/// Aligned as for any fundamental type. Throws std::bad_alloc when there is no more, as operator new does. Any thread
-/// may give back what another took.
+// The address sanitizer sees a use after the end only when memory really ends: then each piece is taken by itself.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kPoolKeepsSlabs = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool kPoolKeepsSlabs = false;
+#else
+inline constexpr bool kPoolKeepsSlabs = true;
+#endif
+#else
+inline constexpr bool kPoolKeepsSlabs = true;
+#endif
+
+/// Anything larger is no piece of a slab, but taken by itself.
+inline constexpr std::size_t kLargestPooled = 16384;
+
+/// Aligned as for any fundamental type. Throws std::bad_alloc when there is no more, as operator new does; compiled
+/// without exceptions it ends the program. Any thread may give back what another took.
 void* pool_take(std::size_t bytes);
 void pool_give_back(void* memory, std::size_t bytes) noexcept;
 /// What taking so many bytes really takes: up to an eighth more.
 std::size_t pool_size(std::size_t bytes);
+/// What pool_take() ends in when there is no more.
+[[noreturn]] void pool_exhausted();
 
 /// Base of classes whose objects live in the pool.
 struct Pooled {
@@ -39,7 +56,7 @@ struct PoolAllocator {
     PoolAllocator(const PoolAllocator<U>&) {}
 
     T* allocate(std::size_t count) {
-        if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_array_new_length();
+        if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) pool_exhausted();
         return static_cast<T*>(pool_take(count * sizeof(T)));
     }
     void deallocate(T* memory, std::size_t count) noexcept { pool_give_back(memory, count * sizeof(T)); }
