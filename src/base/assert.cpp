@@ -9,7 +9,11 @@ namespace firma {
 namespace {
 
 void print_and_abort(const char* condition, const char* advice, const char* file, int line) {
+#if defined(__wasm__)  // no terminal to print to
+    static_cast<void>(condition), static_cast<void>(advice), static_cast<void>(file), static_cast<void>(line);
+#else
     std::fprintf(stderr, "%s:%d: firma: %s: it must hold that %s\n", file, line, advice, condition);
+#endif
     std::abort();
 }
 

@@ -8,22 +8,13 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <mutex>
 #include <new>
 
+#include "base/lock.h"
 #include "firma/memory.h"
 
 namespace firma {
 namespace {
-
-#if defined(_LIBCPP_HAS_NO_THREADS)
-struct Lock {  // nobody to wait for: the standard library of wasm has no std::mutex
-    void lock() {}
-    void unlock() {}
-};
-#else
-using Lock = std::mutex;
-#endif
 
 constexpr std::size_t kSmallest = 16;            // and the step of sizes up to 256
 constexpr std::size_t kSizes = 8 + 7 * 8;        // eight up to 128, then eight in each doubling up to kLargestPooled
@@ -53,7 +44,7 @@ class Source {
 public:
     bool set(const MemorySource& source) {
         if (!source.take || !source.give_back) return false;
-        const std::lock_guard<Lock> guard(lock_);
+        const LockGuard guard(lock_);
         if (settled_.load(std::memory_order_relaxed)) return false;
         source_ = source;
         return true;
@@ -76,7 +67,7 @@ private:
     /// From here on `source_` does not change, and may be read without the lock.
     void settle() {
         if (settled_.load(std::memory_order_acquire)) return;
-        const std::lock_guard<Lock> guard(lock_);
+        const LockGuard guard(lock_);
         settled_.store(true, std::memory_order_release);
     }
 
@@ -94,7 +85,7 @@ Source& general() {
 class Shelf {
 public:
     void* take(std::size_t bytes) {
-        const std::lock_guard<Lock> guard(lock_);
+        const LockGuard guard(lock_);
         if (given_back_) {
             Piece* piece = given_back_;
             given_back_ = piece->next;
@@ -108,7 +99,7 @@ public:
     }
 
     void give_back(void* memory) {
-        const std::lock_guard<Lock> guard(lock_);
+        const LockGuard guard(lock_);
         given_back_ = new (memory) Piece{given_back_};
     }
 

@@ -59,7 +59,7 @@ FaceSet face_set(const Level& level, const LevelSolids& solids) {
 }  // namespace
 
 Result<World> make_world(const Level& level, const WorldOptions& options) {
-    if (level.faces.size() >= (1u << 31) || level.corners.size() >= (1ull << 32))
+    if (level.faces.size() >= (1u << 31) || level.corners.size() > 0xFFFFFFFFu)
         return Error{ErrorCode::kTooLarge, level.name, "a world holds fewer than 2^31 faces"};
     for (std::size_t k = 0; k < level.faces.size(); ++k)
         if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// Cutters and edits.
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "bindings/c/convert.h"
+#include "bindings/c/objects.h"
+
+namespace firma::c {
+namespace {
+
+firma_code give_cutter(Result<Cutter> cutter, firma_cutter* out, const char* function) {
+    if (!cutter) return fail(cutter.error());
+    return give(std::make_unique<CutterObject>(std::move(cutter).value()), out, function);
+}
+
+/// The world after an edit as a handle, and the report. A refusal's reason becomes the message.
+firma_code give_result(const CarveResult& result, firma_world* after, firma_carve_report* report,
+                       const char* function) {
+    const firma_code code = give(std::make_unique<WorldObject>(result.world), after, function);
+    if (code) return code;
+    if (report) put_report(result, *report);
+    if (result.status == CarveStatus::kRefused) fail(result.error);
+    return FIRMA_OK;
+}
+
+/// What every edit begins with.
+struct Order {
+    Cutter cutter;
+    Pose pose;
+    CarveOptions options;
+    CarveKind kind = CarveKind::kCarve;
+};
+
+firma_code read_order(firma_cutter cutter, const firma_pose* pose, const firma_carve_options* options, Order& order,
+                      const char* function) {
+    if (!pose) return bad_call(function, kNull);
+    const CutterObject* object = find<CutterObject>(cutter.id, function);
+    if (!object) return FIRMA_ERROR_BAD_HANDLE;
+    order.cutter = object->cutter;
+    order.pose = pose_of(*pose);
+    return read_options(options, order.options, order.kind, function);
+}
+
+}  // namespace
+}  // namespace firma::c
+
+using namespace firma;
+using namespace firma::c;
+
+firma_code firma_cutter_crater(uint32_t shape, uint64_t seed, firma_cutter* cutter) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!cutter) return bad_call(function, kNull);
+        if (shape > FIRMA_BOX) return fail(FIRMA_ERROR_INVALID, function, "there is no shape " + std::to_string(shape));
+        return give_cutter(make_crater(CutterShape(shape), seed), cutter, function);
+    });
+}
+
+firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, const uint32_t* corners,
+                                  size_t triangle_count, const char* name, firma_cutter* cutter) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!cutter || (vertex_count && !positions) || (triangle_count && !corners)) return bad_call(function, kNull);
+        if (triangle_count > kMostCutterTriangles || vertex_count > 3 * kMostCutterTriangles)
+            return fail(FIRMA_ERROR_TOO_LARGE, function,
+                        "a cutter has at most " + std::to_string(kMostCutterTriangles) + " triangles");
+        std::vector<Vec3> vertices(vertex_count);
+        for (std::size_t k = 0; k < vertex_count; ++k)
+            vertices[k] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
+        std::vector<CutterTriangle> triangles(triangle_count);
+        for (std::size_t k = 0; k < triangle_count; ++k)
+            triangles[k] = {corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]};
+        return give_cutter(make_cutter(vertices, triangles, text_of(name)), cutter, function);
+    });
+}
+
+firma_code firma_cutter_from_obj(const char* text, size_t length, const char* name, firma_cutter* cutter) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!cutter || (length && !text)) return bad_call(function, kNull);
+        const Result<Level> level = read_obj({text, length}, text_of(name));
+        if (!level) return fail(level.error());
+        return give_cutter(cutter_from_level(level.value()), cutter, function);
+    });
+}
+
+firma_code firma_cutter_release(firma_cutter cutter) {
+    return release<CutterObject>(cutter.id, __func__);
+}
+
+void firma_random_turn(uint64_t seed, double rotation[4]) {
+    if (!rotation) return;
+    const Quaternion turn = random_turn(seed);
+    std::memcpy(rotation, turn.data(), sizeof turn);
+}
+
+firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose* pose,
+                       const firma_carve_options* options, firma_world* after, firma_carve_report* report) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!after) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        Order order;
+        if (const firma_code code = read_order(cutter, pose, options, order, function)) return code;
+        const auto edit = order.kind == CarveKind::kFill ? firma::fill : firma::carve;
+        return give_result(edit(object->world, order.cutter, order.pose, order.options), after, report, function);
+    });
+}
+
+firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_pose* pose,
+                           const firma_carve_options* options, firma_job* job) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!job) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        Order order;
+        if (const firma_code code = read_order(cutter, pose, options, order, function)) return code;
+        return give(
+            std::make_unique<JobObject>(CarveJob(object->world, order.cutter, order.pose, order.options, order.kind)),
+            job, function);
+    });
+}
+
+firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!finished) return bad_call(function, kNull);
+        JobObject* object = find<JobObject>(job.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        if (!(microseconds >= 0)) return fail(FIRMA_ERROR_INVALID, function, "the time is negative, or no number");
+        *finished = object->job.run(microseconds);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!after) return bad_call(function, kNull);
+        const JobObject* object = find<JobObject>(job.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        if (!object->job.finished()) return bad_call(function, "the job is not finished: run it on first");
+        return give_result(object->job.result(), after, report, function);
+    });
+}
+
+firma_code firma_job_release(firma_job job) {
+    return release<JobObject>(job.id, __func__);
+}
+
+firma_code firma_edit_begin(firma_world world, firma_edit* edit) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!edit) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        return give(std::make_unique<EditObject>(object->world), edit, function);
+    });
+}
+
+firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, const firma_pose* pose,
+                            const firma_carve_options* options, firma_carve_report* report) {
+    return guarded(__func__, [&, function = __func__] {
+        EditObject* object = find<EditObject>(edit.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        Order order;
+        if (const firma_code code = read_order(cutter, pose, options, order, function)) return code;
+        const CarveResult result = order.kind == CarveKind::kFill
+                                       ? object->edit.fill(order.cutter, order.pose, order.options)
+                                       : object->edit.carve(order.cutter, order.pose, order.options);
+        if (report) put_report(result, *report);
+        if (result.status == CarveStatus::kRefused) fail(result.error);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_edit_finish(firma_edit edit, firma_world* after) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!after) return bad_call(function, kNull);
+        const EditObject* object = find<EditObject>(edit.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        return give(std::make_unique<WorldObject>(object->edit.finish()), after, function);
+    });
+}
+
+firma_code firma_edit_release(firma_edit edit) {
+    return release<EditObject>(edit.id, __func__);
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Questions to a world. Those that answer one struct take no memory, no lock, and count no reference.
+#include <algorithm>
+#include <vector>
+
+#include "bindings/c/batch.h"
+#include "bindings/c/convert.h"
+#include "bindings/c/objects.h"
+
+namespace firma::c {
+namespace {
+
+/// What one call of a batch's work does.
+constexpr std::size_t kCastsATask = 256;
+
+struct Batch {
+    const World& world;
+    const firma_cast_input* inputs;
+    std::size_t count;
+    CastOptions options;
+    firma_hit* hits;
+    std::vector<CastCounts> counts;  ///< of each task, when they are wanted
+};
+
+void cast_some(void* context, std::size_t task) {
+    Batch& batch = *static_cast<Batch*>(context);
+    CastOptions options = batch.options;
+    if (!batch.counts.empty()) options.counts = &batch.counts[task];
+    const std::size_t begin = task * kCastsATask, end = std::min(begin + kCastsATask, batch.count);
+    for (std::size_t k = begin; k < end; ++k) {
+        const firma_cast_input& input = batch.inputs[k];
+        put_hit(cast(batch.world, sphere_of(input), vec(input.path), options), batch.hits[k]);
+    }
+}
+
+void add(const CastCounts& counts, firma_cast_counts& out) {
+    out.bins += counts.bins;
+    out.boxes += counts.boxes;
+    out.faces += counts.faces;
+    out.precise += counts.precise;
+}
+
+template <class From, class To>
+void put_some(const std::vector<From>& found, To* out, std::size_t capacity, std::size_t* count,
+              void (*put_one)(const From&, To&)) {
+    *count = found.size();
+    for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) put_one(found[k], out[k]);
+}
+
+}  // namespace
+}  // namespace firma::c
+
+using namespace firma;
+using namespace firma::c;
+
+void firma_cast_options_defaults(firma_cast_options* options) {
+    if (!options) return;
+    *options = {};
+    options->size = sizeof(firma_cast_options);
+    options->mask = ~0u;
+    options->skin = -1;
+}
+
+firma_code firma_cast(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                      firma_hit* hit, firma_cast_counts* counts) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!input || !hit) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        CastOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        CastCounts seen;
+        if (counts) chosen.counts = &seen;
+        put_hit(cast(object->world, sphere_of(*input), vec(input->path), chosen), *hit);
+        if (counts) add(seen, *counts);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_cast_any(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                          uint32_t* status) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!input || !status) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        CastOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        *status = std::uint32_t(cast_any(object->world, sphere_of(*input), vec(input->path), chosen));
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                          firma_hit* hits, size_t capacity, size_t* count) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!input || !count || (!hits && capacity)) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        CastOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        std::vector<Hit> found;
+        if (cast_all(object->world, sphere_of(*input), vec(input->path), found, chosen) == Status::kInvalid)
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
+                        "a number is not finite or too large, or the radius negative");
+        put_some(found, hits, capacity, count, put_hit);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
+                            const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts) {
+    return guarded(__func__, [&, function = __func__] {
+        if (count && (!inputs || !hits)) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        Batch batch{object->world, inputs, count, {}, hits, {}};
+        if (const firma_code code = read_options(options, batch.options, function)) return code;
+        const std::size_t tasks = (count + kCastsATask - 1) / kCastsATask;
+        if (counts) batch.counts.resize(tasks);
+        run_batch(tasks, cast_some, &batch);
+        for (const CastCounts& seen : batch.counts) add(seen, *counts);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask, firma_near* found,
+                         size_t capacity, size_t* count) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!centre || !count || (!found && capacity)) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        std::vector<NearFace> near;
+        if (overlap(object->world, {{centre[0], centre[1], centre[2]}, radius}, near, mask) == Status::kInvalid)
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
+                        "a number is not finite or too large, or the radius negative");
+        put_some(near, found, capacity, count, put_near);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_closest(firma_world world, const double point[3], double reach, uint32_t mask, firma_near* near,
+                         uint32_t* found) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!point || !near || !found) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const Vec3 at{point[0], point[1], point[2]};
+        if (!is_finite(at) || !(reach >= 0))
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a number is not finite, or the reach negative");
+        const std::optional<NearFace> nearest = closest(object->world, at, reach, mask);
+        *found = nearest.has_value();
+        if (nearest) put_near(*nearest, *near);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!point || !where) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const Vec3 at{point[0], point[1], point[2]};
+        if (!is_finite(at)) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite");
+        const std::optional<bool> inside = in_solid(object->world, at);
+        *where = inside ? std::uint32_t(*inside) : 2;
+        return FIRMA_OK;
+    });
+}

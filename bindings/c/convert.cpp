@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Between the C API's plain structs and the library's own.
+#include "bindings/c/convert.h"
+
+namespace firma::c {
+namespace {
+
+std::uint32_t id_of(FaceId face) {
+    return face.valid() ? face.value : FIRMA_NO_FACE;
+}
+
+}  // namespace
+
+firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read,
+                        const char* function) {
+    if (!given) return FIRMA_OK;
+    if (!sized(given)) return bad_call(function, kWrongSize);
+    if (given->surface_area > 1 || given->max_depth < 0 || given->max_depth > 64 || given->faces_per_bin < 1 ||
+        !(given->min_bin_volume >= 0))
+        return fail(FIRMA_ERROR_INVALID, function, "a rule for the tree is out of its range");
+    if (!(given->skin >= 0) || !std::isfinite(given->skin))
+        return fail(FIRMA_ERROR_INVALID, function, "the skin must be a finite number, not below zero");
+    if (!(given->scale >= 0) || !std::isfinite(given->scale))
+        return fail(FIRMA_ERROR_INVALID, function, "the scale must be a finite number above zero, or 0");
+    world.tree.split = given->surface_area ? Split::kSurfaceArea : Split::kLongestAxis;
+    world.tree.max_depth = given->max_depth;
+    world.tree.faces_per_bin = given->faces_per_bin;
+    world.tree.min_bin_volume = given->min_bin_volume;
+    world.tolerance.skin = given->skin;
+    read.scale = given->scale;
+    return FIRMA_OK;
+}
+
+firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function) {
+    if (!given) return FIRMA_OK;
+    if (!sized(given)) return bad_call(function, kWrongSize);
+    if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
+    if (!std::isfinite(given->skin)) return fail(FIRMA_ERROR_INVALID, function, "the skin is not finite");
+    cast.mask = given->mask;
+    cast.sides = given->sides ? Sides::kBoth : Sides::kFront;
+    cast.skin = given->skin;
+    return FIRMA_OK;
+}
+
+firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function) {
+    if (!given) return FIRMA_OK;
+    if (!sized(given)) return bad_call(function, kWrongSize);
+    if (given->fill > 1) return fail(FIRMA_ERROR_INVALID, function, "fill must be 0 or 1");
+    carve.material = text_of(given->material);
+    kind = given->fill ? CarveKind::kFill : CarveKind::kCarve;
+    return FIRMA_OK;
+}
+
+Pose pose_of(const firma_pose& pose) {
+    return {vec(pose.position), {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]}, pose.scale};
+}
+
+void put_hit(const Hit& hit, firma_hit& out) {
+    out.fraction = hit.fraction;
+    out.safe_fraction = hit.safe_fraction;
+    put(hit.centre, out.centre);
+    put(hit.point, out.point);
+    put(hit.normal, out.normal);
+    put(hit.face_normal, out.face_normal);
+    out.version = hit.version;
+    out.status = std::uint32_t(hit.status);
+    out.feature = std::uint32_t(hit.feature);
+    out.feature_index = hit.feature_index;
+    out.face = id_of(hit.face);
+    out.other_face = id_of(hit.other_face);
+    out.source = hit.source;
+    out.source_edit = hit.source_edit;
+    out.material = hit.material;
+    out.room = hit.room.value;
+    out.rooms_passed = hit.rooms_passed;
+}
+
+void put_near(const NearFace& near, firma_near& out) {
+    put(near.point, out.point);
+    out.distance = near.distance;
+    out.face = id_of(near.face);
+    out.source = near.source;
+    out.source_edit = near.source_edit;
+    out.material = near.material;
+    out.feature = std::uint32_t(near.feature);
+    out.feature_index = near.feature_index;
+}
+
+void put_report(const CarveResult& result, firma_carve_report& out) {
+    const CarveReport& report = result.report;
+    out.status = std::uint32_t(result.status);
+    out.retries = std::uint32_t(report.retries);
+    out.faces_looked_at = report.faces_looked_at;
+    out.faces_cut = report.faces_cut;
+    out.faces_gone = report.faces_gone;
+    out.faces_new = report.faces_new;
+    out.scale = report.scale;
+    out.volume = report.volume;
+    out.place_us = report.times.place;
+    out.gather_us = report.times.gather;
+    out.cut_us = report.times.cut;
+    out.label_us = report.times.label;
+    out.trace_us = report.times.trace;
+    out.facets_us = report.times.facets;
+    out.tree_us = report.times.tree;
+}
+
+}  // namespace firma::c

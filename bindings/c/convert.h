@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Between the C API's plain structs and the library's own.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "bindings/c/calls.h"
+#include "firma/carve.h"
+#include "firma/level.h"
+#include "firma/vec.h"
+#include "firma/world.h"
+
+namespace firma::c {
+
+inline Vec3 vec(const double (&v)[3]) {
+    return {v[0], v[1], v[2]};
+}
+inline void put(const Vec3& v, double (&out)[3]) {
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+
+inline std::string text_of(const char* text) {
+    return text ? text : "";
+}
+
+inline Sphere sphere_of(const firma_cast_input& input) {
+    return {vec(input.centre), input.radius};
+}
+
+/// FIRMA_OK, or why the options are no good; null gives the defaults.
+firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read, const char* function);
+firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function);
+firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function);
+
+Pose pose_of(const firma_pose& pose);
+void put_hit(const Hit& hit, firma_hit& out);
+void put_near(const NearFace& near, firma_near& out);
+void put_report(const CarveResult& result, firma_carve_report& out);
+
+}  // namespace firma::c

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Faces of a world, and what changed between two.
+#include "bindings/c/convert.h"
+#include "bindings/c/objects.h"
+
+namespace firma::c {
+
+void FaceList::add(const Face& face) {
+    firma_face& out = faces.emplace_back();
+    put(face.normal, out.normal);
+    out.id = face.id.value;
+    out.source = face.source;
+    out.source_edit = face.source_edit;
+    out.material = face.material;
+    out.mask = face.mask;
+    out.flags = (face.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (face.solid ? FIRMA_FACE_SOLID : 0);
+    out.first_corner = std::uint32_t(corners.size() / 3);
+    out.corner_count = std::uint32_t(face.corners.size());
+    for (const Vec3& corner : face.corners) corners.insert(corners.end(), {corner.x, corner.y, corner.z});
+}
+
+}  // namespace firma::c
+
+using namespace firma;
+using namespace firma::c;
+
+firma_code firma_world_faces(firma_world world, firma_faces* faces) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!faces) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        auto list = std::make_unique<FacesObject>();
+        for (const Face& face : object->world.faces()) list->list.add(face);
+        return give(std::move(list), faces, function);
+    });
+}
+
+firma_code firma_world_find_face(firma_world world, uint32_t id, firma_faces* faces) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!faces) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        auto list = std::make_unique<FacesObject>();
+        if (const std::optional<Face> face = object->world.find_face({id})) list->list.add(*face);
+        return give(std::move(list), faces, function);
+    });
+}
+
+firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!view) return bad_call(function, kNull);
+        const FacesObject* object = find<FacesObject>(faces.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const FaceList& list = object->list;
+        *view = {list.faces.data(), list.faces.size(), list.corners.data(), list.corners.size() / 3};
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_faces_release(firma_faces faces) {
+    return release<FacesObject>(faces.id, __func__);
+}
+
+firma_code firma_world_diff(firma_world before, firma_world after, double tile_size, firma_diff* diff) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!diff) return bad_call(function, kNull);
+        const WorldObject* first = find<WorldObject>(before.id, function);
+        const WorldObject* second = first ? find<WorldObject>(after.id, function) : nullptr;
+        if (!second) return FIRMA_ERROR_BAD_HANDLE;
+        if (tile_size != 0 && (!(tile_size >= kLeastTile) || !std::isfinite(tile_size)))
+            return fail(FIRMA_ERROR_INVALID, function, "the size of a tile must be 0, or 1/16 m and more");
+        auto made = std::make_unique<DiffObject>();
+        made->diff = diff_worlds(first->world, second->world, tile_size);
+        for (const ChangedFace& face : made->diff.gone) made->gone.push_back(face.id.value);
+        for (const ChangedFace& face : made->diff.come) made->come.add(second->world.face(face.ref));
+        return give(std::move(made), diff, function);
+    });
+}
+
+firma_code firma_diff_get_view(firma_diff diff, firma_diff_view* view) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!view) return bad_call(function, kNull);
+        const DiffObject* object = find<DiffObject>(diff.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        static_assert(sizeof(Tile) == 3 * sizeof(std::int32_t));
+        *view = {};
+        view->gone = object->gone.data();
+        view->gone_count = object->gone.size();
+        view->come = object->come.faces.data();
+        view->come_count = object->come.faces.size();
+        view->corners = object->come.corners.data();
+        view->corner_count = object->come.corners.size() / 3;
+        view->tiles = object->diff.tiles.empty() ? nullptr : object->diff.tiles[0].data();
+        view->tile_count = object->diff.tiles.size();
+        put(object->diff.bounds.low, view->low);
+        put(object->diff.bounds.high, view->high);
+        view->too_many_tiles = object->diff.too_many_tiles;
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_diff_release(firma_diff diff) {
+    return release<DiffObject>(diff.id, __func__);
+}

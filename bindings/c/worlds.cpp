@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Worlds made, released, measured.
+#include <string>
+#include <vector>
+
+#include "bindings/c/convert.h"
+#include "bindings/c/objects.h"
+#include "firma/memory.h"
+#include "firma/mesh.h"
+#include "firma/solid.h"
+#include "world/world_data.h"
+
+namespace firma::c {
+namespace {
+
+firma_code give_world(World world, firma_world* out, const char* function) {
+    return give(std::make_unique<WorldObject>(std::move(world)), out, function);
+}
+
+firma_code make(const Result<Level>& level, const WorldOptions& options, firma_world* out, const char* function) {
+    if (!level) return fail(level.error());
+    Result<World> world = make_world(level.value(), options);
+    if (!world) return fail(world.error());
+    return give_world(std::move(world).value(), out, function);
+}
+
+/// The arrays of a mesh as views, and what they need to be held by.
+struct MeshArrays {
+    std::vector<Vec3> vertices;
+    std::vector<std::string> names;
+    Mesh mesh;
+};
+
+firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* function) {
+    if (!sized(&given)) return bad_call(function, kWrongSize);
+    const auto lacks = [](const void* array, std::size_t count) { return count > 0 && !array; };
+    if (lacks(given.positions, given.vertex_count) || lacks(given.corners, given.face_count) ||
+        lacks(given.material_names, given.material_count))
+        return bad_call(function, "a count without its array");
+    if (given.vertex_count >> 31 || given.face_count >> 31)
+        return fail(FIRMA_ERROR_TOO_LARGE, function, "a level holds fewer than 2^31 vertices and faces");
+    arrays.vertices.reserve(given.vertex_count);
+    for (std::size_t k = 0; k < given.vertex_count; ++k)
+        arrays.vertices.push_back({given.positions[3 * k], given.positions[3 * k + 1], given.positions[3 * k + 2]});
+    for (std::uint32_t k = 0; k < given.material_count; ++k) {
+        if (!given.material_names[k]) return bad_call(function, "the name of a material is null");
+        arrays.names.emplace_back(given.material_names[k]);
+    }
+    std::size_t corners = 3 * given.face_count;
+    if (given.corner_counts) {
+        corners = 0;
+        for (std::size_t k = 0; k < given.face_count; ++k) corners += given.corner_counts[k];
+        arrays.mesh.corner_counts = {given.corner_counts, given.face_count};
+    }
+    arrays.mesh.vertices = arrays.vertices;
+    arrays.mesh.corners = {given.corners, corners};
+    arrays.mesh.material_names = arrays.names;
+    if (given.materials) arrays.mesh.materials = {given.materials, given.face_count};
+    if (given.masks) arrays.mesh.masks = {given.masks, given.face_count};
+    if (given.two_sided) arrays.mesh.two_sided = {given.two_sided, given.face_count};
+    return FIRMA_OK;
+}
+
+template <class T>
+T or_default(std::uint64_t given, T otherwise) {
+    return given == 0 ? otherwise : T(given);
+}
+
+firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* function) {
+    if (!sized(&given)) return bad_call(function, kWrongSize);
+    if ((given.zone_count && !given.zones) || (given.hardness_count && !given.hardness))
+        return bad_call(function, "a count without its array");
+    const auto hard = [](double h) { return h >= 0 && h <= 1; };
+    for (std::size_t k = 0; k < given.zone_count; ++k) {
+        const firma_zone& zone = given.zones[k];
+        const std::string place = std::string(function) + ": zone " + std::to_string(k);
+        if (!hard(zone.hardness)) return fail(FIRMA_ERROR_INVALID, place, "its hardness is not within 0 and 1");
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(zone.low[axis] <= zone.high[axis]))
+                return fail(FIRMA_ERROR_INVALID, place, "its box is empty, or not of numbers");
+        rules.zones.push_back({text_of(zone.name), {vec(zone.low), vec(zone.high)}, zone.hardness});
+    }
+    for (std::size_t k = 0; k < given.hardness_count; ++k)
+        if (!hard(given.hardness[k]))
+            return fail(FIRMA_ERROR_INVALID, std::string(function) + ": material " + std::to_string(k),
+                        "its hardness is not within 0 and 1");
+    rules.hardness.assign(given.hardness, given.hardness + given.hardness_count);
+    rules.most_faces = or_default(given.most_faces, rules.most_faces);
+    rules.most_faces_looked_at = or_default(given.most_faces_looked_at, rules.most_faces_looked_at);
+    rules.most_new_faces = or_default(given.most_new_faces, rules.most_new_faces);
+    rules.most_cutter_triangles = or_default(given.most_cutter_triangles, rules.most_cutter_triangles);
+    rules.most_pairs = or_default(given.most_pairs, rules.most_pairs);
+    rules.most_corners = or_default(given.most_corners, rules.most_corners);
+    if (!(given.largest_cutter >= 0)) return fail(FIRMA_ERROR_INVALID, function, "largest_cutter is no length");
+    if (given.largest_cutter > 0) rules.largest_cutter = given.largest_cutter;
+    return FIRMA_OK;
+}
+
+}  // namespace
+}  // namespace firma::c
+
+using namespace firma;
+using namespace firma::c;
+
+void firma_world_options_defaults(firma_world_options* options) {
+    if (!options) return;
+    const WorldOptions defaults;
+    *options = {};
+    options->size = sizeof(firma_world_options);
+    options->surface_area = defaults.tree.split == Split::kSurfaceArea;
+    options->max_depth = defaults.tree.max_depth;
+    options->faces_per_bin = defaults.tree.faces_per_bin;
+    options->min_bin_volume = defaults.tree.min_bin_volume;
+    options->skin = defaults.tolerance.skin;
+}
+
+firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const firma_world_options* options,
+                                 firma_world* world) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!mesh || !world) return bad_call(function, kNull);
+        WorldOptions made;
+        ReadOptions read;
+        if (const firma_code code = read_options(options, made, read, function)) return code;
+        MeshArrays arrays;
+        if (const firma_code code = read_mesh(*mesh, arrays, function)) return code;
+        return make(level_from_mesh(arrays.mesh, text_of(name), read), made, world, function);
+    });
+}
+
+firma_code firma_world_from_obj(const char* text, size_t length, const char* name, const firma_world_options* options,
+                                firma_world* world) {
+    return guarded(__func__, [&, function = __func__] {
+        if ((!text && length) || !world) return bad_call(function, kNull);
+        WorldOptions made;
+        ReadOptions read;
+        if (const firma_code code = read_options(options, made, read, function)) return code;
+        return make(read_obj({text, length}, text_of(name), read), made, world, function);
+    });
+}
+
+firma_code firma_world_from_bsp(const void* data, size_t length, const char* name, const firma_world_options* options,
+                                firma_world* world) {
+    return guarded(__func__, [&, function = __func__] {
+        if ((!data && length) || !world) return bad_call(function, kNull);
+        WorldOptions made;
+        ReadOptions read;
+        if (const firma_code code = read_options(options, made, read, function)) return code;
+        return make(read_bsp({static_cast<const std::byte*>(data), length}, text_of(name), read), made, world,
+                    function);
+    });
+}
+
+firma_code firma_world_copy(firma_world world, firma_world* copy) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!copy) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        return object ? give_world(object->world, copy, function) : FIRMA_ERROR_BAD_HANDLE;
+    });
+}
+
+firma_code firma_world_release(firma_world world) {
+    return release<WorldObject>(world.id, __func__);
+}
+
+firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!facts) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const World& w = object->world;
+        const Box bounds = w.bounds();
+        facts->version = w.version();
+        facts->face_count = w.face_count();
+        facts->room_count = w.room_count();
+        put(bounds.low, facts->low);
+        put(bounds.high, facts->high);
+        facts->skin = w.tolerance().skin;
+        facts->material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
+        facts->edits = w.data().edits;
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_hash(firma_world world, uint64_t* hash) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!hash) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        *hash = hash_world(object->world);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_check(firma_world world) {
+    return guarded(__func__, [&, function = __func__] {
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const auto broken = [](FaceId face, const std::string& what) {
+            const std::string place = face.valid() ? "face " + std::to_string(face.value) : "";
+            return fail(FIRMA_ERROR_BROKEN, place, what);
+        };
+        if (const auto fault = check_world(object->world)) return broken(fault->face, fault->what);
+        if (const auto fault = check_solid(object->world)) return broken(fault->face, fault->what);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_measure(firma_world world, double* volume, double* area) {
+    return guarded(__func__, [&, function = __func__] {
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const SolidMeasures measures = measure_solid(object->world);
+        if (volume) *volume = measures.volume;
+        if (area) *area = measures.area;
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_memory(const firma_world* worlds, size_t count, uint64_t* bytes) {
+    return guarded(__func__, [&, function = __func__] {
+        if ((!worlds && count) || !bytes) return bad_call(function, kNull);
+        std::vector<World> all;
+        for (std::size_t k = 0; k < count; ++k) {
+            const WorldObject* object = find<WorldObject>(worlds[k].id, function);
+            if (!object) return FIRMA_ERROR_BAD_HANDLE;
+            all.push_back(object->world);
+        }
+        *bytes = memory_used(all);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_material(firma_world world, uint32_t material, const char** name) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!name) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const auto& names = object->world.data().materials;
+        if (!names || material >= names->size())
+            return fail(FIRMA_ERROR_INVALID, function, "the world has no material " + std::to_string(material));
+        *name = (*names)[material].c_str();
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, firma_world* out) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!rules || !out) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        CarveRules made;
+        if (const firma_code code = read_rules(*rules, made, function)) return code;
+        return give_world(with_rules(object->world, std::move(made)), out, function);
+    });
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// What the C and C++ libraries would ask the host for, answered here, so that the module needs one thing of it: the time,
+// for edits in slices and for reports.
+//
+// A failed allocation or assertion ends in a trap: JavaScript sees an exception, and the module must not be used again.
+#include <cstddef>
+#include <cstdlib>
+#include <ctime>
+#include <new>
+
+extern "C" {
+/// Microseconds since whenever.
+__attribute__((import_module("firma"), import_name("now"))) double firma_host_now();
+}
+
+namespace {
+
+void* take(std::size_t bytes) {
+    void* memory = std::malloc(bytes ? bytes : 1);
+    if (!memory) __builtin_trap();
+    return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+    return take(bytes);
+}
+void* operator new[](std::size_t bytes) {
+    return take(bytes);
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+    return std::malloc(bytes ? bytes : 1);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    void* memory = std::aligned_alloc(std::size_t(alignment), (bytes + std::size_t(alignment) - 1) / std::size_t(alignment) *
+                                                                  std::size_t(alignment));
+    if (!memory) __builtin_trap();
+    return memory;
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+// Instead of printing to a terminal that is not there.
+_LIBCPP_BEGIN_NAMESPACE_STD
+[[noreturn]] void __libcpp_verbose_abort(const char*, ...) noexcept {
+    __builtin_trap();
+}
+_LIBCPP_END_NAMESPACE_STD
+
+extern "C" {
+
+int clock_gettime(clockid_t, timespec* time) {
+    const double us = firma_host_now();
+    time->tv_sec = time_t(us / 1e6);
+    time->tv_nsec = long((us - double(time->tv_sec) * 1e6) * 1e3);
+    return 0;
+}
+
+/// Memory for arguments and answers: 16-byte aligned; null for none.
+void* firma_wasm_take(std::size_t bytes) {
+    return std::malloc(bytes ? bytes : 1);
+}
+void firma_wasm_give_back(void* memory) {
+    std::free(memory);
+}
+}

@@ -1,0 +1,447 @@
+/* SPDX-License-Identifier: MIT */
+/* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
+ *
+ * Handles. A world, cutter, job, edit, store, diff, faces or bytes is a handle: a struct with a number that is 0 for
+ * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
+ * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ *
+ * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
+ * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
+ * be null say so; any other null, a count without its array, or a struct whose `size` is not that of this header gives
+ * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
+ *
+ * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs and
+ * edits are for one thread at a time. A handle must not be released while another thread is using it.
+ *
+ * Units: metres, seconds, radians; right-handed. Points and vectors are three doubles. The contract of a cast stands in
+ * docs/casting.md, what carving keeps and refuses in docs/carving.md. */
+#ifndef FIRMA_FIRMA_C_H
+#define FIRMA_FIRMA_C_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define FIRMA_API __attribute__((visibility("default")))
+#else
+#define FIRMA_API
+#endif
+
+/* ---- the library ------------------------------------------------------------------------------------------------ */
+
+#define FIRMA_VERSION_MAJOR 0
+#define FIRMA_VERSION_MINOR 1
+#define FIRMA_VERSION_PATCH 0
+
+/* Major * 65536 + minor * 256 + patch, of the library at run time. */
+FIRMA_API uint32_t firma_version(void);
+
+typedef enum firma_code {
+    FIRMA_OK = 0,
+    FIRMA_ERROR_CANNOT_READ = 1,  /* the file is missing or cannot be read */
+    FIRMA_ERROR_MALFORMED = 2,    /* data break their format */
+    FIRMA_ERROR_OUT_OF_RANGE = 3, /* a number is not finite, or beyond what Firma can hold */
+    FIRMA_ERROR_TOO_LARGE = 4,    /* a count or size exceeds a limit */
+    FIRMA_ERROR_UNSUPPORTED = 5,  /* a format or version that Firma does not read, or not in this build */
+    FIRMA_ERROR_INVALID = 6,      /* arguments that make no sense */
+    FIRMA_ERROR_CANNOT_WRITE = 7, /* the file cannot be made or written */
+    FIRMA_ERROR_BAD_HANDLE = 8,   /* released, never made, or of another kind */
+    FIRMA_ERROR_BAD_CALL = 9,     /* a null that may not be, a wrong `size`, a call out of order */
+    FIRMA_ERROR_NO_MEMORY = 10,
+    FIRMA_ERROR_BROKEN = 11,  /* firma_world_check() found something that does not hold */
+    FIRMA_ERROR_INTERNAL = 12 /* a mistake of Firma's own: please report it */
+} firma_code;
+
+/* "place: reason" of the calling thread's last call that returned another code than FIRMA_OK, or of its last refused
+ * edit; "" before any. Good until the thread's next call that fails. */
+FIRMA_API const char* firma_error_message(void);
+
+/* Where the pool in which worlds keep their blocks gets its memory from, in slabs of at most 256 KiB, and larger pieces
+ * now and then. Scratch memory of edits comes from the general allocator. */
+typedef struct firma_allocator {
+    uint32_t size;                                             /* sizeof(firma_allocator) */
+    void* (*take)(size_t bytes, size_t alignment, void* user); /* null for no more: then FIRMA_ERROR_NO_MEMORY */
+    void (*give_back)(void* memory, size_t bytes, size_t alignment, void* user);
+    void* user;
+} firma_allocator;
+
+/* Before any world was made: FIRMA_ERROR_BAD_CALL once it is too late. */
+FIRMA_API firma_code firma_set_allocator(const firma_allocator* allocator);
+
+/* How a batch is spread over threads. `run` calls work(context, k) once for each k below count, in any order and on any
+ * threads, and returns when all have returned. */
+typedef struct firma_tasks {
+    uint32_t size; /* sizeof(firma_tasks) */
+    void (*run)(size_t count, void (*work)(void* context, size_t k), void* context, void* user);
+    void* user;
+} firma_tasks;
+
+/* For all batches that begin from now on; null: in the calling thread (the default). Answers do not depend on it. */
+FIRMA_API firma_code firma_set_tasks(const firma_tasks* tasks);
+
+/* Handles that are not released yet, of all kinds: 0 when nothing has leaked. */
+FIRMA_API size_t firma_live_handles(void);
+
+typedef struct firma_world {
+    uint64_t id;
+} firma_world;
+typedef struct firma_cutter {
+    uint64_t id;
+} firma_cutter;
+typedef struct firma_job {
+    uint64_t id;
+} firma_job;
+typedef struct firma_edit {
+    uint64_t id;
+} firma_edit;
+typedef struct firma_store {
+    uint64_t id;
+} firma_store;
+typedef struct firma_diff {
+    uint64_t id;
+} firma_diff;
+typedef struct firma_faces {
+    uint64_t id;
+} firma_faces;
+typedef struct firma_bytes {
+    uint64_t id;
+} firma_bytes;
+
+/* ---- worlds ----------------------------------------------------------------------------------------------------- */
+
+#define FIRMA_NO_FACE UINT32_MAX
+
+/* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
+typedef struct firma_world_options {
+    uint32_t size;         /* sizeof(firma_world_options) */
+    uint32_t surface_area; /* 0: bins are split in half across their longest axis; 1: by surface area */
+    int32_t max_depth;     /* 0..64 */
+    int32_t faces_per_bin; /* >= 1 */
+    double min_bin_volume; /* cubic metres */
+    double skin;           /* metres: how far movers stay from surfaces */
+    double scale;          /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp) */
+} firma_world_options;
+
+FIRMA_API void firma_world_options_defaults(firma_world_options* options);
+
+/* A mesh of polygons. Counter-clockwise seen from the air; each is divided where it is not convex and planar on the
+ * grid of 1/4096 m. Arrays that are null have the value said. */
+typedef struct firma_mesh {
+    uint32_t size; /* sizeof(firma_mesh) */
+    uint32_t material_count;
+    const double* positions; /* three for each vertex */
+    size_t vertex_count;
+    const uint32_t* corners;       /* indices of vertices, face after face */
+    const uint32_t* corner_counts; /* for each face, >= 3; null: all are triangles */
+    size_t face_count;
+    const uint32_t* materials;         /* for each face, below material_count; null: the first, or none */
+    const char* const* material_names; /* UTF-8; null when material_count is 0 */
+    const uint32_t* masks;             /* for each face; null: all bits */
+    const uint8_t* two_sided;          /* for each face, 0 or 1; null: none */
+} firma_mesh;
+
+/* Closed pieces of a level can be carved; other faces can be cast against only. `name` is for messages and may be null;
+ * `options` may be null. */
+FIRMA_API firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const firma_world_options* options,
+                                           firma_world* world);
+FIRMA_API firma_code firma_world_from_obj(const char* text, size_t length, const char* name,
+                                          const firma_world_options* options, firma_world* world);
+FIRMA_API firma_code firma_world_from_bsp(const void* data, size_t length, const char* name,
+                                          const firma_world_options* options, firma_world* world);
+/* A file by its ending: .obj, .bsp, or .firma (`options` must then be null: the file has its own). */
+FIRMA_API firma_code firma_world_load(const char* path, const firma_world_options* options, firma_world* world);
+
+/* A .firma file, written aside, flushed and renamed. `exact` 0 leaves the exact part out: the world read back can be
+ * cast against, but not carved. */
+FIRMA_API firma_code firma_world_save(firma_world world, const char* path, uint32_t exact);
+/* The bytes of such a file, and back. */
+FIRMA_API firma_code firma_world_pack(firma_world world, uint32_t exact, firma_bytes* bytes);
+FIRMA_API firma_code firma_world_unpack(const void* data, size_t length, const char* name, firma_world* world);
+
+/* Another handle to the same value. */
+FIRMA_API firma_code firma_world_copy(firma_world world, firma_world* copy);
+FIRMA_API firma_code firma_world_release(firma_world world);
+
+typedef struct firma_world_facts {
+    uint64_t version; /* 0 as read; every edit adds one */
+    uint64_t face_count;
+    uint64_t room_count;
+    double low[3], high[3]; /* bounds of all faces; low > high when there are none */
+    double skin;
+    uint32_t material_count;
+    uint32_t edits; /* cuts and fills so far */
+} firma_world_facts;
+
+FIRMA_API firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts);
+/* Of everything the world holds: equal edits in equal order give equal ones on every machine. */
+FIRMA_API firma_code firma_world_hash(firma_world world, uint64_t* hash);
+/* FIRMA_ERROR_BROKEN when an invariant of faces, trees or the exact solid does not hold: the message names it. */
+FIRMA_API firma_code firma_world_check(firma_world world);
+/* The exact solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and its area, square
+ * metres. Either pointer may be null. */
+FIRMA_API firma_code firma_world_measure(firma_world world, double* volume, double* area);
+/* Bytes that several worlds hold together; what they share counts once. */
+FIRMA_API firma_code firma_world_memory(const firma_world* worlds, size_t count, uint64_t* bytes);
+/* UTF-8; good as long as the handle. FIRMA_ERROR_INVALID for a material that the world does not have. */
+FIRMA_API firma_code firma_world_material(firma_world world, uint32_t material, const char** name);
+
+/* Regions and materials that refuse a cut (hardness 1) or shrink it, and limits; 0 for a limit takes the default. */
+typedef struct firma_zone {
+    const char* name; /* for messages; may be null */
+    double low[3], high[3];
+    double hardness; /* 0..1 */
+} firma_zone;
+
+typedef struct firma_rules {
+    uint32_t size;     /* sizeof(firma_rules) */
+    uint32_t reserved; /* 0 */
+    const firma_zone* zones;
+    size_t zone_count;
+    const double* hardness; /* by material; missing ones are 0 */
+    size_t hardness_count;
+    uint64_t most_faces, most_faces_looked_at, most_new_faces, most_cutter_triangles, most_pairs, most_corners;
+    double largest_cutter; /* metres */
+} firma_rules;
+
+/* The same world under other rules for carving. */
+FIRMA_API firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, firma_world* with_rules);
+
+/* ---- faces ------------------------------------------------------------------------------------------------------ */
+
+#define FIRMA_FACE_TWO_SIDED 1u
+#define FIRMA_FACE_SOLID 2u /* bounds a closed solid, which can be carved */
+
+typedef struct firma_face {
+    double normal[3]; /* unit, of the exact plane that the face was cut from */
+    uint32_t id;
+    uint32_t source;      /* index of the face in the level's file, or see source_edit */
+    uint32_t source_edit; /* 0: of the level's file; else the number of the edit whose cutter's triangle `source` is */
+    uint32_t material;
+    uint32_t mask;
+    uint32_t flags;        /* FIRMA_FACE_... */
+    uint32_t first_corner; /* in firma_faces_view.corners, counted in points */
+    uint32_t corner_count;
+} firma_face;
+
+typedef struct firma_faces_view {
+    const firma_face* faces;
+    size_t face_count;
+    const double* corners; /* three for each */
+    size_t corner_count;
+} firma_faces_view;
+
+/* All faces, in order of id. */
+FIRMA_API firma_code firma_world_faces(firma_world world, firma_faces* faces);
+/* One face by its id; none in the list when the world has no such face. Searches all faces. */
+FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma_faces* faces);
+/* Views are good until the handle is released. */
+FIRMA_API firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view);
+FIRMA_API firma_code firma_faces_release(firma_faces faces);
+
+/* ---- casts ------------------------------------------------------------------------------------------------------ */
+
+typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_TOUCHING = 2, FIRMA_INVALID = 3 } firma_status;
+typedef enum firma_feature { FIRMA_FACE = 0, FIRMA_EDGE = 1, FIRMA_VERTEX = 2 } firma_feature;
+
+/* A sphere and its path; radius 0 casts a particle. */
+typedef struct firma_cast_input {
+    double centre[3];
+    double radius;
+    double path[3];
+} firma_cast_input;
+
+/* A null pointer takes the defaults: all bits, one-sided, the world's skin. */
+typedef struct firma_cast_options {
+    uint32_t size;     /* sizeof(firma_cast_options) */
+    uint32_t mask;     /* faces that share a bit are met */
+    uint32_t sides;    /* 0: the front, where the face does not say both; 1: both sides of all */
+    uint32_t reserved; /* 0 */
+    double skin;       /* metres; negative takes the world's */
+} firma_cast_options;
+
+FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
+
+typedef struct firma_hit {
+    double fraction;      /* of the path, 0..1 */
+    double safe_fraction; /* how far to go so that the skin is kept */
+    double centre[3];     /* of the sphere at `fraction` */
+    double point[3];      /* of the surface */
+    double normal[3];     /* unit, from `point` toward the centre */
+    double face_normal[3];
+    uint64_t version;       /* of the world asked */
+    uint32_t status;        /* firma_status; FIRMA_INVALID: a number of the input is no good, nothing was asked */
+    uint32_t feature;       /* firma_feature */
+    uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
+    uint32_t face;          /* FIRMA_NO_FACE for a miss */
+    uint32_t other_face;    /* across the edge met, or FIRMA_NO_FACE */
+    uint32_t source, source_edit, material; /* as in firma_face */
+    uint32_t room, rooms_passed;
+} firma_hit;
+
+/* What casts looked at; added to. */
+typedef struct firma_cast_counts {
+    uint64_t bins, boxes, faces, precise;
+} firma_cast_counts;
+
+/* The first touch. Bad numbers give FIRMA_OK with status FIRMA_INVALID. `counts` may be null. */
+FIRMA_API firma_code firma_cast(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                                firma_hit* hit, firma_cast_counts* counts);
+/* Whether there is any touch: firma_status. */
+FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                                    uint32_t* status);
+/* Every face met along the whole path, by fraction, then id. `count` gets how many there are; the first `capacity` of
+ * them are written (`hits` may be null when that is 0). */
+FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                                    firma_hit* hits, size_t capacity, size_t* count);
+/* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. */
+FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
+                                      const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts);
+
+typedef struct firma_near {
+    double point[3];
+    double distance;
+    uint32_t face, source, source_edit, material;
+    uint32_t feature, feature_index;
+} firma_near;
+
+/* Faces that a closed ball touches, in order of id; as for firma_cast_all(). FIRMA_ERROR_OUT_OF_RANGE for numbers that
+ * are no good. */
+FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask,
+                                   firma_near* found, size_t capacity, size_t* count);
+/* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1. */
+FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach, uint32_t mask,
+                                   firma_near* near, uint32_t* found);
+/* 1 in the solid, 0 in the air, 2 where that cannot be said (on a face). */
+FIRMA_API firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where);
+
+/* ---- carving ---------------------------------------------------------------------------------------------------- */
+
+typedef enum firma_shape {
+    FIRMA_ROCKY = 0, /* 180 triangles, radii 0.78 to 1.2 */
+    FIRMA_SPIKY = 1,
+    FIRMA_DRILL = 2,
+    FIRMA_WEDGE = 3,
+    FIRMA_BOX = 4 /* from -1 to 1 */
+} firma_shape;
+
+/* A shape of mean radius about 1 around the origin, from a seed. */
+FIRMA_API firma_code firma_cutter_crater(uint32_t shape, uint64_t seed, firma_cutter* cutter);
+/* A closed mesh of triangles: three doubles a vertex, three indices a triangle. `name` may be null. */
+FIRMA_API firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, const uint32_t* corners,
+                                            size_t triangle_count, const char* name, firma_cutter* cutter);
+FIRMA_API firma_code firma_cutter_from_obj(const char* text, size_t length, const char* name, firma_cutter* cutter);
+FIRMA_API firma_code firma_cutter_release(firma_cutter cutter);
+
+/* Where a cutter goes: turned, scaled, moved. */
+typedef struct firma_pose {
+    double position[3];
+    double rotation[4]; /* x, y, z, w, of any length but zero */
+    double scale;       /* metres a unit of the cutter, > 0 */
+} firma_pose;
+
+/* A random turn, evenly distributed, the same on every machine. */
+FIRMA_API void firma_random_turn(uint64_t seed, double rotation[4]);
+
+typedef struct firma_carve_options {
+    uint32_t size;        /* sizeof(firma_carve_options) */
+    uint32_t fill;        /* 0: the cutter is taken away; 1: added */
+    const char* material; /* of the faces it leaves; null: "" */
+} firma_carve_options;
+
+typedef enum firma_carve_status {
+    FIRMA_CARVE_DONE = 0,
+    FIRMA_CARVE_NOTHING = 1,
+    FIRMA_CARVE_REFUSED = 2
+} firma_carve_status;
+
+typedef struct firma_carve_report {
+    uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
+    uint32_t retries;
+    uint64_t faces_looked_at, faces_cut, faces_gone, faces_new;
+    double scale;  /* what zones and materials left of the cutter's scale */
+    double volume; /* cubic metres taken; negative when added */
+    /* Microseconds. */
+    double place_us, gather_us, cut_us, label_us, trace_us, facets_us, tree_us;
+} firma_carve_report;
+
+/* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world
+ * before. `options` and `report` may be null. */
+FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose* pose,
+                                 const firma_carve_options* options, firma_world* after, firma_carve_report* report);
+
+/* One edit in slices: run until finished, then take the result, or release it at any time. */
+FIRMA_API firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_pose* pose,
+                                     const firma_carve_options* options, firma_job* job);
+/* Goes on for about so long; `finished` gets 0 or 1. */
+FIRMA_API firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished);
+/* As firma_carve(); FIRMA_ERROR_BAD_CALL before it is finished. */
+FIRMA_API firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report);
+FIRMA_API firma_code firma_job_release(firma_job job);
+
+/* Several edits that become one version. */
+FIRMA_API firma_code firma_edit_begin(firma_world world, firma_edit* edit);
+FIRMA_API firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, const firma_pose* pose,
+                                      const firma_carve_options* options, firma_carve_report* report);
+/* The world as edited so far, one version on. */
+FIRMA_API firma_code firma_edit_finish(firma_edit edit, firma_world* after);
+FIRMA_API firma_code firma_edit_release(firma_edit edit);
+
+/* ---- differences ------------------------------------------------------------------------------------------------ */
+
+typedef struct firma_diff_view {
+    const uint32_t* gone; /* ids, in order */
+    size_t gone_count;
+    const firma_face* come; /* in order of id */
+    size_t come_count;
+    const double* corners; /* of `come`, three for each */
+    size_t corner_count;
+    const int32_t* tiles; /* three for each: the cell from tile * size to (tile + 1) * size */
+    size_t tile_count;
+    double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
+    uint32_t too_many_tiles;
+    uint32_t reserved;
+} firma_diff_view;
+
+/* What changed from one world to another. `tile_size` metres, 0 for no tiles. */
+FIRMA_API firma_code firma_world_diff(firma_world before, firma_world after, double tile_size, firma_diff* diff);
+FIRMA_API firma_code firma_diff_get_view(firma_diff diff, firma_diff_view* view);
+FIRMA_API firma_code firma_diff_release(firma_diff diff);
+
+/* ---- histories -------------------------------------------------------------------------------------------------- */
+
+/* A store holds the newest world, which any thread may take, and those before it, which the one editor may go back to.
+ */
+typedef struct firma_store_facts {
+    uint64_t oldest, current, newest; /* versions */
+    uint64_t versions;                /* held, those to be redone included */
+    uint64_t bytes;                   /* that the history holds beyond the current world */
+    uint64_t most_bytes;
+} firma_store_facts;
+
+/* `most_bytes` bounds what versions other than the current one hold; 0 keeps none. */
+FIRMA_API firma_code firma_store_open(firma_world first, uint64_t most_bytes, firma_store* store);
+/* Never waits for an edit. */
+FIRMA_API firma_code firma_store_current(firma_store store, firma_world* world);
+FIRMA_API firma_code firma_store_publish(firma_store store, firma_world world);
+/* FIRMA_ERROR_INVALID when there is nothing to go back to, or forward. */
+FIRMA_API firma_code firma_store_undo(firma_store store, firma_world* world);
+FIRMA_API firma_code firma_store_redo(firma_store store, firma_world* world);
+/* FIRMA_ERROR_INVALID for a version that is not held. */
+FIRMA_API firma_code firma_store_at(firma_store store, uint64_t version, firma_world* world);
+FIRMA_API firma_code firma_store_get_facts(firma_store store, firma_store_facts* facts);
+FIRMA_API firma_code firma_store_release(firma_store store);
+
+/* ---- bytes ------------------------------------------------------------------------------------------------------ */
+
+FIRMA_API firma_code firma_bytes_get_view(firma_bytes bytes, const void** data, size_t* length);
+FIRMA_API firma_code firma_bytes_release(firma_bytes bytes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
