@@ -64,6 +64,23 @@ Plane plane_through(const InputPoint& a, const InputPoint& b, const InputPoint& 
     return plane_at({u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}, a);
 }
 
+Plane plane_of_numbers(const std::int64_t (&normal)[3], Int128 offset) {
+    constexpr std::uint64_t kMost = std::uint64_t(1) << 52;
+    Int128 size = 0;
+    std::uint64_t divisor = 0;
+    for (const std::int64_t n : normal) {
+        const std::uint64_t magnitude_of_n = n < 0 ? -std::uint64_t(n) : std::uint64_t(n);
+        if (magnitude_of_n > kMost) return {};
+        size += Int128(magnitude_of_n);
+        divisor = std::gcd(divisor, magnitude_of_n);
+    }
+    if (divisor != 1 || offset > size * kRim || offset < -size * kRim) return {};
+    Plane plane;
+    for (int axis = 0; axis < 3; ++axis) plane.normal[axis] = normal[axis];
+    plane.offset = offset;
+    return with_doubles(plane);
+}
+
 Plane flipped(const Plane& plane) {
     Plane back;
     for (int axis = 0; axis < 3; ++axis) back.normal[axis] = -plane.normal[axis];

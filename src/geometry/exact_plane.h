@@ -59,6 +59,10 @@ struct Plane {
 /// Counter-clockwise seen from the front. Not valid() when the points lie on a line.
 Plane plane_through(const InputPoint& a, const InputPoint& b, const InputPoint& c);
 
+/// The plane of these numbers; not valid() unless they are as such a plane has them: components that fit and have no
+/// common divisor, and an offset that lets it pass through the world. For numbers from outside.
+Plane plane_of_numbers(const std::int64_t (&normal)[3], Int128 offset);
+
 /// The same plane seen from behind.
 Plane flipped(const Plane& plane);
 

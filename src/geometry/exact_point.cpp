@@ -58,6 +58,16 @@ Meet meet(const Plane& a, const Plane& b, const Plane& c) {
             product(bc.z, da) + product(ca.z, db) + product(ab.z, dc), negative ? -w : w};
 }
 
+// Where w is not 0, the sums below stay far below 2^255.
+bool meet_in_world(const Plane& a, const Plane& b, const Plane& c) {
+    const Meet m = meet(a, b, c);
+    if (m.w.sign() <= 0) return false;
+    const Int256 rim = m.w * std::int64_t(kRim);
+    for (const Int256* coordinate : {&m.x, &m.y, &m.z})
+        if ((rim - *coordinate).sign() < 0 || (rim + *coordinate).sign() < 0) return false;
+    return true;
+}
+
 ExactPoint::ExactPoint(const InputPoint& point)
     : grid_(point), approximate_{double(point.x), double(point.y), double(point.z)}, rounded_(to_surface(point)) {}
 

@@ -20,6 +20,10 @@ struct Meet {
 /// @param a, b, c  exact_turn(a, b, c) != 0
 Meet meet(const Plane& a, const Plane& b, const Plane& c);
 
+/// Whether three planes meet in one point, and that lies within the world: what ExactPoint relies on. For planes from
+/// outside.
+bool meet_in_world(const Plane& a, const Plane& b, const Plane& c);
+
 /// A point as an integer or as three planes. A view: whoever makes it keeps the planes. Immutable once made.
 class ExactPoint {
 public:

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Worlds as .firma files: whole, to the bit, and written so that nothing saved before is ever lost.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firma/result.h"
+#include "firma/world.h"
+
+namespace firma {
+
+struct SaveOptions {
+    /// Whether the exact solid behind the facets is kept. Without, the file is smaller, and the world read back can be
+    /// cast against, not carved: no face of it is `solid`, in_solid() finds no rock, and a hit's `face_normal` is the
+    /// facet's own.
+    bool exact = true;
+};
+
+/// What pack_world() writes and unpack_world() reads; files of older versions stay readable.
+inline constexpr std::uint32_t kFirmaFileVersion = 1;
+
+/// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees and
+/// the rules for carving. The same world gives the same bytes on every machine. docs/formats.md has the layout.
+std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
+
+/// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its
+/// exact part), and edits of both end in the same bits.
+///
+/// Bytes are taken as hostile: checksums, every number that anything later relies on, and then the world as by
+/// check_world() and check_solid() are checked first. Memory taken is in proportion to the bytes given.
+///
+/// @param name  for messages
+/// @return kMalformed with the section and the entry in it for damage; kUnsupported for another version, and for a part
+///         that is marked as required and unknown; kTooLarge where a size does not fit
+Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
+
+/// Whether bytes begin as those of a .firma file do, of whatever version.
+bool is_firma_file(std::span<const std::byte> bytes);
+
+/// Saves a world: the file appears whole or not at all. Bytes go beside it, into a file of its name with ".part"
+/// behind, which is flushed and renamed; then the folder is flushed. Killed at any moment it leaves what was there
+/// before, and at most the ".part", which the next save of that name takes over. Several saves of one name at once, by
+/// threads or processes, wait for each other. A link is followed; the mode of a file that was there is kept.
+/// @return nothing on success; kCannotWrite with the system's reason
+std::optional<Error> save_world(const World& world, const std::string& path, const SaveOptions& options = {});
+
+/// Reads a file as unpack_world() does; maps it where the system can. A file that something else cuts short while it is
+/// read ends the program, as with any mapping; save_world() never does that.
+/// @return kCannotRead with the system's reason: missing, a folder, not allowed
+Result<World> load_world(const std::string& path);
+
+}  // namespace firma

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The sections of version 1, and how large their entries are. docs/formats.md says what is in them.
+#pragma once
+
+#include "save/container.h"
+
+namespace firma {
+
+inline constexpr SectionType kWorldSection = section_type("WRLD");
+inline constexpr SectionType kMaterialsSection = section_type("MATS");
+inline constexpr SectionType kRulesSection = section_type("RULE");
+inline constexpr SectionType kRoomsSection = section_type("ROOM");
+inline constexpr SectionType kBlocksSection = section_type("BLCK");
+inline constexpr SectionType kBinsSection = section_type("BINS");
+inline constexpr SectionType kFacesSection = section_type("FACE");
+inline constexpr SectionType kVerticesSection = section_type("VERT");
+inline constexpr SectionType kCornersSection = section_type("CORN");
+inline constexpr SectionType kOwnersSection = section_type("OWNR");
+inline constexpr SectionType kPlanesSection = section_type("PLAN");
+inline constexpr SectionType kGridPointsSection = section_type("GRID");
+inline constexpr SectionType kMeetPointsSection = section_type("MEET");
+inline constexpr SectionType kEdgesSection = section_type("EDGE");
+inline constexpr SectionType kExactFacesSection = section_type("EXAC");
+inline constexpr SectionType kUsesSection = section_type("USES");
+inline constexpr SectionType kLoopsSection = section_type("LOOP");
+
+inline constexpr SectionType kKnownSections[] = {
+    kWorldSection,      kMaterialsSection, kRulesSection,      kRoomsSection,  kBlocksSection, kBinsSection,
+    kFacesSection,      kVerticesSection,  kCornersSection,    kOwnersSection, kPlanesSection, kGridPointsSection,
+    kMeetPointsSection, kEdgesSection,     kExactFacesSection, kUsesSection,   kLoopsSection};
+
+inline constexpr std::size_t kWorldBytes = 64;
+inline constexpr std::size_t kRulesBytes = 64;  ///< without zones and hardness
+inline constexpr std::size_t kZoneBytes = 64;   ///< without its name
+inline constexpr std::size_t kBlockBytes = 12;
+inline constexpr std::size_t kBinBytes = 32;
+inline constexpr std::size_t kFaceBytes = 28;
+inline constexpr std::size_t kPointBytes = 12;
+inline constexpr std::size_t kPlaneBytes = 40;
+inline constexpr std::size_t kEdgeBytes = 20;
+inline constexpr std::size_t kExactFaceBytes = 36;
+
+// Flags of the world.
+inline constexpr std::uint32_t kRockOutside = 1;
+inline constexpr std::uint32_t kExactPart = 2;
+inline constexpr std::uint32_t kHasRules = 4;
+// Of a face.
+inline constexpr std::uint8_t kTwoSidedFace = 1;
+inline constexpr std::uint8_t kSolidFace = 2;
+// Of an edge.
+inline constexpr std::uint32_t kDoubledEdge = 1;
+
+}  // namespace firma

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What a saved world has besides faces. Tolerances, options and rules are taken as they are, as with_rules() and
+// make_world() take them: whoever uses them can do with any numbers.
+#include "save/unpack_data.h"
+
+#include <limits>
+
+#include "save/sections.h"
+
+namespace firma {
+namespace {
+
+/// One less than what says "no face": as edits have it.
+constexpr std::uint32_t kMostFaceIds = ~0u - 1;
+
+std::size_t limit_of(std::uint64_t value) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
+    return std::size_t(value < kMost ? value : kMost);
+}
+
+/// Texts one after the other, their lengths known.
+class Texts {
+public:
+    explicit Texts(std::span<const std::byte> bytes) : left_(bytes) {}
+    bool take(std::uint64_t length, std::string& text) {
+        if (length > left_.size()) return false;
+        text.reserve(std::size_t(length));
+        for (const std::byte byte : left_.first(std::size_t(length))) text += char(byte);
+        left_ = left_.subspan(std::size_t(length));
+        return true;
+    }
+    bool all_taken() const { return left_.empty(); }
+
+private:
+    std::span<const std::byte> left_;
+};
+
+bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& damage) {
+    if (section.count() != 1) return damage.report(section.type(), "is not 64 bytes long");
+    const std::byte* at = section.at(0);
+    WorldData& data = unpacked.data;
+    data.version = read_u64(at);
+    const std::uint64_t faces = read_u64(at + 8);
+    data.next_face = read_u32(at + 16);
+    data.edits = read_u32(at + 20);
+    const std::uint32_t flags = read_u32(at + 24), split = read_u32(at + 40);
+    unpacked.rooms = read_u32(at + 28);
+    data.tolerance.skin = read_f64(at + 32);
+    data.tree_options.split = split == std::uint32_t(Split::kSurfaceArea) ? Split::kSurfaceArea : Split::kLongestAxis;
+    data.tree_options.max_depth = read_i32(at + 44);
+    data.tree_options.faces_per_bin = read_i32(at + 48);
+    data.tree_options.min_bin_volume = read_f64(at + 56);
+    data.rock_outside = flags & kRockOutside;
+    unpacked.exact = flags & kExactPart;
+    if (flags & kHasRules) data.rules = std::make_shared<const CarveRules>();
+
+    if (faces > data.next_face) return damage.report(section.type(), "has more faces than there were ids");
+    data.face_count = std::size_t(faces);
+    if (data.next_face > kMostFaceIds) return damage.report(section.type(), "has no ids left for new faces");
+    if (flags & ~(kRockOutside | kExactPart | kHasRules) || read_u32(at + 52) != 0)
+        return damage.report(section.type(), "has flags that are not of version 1");
+    if (split > std::uint32_t(Split::kSurfaceArea))
+        return damage.report(section.type(), "has no such way to divide bins");
+    if (data.rock_outside && !unpacked.exact) return damage.report(section.type(), "has rock without its faces");
+    if (unpacked.rooms == 0) return damage.report(section.type(), "has no room");
+    return true;
+}
+
+bool unpack_materials(const Entries& section, UnpackedData& unpacked, Damage& damage) {
+    if (section.count() < 4) return damage.report(section.type(), "ends before its count");
+    const std::uint64_t count = read_u32(section.at(0));
+    if (count > (section.count() - 4) / 4) return damage.report(section.type(), "ends before its lengths");
+    Texts texts({section.at(std::size_t(4 + 4 * count)), section.count() - std::size_t(4 + 4 * count)});
+    auto names = std::make_shared<std::vector<std::string>>(std::size_t(count));
+    for (std::size_t k = 0; k < count; ++k)
+        if (!texts.take(read_u32(section.at(4 + 4 * k)), (*names)[k]))
+            return damage.report(section.type(), k, "ends before its text");
+    if (!texts.all_taken()) return damage.report(section.type(), "has bytes behind its last text");
+    unpacked.data.materials = std::move(names);
+    return true;
+}
+
+CarveZone zone_at(const std::byte* at) {
+    CarveZone zone;
+    for (int axis = 0; axis < 3; ++axis) {
+        zone.box.low[axis] = read_f64(at + 8 * axis);
+        zone.box.high[axis] = read_f64(at + 24 + 8 * axis);
+    }
+    zone.hardness = read_f64(at + 48);
+    return zone;
+}
+
+bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage) {
+    if (section.count() < kRulesBytes) return damage.report(section.type(), "ends before its limits");
+    const std::byte* at = section.at(0);
+    const std::uint64_t zones = read_u32(at), hardness = read_u32(at + 4);
+    CarveRules rules;
+    std::size_t* const limits[] = {&rules.most_faces,     &rules.most_faces_looked_at,
+                                   &rules.most_new_faces, &rules.most_cutter_triangles,
+                                   &rules.most_pairs,     &rules.most_corners};
+    for (std::size_t k = 0; k < std::size(limits); ++k) *limits[k] = limit_of(read_u64(at + 8 + 8 * k));
+    rules.largest_cutter = read_f64(at + 56);
+
+    std::uint64_t left = section.count() - kRulesBytes;
+    if (hardness > left / 8) return damage.report(section.type(), "ends before the hardness of its materials");
+    left -= 8 * hardness;
+    if (zones > left / kZoneBytes) return damage.report(section.type(), "ends before its zones");
+    left -= kZoneBytes * zones;
+    const std::byte* const of_materials = at + kRulesBytes;
+    const std::byte* const of_zones = of_materials + 8 * hardness;
+    Texts names({of_zones + kZoneBytes * zones, std::size_t(left)});
+    for (std::size_t k = 0; k < hardness; ++k) rules.hardness.push_back(read_f64(of_materials + 8 * k));
+    for (std::size_t k = 0; k < zones; ++k) {
+        rules.zones.push_back(zone_at(of_zones + kZoneBytes * k));
+        if (!names.take(read_u64(of_zones + kZoneBytes * k + 56), rules.zones.back().name))
+            return damage.report(section.type(), k, "ends before its name");
+    }
+    if (!names.all_taken()) return damage.report(section.type(), "has bytes behind its last name");
+    unpacked.data.rules = std::make_shared<const CarveRules>(std::move(rules));
+    return true;
+}
+
+}  // namespace
+
+UnpackedData unpack_data(Sections& sections, Damage& damage) {
+    UnpackedData unpacked;
+    const Entries world = sections.entries(kWorldSection, kWorldBytes);
+    const Entries materials = sections.entries(kMaterialsSection, 1);
+    if (damage.error() || !unpack_counters(world, unpacked, damage) || !unpack_materials(materials, unpacked, damage))
+        return unpacked;
+    if (!unpacked.data.rules) return unpacked;
+    const Entries rules = sections.entries(kRulesSection, 1);
+    if (!damage.error()) unpack_rules(rules, unpacked, damage);
+    return unpacked;
+}
+
+}  // namespace firma

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Worlds as bytes and back: the same world, the same bytes, the same edits from there on.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/hasher.h"
+#include "firma/solid.h"
+#include "tests/reference/judge_cut.h"
+#include "tests/save/saved_worlds.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+World unpacked(std::span<const std::byte> bytes) {
+    Result<World> read = unpack_world(bytes, "test");
+    EXPECT_TRUE(read.ok()) << read.error().text();
+    return read ? read.value() : World();
+}
+
+/// Packed, unpacked and packed again.
+void expect_round_trip(const World& world) {
+    const std::vector<std::byte> bytes = pack_world(world);
+    const Result<World> read = unpack_world(bytes, "test");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_EQ(hash_world(read.value()), hash_world(world));
+    EXPECT_EQ(hash_solid(read.value()), hash_solid(world));
+    EXPECT_FALSE(check_world(read.value()));
+    EXPECT_FALSE(check_solid(read.value()));
+    EXPECT_TRUE(pack_world(read.value()) == bytes);
+}
+
+TEST(PackWorld, EmptyOnes) {
+    expect_round_trip(World());
+    World world = room_world();
+    Pose pose;
+    pose.scale = 100;
+    const World rock = carve(room_world(), make_crater(CutterShape::kBox, 1), pose).world;  // no face is left
+    expect_round_trip(rock);
+    expect_round_trip(world);
+}
+
+TEST(PackWorld, LevelsOfEveryFamilyAfterCuts) {
+    const Level ours = read_level(FIRMA_ROOT "/levels/first.obj").value();
+    for (const scenes::CutFamily& family : scenes::cut_families()) {
+        SCOPED_TRACE(family.name);
+        const scenes::CutCase it = scenes::make_cut_case(family, 4, 1, ours);
+        World world = make_world(it.level).value();
+        expect_round_trip(world);
+        for (std::size_t k = 0; k < it.cuts.size() && k < 5; ++k) world = reference::make_cut(world, it.cuts[k]).world;
+        expect_round_trip(world);
+    }
+}
+
+TEST(PackWorld, EditsGoOnToTheSameBits) {
+    World world = room_world();
+    scenes::Rng rng(1);
+    while (world.data().edits < 100) cut_somewhere(world, rng, 0.5);
+    World loaded = unpacked(pack_world(world));
+    scenes::Rng again = rng;
+    while (world.data().edits < 200) {
+        cut_somewhere(world, rng, 0.5);
+        cut_somewhere(loaded, again, 0.5);
+        ASSERT_EQ(hash_world(world), hash_world(loaded)) << "edit " << world.data().edits;
+    }
+    EXPECT_TRUE(pack_world(world) == pack_world(loaded));
+}
+
+/// Fixed for every compiler, its options and every machine.
+TEST(PackWorld, SameBytesEverywhere) {
+    const std::vector<std::byte> bytes = pack_world(cut_room(10, 3));
+    Hasher hasher;
+    for (const std::byte byte : bytes) hasher.add(std::uint8_t(byte));
+    EXPECT_EQ(hasher.value(), 2582062747397831991u) << hasher.value();
+}
+
+TEST(PackWorld, ToleranceOptionsAndRules) {
+    WorldOptions options;
+    options.tolerance.skin = 0.0123;
+    options.tree = {Split::kSurfaceArea, 20, 3, 0.25};
+    options.rules.zones = {{"vault", {{-1, -2, -3}, {1, 2, 3}}, 0.5}, {"", {}, 1}};
+    options.rules.hardness = {0, 0.25, 1};
+    options.rules.most_faces = 12345;
+    options.rules.most_faces_looked_at = 23456;
+    options.rules.most_new_faces = 34567;
+    options.rules.most_cutter_triangles = 45678;
+    options.rules.most_pairs = std::size_t(1) << 40;
+    options.rules.most_corners = 56789;
+    options.rules.largest_cutter = 67.5;
+    const World world = room_world(options);
+    expect_round_trip(world);
+    const World keep = unpacked(pack_world(world));
+    const WorldData& read = keep.data();
+    EXPECT_EQ(read.tolerance.skin, 0.0123);
+    EXPECT_EQ(read.tree_options.split, Split::kSurfaceArea);
+    EXPECT_EQ(read.tree_options.max_depth, 20);
+    EXPECT_EQ(read.tree_options.faces_per_bin, 3);
+    EXPECT_EQ(read.tree_options.min_bin_volume, 0.25);
+    const CarveRules& rules = *read.rules;
+    ASSERT_EQ(rules.zones.size(), 2u);
+    EXPECT_EQ(rules.zones[0].name, "vault");
+    EXPECT_EQ(rules.zones[0].box, options.rules.zones[0].box);
+    EXPECT_EQ(rules.zones[0].hardness, 0.5);
+    EXPECT_TRUE(rules.zones[1].box.empty());
+    EXPECT_EQ(rules.hardness, options.rules.hardness);
+    EXPECT_EQ(rules.most_faces, 12345u);
+    EXPECT_EQ(rules.most_faces_looked_at, 23456u);
+    EXPECT_EQ(rules.most_new_faces, 34567u);
+    EXPECT_EQ(rules.most_cutter_triangles, 45678u);
+    EXPECT_EQ(rules.most_pairs, std::size_t(1) << 40);
+    EXPECT_EQ(rules.most_corners, 56789u);
+    EXPECT_EQ(rules.largest_cutter, 67.5);
+    EXPECT_EQ(keep.material_name(1), "rock");
+}
+
+TEST(PackWorld, FacetsAloneAreSmallerAndCannotBeCarved) {
+    const World world = cut_room(20, 5);
+    const std::vector<std::byte> whole = pack_world(world), facets = pack_world(world, {.exact = false});
+    EXPECT_LT(2 * facets.size(), whole.size());
+    World read = unpacked(facets);
+    EXPECT_EQ(read.face_count(), world.face_count());
+    EXPECT_FALSE(check_world(read));
+    EXPECT_TRUE(pack_world(read) == pack_world(unpacked(pack_world(read))));
+    scenes::Rng rng(6);
+    int hits = 0;
+    for (int k = 0; k < 500; ++k) {
+        Vec3 from, path;
+        for (int axis = 0; axis < 3; ++axis) from[axis] = rng.uniform(-3, 3);
+        for (int axis = 0; axis < 3; ++axis) path[axis] = rng.uniform(-9, 9);
+        const double radius = rng.uniform(0, 0.2);
+        const Hit one = cast(world, {from, radius}, path), other = cast(read, {from, radius}, path);
+        EXPECT_EQ(one.status, other.status);
+        EXPECT_EQ(one.fraction, other.fraction);
+        EXPECT_EQ(one.face, other.face);
+        EXPECT_EQ(one.normal, other.normal);
+        hits += one.touched();
+    }
+    EXPECT_GT(hits, 300);
+    for (const Face& face : read.faces()) EXPECT_FALSE(face.solid);
+    Pose pose;
+    pose.position = {0, 4, 0};
+    EXPECT_EQ(carve(read, make_crater(CutterShape::kRocky, 1), pose).status, CarveStatus::kNothing);
+    EXPECT_EQ(fill(read, make_crater(CutterShape::kRocky, 1), pose).status, CarveStatus::kDone);
+}
+
+TEST(PackWorld, VersionOneStaysReadable) {
+    const Result<World> golden = load_world(FIRMA_ROOT "/tests/data/golden_v1.firma");
+    ASSERT_TRUE(golden.ok()) << golden.error().text();
+    EXPECT_EQ(hash_world(golden.value()), 0u) << hash_world(golden.value());
+    EXPECT_EQ(golden.value().data().edits, 6u);
+    std::ifstream file(FIRMA_ROOT "/tests/data/golden_v1.firma", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_LT(bytes.size(), 50'000u);
+    // As long as version 1 is the one written.
+    EXPECT_TRUE(pack_world(golden.value()) == pack_world(unpacked(std::as_bytes(std::span(bytes)))));
+    EXPECT_EQ(pack_world(golden.value()).size(), bytes.size());
+}
+
+}  // namespace
+}  // namespace firma

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Damaged and hostile files: an error with its place or the same world, never anything else.
+#include <gtest/gtest.h>
+
+#include "firma/solid.h"
+#include "tests/save/saved_worlds.h"
+
+namespace firma {
+namespace {
+
+/// Of a small world with an exact part, and without.
+std::vector<std::vector<std::byte>> small_files() {
+    return {pack_world(tiny_world()), pack_world(tiny_world(), {.exact = false}), pack_world(World())};
+}
+
+TEST(UnpackDamage, EveryByteFlipped) {
+    for (std::vector<std::byte>& bytes : small_files()) {
+        const std::uint64_t hash = hash_world(unpack_world(bytes, "test").value());
+        std::size_t refused = 0;
+        for (std::size_t k = 0; k < bytes.size(); ++k) {
+            for (const unsigned flip : {1u, 0x80u, 0xFFu}) {
+                bytes[k] ^= std::byte(flip);
+                const Result<World> read = unpack_world(bytes, "test");
+                bytes[k] ^= std::byte(flip);
+                if (read) {
+                    EXPECT_EQ(hash_world(read.value()), hash) << "byte " << k;
+                } else {
+                    ++refused;
+                    EXPECT_EQ(read.error().place.rfind("test", 0), 0u) << read.error().text();
+                }
+            }
+        }
+        EXPECT_EQ(refused, 3 * bytes.size());  // what lies between sections is zero, and checked
+    }
+}
+
+TEST(UnpackDamage, EveryTruncation) {
+    for (const std::vector<std::byte>& bytes : small_files()) {
+        for (std::size_t length = 0; length < bytes.size(); ++length)
+            ASSERT_FALSE(unpack_world(std::span(bytes).first(length), "test")) << length;
+        std::vector<std::byte> longer = bytes;
+        longer.resize(bytes.size() + 8);
+        EXPECT_FALSE(unpack_world(longer, "test"));
+    }
+}
+
+/// Casts, an edit and the checks: whatever came out of a file must bear them.
+void use(const World& world) {
+    EXPECT_FALSE(check_world(world));
+    EXPECT_FALSE(check_solid(world));
+    EXPECT_NO_FATAL_FAILURE(cast(world, {{0, 0, 1.5}, 0.1}, {1, 5, 0.3}));
+    Pose pose;
+    pose.position = {0.1, 3.9, 0.2};
+    pose.scale = 0.6;
+    const CarveResult result = carve(world, make_crater(CutterShape::kRocky, 7), pose);
+    if (result.done()) {
+        EXPECT_FALSE(check_world(result.world));
+    }
+}
+
+/// Right checksums over wrong content: each byte of each section in turn.
+TEST(UnpackDamage, EveryByteFlippedUnderRightChecksums) {
+    for (const std::vector<std::byte>& bytes : small_files()) {
+        std::size_t read_anyway = 0, refused = 0;
+        for (const SectionPlace& place : section_places(bytes)) {
+            for (std::size_t k = place.first; k < place.first + place.length; ++k) {
+                for (const unsigned flip : {1u, 0x80u}) {
+                    std::vector<std::byte> damaged = bytes;
+                    damaged[k] ^= std::byte(flip);
+                    fix_checksums(damaged);
+                    const Result<World> read = unpack_world(damaged, "test");
+                    read ? ++read_anyway : ++refused;
+                    if (read && k % 7 == 0) use(read.value());
+                }
+            }
+        }
+        EXPECT_GT(read_anyway, 20u);  // versions, ids, masks, names ...
+        EXPECT_GT(refused, 20u);
+    }
+}
+
+/// The place and reason of a file whose content was changed, checksums right.
+template <class Change>
+std::string text_of(SectionType type, const Change& change) {
+    std::vector<std::byte> bytes = pack_world(tiny_world());
+    for (const SectionPlace& place : section_places(bytes))
+        if (place.type == type) change(bytes, place);
+    fix_checksums(bytes);
+    const Result<World> read = unpack_world(bytes, "a.firma");
+    return read ? "read" : read.error().text();
+}
+
+TEST(UnpackDamage, ErrorsNameTheirPlace) {
+    using Bytes = std::vector<std::byte>;
+    EXPECT_EQ(text_of(kCornersSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 2 * 5 + 1] = std::byte(9); }),
+              "a.firma: section CORN, entry 5: names a vertex that is not there");
+    EXPECT_EQ(text_of(kFacesSection,
+                      [](Bytes& b, const SectionPlace& p) { b[p.first + 3 * kFaceBytes + 24] = std::byte(65); }),
+              "a.firma: section FACE, entry 3: does not have 3 to 64 corners");
+    EXPECT_EQ(
+        text_of(kEdgesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 2 * kEdgeBytes, 77777); }),
+        "a.firma: section EDGE, entry 2: names a vertex that is not there");
+    EXPECT_EQ(text_of(kPlanesSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 7] = std::byte(0x40); }),
+              "a.firma: section PLAN, entry 0: is no plane through points of the grid");
+    EXPECT_EQ(text_of(kBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 0x7FC00000); }),  // NaN
+              "a.firma: section BINS, entry 0: its box is none within the world");
+    EXPECT_EQ(text_of(kWorldSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, 1); }),
+              "a.firma: the world is broken: the count of faces is not how many there are");
+}
+
+TEST(UnpackDamage, OtherVersionsSaySo) {
+    std::vector<std::byte> bytes = pack_world(tiny_world());
+    put_u32(bytes, 8, 2);
+    fix_checksums(bytes);
+    const Result<World> read = unpack_world(bytes, "a.firma");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, ErrorCode::kUnsupported);
+    EXPECT_EQ(read.error().text(), "a.firma: it is of version 2 of the format; this Firma reads version 1");
+    const std::string text = "o level\nv 0 0 0\n";
+    EXPECT_EQ(unpack_world(std::as_bytes(std::span(text)), "a.obj").error().text(),
+              "a.obj: it does not begin as a .firma file does");
+}
+
+TEST(UnpackDamage, UnknownSectionsArePassedOverUnlessRequired) {
+    const World world = tiny_world();
+    const std::vector<std::byte> bytes = pack_world(world);
+    for (const bool required : {false, true}) {
+        const std::vector<Section> known = read_container(bytes, "test").value();
+        std::vector<NewSection> sections;
+        for (const Section& section : known) {
+            NewSection copy{section.type, section.flags, {}};
+            for (const std::byte byte : section.bytes) copy.content.u8(std::uint8_t(byte));
+            sections.push_back(copy);
+        }
+        NewSection fresh{section_type("NEWS"), required ? kRequiredSection : 0, {}};
+        fresh.content.u8(1);
+        sections.insert(sections.begin() + 2, fresh);
+        const Result<World> read = unpack_world(write_container(sections), "a.firma");
+        EXPECT_EQ(read.ok(), !required);
+        if (read) {
+            EXPECT_EQ(hash_world(read.value()), hash_world(world));
+        } else {
+            EXPECT_EQ(read.error().code, ErrorCode::kUnsupported);
+            EXPECT_EQ(read.error().place, "a.firma: section NEWS");
+        }
+    }
+}
+
+TEST(UnpackDamage, Crc32cIsTheUsualOne) {
+    const std::string digits = "123456789";
+    EXPECT_EQ(crc32c(std::as_bytes(std::span(digits))), 0xE3069283u);
+    const std::span<const std::byte> all = std::as_bytes(std::span(digits));
+    EXPECT_EQ(crc32c(all.subspan(4), crc32c(all.first(4))), 0xE3069283u);
+}
+
+}  // namespace
+}  // namespace firma
