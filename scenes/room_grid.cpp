@@ -183,7 +183,8 @@ std::vector<CastQuery> casts_in_rooms(const RoomGrid& grid, const CastRange& ran
     for (CastQuery& move : moves) {
         move.sphere.radius = rng.uniform(range.radius_low, range.radius_high);
         move.sphere.centre = point_in_air(grid, move.sphere.radius, rng);
-        move.path = rng.direction() * rng.uniform(range.length_low, range.length_high);
+        const Vec3 direction = rng.direction();  // one draw a statement: compilers order operands differently
+        move.path = direction * rng.uniform(range.length_low, range.length_high);
     }
     return moves;
 }

@@ -92,7 +92,8 @@ std::vector<CastQuery> casts_over_terrain(const Terrain& ground, const Level& le
         const double over = rng.chance(0.5) ? rng.uniform(0.001, 0.3) : rng.uniform(0.3, 6);
         const double lowest = highest_around(ground, level, x, y, move.sphere.radius);
         move.sphere.centre = {x, y, lowest + move.sphere.radius + over};
-        move.path = rng.direction() * rng.uniform(range.length_low, range.length_high);
+        const Vec3 direction = rng.direction();  // one draw a statement: compilers order operands differently
+        move.path = direction * rng.uniform(range.length_low, range.length_high);
     }
     return moves;
 }

@@ -20,8 +20,7 @@ struct Bounds {
 };
 
 bool meets(const Block& block, const FaceRecord& face, const GridBox& box) {
-    GridBox own;
-    for (const std::uint16_t vertex : block.corners_of(face)) own.add(block.vertices[vertex]);
+    const GridBox own = block.box_of(face);
     for (int axis = 0; axis < 3; ++axis)
         if (own.high[axis] < box.low[axis] || own.low[axis] > box.high[axis]) return false;
     return true;

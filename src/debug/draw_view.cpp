@@ -19,6 +19,8 @@ constexpr double kCrease = 0.95;     // cosine of the angle from which on a turn
 constexpr double kJump = 0.02;       // of the depth: what lies farther behind its neighbour is another surface
 constexpr double kLift = 0.004;      // metres from a face to where its shadow ray begins
 constexpr double kLampShare = 0.55;  // of the way to the target, upward and to the left
+constexpr double kUpright = 1e-12;   // squared sine of a view to upward, below which they give no side to the right:
+                                     // at a millionth of a radian that still has ten good digits
 constexpr double kShadow = 0.66;     // light that is left in shadow
 constexpr double kEdgeShade = 0.5;   // light that is left on an edge
 constexpr std::uint32_t kNothing = ~0u;
@@ -39,7 +41,7 @@ struct Frame {
         Vec3 upward;
         upward[camera.up] = 1;
         right = cross(forward, upward);
-        if (dot(right, right) < 1e-12) {  // straight up or down: any side will do
+        if (dot(right, right) < kUpright) {  // straight up or down: any side will do
             upward = {};
             upward[(camera.up + 1) % 3] = 1;
             right = cross(forward, upward);

@@ -112,7 +112,7 @@ private:
     void report_point(const char* what, std::uint32_t number) { report(what, to_metres(numbers_.point(number))); }
     Vec3 some_corner() const {
         const FacetPlace& facet = face().facet;
-        return to_metres(facet.block->vertices[facet.block->corners_of(facet.record())[0]]);
+        return to_metres(facet.block->corner(facet.record(), 0));
     }
 
     void check_loops() {

@@ -60,12 +60,12 @@ DoubleDouble twice_seen_area(const SolidPatch& patch, const PatchFace& face, int
 }
 
 Int128 six_times_cone(const FacetPlace& facet, const GridPoint& apex) {
-    const auto corners = facet.block->corners_of(facet.record());
+    const FaceRecord& record = facet.record();
     const auto arm = [&](std::size_t k, int axis) {
-        return std::int64_t(facet.block->vertices[corners[k]][axis]) - apex[axis];
+        return std::int64_t(facet.block->corner(record, k)[axis]) - apex[axis];
     };
     Int128 sum = 0;  // a facet's: 99 bits and a few for its corners
-    for (std::size_t k = 2; k < corners.size(); ++k)
+    for (std::size_t k = 2; k < record.corner_count; ++k)
         for (int x = 0, y = 1, z = 2; x < 3; y = z, z = x, ++x)
             sum += arm(0, x) * (Int128(arm(k - 1, y)) * arm(k, z) - Int128(arm(k - 1, z)) * arm(k, y));
     return sum;

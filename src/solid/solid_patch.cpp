@@ -170,22 +170,22 @@ std::uint32_t SolidPatch::add_untouched(const FacetPlace& facet) {
     faces[index].first_use = std::uint32_t(all_uses.size());
     faces[index].first_loop = std::uint32_t(loop_ends.size());
 
-    const auto corners = facet.block->corners_of(record);
-    const auto corner = [&](std::size_t k) { return to_input(facet.block->vertices[corners[k]]); };
+    const std::size_t corners = record.corner_count;
+    const auto corner = [&](std::size_t k) { return to_input(facet.block->corner(record, k)); };
     Plane plane;
-    for (std::size_t k = 2; k < corners.size() && !plane.valid(); ++k)  // the first ones may lie on a line
+    for (std::size_t k = 2; k < corners && !plane.valid(); ++k)  // the first ones may lie on a line
         plane = plane_through(corner(0), corner(k - 1), corner(k));
     faces[index].plane = Ref<const SolidPlane>(new SolidPlane(plane));
 
     const std::uint32_t first = grid_vertex(corner(0));
     std::uint32_t last = first;
-    for (std::size_t k = 1; k <= corners.size(); ++k) {
-        const std::uint32_t next = k < corners.size() ? grid_vertex(corner(k)) : first;
+    for (std::size_t k = 1; k <= corners; ++k) {
+        const std::uint32_t next = k < corners ? grid_vertex(corner(k)) : first;
         const std::uint32_t edge = edge_between(last, next);
         all_uses.push_back({edge, edges[edge].vertex[0] != last});
         last = next;
     }
-    loop_ends.push_back(std::uint32_t(corners.size()));
+    loop_ends.push_back(std::uint32_t(corners));
     finish(index);
     return index;
 }

@@ -89,6 +89,15 @@ public:
     std::span<const std::uint16_t> corners_of(const FaceRecord& face) const {
         return {corner_vertices.data() + face.first_corner, face.corner_count};
     }
+    const GridPoint& corner(const FaceRecord& face, std::size_t k) const {
+        return vertices[corner_vertices[face.first_corner + k]];
+    }
+    /// Around its corners.
+    GridBox box_of(const FaceRecord& face) const {
+        GridBox box;
+        for (const std::uint16_t vertex : corners_of(face)) box.add(vertices[vertex]);
+        return box;
+    }
     /// Null for a face that is its own.
     const FaceOwner* owner_of(const FaceRecord& face) const {
         return face.owner == kNoOwner ? nullptr : owners[face.owner].get();

@@ -54,11 +54,7 @@ Ref<const Block> BlockBuilder::build(const FaceSet& faces, const TreeOptions& op
     tree_.nodes.clear();
     tree_.nodes.reserve(faces.faces.size());
     for (std::uint32_t k = 0; k < tree_.items.size(); ++k) {
-        const FaceSet::Entry& face = faces.faces[k];
-        GridBox box;
-        for (std::uint32_t c = 0; c < face.corner_count; ++c)
-            box.add(faces.vertices[faces.corners[face.first_corner + c]]);
-        tree_.items[k] = {box, k};
+        tree_.items[k] = {faces.box_of(faces.faces[k]), k};
     }
     const TreeOptions rules = in_range(options);
     divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), depth,
@@ -114,7 +110,7 @@ void BlockBuilder::add_face(Block& block, const FaceSet::Entry& face) {
     record.first_corner = std::uint16_t(block.corner_vertices.size());
     record.corner_count = std::uint8_t(face.corner_count);
     for (std::uint32_t c = 0; c < face.corner_count; ++c)
-        block.corner_vertices.push_back(vertices_.index_of(faces_->vertices[faces_->corners[face.first_corner + c]]));
+        block.corner_vertices.push_back(vertices_.index_of(faces_->corner(face, c)));
     block.faces.push_back(record);
 }
 

@@ -31,24 +31,12 @@ int deepest_of(std::size_t faces) {
     return 2 * std::bit_width(faces) + 16;
 }
 
-GridBox box_of(const FaceSet& set, const FaceSet::Entry& face) {
-    GridBox box;
-    for (std::uint32_t c = 0; c < face.corner_count; ++c) box.add(set.vertices[set.corners[face.first_corner + c]]);
-    return box;
-}
-
-GridBox box_of(const Block& block, const FaceRecord& face) {
-    GridBox box;
-    for (const std::uint16_t vertex : block.corners_of(face)) box.add(block.vertices[vertex]);
-    return box;
-}
-
 void append_face(const FaceSet& from, const FaceSet::Entry& face, FaceSet& to) {
     FaceSet::Entry entry = face;
     entry.first_corner = std::uint32_t(to.corners.size());
     for (std::uint32_t c = 0; c < face.corner_count; ++c) {
         to.corners.push_back(std::uint32_t(to.vertices.size()));
-        to.vertices.push_back(from.vertices[from.corners[face.first_corner + c]]);
+        to.vertices.push_back(from.corner(face, c));
     }
     to.faces.push_back(entry);
 }
@@ -103,7 +91,7 @@ void BlockEdit::find_some() {
         const auto [leaf, slot] = removed_[next_];
         const auto [known, is_new] = leaves_.try_emplace(leaf, kNone);
         if (is_new) {
-            known->second = find_leaf(leaf, box_of(*leaf, leaf->faces[slot]));
+            known->second = find_leaf(leaf, leaf->box_of(leaf->faces[slot]));
             FIRMA_ASSERT(known->second != kNone, "remove() takes a face of the tree");
             --left;
         }
@@ -160,7 +148,7 @@ std::uint32_t BlockEdit::find_leaf(const Block* leaf, const GridBox& box) {
 
 void BlockEdit::place_some() {
     const std::size_t end = std::min(added_.faces.size(), next_ + kPlacesInAStep);
-    for (; next_ < end; ++next_) comes_.push_back({place(box_of(added_, added_.faces[next_])), std::uint32_t(next_)});
+    for (; next_ < end; ++next_) comes_.push_back({place(added_.box_of(added_.faces[next_])), std::uint32_t(next_)});
     if (next_ < added_.faces.size()) return;
     std::sort(comes_.begin(), comes_.end());
     gather_leaves();

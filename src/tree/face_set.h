@@ -29,6 +29,14 @@ struct FaceSet {
     std::vector<std::uint32_t> corners;  ///< indices into vertices
     /// Keeps alive what entries point to; may lack what something else keeps alive until the blocks are built.
     std::vector<Ref<const FaceOwner>> owners;
+
+    const GridPoint& corner(const Entry& face, std::size_t k) const { return vertices[corners[face.first_corner + k]]; }
+    /// Around its corners.
+    GridBox box_of(const Entry& face) const {
+        GridBox box;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) box.add(corner(face, k));
+        return box;
+    }
 };
 
 }  // namespace firma

@@ -15,9 +15,8 @@ namespace firma {
 class FaceShape {
 public:
     FaceShape(const Block& block, const FaceRecord& face) {
-        std::size_t count = 0;
-        for (const std::uint16_t vertex : block.corners_of(face)) corners_[count++] = to_metres(block.vertices[vertex]);
-        polygon = make_shape({corners_.data(), count});
+        for (std::size_t k = 0; k < face.corner_count; ++k) corners_[k] = to_metres(block.corner(face, k));
+        polygon = make_shape({corners_.data(), face.corner_count});
     }
     FaceShape(const FaceShape&) = delete;
     FaceShape& operator=(const FaceShape&) = delete;

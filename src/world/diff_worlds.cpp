@@ -77,9 +77,8 @@ bool same(const Slot& a, const Slot& b) {
     if (f.source != g.source || f.edit != g.edit || f.material != g.material || f.mask != g.mask ||
         f.two_sided != g.two_sided || f.solid != g.solid || f.corner_count != g.corner_count)
         return false;
-    const auto p = a.block->corners_of(f), q = b.block->corners_of(g);
-    for (std::size_t k = 0; k < p.size(); ++k)
-        if (a.block->vertices[p[k]] != b.block->vertices[q[k]]) return false;
+    for (std::size_t k = 0; k < f.corner_count; ++k)
+        if (a.block->corner(f, k) != b.block->corner(g, k)) return false;
     return true;
 }
 
@@ -121,8 +120,7 @@ private:
     void add(RoomId room, const Slot& slot, std::vector<ChangedFace>& faces) {
         const FaceRecord& face = slot.face();
         faces.push_back({face.id, {slot.block, slot.slot}, room, face.source, face.edit, face.material});
-        GridBox box;
-        for (const std::uint16_t vertex : slot.block->corners_of(face)) box.add(slot.block->vertices[vertex]);
+        const GridBox box = slot.block->box_of(face);
         const Vec3 low = to_metres(box.low), high = to_metres(box.high);
         diff_.bounds.add(low);
         diff_.bounds.add(high);

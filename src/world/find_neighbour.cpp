@@ -48,9 +48,8 @@ struct EdgeVisitor {
 }  // namespace
 
 FaceId find_neighbour(const Block& root, const Block& block, const FaceRecord& face, std::uint32_t corner) {
-    const auto corners = block.corners_of(face);
-    const GridPoint a = block.vertices[corners[corner]];
-    const GridPoint b = block.vertices[corners[corner + 1 < corners.size() ? corner + 1 : 0]];
+    const GridPoint a = block.corner(face, corner);
+    const GridPoint b = block.corner(face, corner + 1u < face.corner_count ? corner + 1 : 0);
     EdgeVisitor visitor{a, b, (to_metres(a) + to_metres(b)) * 0.5};
     visit(root, visitor);
     if (visitor.uses != 2 || visitor.forward != 1) return {};

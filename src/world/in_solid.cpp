@@ -4,6 +4,7 @@
 
 #include "cast/cast_sphere_polygon.h"
 #include "firma/world.h"
+#include "geometry/rounding.h"
 #include "tree/sweep_box.h"
 #include "tree/visit.h"
 #include "world/block_faces.h"
@@ -38,13 +39,24 @@ struct FirstSolid {
     }
 };
 
+constexpr double kRayLength = 4 * kWorldRim;  ///< from anywhere in the world to well outside
+
+/// Bound on how far off the point is where such a ray is found to meet a face, metres. Height over the plane and
+/// approach to it are off by rounding(16) of the sizes, and double is used down to an approach of an eighth: 128 of the
+/// distance to a corner, and as much of the way there. Twice that covers the point's own sum.
+constexpr double kMeetingError = rounding(512) * (kRayLength + 2 * kWorldRim);
+
+/// Where two faces meet at an angle of 0.03 or more (radians), a ray that passes their edge at this distance meets them
+/// farther apart than the error; nearer to the edge, or in a sharper corner, either may seem to be first.
+constexpr double kRim = 1e-7;  // metres
+static_assert(kRim * 0.03 > kMeetingError);
+
 /// Whether a point of a polygon lies so near to its rim that rounding decides which of two neighbours is met first: of
 /// a surface that a ray only grazes, either may be.
 bool on_rim(const PolygonShape& polygon, const Vec3& point) {
-    constexpr double kNear = 1e-7;  // metres; where a ray meets a face is known far better
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
         const Vec3 edge = polygon.corners[polygon.next(k)] - polygon.corners[k];
-        if (length(cross(edge, point - polygon.corners[k])) < kNear * length(edge)) return true;
+        if (length(cross(edge, point - polygon.corners[k])) < kRim * length(edge)) return true;
     }
     return false;
 }
@@ -77,7 +89,7 @@ std::optional<bool> in_solid(const World& world, const Vec3& point) {
     constexpr Vec3 kWays[] = {{0.36, 0.48, 0.80},  {-0.48, 0.64, -0.60}, {0.60, -0.64, 0.48},  {-0.28, -0.96, 0.02},
                               {0.96, 0.03, -0.28}, {0.02, 0.28, 0.96},   {-0.8, -0.36, -0.48}, {0.64, 0.6, -0.48}};
     for (const Vec3& way : kWays) {
-        switch (look(world, point, way * (4 * kWorldRim))) {
+        switch (look(world, point, way * kRayLength)) {
             case Answer::kAir:
                 return false;
             case Answer::kSolid:

@@ -45,7 +45,7 @@ struct BlockVisitor {
 
 /// The root of the tree that holds a block; null when none does.
 const Block* root_above(const WorldData& data, const Block& block, const FaceRecord& face) {
-    BlockVisitor visitor{&block, to_metres(block.vertices[block.corners_of(face)[0]])};
+    BlockVisitor visitor{&block, to_metres(block.corner(face, 0))};
     for (const Ref<const Room>& room : data.rooms) {
         if (room->tree) visit(*room->tree, visitor);
         if (visitor.found) return room->tree.get();

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "tests/full/options.h"
 #include "tests/reference/judge_cut.h"
 
 namespace {
@@ -35,39 +36,10 @@ constexpr double kMostBlamed = 0.02;
 /// A run ends, and fails, when this many times the count have been asked for and still too few were done.
 constexpr std::uint64_t kMostAsked = 8;
 
-struct Options {
-    std::uint64_t count = 20000, seed = 1, from = 0, to = ~0ull;
-    int threads = 1;
-    std::size_t show = 3;
+struct Options : full::Options {
+    std::uint64_t from = 0, to = ~0ull;
     std::string family, level = FIRMA_ROOT "/levels/first.obj";
 };
-
-bool read_options(int count, char** words, Options& options) {
-    for (int k = 1; k < count; k += 2) {
-        const std::string word = words[k];
-        if (k + 1 >= count) return false;
-        const std::uint64_t number = std::strtoull(words[k + 1], nullptr, 10);
-        if (word == "--count")
-            options.count = number;
-        else if (word == "--seed")
-            options.seed = number;
-        else if (word == "--from")
-            options.from = number;
-        else if (word == "--to")
-            options.to = number;
-        else if (word == "--threads")
-            options.threads = int(std::clamp<std::uint64_t>(number, 1, 64));
-        else if (word == "--show")
-            options.show = std::size_t(number);
-        else if (word == "--family")
-            options.family = words[k + 1];
-        else if (word == "--level")
-            options.level = words[k + 1];
-        else
-            return false;
-    }
-    return true;
-}
 
 bool within(std::uint64_t part, const CutTally& tally, double share) {
     return double(part) <= share * double(tally.cuts);
@@ -172,7 +144,12 @@ void on_assert(const char* condition, const char* advice, const char* file, int 
 
 int main(int count, char** words) {
     Options options;
-    if (!read_options(count, words, options)) {
+    options.count = 20000;
+    if (!full::read_options(count, words, options,
+                            {{"--from", &options.from},
+                             {"--to", &options.to},
+                             {"--family", nullptr, &options.family},
+                             {"--level", nullptr, &options.level}})) {
         std::fprintf(stderr,
                      "full_carve [--count N] [--seed N] [--threads N] [--from CASE] [--to CASE] [--family NAME] "
                      "[--level FILE] [--show N]\n");

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/full/options.h"
 #include "tests/reference/judge_carved_casts.h"
 #include "tests/reference/world_facets.h"
 
@@ -20,35 +21,10 @@ namespace {
 using namespace firma;
 using ull = unsigned long long;
 
-struct Options {
-    std::uint64_t count = 1000000, seed = 1, cuts = 1000;
-    int threads = 1;
-    std::size_t show = 3;
-    bool rays = false;
+struct Options : full::Options {
+    std::uint64_t cuts = 1000;
+    std::string what = "casts";
 };
-
-bool read_options(int count, char** words, Options& options) {
-    for (int k = 1; k < count; k += 2) {
-        const std::string word = words[k];
-        if (k + 1 >= count) return false;
-        const std::uint64_t number = std::strtoull(words[k + 1], nullptr, 10);
-        if (word == "--count")
-            options.count = number;
-        else if (word == "--seed")
-            options.seed = number;
-        else if (word == "--cuts")
-            options.cuts = number;
-        else if (word == "--threads")
-            options.threads = int(std::clamp<std::uint64_t>(number, 1, 64));
-        else if (word == "--show")
-            options.show = std::size_t(number);
-        else if (word == "--what" && (std::string(words[k + 1]) == "rays" || std::string(words[k + 1]) == "casts"))
-            options.rays = std::string(words[k + 1]) == "rays";
-        else
-            return false;
-    }
-    return true;
-}
 
 /// Our level, its carving spread and in one corner: rock outside, so that no ray may get out.
 std::vector<World> worlds(const Options& options) {
@@ -134,10 +110,13 @@ int shoot_rays(const Options& options) {
 
 int main(int count, char** words) {
     Options options;
-    if (!read_options(count, words, options)) {
+    options.count = 1000000;
+    const bool read =
+        full::read_options(count, words, options, {{"--cuts", &options.cuts}, {"--what", nullptr, &options.what}});
+    if (!read || (options.what != "rays" && options.what != "casts")) {
         std::fprintf(
             stderr, "full_carved_casts --what casts|rays [--count N] [--seed N] [--threads N] [--cuts N] [--show N]\n");
         return 2;
     }
-    return options.rays ? shoot_rays(options) : judge_casts(options);
+    return options.what == "rays" ? shoot_rays(options) : judge_casts(options);
 }

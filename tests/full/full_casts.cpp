@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/full/options.h"
 #include "tests/reference/judge_scene.h"
 
 namespace {
@@ -26,37 +27,10 @@ using namespace firma;
 using reference::Fault;
 using reference::Tally;
 
-struct Options {
-    std::uint64_t count = 1000000, seed = 1, from = 0, to = ~0ull;
-    int threads = 1;
-    std::size_t show = 3;
+struct Options : full::Options {
+    std::uint64_t from = 0, to = ~0ull;
     std::string family;
 };
-
-bool read_options(int count, char** words, Options& options) {
-    for (int k = 1; k < count; k += 2) {
-        const std::string word = words[k];
-        if (k + 1 >= count) return false;
-        const std::uint64_t number = std::strtoull(words[k + 1], nullptr, 10);
-        if (word == "--count")
-            options.count = number;
-        else if (word == "--seed")
-            options.seed = number;
-        else if (word == "--from")
-            options.from = number;
-        else if (word == "--to")
-            options.to = number;
-        else if (word == "--threads")
-            options.threads = int(std::clamp<std::uint64_t>(number, 1, 64));
-        else if (word == "--show")
-            options.show = std::size_t(number);
-        else if (word == "--family")
-            options.family = words[k + 1];
-        else
-            return false;
-    }
-    return true;
-}
 
 /// Hands out chunks until enough casts have been judged, and adds up.
 class Run {
@@ -148,7 +122,10 @@ private:
 
 int main(int count, char** words) {
     Options options;
-    if (!read_options(count, words, options)) {
+    options.count = 1000000;
+    if (!full::read_options(
+            count, words, options,
+            {{"--from", &options.from}, {"--to", &options.to}, {"--family", nullptr, &options.family}})) {
         std::fprintf(
             stderr,
             "full_casts [--count N] [--seed N] [--threads N] [--from CHUNK] [--to CHUNK] [--family NAME] [--show N]\n");

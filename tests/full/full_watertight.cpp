@@ -15,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/full/options.h"
 #include "tests/reference/escapes.h"
 
 namespace {
@@ -22,34 +23,9 @@ namespace {
 using namespace firma;
 using reference::EscapeTally;
 
-struct Options {
-    std::uint64_t count = 10000000, seed = 1, from = 0, to = ~0ull;
-    int threads = 1;
-    std::size_t show = 3;
+struct Options : full::Options {
+    std::uint64_t from = 0, to = ~0ull;
 };
-
-bool read_options(int count, char** words, Options& options) {
-    for (int k = 1; k < count; k += 2) {
-        const std::string word = words[k];
-        if (k + 1 >= count) return false;
-        const std::uint64_t number = std::strtoull(words[k + 1], nullptr, 10);
-        if (word == "--count")
-            options.count = number;
-        else if (word == "--seed")
-            options.seed = number;
-        else if (word == "--from")
-            options.from = number;
-        else if (word == "--to")
-            options.to = number;
-        else if (word == "--threads")
-            options.threads = int(std::clamp<std::uint64_t>(number, 1, 64));
-        else if (word == "--show")
-            options.show = std::size_t(number);
-        else
-            return false;
-    }
-    return true;
-}
 
 class Run {
 public:
@@ -123,7 +99,8 @@ private:
 
 int main(int count, char** words) {
     Options options;
-    if (!read_options(count, words, options)) {
+    options.count = 10000000;
+    if (!full::read_options(count, words, options, {{"--from", &options.from}, {"--to", &options.to}})) {
         std::fprintf(stderr,
                      "full_watertight [--count N] [--seed N] [--threads N] [--from CHUNK] [--to CHUNK] [--show N]\n");
         return 2;

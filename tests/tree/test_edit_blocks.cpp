@@ -216,7 +216,8 @@ TEST(EditBlocks, ThousandsInOnePlaceStayShallow) {
     scenes::Rng rng(21);
     int deepest = 0;
     for (int k = 0; k < 3000; ++k) {
-        const Vec3 centre = Vec3{5, 5, 1} + rng.direction() * rng.uniform(0, 0.8);
+        const Vec3 direction = rng.direction();
+        const Vec3 centre = Vec3{5, 5, 1} + direction * rng.uniform(0, 0.8);
         edited.crater(centre, 0.7, 2, rng);
         deepest = std::max<int>(deepest, edited.tree->depth);
         if (k % 250 == 0) {
