@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the C and C++ libraries would ask the host for, answered here, so that the module needs one thing of it: the time,
-// for edits in slices and for reports.
+// What the C and C++ libraries would ask the host for, answered here, so that the module needs one thing of it: the
+// time, for edits in slices and for reports.
 //
 // A failed allocation or assertion ends in a trap: JavaScript sees an exception, and the module must not be used again.
 #include <cstddef>
@@ -33,8 +33,8 @@ void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
     return std::malloc(bytes ? bytes : 1);
 }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
-    void* memory = std::aligned_alloc(std::size_t(alignment), (bytes + std::size_t(alignment) - 1) / std::size_t(alignment) *
-                                                                  std::size_t(alignment));
+    void* memory = std::aligned_alloc(
+        std::size_t(alignment), (bytes + std::size_t(alignment) - 1) / std::size_t(alignment) * std::size_t(alignment));
     if (!memory) __builtin_trap();
     return memory;
 }
@@ -59,7 +59,7 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
 
 // Instead of printing to a terminal that is not there.
 _LIBCPP_BEGIN_NAMESPACE_STD
-[[noreturn]] void __libcpp_verbose_abort(const char*, ...) noexcept {
+[[noreturn]] void __libcpp_verbose_abort(const char*, ...) {
     __builtin_trap();
 }
 _LIBCPP_END_NAMESPACE_STD
@@ -71,6 +71,11 @@ int clock_gettime(clockid_t, timespec* time) {
     time->tv_sec = time_t(us / 1e6);
     time->tv_nsec = long((us - double(time->tv_sec) * 1e6) * 1e3);
     return 0;
+}
+
+/// Nobody calls it; without it std::to_wstring would bring in all of stdio.
+int swprintf(wchar_t*, std::size_t, const wchar_t*, ...) {
+    return -1;
 }
 
 /// Memory for arguments and answers: 16-byte aligned; null for none.

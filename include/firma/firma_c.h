@@ -413,26 +413,32 @@ FIRMA_API firma_code firma_diff_release(firma_diff diff);
 
 /* ---- histories -------------------------------------------------------------------------------------------------- */
 
-/* A store holds the newest world, which any thread may take, and those before it, which the one editor may go back to.
- */
+/* A store holds the newest world, which any thread may take at any time, and those before it, for undo. An editor takes
+ * the current world, edits it, and publishes the result. */
 typedef struct firma_store_facts {
     uint64_t oldest, current, newest; /* versions */
-    uint64_t versions;                /* held, those to be redone included */
-    uint64_t bytes;                   /* that the history holds beyond the current world */
-    uint64_t most_bytes;
+    uint64_t versions;                /* held, undone ones included */
+    uint64_t bytes;                   /* held beside the current version */
+    uint64_t bytes_at_most;           /* what is bounded: no less than `bytes`, the same after undo and redo */
+    uint64_t waiting;                 /* dropped versions that somebody held when it was last looked */
 } firma_store_facts;
 
-/* `most_bytes` bounds what versions other than the current one hold; 0 keeps none. */
+/* `most_bytes` bounds what versions other than the current one hold; with 0 there is no undo. */
 FIRMA_API firma_code firma_store_open(firma_world first, uint64_t most_bytes, firma_store* store);
-/* Never waits for an edit. */
+/* Another handle to the current world; never waits for an edit. Take one for a frame and cast on it. */
 FIRMA_API firma_code firma_store_current(firma_store store, firma_world* world);
-FIRMA_API firma_code firma_store_publish(firma_store store, firma_world world);
-/* FIRMA_ERROR_INVALID when there is nothing to go back to, or forward. */
+/* Makes `after` the current world. `before` must be the current one, from which it was made: FIRMA_ERROR_INVALID, and
+ * nothing changed, when somebody else was first. Drops what was undone, and the oldest versions beyond the bytes. */
+FIRMA_API firma_code firma_store_publish(firma_store store, firma_world before, firma_world after);
+/* The world gone back, or forward, to. FIRMA_ERROR_INVALID when there is none. */
 FIRMA_API firma_code firma_store_undo(firma_store store, firma_world* world);
 FIRMA_API firma_code firma_store_redo(firma_store store, firma_world* world);
 /* FIRMA_ERROR_INVALID for a version that is not held. */
 FIRMA_API firma_code firma_store_at(firma_store store, uint64_t version, firma_world* world);
 FIRMA_API firma_code firma_store_get_facts(firma_store store, firma_store_facts* facts);
+/* Frees dropped versions that nobody holds any more; publish, undo and redo do so too. `waiting` may be null: how many
+ * are still held. */
+FIRMA_API firma_code firma_store_collect(firma_store store, uint64_t* waiting);
 FIRMA_API firma_code firma_store_release(firma_store store);
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------ */

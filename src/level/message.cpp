@@ -3,7 +3,10 @@
 #include "level/message.h"
 
 #include <charconv>
+#include <cstdio>
 #include <utility>
+
+#include "level/parse_number.h"
 
 namespace firma {
 
@@ -28,8 +31,16 @@ std::string quote(std::string_view text) {
 
 std::string number_text(double value) {
     char text[32];
+#if defined(__wasm__)  // where the tables of to_chars would be a third of the module
+    for (int digits = 15; digits <= 17; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        if (parse_number(text) == value) break;
+    }
+    return text;
+#else
     const auto end = std::to_chars(text, text + sizeof text, value).ptr;
     return {text, end};
+#endif
 }
 
 Error error_at_line(ErrorCode code, std::string_view name, std::uint32_t line, std::string reason) {
