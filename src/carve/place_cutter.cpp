@@ -116,6 +116,27 @@ std::vector<Vec3> outward(const PlacedCutter& placed) {
     return out;
 }
 
+/// Where a vertex of a placed cutter goes. Outward by one step at least, where there is an outward along the axis.
+InputPoint moved_outward(const InputPoint& from, const Vec3& out, std::int32_t farthest, std::uint64_t bits) {
+    InputPoint moved = from;
+    for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
+        const auto draw = [&](std::int32_t count) {
+            return std::int32_t((bits & 0x1FFFFF) * std::uint64_t(count) >> 21);
+        };
+        const double along = out[axis];
+        moved[axis] += std::fabs(along) < kFlat * largest(out) ? draw(2 * farthest + 1) - farthest
+                       : along > 0                             ? 1 + draw(farthest)
+                                                               : -1 - draw(farthest);
+    }
+    return moved;
+}
+
+bool in_world(const InputPoint& p) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (p[axis] < -kRimSteps || p[axis] >= kRimSteps) return false;
+    return true;
+}
+
 }  // namespace
 
 Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose) {
@@ -149,20 +170,24 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
     const std::vector<Vec3> out = outward(placed);
     PlacedCutter moved = placed;
     for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
-        std::uint64_t bits = random.next();
-        for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
-            const auto draw = [&](std::int32_t count) {
-                return std::int32_t((bits & 0x1FFFFF) * std::uint64_t(count) >> 21);
-            };
-            // Outward by one step at least, where there is an outward along this axis.
-            const double along = out[k][axis];
-            const std::int32_t by = std::fabs(along) < kFlat * largest(out[k]) ? draw(2 * farthest + 1) - farthest
-                                    : along > 0                                ? 1 + draw(farthest)
-                                                                               : -1 - draw(farthest);
-            std::int32_t& coordinate = moved.vertices[k][axis];
-            coordinate += by;
-            if (coordinate < -kRimSteps || coordinate >= kRimSteps) return outside(placed.name, k);
-        }
+        const std::uint64_t bits = random.next();
+        moved.vertices[k] = moved_outward(placed.vertices[k], out[k], farthest, bits);
+        if (!in_world(moved.vertices[k])) return outside(placed.name, k);
+    }
+    return finish(std::move(moved));
+}
+
+Result<PlacedCutter> move_vertices(const PlacedCutter& placed, const PlacedCutter& before,
+                                   std::span<const std::uint32_t> vertices, int tries) {
+    Random random(placed.hash ^ mix_bits(std::uint64_t(tries)));
+    // Triangles are small, many must not fold: by as little as can be at first.
+    const std::int32_t farthest = std::min(1 + tries / 2, kFarthestMove);
+    const std::vector<Vec3> out = outward(placed);
+    PlacedCutter moved = before;
+    for (const std::uint32_t k : vertices) {
+        const std::uint64_t bits = random.next();
+        moved.vertices[k] = moved_outward(placed.vertices[k], out[k], farthest, bits);
+        if (!in_world(moved.vertices[k])) return outside(placed.name, k);
     }
     return finish(std::move(moved));
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,14 @@ inline constexpr std::int32_t kFarthestMove = 24;
 /// @param tries   1, 2, ...
 /// Errors: kInvalid, kOutOfRange as above.
 Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries);
+
+/// The same for some vertices alone: for a cutter of very many, of which each try would bring others into degenerate
+/// position. What earlier tries did to the rest stays.
+///
+/// @param placed    as place_cutter() gave it: the vertices are put beside where they were in it
+/// @param before    as the last try left it
+/// @param vertices  in rising order
+Result<PlacedCutter> move_vertices(const PlacedCutter& placed, const PlacedCutter& before,
+                                   std::span<const std::uint32_t> vertices, int tries);
 
 }  // namespace firma
