@@ -116,21 +116,6 @@ std::vector<Vec3> outward(const PlacedCutter& placed) {
     return out;
 }
 
-/// Where a vertex of a placed cutter goes. Outward by one step at least, where there is an outward along the axis.
-InputPoint moved_outward(const InputPoint& from, const Vec3& out, std::int32_t farthest, std::uint64_t bits) {
-    InputPoint moved = from;
-    for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
-        const auto draw = [&](std::int32_t count) {
-            return std::int32_t((bits & 0x1FFFFF) * std::uint64_t(count) >> 21);
-        };
-        const double along = out[axis];
-        moved[axis] += std::fabs(along) < kFlat * largest(out) ? draw(2 * farthest + 1) - farthest
-                       : along > 0                             ? 1 + draw(farthest)
-                                                               : -1 - draw(farthest);
-    }
-    return moved;
-}
-
 bool in_world(const InputPoint& p) {
     for (int axis = 0; axis < 3; ++axis)
         if (p[axis] < -kRimSteps || p[axis] >= kRimSteps) return false;
@@ -170,8 +155,18 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
     const std::vector<Vec3> out = outward(placed);
     PlacedCutter moved = placed;
     for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
-        const std::uint64_t bits = random.next();
-        moved.vertices[k] = moved_outward(placed.vertices[k], out[k], farthest, bits);
+        std::uint64_t bits = random.next();
+        for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
+            const auto draw = [&](std::int32_t count) {
+                return std::int32_t((bits & 0x1FFFFF) * std::uint64_t(count) >> 21);
+            };
+            // Outward by one step at least, where there is an outward along this axis.
+            const double along = out[k][axis];
+            const std::int32_t by = std::fabs(along) < kFlat * largest(out[k]) ? draw(2 * farthest + 1) - farthest
+                                    : along > 0                                ? 1 + draw(farthest)
+                                                                               : -1 - draw(farthest);
+            moved.vertices[k][axis] += by;
+        }
         if (!in_world(moved.vertices[k])) return outside(placed.name, k);
     }
     return finish(std::move(moved));
@@ -180,13 +175,23 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
 Result<PlacedCutter> move_vertices(const PlacedCutter& placed, const PlacedCutter& before,
                                    std::span<const std::uint32_t> vertices, int tries) {
     Random random(placed.hash ^ mix_bits(std::uint64_t(tries)));
-    // Triangles are small, many must not fold: by as little as can be at first.
     const std::int32_t farthest = std::min(1 + tries / 2, kFarthestMove);
+    std::int32_t steps[3], flat_steps[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::uint64_t bits = random.next();
+        steps[axis] = 1 + std::int32_t((bits >> 32) % std::uint64_t(farthest));
+        flat_steps[axis] = bits & 1 ? steps[axis] : -steps[axis];
+    }
     const std::vector<Vec3> out = outward(placed);
     PlacedCutter moved = before;
     for (const std::uint32_t k : vertices) {
-        const std::uint64_t bits = random.next();
-        moved.vertices[k] = moved_outward(placed.vertices[k], out[k], farthest, bits);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double along = out[k][axis];
+            const bool flat = std::fabs(along) < kFlat * largest(out[k]);
+            moved.vertices[k][axis] = placed.vertices[k][axis] + (flat        ? flat_steps[axis]
+                                                                  : along > 0 ? steps[axis]
+                                                                              : -steps[axis]);
+        }
         if (!in_world(moved.vertices[k])) return outside(placed.name, k);
     }
     return finish(std::move(moved));

@@ -20,9 +20,6 @@ namespace firma {
 namespace {
 
 constexpr int kMostTries = 64;
-/// A cutter of more vertices is large: when one touches, only what touches is moved. With all of very many moved, each
-/// time some other would touch.
-constexpr std::size_t kMostMovedWhole = 2000;
 /// One less than what says "no face".
 constexpr std::uint32_t kMostFaceIds = ~0u - 1;
 /// How many facets' worth of faces one step makes.
