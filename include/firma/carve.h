@@ -27,7 +27,7 @@ struct CarveReport {
     std::size_t faces_cut = 0;        ///< of these, how many the cutter's surface crosses
     std::size_t faces_gone = 0;       ///< facets that casts met before and meet no more
     std::size_t faces_new = 0;        ///< facets that casts meet from now on
-    int retries = 0;    ///< how often the cutter was moved by steps of the grid, out of degenerate position
+    int retries = 0;    ///< how often the cutter, or some of it, was moved by steps of the grid, as it touched
     double scale = 1;   ///< what zones and materials left of the cutter's scale
     double volume = 0;  ///< cubic metres taken from the solid; negative when it was added to
 
@@ -65,8 +65,9 @@ struct CarveOptions {
 ///
 /// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. A cutter that touches
 /// what it cuts (a vertex on a face, edges that meet, faces in one plane) is moved outward by up to 3 steps of the
-/// input grid, after every 16 tries by up to twice as much (24 at last), up to 64 times. The result depends on world,
-/// cutter, pose and options alone, to the bit.
+/// input grid, after every 16 tries by up to twice as much (24 at last), up to 64 times; of a cutter of more than 2,000
+/// vertices only those that touch are moved, by one step at first (24 at last). The result depends on world, cutter,
+/// pose and options alone, to the bit.
 ///
 /// @param pose  where the cutter goes; its rotation and scale
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not

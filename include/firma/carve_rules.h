@@ -30,9 +30,12 @@ struct CarveRules {
     std::size_t most_faces_looked_at = 4'000'000;   ///< by one edit
     std::size_t most_new_faces = 4'000'000;         ///< by one edit
     std::size_t most_cutter_triangles = 1'000'000;  ///< of one cutter
-    std::size_t most_pairs = 20'000'000;            ///< of triangles, or of a face and a triangle, tested by one edit
-    std::size_t most_corners = 20'000;              ///< of one new face; dividing it into facets takes their square
-    double largest_cutter = 16384;                  ///< metres along any axis, once placed
+    /// Of two triangles of the cutter, or of one and a face of the world, tested by one edit: to judge the cutter and
+    /// to cut, in all its tries together. Looking at all corners of a face counts once for every 64 of them, and moving
+    /// a cutter of more than 2,000 vertices once for each of its triangles.
+    std::size_t most_pairs = 20'000'000;
+    std::size_t most_corners = 20'000;  ///< of one new face; dividing it into facets takes their square
+    double largest_cutter = 16384;      ///< metres along any axis, once placed
 };
 
 }  // namespace firma

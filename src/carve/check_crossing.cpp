@@ -104,9 +104,30 @@ std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudge
     for (const BoxTree::Item& item : tree.items()) {
         const std::uint32_t t = item.number;
         const bool found = tree.for_each_meeting(item.box, [&](std::uint32_t u) {
+            if (u <= t) return false;
             if (budget && !budget->take()) return true;
-            if (u <= t || !triangles_cross(placed.vertices, placed.triangles[t], placed.triangles[u])) return false;
+            if (!triangles_cross(placed.vertices, placed.triangles[t], placed.triangles[u])) return false;
             crossing = {t, u};
+            return true;
+        });
+        if (budget && budget->spent()) return std::nullopt;
+        if (found) return crossing;
+    }
+    return std::nullopt;
+}
+
+std::optional<Crossing> find_crossing_with(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
+                                           const BoxTree& tree, PairBudget* budget) {
+    const auto is_one = [&](std::uint32_t u) { return std::binary_search(triangles.begin(), triangles.end(), u); };
+    Crossing crossing;
+    for (const std::uint32_t t : triangles) {
+        GridBox box;
+        for (const std::uint32_t corner : placed.triangles[t]) box.add(to_surface(placed.vertices[corner]));
+        const bool found = tree.for_each_meeting(box, [&](std::uint32_t u) {
+            if (u == t || (u < t && is_one(u))) return false;
+            if (budget && !budget->take()) return true;
+            if (!triangles_cross(placed.vertices, placed.triangles[t], placed.triangles[u])) return false;
+            crossing = {std::min(t, u), std::max(t, u)};
             return true;
         });
         if (budget && budget->spent()) return std::nullopt;

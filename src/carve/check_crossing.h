@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "carve/pair_budget.h"
 #include "carve/place_cutter.h"
+#include "tree/box_tree.h"
 #include "tree/split_bin.h"
 
 namespace firma {
@@ -29,19 +32,14 @@ std::vector<GridBox> triangle_boxes(const PlacedCutter& placed);
 /// The parts of find_crossing(). Whether the surface is seen whole from the middle of its vertices: then it cannot
 /// cross itself.
 bool is_star_shaped(const PlacedCutter& placed);
-/// How many more pairs of triangles may be looked at: some meshes (a fan of long triangles) have boxes that all meet.
-struct PairBudget {
-    std::uint64_t left = ~std::uint64_t(0);
-
-    bool spent() const { return left == 0; }
-    bool take() {
-        if (left > 0) --left;
-        return left > 0;
-    }
-};
-
 /// Pair by pair, for any mesh, closed or not.
 /// @param budget  may be null; once spent(), nothing is known
 std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudget* budget = nullptr);
+
+/// The same, of pairs with at least one of some triangles.
+/// @param tree       over triangle_boxes()
+/// @param triangles  in rising order
+std::optional<Crossing> find_crossing_with(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
+                                           const BoxTree& tree, PairBudget* budget = nullptr);
 
 }  // namespace firma

@@ -118,6 +118,23 @@ Error wrong_shell(const PlacedCutter& placed, std::uint32_t triangle) {
             "the shell of triangle " + std::to_string(triangle) + " is turned the wrong way for where it lies"};
 }
 
+Error too_many_pairs(const PlacedCutter& placed, std::uint64_t most) {
+    return {ErrorCode::kTooLarge, placed.name,
+            "the boxes of its triangles overlap so much that it takes more than " + std::to_string(most) +
+                " pairs to tell whether it crosses itself"};
+}
+
+/// Once it is known whether triangles cross.
+std::optional<Error> verdict_on(const PlacedCutter& placed, const std::optional<Crossing>& crossing,
+                                PairBudget* budget) {
+    if (crossing) return self_crossing(placed, *crossing);
+    const auto spent = [&] { return budget && budget->spent(); };
+    if (!spent())
+        if (const auto triangle = find_wrong_shell(placed, budget)) return wrong_shell(placed, *triangle);
+    if (!spent()) return std::nullopt;
+    return too_many_pairs(placed, budget->most());
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed, PairBudget* budget) {
@@ -135,18 +152,18 @@ std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed, PairBu
     return std::nullopt;
 }
 
-std::optional<Error> check_cutter(const PlacedCutter& placed, std::uint64_t most_pairs) {
+std::optional<Error> check_cutter(const PlacedCutter& placed, PairBudget* budget) {
     // A star is one shell, and faces outward.
     if (is_star_shaped(placed)) return std::nullopt;
-    PairBudget budget{most_pairs};
-    if (const auto crossing = find_crossing_pair(placed, &budget)) return self_crossing(placed, *crossing);
-    if (!budget.spent()) {
-        if (const auto triangle = find_wrong_shell(placed, &budget)) return wrong_shell(placed, *triangle);
-    }
-    if (!budget.spent()) return std::nullopt;
-    return Error{ErrorCode::kTooLarge, placed.name,
-                 "the boxes of its triangles overlap so much that it takes more than " + std::to_string(most_pairs) +
-                     " pairs to tell whether it crosses itself"};
+    return verdict_on(placed, find_crossing_pair(placed, budget), budget);
+}
+
+// Whether the shells are turned rightly is asked anew of all: a small one may have turned over, or left a large one
+// without crossing it where it now is.
+std::optional<Error> check_moved_cutter(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
+                                        const BoxTree& tree, PairBudget* budget) {
+    if (is_star_shaped(placed)) return std::nullopt;
+    return verdict_on(placed, find_crossing_with(placed, triangles, tree, budget), budget);
 }
 
 }  // namespace firma

@@ -19,8 +19,15 @@ std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed, PairBu
 
 /// Whether a placed cutter bounds a solid: it does not cross itself, and its shells are turned as they should be.
 ///
-/// @param most_pairs  of triangles to be looked at: some meshes (a fan of many long triangles) have boxes that all meet
-/// @return nothing; kInvalid with the triangles; kTooLarge when it would take more than that
-std::optional<Error> check_cutter(const PlacedCutter& placed, std::uint64_t most_pairs = ~std::uint64_t(0));
+/// @param budget  may be null
+/// @return nothing; kInvalid with the triangles; kTooLarge once the budget is spent
+std::optional<Error> check_cutter(const PlacedCutter& placed, PairBudget* budget = nullptr);
+
+/// The same for one of which only some triangles moved since it passed: two that did not are not looked at again.
+///
+/// @param triangles  in rising order
+/// @param tree       over triangle_boxes()
+std::optional<Error> check_moved_cutter(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
+                                        const BoxTree& tree, PairBudget* budget = nullptr);
 
 }  // namespace firma

@@ -13,6 +13,8 @@ namespace firma {
 namespace {
 
 constexpr std::int8_t kUnasked = 2;
+/// So many corners of a face are as much work as a pair.
+constexpr std::uint64_t kCornersAPair = 64;
 
 std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t(a) << 32 | b;
@@ -83,6 +85,7 @@ std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
 
 bool FaceCutter::touches_face(const PatchFace& face, const ExactPoint& point) {
     points_.clear();
+    budget_.take(cut_.patch->uses(face).size() / kCornersAPair);
     for (const PatchUse& use : cut_.patch->uses(face))
         points_.push_back(cut_.patch->vertices[cut_.patch->from(use)].point.rounded());
     return touches_polygon(points_, cut_.patch->ends(face), face.plane->plane, point.rounded());
@@ -102,6 +105,7 @@ int FaceCutter::side_of_face(std::uint32_t vertex, const PatchFace& face) {
     int side = exact_side(*face_plane_, point);
     if (side == 0) side = touches_face(face, point) ? 0 : shifted_side(*face_plane_);
     known = std::int8_t(side);
+    asked_.push_back(vertex);
     return side;
 }
 
@@ -125,16 +129,24 @@ int FaceCutter::order(const OnLine& a, const OnLine& b, const Plane& triangle) c
 
 Verdict FaceCutter::cut_face(std::uint32_t index) {
     const PatchFace& face = cut_.patch->faces[index];
-    cutter_sides_.assign(cut_.cutter->points.size(), kUnasked);
-    face_plane_ = &face.plane->plane;
+    start_face(face);
     Verdict verdict = Verdict::kFine;
     // Exact corners lie within half a step of the rounded ones.
     cut_.cutter->tree.for_each_meeting(grown(face.box, 1), [&](std::uint32_t triangle) {
-        ++pairs;
-        verdict = cut_pair(index, triangle);
-        return verdict != Verdict::kFine;
+        if (!budget_.take()) return true;
+        const Verdict pair = cut_pair(index, triangle);
+        if (pair != Verdict::kFine) verdict = pair;
+        return cut_.stops_at(pair);
     });
     return verdict;
+}
+
+/// Forgets only what was asked for the face before: there may be many faces, and a cutter of many vertices.
+void FaceCutter::start_face(const PatchFace& face) {
+    for (const std::uint32_t vertex : asked_) cutter_sides_[vertex] = kUnasked;
+    asked_.clear();
+    cutter_sides_.resize(cut_.cutter->points.size(), kUnasked);
+    face_plane_ = &face.plane->plane;
 }
 
 /// Leaves early as soon as one of the two lies wholly on one side of the other.
@@ -143,18 +155,27 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
     const PatchFace& face = patch.faces[index];
     const auto& corners = cut_.cutter->triangle(triangle);
     int corner_side[3];
+    bool touches = false;
     for (std::size_t k = 0; k < 3; ++k) {
         corner_side[k] = side_of_face(corners[k], face);
-        if (corner_side[k] == 0) return Verdict::kDegenerate;
+        if (corner_side[k] != 0) continue;
+        touches = true;
+        cut_.touches(corners[k]);
+        if (!cut_.collects) break;
     }
+    if (touches) return Verdict::kDegenerate;
     if (corner_side[0] == corner_side[1] && corner_side[1] == corner_side[2]) return Verdict::kFine;
 
     const auto uses = patch.uses(face);
+    budget_.take(uses.size() / kCornersAPair);
     face_sides_.clear();
     bool front = false, back = false;
     for (const PatchUse& use : uses) {
         const int side = side_of_triangle(patch.from(use), triangle);
-        if (side == 0) return Verdict::kDegenerate;
+        if (side == 0) {
+            cut_.triangle_touches(triangle);
+            return Verdict::kDegenerate;
+        }
         (side > 0 ? front : back) = true;
         face_sides_.push_back(std::int8_t(side));
     }
@@ -188,7 +209,10 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
 Verdict FaceCutter::emit(std::uint32_t face, std::uint32_t triangle) {
     const Plane& t = cut_.cutter->planes[triangle]->plane;
     const auto before = [&](const OnLine& a, const OnLine& b) { return order(a, b, t); };
-    if (!sort_along(line_.begin(), line_.end(), before)) return Verdict::kDegenerate;
+    if (!sort_along(line_.begin(), line_.end(), before)) {
+        cut_.triangle_touches(triangle);
+        return Verdict::kDegenerate;
+    }
     bool in_face = false, in_triangle = false;
     const OnLine* last = nullptr;
     for (const OnLine& here : line_) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "carve/cut_state.h"
+#include "carve/pair_budget.h"
 
 namespace firma {
 
@@ -13,11 +14,12 @@ namespace firma {
 /// degenerate.
 class FaceCutter {
 public:
-    explicit FaceCutter(Cut& cut) : cut_(cut) {}
+    /// @param budget  a pair of a face and a triangle takes one; looking at all corners of a face one for every 64
+    FaceCutter(Cut& cut, PairBudget& budget) : cut_(cut), budget_(budget) {}
 
+    /// What touches is added to Cut::touching. Stops at the first degenerate pair unless the cut collects them, and
+    /// when the budget is spent: then nothing is known.
     Verdict cut_face(std::uint32_t face);
-
-    std::uint64_t pairs = 0;  ///< of a face and a triangle looked at, for the report
 
 private:
     struct OnLine {
@@ -27,6 +29,7 @@ private:
     };
 
     Verdict cut_pair(std::uint32_t face, std::uint32_t triangle);
+    void start_face(const PatchFace& face);
     bool touches_face(const PatchFace& face, const ExactPoint& point);
     bool touches_triangle(std::uint32_t triangle, const ExactPoint& point) const;
     int side_of_face(std::uint32_t cutter_vertex, const PatchFace& face);
@@ -39,8 +42,10 @@ private:
     std::uint32_t new_vertex(std::uint32_t crossing);
 
     Cut& cut_;
+    PairBudget& budget_;
     const Plane* face_plane_ = nullptr;
     std::vector<std::int8_t> cutter_sides_;  ///< of the face at hand; kUnasked where not known yet
+    std::vector<std::uint32_t> asked_;       ///< the vertices of which they are known
     std::vector<std::int8_t> face_sides_;
     std::vector<OnLine> line_;
     std::vector<GridPoint> points_;

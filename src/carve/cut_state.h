@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/flat_map.h"
@@ -64,6 +65,11 @@ struct Cut {
     std::vector<std::uint32_t> real;  ///< crossings that are vertices, in order of their numbers: of `met` those
                                       ///< but where copies of an edge cross at the same place
     FlatMap met_at;                   ///< by triangle and place, those of world edges
+
+    /// Whether phases go on after a degenerate position, to find all there are.
+    bool collects = false;
+    /// Vertices of the cutter's elements that were found in one, some more than once.
+    std::vector<std::uint32_t> touching;
     std::vector<Segment> segments;
     std::vector<std::uint8_t> face_cut;  ///< whether a patch face has a segment
 
@@ -87,6 +93,31 @@ struct Cut {
     std::uint32_t first_cutter_vertex() const { return std::uint32_t(patch->vertices.size()); }
     std::uint32_t first_real() const { return first_cutter_vertex() + std::uint32_t(cutter->points.size()); }
     std::uint32_t first_new_edge() const { return std::uint32_t(patch->edges.size()); }
+
+    bool stops_at(Verdict verdict) const {
+        return verdict == Verdict::kBroken || (verdict == Verdict::kDegenerate && !collects);
+    }
+    void touches(std::uint32_t cutter_vertex) { touching.push_back(cutter_vertex); }
+    void triangle_touches(std::uint32_t triangle) {
+        for (const std::uint32_t v : cutter->triangle(triangle)) touching.push_back(v);
+    }
+    /// The cutter's element that makes a crossing: a triangle that an edge of the world meets, or an edge.
+    void crossing_touches(const CutPoint& crossing) {
+        if (crossing.of_world) return triangle_touches(crossing.face);
+        touches(cutter->edges[crossing.edge].a);
+        touches(cutter->edges[crossing.edge].b);
+    }
+
+    /// What the cutter has to do with the corners of a new face.
+    void face_touches(std::span<const PatchUse> loops) {
+        for (const PatchUse& use : loops) {
+            const std::uint32_t vertex = from(use);
+            if (vertex >= first_real())
+                crossing_touches(crossings[real[vertex - first_real()]]);
+            else if (vertex >= first_cutter_vertex())
+                touches(vertex - first_cutter_vertex());
+        }
+    }
 
     const ExactPoint& point(std::uint32_t vertex) const {
         if (vertex < first_cutter_vertex()) return patch->vertices[vertex].point;

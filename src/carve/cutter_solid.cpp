@@ -41,6 +41,22 @@ int crosses(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point,
     return has_zero && sum != 0 ? -1 : 0;
 }
 
+Ref<const SolidPlane> plane_of(const PlacedCutter& placed, std::uint32_t t) {
+    const auto& [a, b, c] = placed.triangles[t];
+    return new_plane(plane_through(placed.vertices[a], placed.vertices[b], placed.vertices[c]));
+}
+
+CutterSolid::Edge edge_of_planes(const CutterSolid& cutter, const CutterEdge& edge) {
+    const Ref<const SolidPlane>&left = cutter.planes[edge.left], &right = cutter.planes[edge.right];
+    const auto& vertices = cutter.placed.vertices;
+    const bool flat = exact_parallel(left->plane, right->plane);
+    return {edge.a,
+            edge.b,
+            edge.left,
+            edge.right,
+            {left, flat ? new_plane(edge_plane(vertices[edge.a], vertices[edge.b], left->plane)) : right}};
+}
+
 }  // namespace
 
 void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
@@ -51,27 +67,46 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     for (const InputPoint& p : it.vertices) cutter.points.emplace_back(p);
 
     cutter.planes.clear();
+    cutter.planes.reserve(it.triangles.size());
     cutter.boxes.clear();
+    cutter.boxes.reserve(it.triangles.size());
     cutter.box = {};
     for (std::uint32_t t = 0; t < it.triangles.size(); ++t) {
-        const auto& corners = it.triangles[t];
-        cutter.planes.push_back(
-            new_plane(plane_through(it.vertices[corners[0]], it.vertices[corners[1]], it.vertices[corners[2]])));
+        cutter.planes.push_back(plane_of(it, t));
         cutter.boxes.push_back(box_of(cutter, t));
         cutter.box.add(cutter.boxes.back());
     }
     cutter.edges.clear();
-    for (const CutterEdge& edge : it.topology->edges) {
-        const Ref<const SolidPlane>&left = cutter.planes[edge.left], &right = cutter.planes[edge.right];
-        const bool flat = exact_parallel(left->plane, right->plane);
-        cutter.edges.push_back(
-            {edge.a,
-             edge.b,
-             edge.left,
-             edge.right,
-             {left, flat ? new_plane(edge_plane(it.vertices[edge.a], it.vertices[edge.b], left->plane)) : right}});
-    }
+    cutter.edges.reserve(it.topology->edges.size());
+    for (const CutterEdge& edge : it.topology->edges) cutter.edges.push_back(edge_of_planes(cutter, edge));
     cutter.tree = BoxTree(cutter.boxes);
+}
+
+std::vector<std::uint32_t> update_cutter_solid(PlacedCutter placed, std::span<const std::uint32_t> vertices,
+                                               CutterSolid& cutter) {
+    cutter.placed = std::move(placed);
+    const PlacedCutter& it = cutter.placed;
+    std::vector<bool> moved(it.vertices.size(), false);
+    for (const std::uint32_t v : vertices) {
+        moved[v] = true;
+        cutter.points[v] = ExactPoint(it.vertices[v]);
+    }
+    std::vector<std::uint32_t> triangles;
+    cutter.box = {};
+    for (std::uint32_t t = 0; t < it.triangles.size(); ++t) {
+        const auto& [a, b, c] = it.triangles[t];
+        if (moved[a] || moved[b] || moved[c]) {
+            triangles.push_back(t);
+            cutter.planes[t] = plane_of(it, t);
+            cutter.boxes[t] = box_of(cutter, t);
+        }
+        cutter.box.add(cutter.boxes[t]);
+    }
+    for (const std::uint32_t t : triangles)
+        for (const std::uint32_t e : it.topology->triangle_edges[t])
+            cutter.edges[e] = edge_of_planes(cutter, it.topology->edges[e]);
+    cutter.tree.refit(cutter.boxes);
+    return triangles;
 }
 
 namespace {

@@ -31,7 +31,14 @@ Verdict order_along(Cut& cut, std::uint32_t first, std::uint32_t count) {
         const Plane& plane = plane_crossed(cut, at_a);
         return -exact_side(plane, cut.crossings[b].point) * exact_side(plane, start_of(cut, at_a));
     };
-    if (!sort_along(begin, begin + count, before)) return Verdict::kDegenerate;
+    if (!sort_along(begin, begin + count, before)) {
+        for (std::uint32_t k = 1; k < count; ++k) {
+            if (before(begin[k - 1], begin[k]) > 0) continue;
+            cut.crossing_touches(cut.crossings[begin[k - 1]]);
+            cut.crossing_touches(cut.crossings[begin[k]]);
+        }
+        return Verdict::kDegenerate;
+    }
     for (std::uint32_t k = 1; k < count; ++k)
         if (enters(cut, cut.crossings[begin[k - 1]]) == enters(cut, cut.crossings[begin[k]])) return Verdict::kBroken;
     return Verdict::kFine;
@@ -52,12 +59,14 @@ Verdict order_edges(Cut& cut, bool of_world, std::vector<Cut::Range>& ranges) {
         Cut::Range& range = ranges[cut.crossings[crossing].edge];
         cut.along[range.first + range.count++] = crossing;
     }
+    Verdict all = Verdict::kFine;
     for (const Cut::Range& range : ranges) {
         if (range.count == 0) continue;
         const Verdict verdict = order_along(cut, range.first, range.count);
-        if (verdict != Verdict::kFine) return verdict;
+        if (verdict != Verdict::kFine) all = verdict;
+        if (cut.stops_at(verdict)) break;
     }
-    return Verdict::kFine;
+    return all;
 }
 
 /// Sets a label; false when another stands there.
@@ -167,6 +176,7 @@ Verdict label_cutter(Cut& cut, const LocateInSolid& locate) {
     labels.assign(cutter.points.size(), Where::kUnknown);
     const auto ends = [&](std::uint32_t edge) { return std::pair(cutter.edges[edge].a, cutter.edges[edge].b); };
     if (!label_ends_of_cut_edges(cut, cut.cutter_cuts, labels, ends)) return Verdict::kBroken;
+    Verdict verdict = Verdict::kFine;
     Flood flood(labels);
     for (std::uint32_t edge = 0; edge < cutter.edges.size(); ++edge)
         if (cut.cutter_cuts[edge].count == 0) flood.count(cutter.edges[edge].a, cutter.edges[edge].b);
@@ -175,10 +185,15 @@ Verdict label_cutter(Cut& cut, const LocateInSolid& locate) {
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
         if (labels[v] != Where::kUnknown) continue;
         labels[v] = locate(v);
-        if (labels[v] == Where::kUnknown) return Verdict::kDegenerate;
+        if (labels[v] == Where::kUnknown) {
+            cut.touches(v);
+            verdict = Verdict::kDegenerate;
+            if (!cut.collects) return verdict;
+            labels[v] = Where::kOutside;  // whatever it is: the rest of its shell need not be asked
+        }
         if (!flood.spread(v)) return Verdict::kBroken;
     }
-    return Verdict::kFine;
+    return verdict;
 }
 
 }  // namespace
@@ -187,8 +202,10 @@ Verdict order_cuts(Cut& cut) {
     cut.along.clear();
     cut.world_cuts.assign(cut.patch->edges.size(), {});
     cut.cutter_cuts.assign(cut.cutter->edges.size(), {});
-    const Verdict verdict = order_edges(cut, true, cut.world_cuts);
-    return verdict == Verdict::kFine ? order_edges(cut, false, cut.cutter_cuts) : verdict;
+    const Verdict world = order_edges(cut, true, cut.world_cuts);
+    if (cut.stops_at(world)) return world;
+    const Verdict cutter = order_edges(cut, false, cut.cutter_cuts);
+    return cutter == Verdict::kFine ? world : cutter;
 }
 
 Verdict label_vertices(Cut& cut, const LocateInSolid& locate) {

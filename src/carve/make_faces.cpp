@@ -73,7 +73,10 @@ bool FaceMaker::make(std::uint32_t index) {
     for (const PatchUse& use : uses) points_.push_back(cut_.point(cut_.from(use)).rounded());
     const Plane& plane = face.plane->plane;
     const int axis = plane.dominant_axis();
-    if (!facet_maker_.make(points_, ends, axis, plane.normal[axis] < 0, facets_)) return false;
+    if (!facet_maker_.make(points_, ends, axis, plane.normal[axis] < 0, facets_)) {
+        cut_.face_touches(uses);
+        return false;
+    }
 
     Ref<SolidFace> made(new SolidFace);
     made->plane = face.plane;

@@ -20,7 +20,8 @@ public:
     /// @param come  the facets, added to; ids are left open
     FaceMaker(Cut& cut, const NewSource& source, FaceSet& come);
 
-    /// @return false when the face's rounded corners do not make sound facets: degenerate position
+    /// @return false when the face's rounded corners do not make sound facets: degenerate position, and what the cutter
+    ///         has to do with the face is added to Cut::touching
     bool make(std::uint32_t new_face);
 
 private:

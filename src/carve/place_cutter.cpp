@@ -116,6 +116,12 @@ std::vector<Vec3> outward(const PlacedCutter& placed) {
     return out;
 }
 
+bool in_world(const InputPoint& p) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (p[axis] < -kRimSteps || p[axis] >= kRimSteps) return false;
+    return true;
+}
+
 }  // namespace
 
 Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose) {
@@ -159,10 +165,34 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
             const std::int32_t by = std::fabs(along) < kFlat * largest(out[k]) ? draw(2 * farthest + 1) - farthest
                                     : along > 0                                ? 1 + draw(farthest)
                                                                                : -1 - draw(farthest);
-            std::int32_t& coordinate = moved.vertices[k][axis];
-            coordinate += by;
-            if (coordinate < -kRimSteps || coordinate >= kRimSteps) return outside(placed.name, k);
+            moved.vertices[k][axis] += by;
         }
+        if (!in_world(moved.vertices[k])) return outside(placed.name, k);
+    }
+    return finish(std::move(moved));
+}
+
+Result<PlacedCutter> move_vertices(const PlacedCutter& placed, const PlacedCutter& before,
+                                   std::span<const std::uint32_t> vertices, int tries) {
+    Random random(placed.hash ^ mix_bits(std::uint64_t(tries)));
+    const std::int32_t farthest = std::min(1 + tries / 2, kFarthestMove);
+    std::int32_t steps[3], flat_steps[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::uint64_t bits = random.next();
+        steps[axis] = 1 + std::int32_t((bits >> 32) % std::uint64_t(farthest));
+        flat_steps[axis] = bits & 1 ? steps[axis] : -steps[axis];
+    }
+    const std::vector<Vec3> out = outward(placed);
+    PlacedCutter moved = before;
+    for (const std::uint32_t k : vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double along = out[k][axis];
+            const bool flat = std::fabs(along) < kFlat * largest(out[k]);
+            moved.vertices[k][axis] = placed.vertices[k][axis] + (flat        ? flat_steps[axis]
+                                                                  : along > 0 ? steps[axis]
+                                                                              : -steps[axis]);
+        }
+        if (!in_world(moved.vertices[k])) return outside(placed.name, k);
     }
     return finish(std::move(moved));
 }

@@ -76,6 +76,7 @@ bool reaches_into(const CutterSolid& cutter, const Box& region) {
 }  // namespace
 
 void Cut::clear() {
+    touching.clear();
     crossings.clear();
     world_crossing.clear();
     cutter_crossing.clear();
@@ -93,7 +94,13 @@ void Cut::clear() {
 
 Subtraction::Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
                          CarveKind kind)
-    : world_(world), cutter_(cutter), pose_(pose), options_(options), rules_(rules_of(world_)), face_cutter_(cut_) {
+    : world_(world),
+      cutter_(cutter),
+      pose_(pose),
+      options_(options),
+      rules_(rules_of(world_)),
+      budget_(rules_.most_pairs),
+      face_cutter_(cut_, budget_) {
     result_.world = world;
     cut_.patch = &patch_;
     cut_.cutter = &solid_cutter_;
@@ -235,7 +242,7 @@ Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, P
 }
 
 Subtraction::Phase Subtraction::judge_cutter() {
-    if (std::optional<Error> fault = firma::check_cutter(placed_, rules_.most_pairs)) {
+    if (std::optional<Error> fault = firma::check_cutter(placed_, &budget_)) {
         result_.status = CarveStatus::kRefused;
         result_.error = std::move(*fault);
         return Phase::kEnd;
@@ -268,6 +275,7 @@ Subtraction::Phase Subtraction::tile() {
 
 Subtraction::Phase Subtraction::start_cut() {
     cut_.clear();
+    cut_.collects = is_large();
     come_ = {};
     next_ = 0;
     return Phase::kCut;
@@ -275,7 +283,7 @@ Subtraction::Phase Subtraction::start_cut() {
 
 Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
     if (verdict == Verdict::kBroken) return contradiction();
-    return verdict == Verdict::kDegenerate ? move_cutter_aside() : next;
+    return verdict == Verdict::kDegenerate ? degenerate() : next;
 }
 
 Subtraction::Phase Subtraction::move_cutter_aside() {
@@ -284,13 +292,54 @@ Subtraction::Phase Subtraction::move_cutter_aside() {
                   "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
 }
 
+bool Subtraction::is_large() const {
+    return placed_.vertices.size() > kMostMovedWhole;
+}
+
+/// What is to be moved: each vertex once, in order, of those that a phase found; all, where it could name none.
+Subtraction::Phase Subtraction::degenerate() {
+    if (!is_large()) return move_cutter_aside();
+    touching_.swap(cut_.touching);
+    if (touching_.empty())
+        for (std::uint32_t v = 0; v < placed_.vertices.size(); ++v) touching_.push_back(v);
+    std::sort(touching_.begin(), touching_.end());
+    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+    return move_cutter_aside();
+}
+
 /// One try. A cutter that was moved must pass what it passed before.
 Subtraction::Phase Subtraction::try_move() {
+    if (is_large()) return move_what_touches();
     Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
-    if (!moved || firma::check_cutter(moved.value(), rules_.most_pairs)) return move_cutter_aside();
+    if (!moved) return move_cutter_aside();
+    if (firma::check_cutter(moved.value(), &budget_)) return budget_.spent() ? too_many_pairs() : move_cutter_aside();
     make_cutter_solid(std::move(moved).value(), solid_cutter_);
     if (const CarveZone* zone = zone_reached(0); zone && zone->hardness >= 1) return move_cutter_aside();
     return start_cut();
+}
+
+/// The same for a large cutter. While tries fail, `touching_` stays what it is: all other vertices are where they were
+/// when the cutter passed last, which is why only triangles at these are judged again.
+Subtraction::Phase Subtraction::move_what_touches() {
+    const int tries = ++result_.report.retries;
+    // A try goes through all triangles some times, judged or not.
+    if (!budget_.take(placed_.triangles.size())) return too_many_pairs();
+    Result<PlacedCutter> moved = move_vertices(placed_, solid_cutter_.placed, touching_, tries);
+    if (!moved) return move_cutter_aside();
+    const std::vector<std::uint32_t> triangles =
+        update_cutter_solid(std::move(moved).value(), touching_, solid_cutter_);
+    if (check_moved_cutter(solid_cutter_.placed, triangles, solid_cutter_.tree, &budget_))
+        return budget_.spent() ? too_many_pairs() : move_cutter_aside();
+    if (const CarveZone* zone = zone_reached(0); zone && zone->hardness >= 1) return move_cutter_aside();
+    return start_cut();
+}
+
+Subtraction::Phase Subtraction::too_many_pairs() {
+    std::string reason = "it takes more than " + std::to_string(rules_.most_pairs) +
+                         " pairs of its triangles with each other and with faces of the world to cut it";
+    if (const int tries = result_.report.retries; tries > 0)
+        reason += ", in " + std::to_string(tries) + (tries > 1 ? " moves" : " move") + " out of degenerate position";
+    return refuse(ErrorCode::kTooLarge, std::move(reason));
 }
 
 Subtraction::Phase Subtraction::contradiction() {
@@ -304,16 +353,15 @@ Subtraction::Phase Subtraction::contradiction() {
 }
 
 Subtraction::Phase Subtraction::cut_next_faces() {
-    const std::uint64_t before = face_cutter_.pairs;
-    for (int left = kFacesCutAStep; left > 0 && face_cutter_.pairs - before < kPairsAStep; --left) {
+    const std::uint64_t before = budget_.taken();
+    for (int left = kFacesCutAStep; left > 0 && budget_.taken() - before < kPairsAStep; --left) {
         while (next_ < patch_.faces.size() && patch_.faces[next_].replaced) ++next_;
-        if (next_ == patch_.faces.size()) return move_on(order_cuts(cut_), Phase::kLabel);
+        if (next_ == patch_.faces.size())
+            return cut_.touching.empty() ? move_on(order_cuts(cut_), Phase::kLabel) : degenerate();
         const Verdict verdict = face_cutter_.cut_face(next_++);
-        if (verdict != Verdict::kFine) return move_on(verdict, Phase::kCut);
+        if (budget_.spent()) return too_many_pairs();
+        if (cut_.stops_at(verdict)) return move_on(verdict, Phase::kCut);
     }
-    if (face_cutter_.pairs > rules_.most_pairs)
-        return refuse(ErrorCode::kTooLarge, "more than " + std::to_string(rules_.most_pairs) +
-                                                " pairs of its triangles and faces of the world meet");
     return Phase::kCut;
 }
 
@@ -355,6 +403,7 @@ Subtraction::Phase Subtraction::apply_materials() {
     source.material = material_index(*world_.data().materials, options_.material);
     face_maker_ = std::make_unique<FaceMaker>(cut_, source, come_);
     next_ = 0;
+    sound_ = true;
     return hardest > 0 ? shrink(hardest, "material " + world_.material_name(by), Phase::kFacets) : Phase::kFacets;
 }
 
@@ -365,12 +414,15 @@ Subtraction::Phase Subtraction::make_next_faces() {
             return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(cut_.new_faces[next_].use_count) +
                                                     " corners; the world allows " +
                                                     std::to_string(rules_.most_corners));
-        if (!face_maker_->make(next_)) return move_cutter_aside();
+        if (face_maker_->make(next_)) continue;
+        if (!cut_.collects) return degenerate();
+        sound_ = false;
     }
     if (come_.faces.size() > rules_.most_new_faces)
         return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.most_new_faces) +
                                                 " new faces that the world allows");
-    return next_ < cut_.new_faces.size() ? Phase::kFacets : Phase::kRemove;
+    if (next_ < cut_.new_faces.size()) return Phase::kFacets;
+    return sound_ ? Phase::kRemove : degenerate();
 }
 
 /// All facets of the faces that go. Those near the cutter were gathered already; a face may have others farther away.

@@ -62,8 +62,12 @@ private:
     Phase refuse(ErrorCode code, std::string reason);
     Phase start_cut();
     Phase move_on(Verdict verdict, Phase next);
+    Phase degenerate();
     Phase move_cutter_aside();
     Phase try_move();
+    Phase move_what_touches();
+    Phase too_many_pairs();
+    bool is_large() const;
     const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
@@ -79,16 +83,19 @@ private:
     CarveResult result_;
     Phase phase_ = Phase::kPlace;
 
-    PlacedCutter placed_;  ///< before it was moved aside
+    PlacedCutter placed_;                  ///< before it was moved aside
+    std::vector<std::uint32_t> touching_;  ///< vertices to be moved aside, of a large cutter
     CutterSolid solid_cutter_;
     SolidPatch patch_;
     std::vector<FacetPlace> facets_;  ///< gathered
     Cut cut_;
+    PairBudget budget_;  ///< of all tries together
     FaceCutter face_cutter_;
     std::unique_ptr<FaceMaker> face_maker_;
     FaceSet come_;
     std::unique_ptr<BlockEdit> block_edit_;
     std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
+    bool sound_ = true;       ///< whether all facets made so far are
 };
 
 }  // namespace firma

@@ -18,16 +18,19 @@ public:
     Verdict trace() {
         split_edges();
         add_segments();
+        Verdict all = Verdict::kFine;
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face) {
             if (patch_.faces[face].replaced) continue;
             const Verdict verdict = trace_world(face);
-            if (verdict != Verdict::kFine) return verdict;
+            if (cut_.stops_at(verdict)) return verdict;
+            if (verdict != Verdict::kFine) all = verdict;
         }
         for (std::uint32_t t = 0; t < cutter_.planes.size(); ++t) {
             const Verdict verdict = trace_cutter(t);
-            if (verdict != Verdict::kFine) return verdict;
+            if (cut_.stops_at(verdict)) return verdict;
+            if (verdict != Verdict::kFine) all = verdict;
         }
-        return Verdict::kFine;
+        return all;
     }
 
 private:
@@ -157,7 +160,10 @@ private:
             if (loops_.size() > (loop_ends_.empty() ? 0 : loop_ends_.back()))
                 loop_ends_.push_back(std::uint32_t(loops_.size()));
         }
-        return loops_.empty() ? Verdict::kFine : group_loops(cut_, like, loops_, loop_ends_);
+        if (loops_.empty()) return Verdict::kFine;
+        const Verdict verdict = group_loops(cut_, like, loops_, loop_ends_);
+        if (verdict == Verdict::kDegenerate) cut_.face_touches(loops_);
+        return verdict;
     }
 
     /// Mostly each vertex has one way out and one way in.

@@ -26,6 +26,9 @@ public:
     /// @param boxes  none empty; numbered as they stand
     explicit BoxTree(std::span<const GridBox> boxes);
 
+    /// Takes new boxes, as many as before, without putting them into another order: for some that moved a little.
+    void refit(std::span<const GridBox> boxes);
+
     std::size_t size() const { return items_.size(); }
     /// Around all; empty when there are none.
     GridBox box() const { return nodes_.empty() ? GridBox{} : nodes_[0].box; }

@@ -113,6 +113,8 @@ private:
         Pose pose = order_.pose;
         pose.scale *= result_.report.scale;
         Result<PlacedCutter> placed = place_cutter(order_.cutter, pose);
+        if (placed && result_.report.retries > 0 && placed.value().vertices.size() > kMostMovedWhole)
+            return fail("a large cutter was moved in part: this judge cannot tell where to");
         if (placed && result_.report.retries > 0) placed = move_cutter(placed.value(), result_.report.retries);
         if (placed) placed_ = std::move(placed).value();
     }

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// Cutters of very many triangles, some of which always touch a wall exactly: cut, or refused, in bounded work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "base/random.h"
+#include "carve/check_shells.h"
+#include "carve/cutter_solid.h"
+#include "firma/carve.h"
+#include "firma/level.h"
+#include "firma/solid.h"
+#include "tests/carve/cutters.h"
+
+namespace firma {
+namespace {
+
+using namespace test;
+
+/// A room of 8 m in rock, its walls along the axes and on the grid.
+World room(const CarveRules& rules = {}) {
+    const Level level = read_obj(
+                            "v -4 -4 -4\nv 4 -4 -4\nv 4 4 -4\nv -4 4 -4\nv -4 -4 4\nv 4 -4 4\nv 4 4 4\nv -4 4 4\n"
+                            "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n",
+                            "room")
+                            .value();
+    return make_world(level, {{}, {}, rules}).value();
+}
+
+Pose at(double x, double y, double z, double scale = 1) {
+    Pose pose;
+    pose.position = {x, y, z};
+    pose.scale = scale;
+    return pose;
+}
+
+/// Six grids of n x n squares on the faces of the cube from -1 to 1, closed: 12 n^2 triangles.
+TriangleMesh gridded_cube(int n) {
+    TriangleMesh mesh;
+    std::map<std::array<int, 3>, std::uint32_t> numbers;
+    const auto vertex = [&](const std::array<int, 3>& p) {
+        const auto [it, fresh] = numbers.insert({p, std::uint32_t(mesh.vertices.size())});
+        if (fresh) mesh.vertices.push_back(Vec3{double(p[0]), double(p[1]), double(p[2])} * (1.0 / n));
+        return it->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const int side : {-n, n})
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) {
+                    const auto corner = [&](int di, int dj) {
+                        std::array<int, 3> p{};
+                        p[axis] = side;
+                        p[(axis + 1) % 3] = 2 * (i + di) - n;
+                        p[(axis + 2) % 3] = 2 * (j + dj) - n;
+                        return vertex(p);
+                    };
+                    std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+                    if (side < 0) std::swap(b, d);
+                    mesh.triangles.push_back({a, b, c});
+                    mesh.triangles.push_back({a, c, d});
+                }
+    return mesh;
+}
+
+/// The same, blown up to a ball of radius 1.
+TriangleMesh ball(int n) {
+    TriangleMesh mesh = gridded_cube(n);
+    for (Vec3& v : mesh.vertices) v = v * (1 / length(v));
+    return mesh;
+}
+
+/// Two flat cones, base to base, of 2 * spokes triangles that are as long as the whole; the rim is a square at z = 0.
+TriangleMesh two_cones(int spokes) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0.25}, {0, 0, -0.25}};
+    const Vec3 corners[] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}};
+    for (int k = 0; k < spokes; ++k) {
+        const double along = 4.0 * k / spokes;
+        const int side = int(along);
+        mesh.vertices.push_back(corners[side] + (corners[side + 1] - corners[side]) * (along - side));
+        const auto a = std::uint32_t(2 + k), b = std::uint32_t(2 + (k + 1) % spokes);
+        mesh.triangles.push_back({0, a, b});
+        mesh.triangles.push_back({1, b, a});
+    }
+    return mesh;
+}
+
+void expect_sound(const World& world) {
+    const auto face = check_world(world);
+    EXPECT_FALSE(face) << face->what;
+    const auto solid = check_solid(world);
+    EXPECT_FALSE(solid) << solid->what;
+}
+
+constexpr double kPi = 3.14159265358979;
+
+TEST(LargeCutters, ABallOfAHundredThousandTrianglesGoesThroughAWall) {
+    const World world = room();
+    const Cutter cutter = ball(92).cutter().value();
+    ASSERT_GT(cutter.triangles().size(), 100'000u);
+    const CarveResult result = carve(world, cutter, at(4, 0.125, -0.25, 1.5));
+    ASSERT_TRUE(result.done()) << result.error.text();
+    EXPECT_GE(result.report.retries, 1);
+    EXPECT_LE(result.report.retries, 8);
+    EXPECT_NEAR(result.report.volume, 2.0 / 3 * kPi * 1.5 * 1.5 * 1.5, 0.01);
+    expect_sound(result.world);
+}
+
+TEST(LargeCutters, ABallOfAMillionTrianglesGoesThroughAWall) {
+    const World world = room();
+    const Cutter cutter = ball(288).cutter().value();
+    ASSERT_GT(cutter.triangles().size(), 990'000u);
+    const CarveResult result = carve(world, cutter, at(4, 0.125, -0.25, 3));
+    ASSERT_TRUE(result.done()) << result.error.text();
+    EXPECT_NEAR(result.report.volume, 2.0 / 3 * kPi * 27, 0.01);
+    EXPECT_FALSE(check_world(result.world));
+}
+
+TEST(LargeCutters, TheSamePlaceCanBeCutAgain) {
+    const Cutter cutter = ball(20).cutter().value();
+    const CarveResult first = carve(room(), cutter, at(4, 0, 0, 1.5));
+    ASSERT_TRUE(first.done()) << first.error.text();
+    // Nearly all of the surface touches.
+    const CarveResult second = carve(first.world, cutter, at(4, 0, 0, 1.5));
+    ASSERT_TRUE(second.done()) << second.error.text();
+    EXPECT_GT(second.report.volume, 0);
+    EXPECT_LT(second.report.volume, 0.05);
+    expect_sound(second.world);
+    // What was moved outward then leaves nothing to take.
+    const CarveResult third = carve(second.world, cutter, at(4, 0, 0, 1.5));
+    EXPECT_NE(third.status, CarveStatus::kRefused) << third.error.text();
+}
+
+TEST(LargeCutters, InSlicesAsInOneGo) {
+    const World world = room();
+    for (const TriangleMesh& mesh : {ball(20), ring_mesh(64, 40)})
+        for (const CarveKind kind : {CarveKind::kCarve, CarveKind::kFill}) {
+            const Cutter cutter = mesh.cutter().value();
+            CarveJob job(world, cutter, at(4, 0, 0, 0.75), {}, kind);
+            while (!job.run(0)) {
+            }
+            const CarveResult sliced = job.result();
+            const CarveResult whole = (kind == CarveKind::kCarve ? carve : fill)(world, cutter, at(4, 0, 0, 0.75), {});
+            ASSERT_TRUE(whole.done()) << whole.error.text();
+            EXPECT_GE(whole.report.retries, 1);
+            EXPECT_EQ(sliced.report.retries, whole.report.retries);
+            EXPECT_EQ(hash_world(sliced.world), hash_world(whole.world));
+            expect_sound(whole.world);
+        }
+}
+
+TEST(LargeCutters, TheSameBitsOnEveryMachine) {
+    const CarveResult first = carve(room(), ball(20).cutter().value(), at(4, 0, 0, 0.75));
+    ASSERT_TRUE(first.done()) << first.error.text();
+    const CarveResult second = carve(first.world, ring_mesh(64, 40).cutter().value(), at(4, 0, 0.5, 0.25));
+    ASSERT_TRUE(second.done()) << second.error.text();
+    EXPECT_GE(second.report.retries, 1);
+    EXPECT_EQ(hash_world(second.world), 0x0ull);
+}
+
+TEST(LargeCutters, ARingThatIsNoStarGoesThroughAWall) {
+    const World world = room();
+    const CarveResult result = carve(world, ring_mesh(320, 160).cutter().value(), at(4, 0, 0, 0.75));
+    ASSERT_TRUE(result.done()) << result.error.text();
+    EXPECT_GE(result.report.retries, 1);
+    EXPECT_NEAR(result.report.volume, kPi * kPi * 3 * 0.75 * 0.75 * 0.75, 0.1);  // half of 2 pi^2 R r^2
+    expect_sound(result.world);
+}
+
+TEST(LargeCutters, OneFlushWithAWallOpensIt) {
+    // All vertices of one of its faces, some thousand, touch.
+    const World world = room();
+    const Cutter cutter = gridded_cube(92).cutter().value();
+    const CarveResult result = carve(world, cutter, at(5.5, 0, 0, 1.5));
+    ASSERT_TRUE(result.done()) << result.error.text();
+    EXPECT_NEAR(result.report.volume, 27, 0.1);
+    expect_sound(result.world);
+}
+
+TEST(LargeCutters, LongTrianglesThatAllTouchTakeBoundedWork) {
+    const World world = room();
+    const Cutter cutter = two_cones(50'000).cutter().value();
+    const CarveResult result = carve(world, cutter, at(0, 0, 4, 3.5));
