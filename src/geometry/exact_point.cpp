@@ -36,6 +36,21 @@ std::int32_t round_to_surface(double estimate, const Int256& numerator, const In
     return std::int32_t(nearest > kLast ? kLast : nearest < -kLast - 1 ? -kLast - 1 : nearest);
 }
 
+/// Of three planes whose sizes multiply to at most this, every determinant fits 128 bits: a component of a cross
+/// product is at most the product of two sizes, an offset the third times 2^25, and three of those products are added.
+constexpr double kFitsInt128 = 0x1p+98;
+static_assert(3 * kFitsInt128 * kRim < 0x1p+126);  // and room for the rounding of sizes
+
+/// Small faces, so nearly all.
+Meet meet_small(const Cross& bc, const Cross& ca, const Cross& ab, const Plane& a, const Plane& b, const Plane& c) {
+    const Int128 w = bc.x * a.normal[0] + bc.y * a.normal[1] + bc.z * a.normal[2];
+    const Int128 da = w < 0 ? a.offset : -a.offset;
+    const Int128 db = w < 0 ? b.offset : -b.offset;
+    const Int128 dc = w < 0 ? c.offset : -c.offset;
+    return {bc.x * da + ca.x * db + ab.x * dc, bc.y * da + ca.y * db + ab.y * dc, bc.z * da + ca.z * db + ab.z * dc,
+            w < 0 ? -w : w};
+}
+
 int sign_of(Int128 value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
@@ -47,6 +62,7 @@ int sign_of(Int128 value) {
 // With normals of at most 2^52 and offsets of at most 2^77 the determinants are at most 4 * 2^181 and 4 * 2^156.
 Meet meet(const Plane& a, const Plane& b, const Plane& c) {
     const Cross bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    if (a.size * b.size * c.size <= kFitsInt128) return meet_small(bc, ca, ab, a, b, c);
     const Int256 w = product(bc.x, a.normal[0]) + product(bc.y, a.normal[1]) + product(bc.z, a.normal[2]);
     const bool negative = w.sign() < 0;
     // The minus of the rule, and the sign of w, go into the offsets.

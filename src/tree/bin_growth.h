@@ -33,6 +33,12 @@ inline double half_area(const double (&extent)[3]) {
     return extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0];
 }
 
+inline double half_area(const BoxF& box) {
+    double extent[3];
+    for (int axis = 0; axis < 3; ++axis) extent[axis] = double(box.high[axis]) - double(box.low[axis]);
+    return half_area(extent);
+}
+
 /// What a bin comes to when a box is added.
 struct Growth {
     double by, to;  ///< half the surface, square metres
@@ -49,5 +55,17 @@ struct Growth {
     }
     bool better_than(const Growth& other) const { return by != other.by ? by < other.by : to < other.to; }
 };
+
+/// Whether a box goes to the second of two bins: to the one whose surface has to grow less; if both alike, to the one
+/// that is smaller then.
+inline bool goes_right(const BoxF& left, const BoxF& right, const Bounds& added) {
+    // A bin that holds the box does not grow. One that does not, grows in some axis by a step or more, and has an
+    // extent in another one, since faces have areas: its surface grows by 2^-34 of itself at least, and rounding is
+    // 2^-50.
+    const bool in_left = contains(left, added), in_right = contains(right, added);
+    if (in_left != in_right) return in_right;
+    if (in_left) return half_area(right) < half_area(left);
+    return Growth(right, added).better_than(Growth(left, added));
+}
 
 }  // namespace firma

@@ -142,23 +142,39 @@ void BlockBuilder::divide(std::span<const Ref<const Block>> blocks) {
     constexpr int kUnevenLevels = 12;  // then in halves: what the rule peels off one by one must not make a deep tree
     tree_.items.resize(blocks.size());
     tree_.nodes.clear();
+    halved_.clear();
     for (std::uint32_t k = 0; k < blocks.size(); ++k) tree_.items[k] = {to_grid(blocks[k]->bins[0].box), k};
     divide_bins(tree_, 0, std::uint32_t(blocks.size()), 0,
-                [&](std::span<BuildItem> items, const GridBox& box, int depth) -> std::size_t {
+                [&](std::span<BuildItem> items, const GridBox&, int depth) -> std::size_t {
                     if (items.size() == 1) return 0;
                     if (items.size() == 2) {  // either way alike
                         if (items[1].face < items[0].face) std::swap(items[0], items[1]);
                         return 1;
                     }
-                    return depth < kUnevenLevels ? split_bin(items, box, Split::kSurfaceArea) : split_by_count(items);
+                    const std::size_t left = depth < kUnevenLevels ? split_by_area(items) : 0;
+                    if (left != 0) return left;
+                    halved_.push_back(std::uint32_t(tree_.nodes.size() - 1));
+                    return split_by_count(items);
                 });
 }
 
 Ref<const Block> BlockBuilder::join(std::span<const Ref<const Block>> blocks) {
+    return join_below(0, blocks);
+}
+
+Ref<const Block> BlockBuilder::join_group(std::span<const Ref<const Block>> blocks, const Group& group) {
+    // Each block is a leaf of the division, so the bins below one stand in a row with it, one less than twice as many.
+    const std::uint32_t end = group.bin + 2 * tree_.nodes[group.bin].count - 1;
+    const auto halved = std::lower_bound(halved_.begin(), halved_.end(), group.bin);
+    if (halved != halved_.end() && *halved < end) return {};
+    return join_below(group.bin, blocks);
+}
+
+Ref<const Block> BlockBuilder::join_below(std::uint32_t top, std::span<const Ref<const Block>> blocks) {
     Ref<Block> block(new Block);
-    block->children.reserve(blocks.size());
+    block->children.reserve(tree_.nodes[top].count);
     bins_.clear();
-    append_bins(tree_, 0, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
+    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
         const BinNode& node = tree_.nodes[index];
         if (node.left != 0) return false;
         const Ref<const Block>& child = blocks[tree_.items[node.first].face];
@@ -173,10 +189,10 @@ Ref<const Block> BlockBuilder::join(std::span<const Ref<const Block>> blocks) {
     return Ref<const Block>(block.get());
 }
 
-std::vector<std::size_t> BlockBuilder::group(std::span<const Ref<const Block>> blocks, std::size_t most_blocks,
-                                             std::size_t most_faces, std::vector<std::uint32_t>& order) const {
+void BlockBuilder::group(std::span<const Ref<const Block>> blocks, std::size_t most_blocks, std::size_t most_faces,
+                         std::vector<std::uint32_t>& order, std::vector<Group>& groups) const {
     order.clear();
-    std::vector<std::size_t> ends;
+    groups.clear();
     for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {  // parents stand before their children, left before right
         const BinNode& node = tree_.nodes[n];
         if (node.first < order.size()) continue;  // of a group already
@@ -184,9 +200,8 @@ std::vector<std::size_t> BlockBuilder::group(std::span<const Ref<const Block>> b
         for (const BuildItem& item : tree_.items_of(node)) faces += blocks[item.face]->faces_below;
         if (node.count > 1 && (node.count > most_blocks || faces > most_faces)) continue;
         for (const BuildItem& item : tree_.items_of(node)) order.push_back(item.face);
-        ends.push_back(order.size());
+        groups.push_back({order.size(), std::uint32_t(n)});
     }
-    return ends;
 }
 
 Ref<const Block> build_blocks(const FaceSet& faces, const TreeOptions& options) {

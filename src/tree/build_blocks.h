@@ -35,13 +35,23 @@ public:
     /// One block over all of the blocks divided, at most 64.
     Ref<const Block> join(std::span<const Ref<const Block>> blocks);
 
+    /// A group of blocks below one bin of the division.
+    struct Group {
+        std::size_t end = 0;    ///< in the order that group() gives
+        std::uint32_t bin = 0;  ///< for join_group()
+    };
     /// The largest groups that the division makes of at most so many blocks and faces; a block alone is always one.
     /// @param order   the blocks' indices, group after group
-    /// @return where each group ends in `order`
-    std::vector<std::size_t> group(std::span<const Ref<const Block>> blocks, std::size_t most_blocks,
-                                   std::size_t most_faces, std::vector<std::uint32_t>& order) const;
+    void group(std::span<const Ref<const Block>> blocks, std::size_t most_blocks, std::size_t most_faces,
+               std::vector<std::uint32_t>& order, std::vector<Group>& groups) const;
+
+    /// What dividing a group by itself and joining it would give, from the division that it is part of.
+    /// @param blocks  all that were divided
+    /// @return null where the two could differ: blocks that were halved by their order
+    Ref<const Block> join_group(std::span<const Ref<const Block>> blocks, const Group& group);
 
 private:
+    Ref<const Block> join_below(std::uint32_t top, std::span<const Ref<const Block>> blocks);
     Ref<const Block> pack(std::uint32_t top);
     Ref<const Block> pack_faces(std::uint32_t top);
     Ref<const Block> pack_blocks(std::uint32_t top);
@@ -49,6 +59,7 @@ private:
 
     const FaceSet* faces_ = nullptr;
     BinTree tree_;
+    std::vector<std::uint32_t> halved_;  ///< nodes that divide() halved by the order of their blocks, ascending
     std::vector<Bin> bins_;
     VertexTable vertices_;
 };

@@ -175,8 +175,7 @@ std::uint32_t BlockEdit::place(const GridBox& box) {
             index = 0;
             continue;
         }
-        const Growth left(block->bins[index + 1].box, bounds), right(block->bins[bin.first].box, bounds);
-        index = right.better_than(left) ? bin.first : index + 1;
+        index = goes_right(block->bins[index + 1].box, block->bins[bin.first].box, bounds) ? bin.first : index + 1;
         ++depth;
     }
     return at;
@@ -200,7 +199,8 @@ void BlockEdit::gather_leaves() {
         if (leaves.size() < 2) continue;
         builder_.divide(items_);
         std::size_t first = 0;
-        for (const std::size_t end : builder_.group(items_, kLeavesTogether, ~std::size_t(0), order_)) {
+        builder_.group(items_, kLeavesTogether, ~std::size_t(0), order_, groups_);
+        for (const auto& [end, bin] : groups_) {
             for (; first + 1 < end; ++first) {
                 touched_[leaves[order_[first]]].next_together = leaves[order_[first + 1]];
                 touched_[leaves[order_[first + 1]]].follows = true;
@@ -323,11 +323,11 @@ bool BlockEdit::merge_small_items() {
     bool any = false;
     for (std::size_t k = 0; k < items_.size(); ++k) any = any || (is_new_[k] && items_[k]->faces_below < kSmall);
     if (!any) return false;
-    const std::vector<std::size_t> ends = builder_.group(items_, ~std::size_t(0), kSmall, order_);
-    if (ends.size() == items_.size()) return false;
+    builder_.group(items_, ~std::size_t(0), kSmall, order_, groups_);
+    if (groups_.size() == items_.size()) return false;
     merged_.clear();
     std::size_t first = 0;
-    for (const std::size_t end : ends) {
+    for (const auto& [end, bin] : groups_) {
         bool has_new = false;
         for (std::size_t k = first; k < end; ++k) has_new = has_new || is_new_[order_[k]];
         if (end - first > 1 && has_new) {
@@ -345,22 +345,31 @@ bool BlockEdit::merge_small_items() {
 
 /// One block over the items, divided already, or several when there are more than 64.
 void BlockEdit::join_items() {
-    if (items_.size() <= kBlockItems) return add_joined(items_);
-    const std::vector<std::size_t> ends = builder_.group(items_, kBlockItems, ~std::size_t(0), order_);
+    if (items_.size() <= kBlockItems) {
+        if (items_.size() == 1) return pieces_.push_back(items_[0]);
+        return add_joined(builder_.join(items_), items_);
+    }
+    builder_.group(items_, kBlockItems, ~std::size_t(0), order_, groups_);
+    joined_.clear();
+    for (const BlockBuilder::Group& group : groups_) joined_.push_back(builder_.join_group(items_, group));
     std::size_t first = 0;
-    for (const std::size_t end : ends) {
+    for (std::size_t k = 0; k < groups_.size(); ++k) {
+        const std::size_t end = groups_[k].end;
         merged_.clear();
-        for (std::size_t k = first; k < end; ++k) merged_.push_back(items_[order_[k]]);
-        builder_.divide(merged_);
-        add_joined(merged_);
-        first = end;
+        for (; first < end; ++first) merged_.push_back(items_[order_[first]]);
+        if (merged_.size() == 1) {
+            pieces_.push_back(merged_[0]);
+            continue;
+        }
+        if (!joined_[k]) {  // the division at hand is lost, but all that it joins is joined
+            builder_.divide(merged_);
+            joined_[k] = builder_.join(merged_);
+        }
+        add_joined(std::move(joined_[k]), merged_);
     }
 }
 
-/// @param children  divided already
-void BlockEdit::add_joined(const std::vector<Ref<const Block>>& children) {
-    if (children.size() == 1) return pieces_.push_back(children[0]);
-    Ref<const Block> joined = builder_.join(children);
+void BlockEdit::add_joined(Ref<const Block> joined, std::span<const Ref<const Block>> children) {
     if (joined->depth > deepest_of(joined->faces_below)) joined = from_scratch(children);
     pieces_.push_back(std::move(joined));
 }

@@ -83,7 +83,7 @@ private:
     void join_loose();
     bool merge_small_items();
     void join_items();
-    void add_joined(const std::vector<Ref<const Block>>& children);
+    void add_joined(Ref<const Block> joined, std::span<const Ref<const Block>> children);
     Ref<const Block> from_scratch(std::span<const Ref<const Block>> blocks);
 
     const Ref<const Block> root_;
@@ -101,11 +101,12 @@ private:
 
     BlockBuilder builder_;  // and scratch
     FaceSet faces_;
-    std::vector<Ref<const Block>> items_, merged_;
+    std::vector<Ref<const Block>> items_, merged_, joined_;
     std::vector<bool> is_new_, loose_is_new_;
     std::vector<Ref<const Block>> loose_;  ///< leaf blocks of the block at hand
     std::vector<bool> loose_new_;
     std::vector<std::uint32_t> order_;
+    std::vector<BlockBuilder::Group> groups_;
 };
 
 }  // namespace firma

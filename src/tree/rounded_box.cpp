@@ -2,15 +2,21 @@
 // Boxes between the grid and floats.
 #include "tree/rounded_box.h"
 
-#include <cmath>
+#include <bit>
 #include <limits>
 
 namespace firma {
 namespace {
 
+float next_below(float f) {
+    if (f == 0) return -std::numeric_limits<float>::denorm_min();
+    const auto bits = std::bit_cast<std::uint32_t>(f);
+    return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
+}
+
 float round_down(double value) {
     const float f = float(value);
-    return double(f) > value ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
+    return double(f) > value ? next_below(f) : f;
 }
 
 float round_up(double value) {

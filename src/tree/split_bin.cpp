@@ -35,21 +35,35 @@ std::size_t split_longest_axis(std::span<BuildItem> items, const GridBox& box) {
 
 constexpr int kBuckets = 16;
 
+/// A box as the rule by surface area wants it: in double, the high corner negated, so that boxes around boxes are six
+/// minima. In steps: areas are those in square metres times a power of two, so they compare the same, rounding and all.
+struct Extent {
+    double low[6];
+
+    static Extent of(const GridBox& box) {
+        return {{double(box.low.x), double(box.low.y), double(box.low.z), -double(box.high.x), -double(box.high.y),
+                 -double(box.high.z)}};
+    }
+    void add(const Extent& other) {
+        for (int k = 0; k < 6; ++k) low[k] = other.low[k] < low[k] ? other.low[k] : low[k];
+    }
+    double half_area() const {
+        const double x = -low[3] - low[0], y = -low[4] - low[1], z = -low[5] - low[2];
+        return x * y + y * z + z * x;
+    }
+    /// Twice the centre: a whole number.
+    double centre(int axis) const { return low[axis] - low[axis + 3]; }
+};
+
 /// Where centres fall along one axis.
 struct Buckets {
-    std::int64_t low = 0, high = 0;
+    double low = 0, high = 0;
     double scale = 0;
 
-    Buckets(std::span<const BuildItem> items, int axis) : low(items[0].centre(axis)), high(low) {
-        for (const BuildItem& item : items) {
-            low = std::min(low, item.centre(axis));
-            high = std::max(high, item.centre(axis));
-        }
-        scale = kBuckets / double(high - low + 1);
-    }
+    void set_scale() { scale = kBuckets / (high - low + 1); }
     /// (centre - low) * kBuckets / (high - low + 1), rounded down: exact, as half a step more stays far enough from the
     /// next whole number for the rounding of doubles.
-    int of(std::int64_t centre) const { return int((double(centre - low) + 0.5 / kBuckets) * scale); }
+    int of(double centre) const { return int((centre - low + 0.5 / kBuckets) * scale); }
 };
 
 struct Plane {
@@ -60,8 +74,8 @@ struct Plane {
 
 constexpr std::size_t kFew = 12;  ///< items that are sorted rather than dropped into buckets
 
-/// improve_along_axis() for few items: sweeps over them in order of their buckets.
-void improve_with_few(std::span<const BuildItem> items, const Buckets& buckets, int axis, Plane& best) {
+/// The best plane along one axis, by sweeps over few items in order of their buckets.
+void improve_with_few(std::span<const Extent> items, const Buckets& buckets, int axis, Plane& best) {
     std::array<int, kFew> bucket_of;
     std::array<std::uint8_t, kFew> order;
     for (std::size_t k = 0; k < items.size(); ++k) {
@@ -71,14 +85,14 @@ void improve_with_few(std::span<const BuildItem> items, const Buckets& buckets, 
         order[at] = std::uint8_t(k);
     }
     std::array<double, kFew> right_cost;  // of all from this one on
-    GridBox box;
+    Extent box = items[order[items.size() - 1]];
     for (std::size_t k = items.size(); k-- > 1;) {
-        box.add(items[order[k]].box);
+        box.add(items[order[k]]);
         right_cost[k] = box.half_area() * double(items.size() - k);
     }
-    box = {};
+    box = items[order[0]];
     for (std::size_t k = 0; k + 1 < items.size(); ++k) {
-        box.add(items[order[k]].box);
+        box.add(items[order[k]]);
         const int bucket = bucket_of[order[k]];
         if (bucket == bucket_of[order[k + 1]]) continue;
         const double cost = box.half_area() * double(k + 1) + right_cost[k + 1];
@@ -86,21 +100,25 @@ void improve_with_few(std::span<const BuildItem> items, const Buckets& buckets, 
     }
 }
 
-void improve_along_axis(std::span<const BuildItem> items, int axis, Plane& best) {
-    const Buckets buckets(items, axis);
-    if (buckets.low == buckets.high) return;
-    if (items.size() <= kFew) return improve_with_few(items, buckets, axis, best);
-    std::array<GridBox, kBuckets> boxes;
+/// What lies in the buckets of one axis.
+struct Filled {
+    std::array<Extent, kBuckets> boxes;  ///< of those that hold something
     std::array<std::size_t, kBuckets> counts{};
-    for (const BuildItem& item : items) {
-        const int bucket = buckets.of(item.centre(axis));
-        boxes[bucket].add(item.box);
-        ++counts[bucket];
+
+    void add(int bucket, const Extent& item) {
+        if (counts[bucket]++ == 0)
+            boxes[bucket] = item;
+        else
+            boxes[bucket].add(item);
     }
-    // The first and the last bucket hold something. Planes on either side of an empty one part the items alike: the
-    // lower stands for both.
+};
+
+/// The best plane along one axis. The first and the last bucket hold something. Planes on either side of an empty one
+/// part the items alike: the lower stands for both.
+void improve_with_buckets(const Filled& filled, int axis, Plane& best) {
+    const auto& [boxes, counts] = filled;
     std::array<double, kBuckets> right_cost;
-    GridBox box;
+    Extent box = boxes[kBuckets - 1];
     std::size_t count = 0;
     for (int k = kBuckets - 1; k > 0; --k) {
         if (counts[k]) {
@@ -111,7 +129,7 @@ void improve_along_axis(std::span<const BuildItem> items, int axis, Plane& best)
             right_cost[k - 1] = right_cost[k];
         }
     }
-    box = {};
+    box = boxes[0];
     count = 0;
     for (int k = 0; k + 1 < kBuckets; ++k) {
         if (!counts[k]) continue;
@@ -122,13 +140,40 @@ void improve_along_axis(std::span<const BuildItem> items, int axis, Plane& best)
     }
 }
 
-std::size_t split_surface_area(std::span<BuildItem> items) {
+std::array<Buckets, 3> buckets_of(std::span<const BuildItem> items) {
+    std::array<Buckets, 3> buckets;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::int64_t low = items[0].centre(axis), high = low;
+        for (const BuildItem& item : items) {
+            low = std::min(low, item.centre(axis));
+            high = std::max(high, item.centre(axis));
+        }
+        buckets[axis].low = double(low);
+        buckets[axis].high = double(high);
+        buckets[axis].set_scale();
+    }
+    return buckets;
+}
+
+/// @return the plane of least cost; without an axis when all centres are one
+Plane best_plane(std::span<const BuildItem> items, const std::array<Buckets, 3>& buckets) {
     Plane best;
-    for (int axis = 0; axis < 3; ++axis) improve_along_axis(items, axis, best);
-    if (best.axis < 0) return 0;
-    const Buckets buckets(items, best.axis);
-    return partition_items(items,
-                           [&](const BuildItem& item) { return buckets.of(item.centre(best.axis)) <= best.bucket; });
+    if (items.size() <= kFew) {
+        std::array<Extent, kFew> extents;
+        for (std::size_t k = 0; k < items.size(); ++k) extents[k] = Extent::of(items[k].box);
+        for (int axis = 0; axis < 3; ++axis)
+            if (buckets[axis].low != buckets[axis].high)
+                improve_with_few({extents.data(), items.size()}, buckets[axis], axis, best);
+        return best;
+    }
+    std::array<Filled, 3> filled;
+    for (const BuildItem& item : items) {
+        const Extent extent = Extent::of(item.box);
+        for (int axis = 0; axis < 3; ++axis) filled[axis].add(buckets[axis].of(extent.centre(axis)), extent);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (buckets[axis].low != buckets[axis].high) improve_with_buckets(filled[axis], axis, best);
+    return best;
 }
 
 }  // namespace
@@ -140,8 +185,17 @@ std::size_t split_by_count(std::span<BuildItem> items) {
     return left;
 }
 
+std::size_t split_by_area(std::span<BuildItem> items) {
+    const std::array<Buckets, 3> buckets = buckets_of(items);
+    const Plane best = best_plane(items, buckets);
+    if (best.axis < 0) return 0;
+    const Buckets& along = buckets[best.axis];
+    return partition_items(
+        items, [&](const BuildItem& item) { return along.of(double(item.centre(best.axis))) <= best.bucket; });
+}
+
 std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split) {
-    const std::size_t left = split == Split::kSurfaceArea ? split_surface_area(items) : split_longest_axis(items, box);
+    const std::size_t left = split == Split::kSurfaceArea ? split_by_area(items) : split_longest_axis(items, box);
     return left != 0 ? left : split_by_count(items);
 }
 

@@ -24,9 +24,12 @@ struct BuildItem {
 /// @param items  two or more
 /// @param box    around them all
 /// @return how many go left: at least 1, fewer than all. When no plane separates the centres (they may all coincide)
-/// the items
-///         are divided in the middle of their order by face.
+/// the items are divided in the middle of their order by face.
 std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split);
+
+/// By surface area alone.
+/// @return 0 when no plane separates the centres
+std::size_t split_by_area(std::span<BuildItem> items);
 
 /// The middle of the order by face, for bins that are done but too large for a block.
 std::size_t split_by_count(std::span<BuildItem> items);
