@@ -13,6 +13,7 @@
 #include "firma/memory.h"
 #include "firma/polygon.h"
 #include "firma/result.h"
+#include "firma/save.h"
 #include "firma/tolerance.h"
 #include "firma/tree_options.h"
 #include "firma/vec.h"
