@@ -17,6 +17,7 @@
 #include <memory>
 
 #include "cli/failure.h"
+#include "save/sync_folder.h"
 
 namespace firma::cli {
 
@@ -180,6 +181,7 @@ void AtomicFile::commit() {
     if (rename(asides[slot_].name, target_.c_str()) != 0) fail(errno);
     asides[slot_].used = false;
     slot_ = -1;
+    if (const int reason = sync_folder_of(target_)) fail(reason);
 }
 
 void AtomicFile::put(const char* from, std::size_t size) {

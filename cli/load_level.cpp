@@ -2,11 +2,13 @@
 // Reads, builds, and keeps the time of both.
 #include "cli/load_level.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
+#include "firma/save.h"
 
 namespace firma::cli {
 
@@ -19,9 +21,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required) {
-    command.add_argument("LEVEL", arguments.path, "a Wavefront .obj, or a Quake 3 .bsp (version 46)", required);
+    command.add_argument("LEVEL", arguments.path,
+                         "a Wavefront .obj, a Quake 3 .bsp (version 46), or a saved world, .firma", required);
     command.add_option("--scale", arguments.scale, "S",
-                       "metres a unit of the file (default: 1 for .obj, 1/32 for .bsp)");
+                       "metres a unit of the file (default: 1 for .obj, 1/32 for .bsp); not for .firma");
 }
 
 ReadOptions read_options(const LevelArguments& arguments) {
@@ -32,9 +35,24 @@ ReadOptions read_options(const LevelArguments& arguments) {
     return options;
 }
 
+bool names_saved_world(const std::string& path) {
+    constexpr std::string_view kEnding = ".firma";
+    if (path.size() < kEnding.size()) return false;
+    const auto alike = [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); };
+    return std::equal(path.end() - std::ptrdiff_t(kEnding.size()), path.end(), kEnding.begin(), alike);
+}
+
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded;
     const auto start = std::chrono::steady_clock::now();
+    if (names_saved_world(arguments.path)) {
+        if (!arguments.scale.empty()) throw Failure("--scale", "a .firma file is in metres; scale what it was made of");
+        loaded.world = take(load_world(arguments.path));
+        loaded.saved = true;
+        loaded.level.name = arguments.path;
+        loaded.read_seconds = seconds_since(start);
+        return loaded;
+    }
     loaded.level = take(read_level(arguments.path, read_options(arguments)));
     loaded.read_seconds = seconds_since(start);
     const auto read = std::chrono::steady_clock::now();

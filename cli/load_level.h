@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The level that nearly every verb begins with: its arguments, and reading it into a world.
+// The level or saved world that nearly every verb begins with: its arguments, and reading it into a world.
 #pragma once
 
 #include <string>
@@ -21,12 +21,17 @@ void add_level_arguments(Command& command, LevelArguments& arguments, bool requi
 ReadOptions read_options(const LevelArguments& arguments);
 
 struct LoadedLevel {
-    Level level;
+    Level level;  ///< only its name, of a .firma file
     World world;
+    bool saved = false;  ///< whether it came from a .firma file, which has a world as it was saved, not a level
     double read_seconds = 0, build_seconds = 0;
 };
 
-/// @throws Failure with the reader's place and reason
+/// Whether a name ends in .firma, capitals or not.
+bool names_saved_world(const std::string& path);
+
+/// @param options  of no use to a .firma file, which has its own
+/// @throws Failure with the reader's place and reason; for --scale with a .firma file
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options = {});
 
 /// The file's own name, without folders.

@@ -19,6 +19,7 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_blasts.h"
+#include "firma/save.h"
 #include "firma/write_obj.h"
 #include "tree/visit.h"
 #include "world/world_data.h"
@@ -58,9 +59,11 @@ The report: one row a blast, in their order:
 A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Refusals do not
 change the exit code.
 
-The level written: the faces that casts meet, convex polygons of exactly the corners they have (decimals, multiples
-of 1/262144 m), with their materials. Only closed solids are carved; a .bsp has none. Read again, its vertices are snapped to
-1/4096 m; where that makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. Both files appear whole or
+The level written goes by the ending of AFTER. A .firma file holds all of it, its exact solid, tree and counters
+too: blasts go on from it as if there had been no file between. Anything else gets an .obj: the faces that casts
+meet, convex polygons of exactly the corners they have (decimals, multiples of 1/262144 m), with their materials.
+Only closed solids are carved; a .bsp has none. An .obj read again, its vertices are snapped to 1/4096 m; where that
+makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. Both files appear whole or
 not at all; `-` writes standard output. When blasts leave no face at all, stderr says so: AFTER.obj then holds none,
 and `firma check` does not take it ("no face"). Should cuts contradict each other, which would be a fault of Firma,
 the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter.
@@ -173,14 +176,18 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
 
 /// An .obj without faces is what is left, but no level to anyone who reads it.
 void tell_if_empty(const CarveArguments& arguments, const World& world) {
-    if (world.face_count() > 0) return;
+    if (world.face_count() > 0 || names_saved_world(arguments.out)) return;
     std::fputs(fmt::format("firma: {}: the blasts left no face: it holds none, and `firma check` will not take it\n",
                            is_standard_output(arguments.out) ? "standard output" : arguments.out)
                    .c_str(),
                stderr);
 }
 
-void write_level(const World& world, AtomicFile& out) {
+void write_level(const World& world, const CarveArguments& arguments, AtomicFile& out) {
+    if (names_saved_world(arguments.out)) {
+        const std::vector<std::byte> bytes = pack_world(world);
+        return out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
     write_obj(world, [&](std::string_view text) {
         out.write(text);  // throws where that is not possible
         return true;
@@ -267,7 +274,7 @@ int run(const CarveArguments& arguments) {
     if (!arguments.report.empty()) report.emplace(arguments.report);
     World world = loaded.world;
     Tally tally = fire_all(world, blasts, options, arguments, report ? &*report : nullptr);
-    write_level(world, out);
+    write_level(world, arguments, out);
     out.finish();
     if (report) report->commit();
     out.commit();
@@ -287,7 +294,7 @@ Verb add_carve(CLI::App& app) {
     const auto arguments = std::make_shared<CarveArguments>();
     add_level_arguments(command, arguments->level);
     command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts, see below", true);
-    add_out_option(command, arguments->out, ".obj to write: the level after all blasts", true);
+    add_out_option(command, arguments->out, ".obj or .firma to write: the level after all blasts", true);
     command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");
     command.add_option("--material", arguments->material, "NAME", "material of the faces that blasts leave");
     command.add_option("--slices", arguments->slices, "US",

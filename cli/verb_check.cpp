@@ -13,6 +13,7 @@
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
+#include "cli/saved_world.h"
 #include "firma/check_mesh.h"
 #include "firma/solid.h"
 
@@ -44,6 +45,10 @@ crossing (it crosses or touches itself or another piece), wrong_way (a solid in 
 notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, castable_only_count, castable_only
 [{what, faces, face, other (crossing: the face it meets, else null), at, to}]; lists hold the first 20 unless --all
 is given. `faces` of a piece, and solid_faces, count faces as divided.
+
+A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
+read is checked once more. --json: level, sound, faces, world_fault or null, solid_fault or null, solid_faces,
+exact_faces, rock_outside, version, edits.
 
 Exit codes: 0 sound, notes or not; 1 faults were found; 2 a bad call or bad input, with `firma: place: reason` on
 stderr.
@@ -272,6 +277,7 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
 }
 
 int run(const CheckArguments& arguments) {
+    if (names_saved_world(arguments.level.path)) return check_saved_world(load_level(arguments.level), arguments.json);
     Findings found;
     found.mesh = take(check_mesh(arguments.level.path, read_options(arguments.level)));
     const LoadedLevel loaded = load_level(arguments.level);

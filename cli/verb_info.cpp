@@ -9,11 +9,12 @@
 #include <memory>
 #include <string>
 
+#include "cli/describe_world.h"
 #include "cli/failure.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
-#include "firma/solid.h"
+#include "cli/saved_world.h"
 
 namespace firma::cli {
 
@@ -36,6 +37,11 @@ corners, materials [names], groups, ignored_entries, bounds {low, high} or null,
 bins, leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
 build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
 reaches to infinity: then it is that of the air.
+
+Of a .firma file, which holds a world rather than a level, --json has: level, bytes, version (of the world: how many
+edits were published), edits, exact (whether exact faces or faces that bound solids are there: without, it cannot be
+carved), faces {total, solid, exact}, materials [names], bounds, rooms, tree, solid, rules {zones, hard_materials},
+read_seconds.
 )";
 
 TreeOptions tree_options(const InfoArguments& arguments) {
@@ -51,6 +57,18 @@ TreeOptions tree_options(const InfoArguments& arguments) {
     if (!arguments.min_bin_volume.empty())
         options.min_bin_volume = number_option("--min-bin-volume", arguments.min_bin_volume, 0, INFINITY);
     return options;
+}
+
+/// A saved world has its tree with it.
+void refuse_tree_options(const InfoArguments& arguments) {
+    const auto refuse = [](const char* name, const std::string& value) {
+        if (!value.empty())
+            throw Failure(name, "a .firma file has its tree with it; build another from what it was made of");
+    };
+    refuse("--split", arguments.split);
+    refuse("--max-depth", arguments.max_depth);
+    refuse("--faces-per-bin", arguments.faces_per_bin);
+    refuse("--min-bin-volume", arguments.min_bin_volume);
 }
 
 struct KindCounts {
@@ -79,7 +97,6 @@ std::vector<std::string> material_names(const Level& level) {
 std::string json_text(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     const KindCounts kinds = count_kinds(level);
-    const TreeStatistics tree = loaded.world.statistics();
     JsonWriter json;
     json.open_object();
     json.add("level", level.name);
@@ -100,32 +117,7 @@ std::string json_text(const LoadedLevel& loaded) {
     json.close();
     json.add("groups", level.groups.size());
     json.add("ignored_entries", level.ignored_entries);
-    if (const Box bounds = loaded.world.bounds(); bounds.empty()) {
-        json.add_null("bounds");
-    } else {
-        json.open_object("bounds");
-        json.add("low", bounds.low);
-        json.add("high", bounds.high);
-        json.close();
-    }
-    json.add("rooms", loaded.world.room_count());
-    json.open_object("tree");
-    json.add("faces", tree.faces);
-    json.add("blocks", tree.blocks);
-    json.add("bins", tree.bins);
-    json.add("leaf_bins", tree.leaf_bins);
-    json.add("depth", tree.depth);
-    json.add("largest_bin", tree.largest_bin);
-    json.add("overlap", tree.overlap);
-    json.add("bytes", tree.bytes);
-    json.add("bytes_per_face", tree.bytes_per_face());
-    json.close();
-    const SolidMeasures solid = measure_solid(loaded.world);
-    json.open_object("solid");
-    json.add("faces", solid.facets);
-    json.add("volume", solid.volume);
-    json.add("area", solid.area);
-    json.close();
+    add_world(json, loaded.world);
     json.add("read_seconds", loaded.read_seconds);
     json.add("build_seconds", loaded.build_seconds);
     json.close();
@@ -147,12 +139,8 @@ std::string kinds_text(const KindCounts& kinds) {
 
 std::string text_for_people(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
-    const TreeStatistics tree = loaded.world.statistics();
-    const Box bounds = loaded.world.bounds();
     std::string text;
-    const auto row = [&](const char* what, const std::string& value) {
-        text += fmt::format("{:<16}{}\n", what, value);
-    };
+    const auto row = [&](const char* what, const std::string& value) { text += info_row(what, value); };
     row("level", level.name);
     row("faces", fmt::format("{} ({})", grouped(level.faces.size()), kinds_text(count_kinds(level))));
     row("faces in file", fmt::format("{}: {} dropped (no area), {} divided ({} of them cross themselves)",
@@ -162,22 +150,7 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
     row("materials", grouped(material_names(level).size()));
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));
-    if (!bounds.empty()) {
-        const Vec3 size = bounds.high - bounds.low;
-        row("bounds", fmt::format("({}, {}, {}) .. ({}, {}, {}) m", bounds.low.x, bounds.low.y, bounds.low.z,
-                                  bounds.high.x, bounds.high.y, bounds.high.z));
-        row("size", fmt::format("{} x {} x {} m", size.x, size.y, size.z));
-    }
-    row("rooms", grouped(loaded.world.room_count()));
-    const SolidMeasures solid = measure_solid(loaded.world);
-    row("solid", solid.facets == 0
-                     ? "no face bounds a solid"
-                     : fmt::format("{} faces bound {:.6g} m3 of {}, by {:.6g} m2", grouped(solid.facets),
-                                   std::fabs(solid.volume), solid.volume < 0 ? "air" : "rock", solid.area));
-    row("tree", fmt::format("{} bins, {} of them leaves, in {} blocks; depth {}; fullest leaf {} faces; overlap {:.3f}",
-                            grouped(tree.bins), grouped(tree.leaf_bins), grouped(tree.blocks), tree.depth,
-                            grouped(tree.largest_bin), tree.overlap));
-    row("memory", fmt::format("{}, {:.0f} bytes a face", bytes_text(tree.bytes), tree.bytes_per_face()));
+    text += world_text(loaded.world);
     row("time",
         fmt::format("{} to read, {} to build", seconds_text(loaded.read_seconds), seconds_text(loaded.build_seconds)));
     return text;
@@ -186,6 +159,10 @@ std::string text_for_people(const LoadedLevel& loaded) {
 int run(const InfoArguments& arguments) {
     WorldOptions options;
     options.tree = tree_options(arguments);
+    if (names_saved_world(arguments.level.path)) {
+        refuse_tree_options(arguments);
+        return tell_saved_world(load_level(arguments.level), arguments.json);
+    }
     const LoadedLevel loaded = load_level(arguments.level, options);
     print(arguments.json ? json_text(loaded) : text_for_people(loaded));
     return 0;

@@ -59,7 +59,7 @@ def fuzz(reader):
     def command(seed, count):
         scratch = os.path.join('build', 'fuzz', f'corpus_{reader}')
         os.makedirs(os.path.join(ROOT, scratch), exist_ok=True)
-        seeds = os.path.join('tests', 'fuzz', 'seeds', reader.removeprefix('read_'))
+        seeds = os.path.join('tests', 'fuzz', 'seeds', reader.removeprefix('read_').removeprefix('load_'))
         return [f'{FUZZ}/fuzz_{reader}', f'-seed={seed}', f'-max_total_time={count}', '-rss_limit_mb=2048', '-timeout=20',
                 f'-artifact_prefix=build/fuzz/{reader}_', scratch] + [seeds] * os.path.isdir(os.path.join(ROOT, seeds))
     return command
@@ -90,6 +90,8 @@ CLAIMS = [
           READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('obj_mesh')),
     Claim('fuzz_read_bsp', 'seconds of fuzzing the .bsp reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_bsp')),
+    Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
+          'seconds', CARVE_SOURCES + ['src/save', 'tests/fuzz', 'tests/save/saved_worlds.h'], 'fuzz', fuzz('load_firma')),
 ]
 
 

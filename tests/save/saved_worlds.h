@@ -49,7 +49,10 @@ inline bool cut_somewhere(World& world, scenes::Rng& rng, double radius, const c
     Pose pose;
     pose.position = hit.point;
     pose.scale = radius * rng.uniform(0.5, 1.5);
-    const CutterShape shape = seed % 4 == 0 ? CutterShape::kDrill : CutterShape::kRocky;
+    constexpr CutterShape kShapes[] = {CutterShape::kRocky, CutterShape::kDrill, CutterShape::kBox,
+                                       CutterShape::kWedge, CutterShape::kBox,   CutterShape::kWedge,
+                                       CutterShape::kBox,   CutterShape::kWedge};
+    const CutterShape shape = kShapes[seed % 8];  // mostly small ones
     const CarveResult result = carve(world, make_crater(shape, seed), pose, {material});
     world = result.world;
     return result.done();
