@@ -17,7 +17,7 @@ FLOORS = [
     ['src/tree'],
     ['src/solid'],
     ['src/world'],
-    ['src/level', 'src/carve', 'src/body'],
+    ['src/level', 'src/carve', 'src/body', 'src/store'],
     ['src/debug'],
     ['scenes'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],

@@ -8,22 +8,13 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <mutex>
 #include <new>
 
+#include "base/lock.h"
 #include "firma/memory.h"
 
 namespace firma {
 namespace {
-
-#if defined(_LIBCPP_HAS_NO_THREADS)
-struct Lock {  // nobody to wait for: the standard library of wasm has no std::mutex
-    void lock() {}
-    void unlock() {}
-};
-#else
-using Lock = std::mutex;
-#endif
 
 constexpr std::size_t kSmallest = 16;            // and the step of sizes up to 256
 constexpr std::size_t kSizes = 8 + 7 * 8;        // eight up to 128, then eight in each doubling up to kLargestPooled
