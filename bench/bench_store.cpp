@@ -147,8 +147,7 @@ void measure_level(int rooms, const Settings& settings, Table& reading, Table& e
     editing.add({count(first.face_count()), number(median(edits.cut)), number(median(edits.cut_wall)),
                  number(quantile(edits.cut_wall, 1)), number(median(edits.publish)),
                  number(quantile(edits.publish, 0.99)), number(quantile(edits.publish, 1)), number(median(edits.undo)),
-                 number(median(edits.redo)), count(history.versions), number(double(history.bytes) / 1e6),
-                 number(double(history.bytes_at_most) / 1e6)});
+                 number(median(edits.redo)), count(history.versions), number(double(history.bytes) / 1e6)});
 }
 
 int measure(const Settings& settings) {
@@ -157,7 +156,7 @@ int measure(const Settings& settings) {
                                     "put off it", "current() ns", "longest current() us"});
     Table editing("store_editor",
                   {"triangles", "cut us", "cut wall us", "longest cut wall us", "publish us", "p99 publish us",
-                   "longest publish us", "undo us", "redo us", "versions kept", "history MB", "at most MB"});
+                   "longest publish us", "undo us", "redo us", "versions kept", "history MB"});
     for (const int rooms : {2, 6, 20}) {
         if (settings.quick && rooms > 2) break;
         measure_level(rooms, settings, reading, editing);

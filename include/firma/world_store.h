@@ -29,11 +29,10 @@ enum class PublishStatus : std::uint8_t {
 struct StoreHistory {
     std::uint64_t oldest = 0, current = 0, newest = 0;  ///< versions
     std::size_t versions = 0;                           ///< how many are kept, the current one included
-    /// Held beside the current version, as memory_used() counts: that of all versions less that of the current one.
+    /// Held beside the newest version, as memory_used() counts: that of all versions less that of the newest. So undo()
+    /// and redo(), which let go of nothing, do not change it. Exact for a line of edits; too much, never too little,
+    /// when worlds were published that were not made from the one before.
     std::size_t bytes = 0;
-    /// What set_history_bytes() bounds: no less than `bytes`, and the same after undo() and redo(). For each pair of
-    /// neighbours, the greater of what the one holds alone and what the other does.
-    std::size_t bytes_at_most = 0;
     std::size_t waiting = 0;  ///< dropped versions that readers still held when it was last looked
 };
 
@@ -65,9 +64,9 @@ public:
     /// @param before  what `after` was made from: must be the current version itself, as current() gave it. So when
     ///                several threads edit, the first to publish wins, and the others are told (kStale) and lose
     ///                nothing but their work.
-    /// @param after   of a greater version number. That it came from `before` by edits cannot be seen; any other world
-    ///                will do, and only costs more.
-    /// The cost follows what the two do not share.
+    /// @param after   of a greater version number. That it came from `before` by edits cannot be seen: another world
+    ///                will do, and only counts and costs more.
+    /// The cost follows what the two do not share, and what is dropped.
     PublishStatus publish(const World& before, World after);
 
     /// Goes back to the version before, or forward to the one that was undone.
@@ -75,8 +74,8 @@ public:
     bool undo();
     bool redo();
 
-    /// Drops versions, the oldest first, then of the undone ones the newest, until StoreHistory::bytes_at_most is at
-    /// most so many bytes; from then on publish() keeps it so. The current version always stays: with 0 only it does,
+    /// Drops versions, the oldest first, then of the undone ones the newest, until StoreHistory::bytes is at most so
+    /// many; from then on publish() keeps it so. The current version always stays: with 0 only it does,
     /// and there is no undo.
     void set_history_bytes(std::size_t bytes);
 

@@ -16,24 +16,11 @@ std::optional<World> History::find(std::uint64_t version) const {
     return at->world;
 }
 
-void History::push(World world, const BytesApart& apart) {
+void History::push(World world, std::size_t lost) {
     FIRMA_ASSERT(!can_redo(), "a new version follows the newest; take out those that were undone");
-    entries_.push_back({std::move(world), apart});
-    most_ += entries_.back().most();
-    gone_before_ += apart.gone;
+    entries_.push_back({std::move(world), lost});
+    bytes_ += lost;
     ++at_;
-}
-
-void History::undo() {
-    const BytesApart& apart = entries_[at_--].apart;
-    gone_before_ -= apart.gone;
-    come_after_ += apart.come;
-}
-
-void History::redo() {
-    const BytesApart& apart = entries_[++at_].apart;
-    gone_before_ += apart.gone;
-    come_after_ -= apart.come;
 }
 
 World History::take_oldest() {
@@ -41,19 +28,14 @@ World History::take_oldest() {
     World oldest = std::move(entries_.front().world);
     entries_.pop_front();
     --at_;
-    Entry& first = entries_.front();
-    gone_before_ -= first.apart.gone;
-    most_ -= first.most();
-    first.apart = {};
+    bytes_ -= std::exchange(entries_.front().lost, 0);
     return oldest;
 }
 
 World History::take_newest() {
     FIRMA_ASSERT(can_redo(), "the current version stays");
-    Entry& last = entries_.back();
-    come_after_ -= last.apart.come;
-    most_ -= last.most();
-    World newest = std::move(last.world);
+    World newest = std::move(entries_.back().world);
+    bytes_ -= entries_.back().lost;
     entries_.pop_back();
     return newest;
 }

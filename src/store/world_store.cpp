@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/lock.h"
+#include "store/bytes_alone.h"
 #include "store/history.h"
 
 namespace firma {
@@ -32,8 +33,8 @@ struct WorldStore::State {
         while (history.can_redo()) dropped.push_back(history.take_newest());
     }
     void keep_within_bytes() {
-        while (history.most_bytes() > history_bytes && history.can_undo()) dropped.push_back(history.take_oldest());
-        while (history.most_bytes() > history_bytes && history.can_redo()) dropped.push_back(history.take_newest());
+        while (history.bytes() > history_bytes && history.can_undo()) dropped.push_back(history.take_oldest());
+        while (history.bytes() > history_bytes && history.can_redo()) dropped.push_back(history.take_newest());
     }
 
     /// For writers. A dropped version with one handle has the one in `dropped`: nobody can get another from it.
@@ -85,7 +86,6 @@ StoreHistory WorldStore::history() const {
             history.newest().version(),
             history.size(),
             history.bytes(),
-            history.most_bytes(),
             state_->waiting};
 }
 
@@ -95,11 +95,11 @@ PublishStatus WorldStore::publish(const World& before, World after) {
     if (&before.data() != &current.data()) return PublishStatus::kStale;
     if (&after.data() == &current.data()) return PublishStatus::kSame;
     if (after.version() <= current.version()) return PublishStatus::kNotNewer;
-    const BytesApart apart = bytes_apart(current, after);
+    const std::size_t lost = bytes_alone(current, after);
     {
         const std::lock_guard<Lock> guard(state_->history_lock);
         state_->drop_undone();
-        state_->history.push(std::move(after), apart);
+        state_->history.push(std::move(after), lost);
         state_->keep_within_bytes();
     }
     state_->show_current();
