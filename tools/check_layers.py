@@ -17,7 +17,7 @@ FLOORS = [
     ['src/tree'],
     ['src/solid'],
     ['src/world'],
-    ['src/level', 'src/carve', 'src/save', 'src/body'],
+    ['src/level', 'src/carve', 'src/save', 'src/store', 'src/body'],
     ['src/debug'],
     ['scenes'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],

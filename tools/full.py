@@ -18,6 +18,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 RESULTS = os.path.join(ROOT, 'bench', 'results', 'full.txt')
 BUILD = os.path.join('build', 'test', 'bin')
 FUZZ = os.path.join('build', 'fuzz', 'bin')
+THREAD = os.path.join('build', 'thread', 'bin')
 
 CAST_SOURCES = ['include', 'src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt', 'CMakePresets.json']
@@ -33,9 +34,11 @@ READ_SOURCES = ['include', 'src/level', 'src/geometry/check_polygon.cpp', 'src/g
 
 
 class Claim:
-    def __init__(self, name, what, need, chunk, unit, sources, preset, command):
+    """`target`: what of its preset it needs built; everything unless given."""
+
+    def __init__(self, name, what, need, chunk, unit, sources, preset, command, target=None):
         self.name, self.what, self.need, self.chunk, self.unit = name, what, need, chunk, unit
-        self.sources, self.preset, self.command = sources, preset, command
+        self.sources, self.preset, self.command, self.target = sources, preset, command, target
 
 
 def casts(seed, count):
@@ -69,6 +72,10 @@ def same_cuts(seed, count):
     return ['tools/same_bits.sh', '1000']
 
 
+def store(seed, count):
+    return [f'{THREAD}/full_store', '--count', str(count), '--seed', str(seed)]
+
+
 CLAIMS = [
     Claim('casts_vs_twin', 'casts judged by the exact twin, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
           CAST_SOURCES + ['scenes', 'tests/reference', 'tests/full/full_casts.cpp'], 'test', casts),
@@ -82,6 +89,9 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('rays')),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['src', 'tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts),
+    Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
+          1_000, 'cuts', CARVE_SOURCES + ['src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
+                                          'tests/full/full_store.cpp'], 'thread', store, 'full_store'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
           CAST_SOURCES + ['src/solid', 'src/carve', 'src/level', 'tests/fuzz'], 'fuzz', fuzz('carve')),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
@@ -189,8 +199,9 @@ def run_chunk(claim, commit):
     return result == 'pass'
 
 
-def build(preset):
-    for command in (['cmake', '--preset', preset], ['cmake', '--build', '--preset', preset]):
+def build(preset, target=None):
+    only = ['--target', target] if target else []
+    for command in (['cmake', '--preset', preset], ['cmake', '--build', '--preset', preset] + only):
         process = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
         if process.returncode:
             sys.exit((process.stdout + process.stderr)[-4000:])
@@ -201,7 +212,7 @@ def work_off(claim):
         print(f'{claim.name}: commit your changes first; a line must name the commit it ran on', file=sys.stderr)
         return
     commit = head()
-    build(claim.preset)
+    build(claim.preset, claim.target)
     while done(claim) < claim.need and not failures(claim) and run_chunk(claim, commit):
         pass
 

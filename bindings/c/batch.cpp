@@ -20,14 +20,14 @@ Hook& hook() {
 }  // namespace
 
 void set_batch_tasks(const firma_tasks& tasks) {
-    const LockGuard guard(hook().lock);
+    const std::lock_guard<Lock> guard(hook().lock);
     hook().tasks = tasks;
 }
 
 void run_batch(std::size_t count, void (*work)(void* context, std::size_t k), void* context) {
     firma_tasks tasks;
     {
-        const LockGuard guard(hook().lock);
+        const std::lock_guard<Lock> guard(hook().lock);
         tasks = hook().tasks;
     }
     if (tasks.run && count > 1) {

@@ -74,7 +74,7 @@ Object* find_object(std::uint64_t id, Kind kind) {
 
 std::uint64_t add_object(std::unique_ptr<Object> object, Kind kind) {
     Table& all = table();
-    const LockGuard guard(all.lock);
+    const std::lock_guard<Lock> guard(all.lock);
     const std::uint32_t index = free_slot(all);
     if (index == kNoSlot) return 0;
     Slot& slot = *slot_of(std::uint64_t(index) + 1);
@@ -87,7 +87,7 @@ std::uint64_t add_object(std::unique_ptr<Object> object, Kind kind) {
 
 std::unique_ptr<Object> remove_object(std::uint64_t id, Kind kind) {
     Table& all = table();
-    const LockGuard guard(all.lock);
+    const std::lock_guard<Lock> guard(all.lock);
     Slot* slot = slot_of(id);
     if (!slot || slot->tag.load(std::memory_order_relaxed) != tag_of(std::uint32_t(id >> 32), kind)) return nullptr;
     slot->tag.store(0, std::memory_order_release);
@@ -99,7 +99,7 @@ std::unique_ptr<Object> remove_object(std::uint64_t id, Kind kind) {
 
 std::size_t count_objects() {
     Table& all = table();
-    const LockGuard guard(all.lock);
+    const std::lock_guard<Lock> guard(all.lock);
     return all.held;
 }
 

@@ -20,4 +20,5 @@
 #include "firma/tree_options.h"
 #include "firma/vec.h"
 #include "firma/world.h"
+#include "firma/world_store.h"
 #include "firma/write_obj.h"

@@ -63,6 +63,9 @@ public:
     /// Every face, in order of id.
     std::vector<Face> faces() const;
 
+    /// How many handles there are to this version, at this instant. What is 1 stays so while nobody copies the one.
+    long handles() const { return data_.use_count(); }
+
     const WorldData& data() const { return *data_; }
 
 private:

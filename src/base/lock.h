@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A mutex, where there are threads; nothing where a platform has none.
+// A lock for a few instructions or for a writer's turn: std::mutex, or nothing where the standard library knows no
+// threads (wasm).
 #pragma once
 
-#if !defined(__wasm__) || defined(_REENTRANT)
 #include <mutex>
-#endif
 
 namespace firma {
 
-#if !defined(__wasm__) || defined(_REENTRANT)
-using Lock = std::mutex;
-using LockGuard = std::lock_guard<std::mutex>;
-#else
-struct Lock {};
-class LockGuard {
-public:
-    explicit LockGuard(Lock&) {}
+#if defined(_LIBCPP_HAS_NO_THREADS)
+struct Lock {  // nobody to wait for
+    void lock() {}
+    void unlock() {}
 };
+#else
+using Lock = std::mutex;
 #endif
 
 }  // namespace firma

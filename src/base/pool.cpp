@@ -44,7 +44,7 @@ class Source {
 public:
     bool set(const MemorySource& source) {
         if (!source.take || !source.give_back) return false;
-        const LockGuard guard(lock_);
+        const std::lock_guard<Lock> guard(lock_);
         if (settled_.load(std::memory_order_relaxed)) return false;
         source_ = source;
         return true;
@@ -67,7 +67,7 @@ private:
     /// From here on `source_` does not change, and may be read without the lock.
     void settle() {
         if (settled_.load(std::memory_order_acquire)) return;
-        const LockGuard guard(lock_);
+        const std::lock_guard<Lock> guard(lock_);
         settled_.store(true, std::memory_order_release);
     }
 
@@ -85,7 +85,7 @@ Source& general() {
 class Shelf {
 public:
     void* take(std::size_t bytes) {
-        const LockGuard guard(lock_);
+        const std::lock_guard<Lock> guard(lock_);
         if (given_back_) {
             Piece* piece = given_back_;
             given_back_ = piece->next;
@@ -99,7 +99,7 @@ public:
     }
 
     void give_back(void* memory) {
-        const LockGuard guard(lock_);
+        const std::lock_guard<Lock> guard(lock_);
         given_back_ = new (memory) Piece{given_back_};
     }
 

@@ -27,7 +27,7 @@ class Lines(unittest.TestCase):
         self.full.same_sources = lambda commit, claim: commit == 'now'
         self.full.changed = lambda claim: False
         self.full.head = lambda: 'now'
-        self.full.build = lambda preset: None
+        self.full.build = lambda preset, target=None: None
         self.code = 0
         self.claim = self.full.Claim('stones', 'turned', 100, 40, 'stones', [], 'test', self.command)
         self.full.CLAIMS = [self.claim]
