@@ -103,7 +103,6 @@ firma_code firma_store_get_facts(firma_store store, firma_store_facts* facts) {
         facts->newest = history.newest;
         facts->versions = history.versions;
         facts->bytes = history.bytes;
-        facts->bytes_at_most = history.bytes_at_most;
         facts->waiting = history.waiting;
         return FIRMA_OK;
     });

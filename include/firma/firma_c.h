@@ -418,8 +418,7 @@ FIRMA_API firma_code firma_diff_release(firma_diff diff);
 typedef struct firma_store_facts {
     uint64_t oldest, current, newest; /* versions */
     uint64_t versions;                /* held, undone ones included */
-    uint64_t bytes;                   /* held beside the current version */
-    uint64_t bytes_at_most;           /* what is bounded: no less than `bytes`, the same after undo and redo */
+    uint64_t bytes;                   /* held beside the newest version */
     uint64_t waiting;                 /* dropped versions that somebody held when it was last looked */
 } firma_store_facts;
 

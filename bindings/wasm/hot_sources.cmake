@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: MIT
+# What runs in every frame is compiled for speed, the rest of the module for size.
+file(GLOB FIRMA_HOT_SOURCES CONFIGURE_DEPENDS src/cast/*.cpp src/geometry/*.cpp src/world/cast_world.cpp src/world/near_world.cpp)
+set_source_files_properties(${FIRMA_HOT_SOURCES} PROPERTIES COMPILE_OPTIONS -O3)
+file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/carve/*.cpp src/solid/*.cpp src/tree/*.cpp)
+set_source_files_properties(${FIRMA_WARM_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
