@@ -282,8 +282,9 @@ Subtraction::Phase Subtraction::start_cut() {
 }
 
 Subtraction::Phase Subtraction::move_on(Verdict verdict, Phase next) {
-    if (verdict == Verdict::kBroken) return contradiction();
-    return verdict == Verdict::kDegenerate ? degenerate() : next;
+    if (verdict == Verdict::kFine) return next;
+    // What touches may come to a contradiction elsewhere, where phases go on after it.
+    return verdict == Verdict::kBroken && cut_.touching.empty() ? contradiction() : degenerate();
 }
 
 Subtraction::Phase Subtraction::move_cutter_aside() {

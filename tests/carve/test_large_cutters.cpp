@@ -2,7 +2,10 @@
 // Cutters of very many triangles, some of which always touch a wall exactly: cut, or refused, in bounded work.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -157,7 +160,7 @@ TEST(LargeCutters, TheSameBitsOnEveryMachine) {
     const CarveResult second = carve(first.world, ring_mesh(64, 40).cutter().value(), at(4, 0, 0.5, 0.25));
     ASSERT_TRUE(second.done()) << second.error.text();
     EXPECT_GE(second.report.retries, 1);
-    EXPECT_EQ(hash_world(second.world), 0x0ull);
+    EXPECT_EQ(hash_world(second.world), 0x351C47C1EA90B678ull);
 }
 
 TEST(LargeCutters, ARingThatIsNoStarGoesThroughAWall) {
@@ -183,3 +186,116 @@ TEST(LargeCutters, LongTrianglesThatAllTouchTakeBoundedWork) {
     const World world = room();
     const Cutter cutter = two_cones(50'000).cutter().value();
     const CarveResult result = carve(world, cutter, at(0, 0, 4, 3.5));
+
+    if (result.done())
+        expect_sound(result.world);
+    else
+        EXPECT_EQ(result.status, CarveStatus::kRefused);
+    EXPECT_LE(result.report.retries, 20) << "as many moves as the budget of pairs has room for";
+}
+
+TEST(LargeCutters, AllTriesShareOneBudget) {
+    const Cutter cutter = ball(20).cutter().value();
+    CarveRules rules;
+    rules.most_pairs = cutter.triangles().size() - 1;  // one move counts each triangle
+    const World hasty = room(rules);
+    const CarveResult result = carve(hasty, cutter, at(4, 0, 0, 1.5));
+    EXPECT_EQ(result.status, CarveStatus::kRefused);
+    EXPECT_EQ(result.error.code, ErrorCode::kTooLarge);
+    EXPECT_EQ(result.report.retries, 1);
+    EXPECT_NE(result.error.text().find("more than 4799 pairs"), std::string::npos) << result.error.text();
+    EXPECT_NE(result.error.text().find("in 1 move out of"), std::string::npos) << result.error.text();
+    EXPECT_EQ(&result.world.data(), &hasty.data());
+    // Where nothing touches, it is enough.
+    EXPECT_TRUE(carve(hasty, cutter, at(4.00071, 0.00013, 0.00057, 0.2)).done());
+}
+
+/// Some vertices, in rising order.
+std::vector<std::uint32_t> some_of(std::size_t count, std::uint32_t every, Random& random) {
+    std::vector<std::uint32_t> some;
+    for (std::uint32_t v = 0; v < count; ++v)
+        if (random.next() % every == 0) some.push_back(v);
+    return some;
+}
+
+TEST(LargeCutters, MovedVerticesGoOutwardAndTheRestStays) {
+    const PlacedCutter placed = place_cutter(ball(8).cutter().value(), at(1, 2, 3)).value();
+    Random random(7);
+    PlacedCutter before = placed;
+    for (int tries = 1; tries <= 64; tries += 3) {
+        const auto vertices = some_of(placed.vertices.size(), 9, random);
+        const PlacedCutter moved = move_vertices(placed, before, vertices, tries).value();
+        std::size_t next = 0;
+        for (std::uint32_t v = 0; v < placed.vertices.size(); ++v) {
+            if (next == vertices.size() || vertices[next] != v) {
+                EXPECT_EQ(moved.vertices[v], before.vertices[v]);
+                continue;
+            }
+            ++next;
+            for (int axis = 0; axis < 3; ++axis) {
+                const int by = moved.vertices[v][axis] - placed.vertices[v][axis];
+                EXPECT_LE(std::abs(by), std::min(1 + tries / 2, int(kFarthestMove)));
+                const double out = placed.vertices[v][axis] / double(kInputSteps) - (axis + 1);
+                if (std::fabs(out) > 0.5) {
+                    EXPECT_GE(out > 0 ? by : -by, 1);
+                }
+            }
+        }
+        before = moved;
+    }
+}
+
+bool same(const GridBox& a, const GridBox& b) {
+    return a.low == b.low && a.high == b.high;
+}
+
+void expect_same_solid(const CutterSolid& mended, const CutterSolid& anew) {
+    EXPECT_TRUE(same(mended.box, anew.box));
+    for (std::size_t t = 0; t < anew.boxes.size(); ++t) {
+        EXPECT_TRUE(same(mended.boxes[t], anew.boxes[t]));
+        EXPECT_EQ(mended.planes[t]->plane, anew.planes[t]->plane);
+    }
+    for (std::size_t e = 0; e < anew.edges.size(); ++e)
+        for (int k = 0; k < 2; ++k) EXPECT_EQ(mended.edges[e].plane[k]->plane, anew.edges[e].plane[k]->plane);
+    for (std::size_t v = 0; v < anew.points.size(); ++v)
+        EXPECT_EQ(mended.points[v].rounded(), anew.points[v].rounded());
+}
+
+/// Judging only what moved comes to the same as judging the whole, and so does mending the solid only there.
+TEST(LargeCutters, JudgedAroundWhatMovedAsAWhole) {
+    Random random(11);
+    TriangleMesh shells = ring_mesh(24, 12);
+    TriangleMesh hollow = box_mesh({2.95, -0.05, -0.05}, {3.05, 0.05, 0.05});
+    hollow.turn_over();
+    shells.add(hollow);
+    const PlacedCutter placed = place_cutter(shells.cutter().value(), at(1, 2, 3, 0.0625)).value();
+    ASSERT_FALSE(check_cutter(placed));
+    int sound = 0, unsound = 0;
+    for (int round = 0; round < 200; ++round) {
+        CutterSolid solid, anew;
+        make_cutter_solid(placed, solid);
+        const auto vertices = some_of(placed.vertices.size(), round % 2 ? 20 : 100, random);
+        PlacedCutter moved = placed;
+        const std::int64_t reach = 1 + std::int64_t(random.next() % (round % 4 < 2 ? 400 : 60));
+        for (const std::uint32_t v : vertices)
+            for (int axis = 0; axis < 3; ++axis) {
+                const std::uint64_t draw = random.next() % std::uint64_t(2 * reach + 1);
+                moved.vertices[v][axis] += std::int32_t(std::int64_t(draw) - reach);
+            }
+        bool flat = false;
+        for (const auto& [a, b, c] : moved.triangles)
+            flat |= !plane_through(moved.vertices[a], moved.vertices[b], moved.vertices[c]).valid();
+        if (flat) continue;
+        const auto triangles = update_cutter_solid(moved, vertices, solid);
+        const bool fault = check_cutter(moved).has_value();
+        EXPECT_EQ(check_moved_cutter(moved, triangles, solid.tree).has_value(), fault) << round;
+        (fault ? unsound : sound)++;
+        make_cutter_solid(moved, anew);
+        expect_same_solid(solid, anew);
+    }
+    EXPECT_GT(sound, 40);
+    EXPECT_GT(unsound, 40);
+}
+
+}  // namespace
+}  // namespace firma
