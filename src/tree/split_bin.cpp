@@ -113,14 +113,16 @@ struct Filled {
     }
 };
 
-/// The best plane along one axis. The first and the last bucket hold something. Planes on either side of an empty one
-/// part the items alike: the lower stands for both.
+/// The best plane along one axis. The first bucket holds something, and so does a later one: the last, unless centres
+/// are within a few steps. Planes on either side of an empty bucket part the items alike: the lower stands for both.
 void improve_with_buckets(const Filled& filled, int axis, Plane& best) {
     const auto& [boxes, counts] = filled;
+    int last = kBuckets - 1;
+    while (counts[last] == 0) --last;
     std::array<double, kBuckets> right_cost;
-    Extent box = boxes[kBuckets - 1];
+    Extent box = boxes[last];
     std::size_t count = 0;
-    for (int k = kBuckets - 1; k > 0; --k) {
+    for (int k = last; k > 0; --k) {
         if (counts[k]) {
             box.add(boxes[k]);
             count += counts[k];
@@ -131,7 +133,7 @@ void improve_with_buckets(const Filled& filled, int axis, Plane& best) {
     }
     box = boxes[0];
     count = 0;
-    for (int k = 0; k + 1 < kBuckets; ++k) {
+    for (int k = 0; k < last; ++k) {
         if (!counts[k]) continue;
         box.add(boxes[k]);
         count += counts[k];

@@ -317,7 +317,8 @@ TEST_P(ExactPoints, NearlyParallelPlanesMeetExactly) {
     EXPECT_GT(met, 300);
 }
 
-INSTANTIATE_TEST_SUITE_P(Spans, ExactPoints, testing::Values(3, 50, 4096, 1 << 20, 1 << 26));
+// Between 2^16 and 10^5 the determinants of three planes outgrow 128 bits.
+INSTANTIATE_TEST_SUITE_P(Spans, ExactPoints, testing::Values(3, 50, 4096, 1 << 16, 100000, 1 << 20, 1 << 26));
 
 /// The plane that holds x = `x` + (y - `y`) * dy / dx, whatever z; with the axes turned by `turn`.
 Plane slope(int turn, std::int32_t x, std::int32_t y, std::int32_t dx, std::int32_t dy) {

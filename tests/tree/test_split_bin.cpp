@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Bins divided by surface area against all planes tried one by one, also where centres are a few steps apart.
+#include "tree/split_bin.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "scenes/rng.h"
+
+namespace firma {
+namespace {
+
+constexpr int kBuckets = 16;
+
+/// Where a centre falls, in integers.
+std::int64_t bucket_of(const BuildItem& item, int axis, std::int64_t low, std::int64_t high) {
+    return (item.centre(axis) - low) * kBuckets / (high - low + 1);
+}
+
+/// The least cost of all planes; negative when there is none.
+double least_cost(const std::vector<BuildItem>& items) {
+    double least = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::int64_t low = items[0].centre(axis), high = low;
+        for (const BuildItem& item : items) {
+            low = std::min(low, item.centre(axis));
+            high = std::max(high, item.centre(axis));
+        }
+        for (int last = 0; last + 1 < kBuckets; ++last) {
+            GridBox boxes[2];
+            std::size_t counts[2] = {0, 0};
+            for (const BuildItem& item : items) {
+                const bool right = bucket_of(item, axis, low, high) > last;
+                boxes[right].add(item.box);
+                ++counts[right];
+            }
+            if (counts[0] == 0 || counts[1] == 0) continue;
+            const double cost = boxes[0].half_area() * double(counts[0]) + boxes[1].half_area() * double(counts[1]);
+            if (least < 0 || cost < least) least = cost;
+        }
+    }
+    return least;
+}
+
+TEST(SplitBin, TakesThePlaneOfLeastCost) {
+    scenes::Rng rng(3);
+    for (int k = 0; k < 4000; ++k) {
+        const std::size_t count = 2 + rng.below(40);
+        const int shift = int(rng.below(28));
+        const std::int32_t spread = std::int32_t(1) << shift;
+        std::vector<BuildItem> items(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            items[i].face = i;
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto low = std::int32_t(rng.below(std::uint32_t(spread)));
+                const auto extent = std::int32_t(rng.below(4 * std::uint32_t(spread)));
+                items[i].box.low[axis] = low - extent;  // centres are as near as that, boxes overlap
+                items[i].box.high[axis] = low + extent + std::int32_t(rng.below(2));
+            }
+        }
+        const double least = least_cost(items);
+        const std::size_t left = split_by_area(items);
+        if (least < 0) {
+            EXPECT_EQ(left, 0u);
+            continue;
+        }
+        ASSERT_GT(left, 0u);
+        ASSERT_LT(left, count);
+        GridBox boxes[2];
+        for (std::size_t i = 0; i < count; ++i) boxes[i >= left].add(items[i].box);
+        EXPECT_EQ(boxes[0].half_area() * double(left) + boxes[1].half_area() * double(count - left), least);
+        std::sort(items.begin(), items.end(), [](const BuildItem& a, const BuildItem& b) { return a.face < b.face; });
+        for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(items[i].face, i);
+    }
+}
+
+}  // namespace
+}  // namespace firma
