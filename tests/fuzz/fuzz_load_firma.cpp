@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as .firma files: as they are; with places, sizes and checksums put right; or a sound file changed by rules,
-// checksums put right. An error, or a world that bears checks, casts, an edit and being saved again.
+// checksums put right; or solids that cross. An error, or a world that bears checks, casts, an edit and being saved
+// again.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -151,6 +152,52 @@ File changed_file(Bytes& bytes) {
     return file;
 }
 
+/// Boxes anywhere, all of their faces marked as bounding solids, however they cross: what readers of levels never make,
+/// but a file may say.
+File crossing_file(Bytes& bytes) {
+    std::string text;
+    for (int boxes = 2 + bytes.next() % 3; boxes > 0; --boxes) {
+        double low[3], high[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = double(bytes.next() - 128) / 16;
+            high[axis] = low[axis] + double(1 + bytes.next() % 128) / 16;
+        }
+        for (int k = 0; k < 8; ++k)
+            text += "v " + std::to_string(k & 1 ? high[0] : low[0]) + " " + std::to_string(k & 2 ? high[1] : low[1]) +
+                    " " + std::to_string(k & 4 ? high[2] : low[2]) + "\n";
+        constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+        const bool room = bytes.next() % 2;
+        for (const auto& side : kSides) {
+            text += "f";
+            for (int k = 0; k < 4; ++k) text += " " + std::to_string(side[room ? 3 - k : k] - 8);
+            text += "\n";
+        }
+    }
+    File file = pack_world(make_world(read_obj(text, "fuzz").value()).value());
+    for (const SectionPlace& place : section_places(file)) {
+        if (place.type == kWorldSection) file[place.first + 24] = std::byte(kExactPart | kHasRules | bytes.next() % 2);
+        if (place.type != kFacesSection) continue;
+        for (std::size_t k = 0; k < place.length / kFaceBytes; ++k)
+            file[place.first + k * kFaceBytes + 25] |= std::byte(kSolidFace);
+    }
+    fix_checksums(file);
+    return file;
+}
+
+/// Cuts one after another where rays from the middle meet faces, and anywhere.
+World cut_on(World world, Bytes& bytes) {
+    for (int cuts = 0; cuts < 6 && !bytes.empty(); ++cuts) {
+        const int how = bytes.next();
+        Pose pose;
+        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = double(bytes.next() - 128) / 12;
+        pose.scale = 0.25 + double(bytes.next()) / 32;
+        const Cutter cutter = make_crater(CutterShape(how % 5), std::uint64_t(bytes.next()));
+        world = (how & 64 ? fill(world, cutter, pose, {"new"}) : carve(world, cutter, pose, {"new"})).world;
+    }
+    return world;
+}
+
 void use(const World& world, int how) {
     expect(!check_world(world), "a world was read that is not sound");
     expect(!check_solid(world), "a solid was read that is not sound");
@@ -183,13 +230,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes bytes(data, size);
     const int mode = bytes.next(), how = bytes.next();
     File file;
-    if (mode % 3 == 2) {
+    if (mode % 4 == 2) {
         file = changed_file(bytes);
+    } else if (mode % 4 == 3) {
+        file = crossing_file(bytes);
     } else {
         for (std::size_t k = 2; k < size; ++k) file.push_back(std::byte(data[k]));
-        if (mode % 3 == 1) mend(file);
+        if (mode % 4 == 1) mend(file);
     }
     const Result<World> read = unpack_world(file, "fuzz");
-    if (read) use(read.value(), how);
+    if (!read) return 0;
+    use(read.value(), how);
+    if (mode % 4 == 3) expect(!check_world(cut_on(read.value(), bytes)), "cuts made a world that is not sound");
     return 0;
 }
