@@ -3,8 +3,8 @@
 # All benchmarks, one after the other, and their tables into docs/benchmarks.md. About half an hour.
 #
 #   bench/run_all.sh [name ...]        only these: article_formulas boxes edges first_level inside pieces stop_distance
-#                                      subdivision tree carve carve_cgal carve_rebuild carved_casts versions peers
-#                                      openarena
+#                                      subdivision tree carve carve_cgal carve_rebuild carved_casts versions store
+#                                      peers openarena
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -27,7 +27,7 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_cgal carve_rebuild carved_casts versions openarena peers
+    carve carve_cgal carve_rebuild carved_casts versions store openarena peers
 for name in "$@"; do
     echo "--- $name"
     case $name in
