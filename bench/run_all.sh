@@ -27,7 +27,7 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions save openarena peers
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions save store openarena peers
 for name in "$@"; do
     echo "--- $name"
     case $name in

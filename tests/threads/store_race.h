@@ -64,7 +64,7 @@ struct StoreRace {
 /// again without threads or store, and each version is asked what the readers asked it.
 inline StoreRace run_store_race(int cuts, std::uint64_t seed) {
     constexpr int kReaders = 2, kQuestionsAJob = 24;
-    constexpr std::size_t kHistoryBytes = 2'000'000;  // some twenty craters
+    constexpr std::size_t kHistoryBytes = 500'000;  // some dozen craters
     StoreRace race;
     std::vector<StoreRecord> records[kReaders];
     {
