@@ -10,6 +10,16 @@ Boundary take_boundary(std::span<const Block* const> roots) {
     Boundary boundary;
     std::vector<FacetPlace> found;
     std::vector<std::uint32_t> face_of;
+    std::size_t solid = 0;
+    for (const Block* root : roots) {
+        if (!root) continue;
+        for_each_face_block(*root, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) solid += face.solid;
+        });
+    }
+    found.reserve(solid);
+    face_of.reserve(solid);
+    boundary.patch.reserve(solid);
     for (const Block* root : roots) {
         if (!root) continue;
         for_each_face_block(*root, [&](const Block& block) {

@@ -85,7 +85,7 @@ public:
         : boundary_(boundary), patch_(boundary.patch), uses_(patch_.edges.size()) {}
 
     std::optional<SolidFault> check() {
-        for (const PatchVertex& vertex : patch_.vertices) rounded_.push_back(numbers_.number(vertex.point.rounded()));
+        rounded_.assign(patch_.vertices.size(), ~0u);
         for (face_ = 0; face_ < patch_.faces.size() && !fault_; ++face_) {
             check_loops();
             if (!fault_ && !face().stored) check_untouched();
@@ -94,9 +94,8 @@ public:
             if (!fault_) check_facets();
         }
         for (std::uint32_t edge = 0; edge < patch_.edges.size() && !fault_; ++edge) check_edge(edge);
-        if (!fault_)
-            if (const std::uint32_t point = all_.left_over(); point != ~0u)
-                fault_ = {"facets leave a gap", {}, to_metres(numbers_.point(point))};
+        // Then all facets together are closed: those of a face have its loops for a rim, and in all loops together each
+        // edge, from the rounded point of one vertex to that of another, is there once each way.
         return fault_;
     }
 
@@ -175,6 +174,7 @@ private:
         const auto facets = boundary_.facets_of(face_);
         const std::size_t expected = face().stored ? face().stored->facets : 1;
         if (facets.size() != expected) return report("a face has not the facets that it counts", some_corner());
+        if (!face().stored) return;  // made of its facet's corners
         inner_.clear();
         add_loops();
         for (const FacetPlace& facet : facets) {
@@ -185,7 +185,6 @@ private:
                 if (next >= of_face_.size() || of_face_[next] != face_ + 1)
                     return report_point("a facet's corner is no rounded vertex of its face", next);
                 inner_.add(last, next, 1);
-                all_.add(last, next, 1);
                 last = next;
             }
         }
@@ -193,12 +192,17 @@ private:
             report_point("facets do not cover their face", point);
     }
     void add_loops() {
-        of_face_.resize(numbers_.count(), 0);
         for (const PatchUse& use : patch_.uses(face())) {
-            const std::uint32_t from = rounded_[patch_.from(use)];
+            const std::uint32_t from = rounded_number(patch_.from(use)), to = rounded_number(patch_.to(use));
+            if (of_face_.size() < numbers_.count()) of_face_.resize(numbers_.count() + numbers_.count() / 2, 0);
             of_face_[from] = face_ + 1;
-            inner_.add(from, rounded_[patch_.to(use)], -1);
+            inner_.add(from, to, -1);
         }
+    }
+    std::uint32_t rounded_number(std::uint32_t vertex) {
+        std::uint32_t& known = rounded_[vertex];
+        if (known == ~0u) known = numbers_.number(patch_.vertices[vertex].point.rounded());
+        return known;
     }
 
     void check_edge(std::uint32_t index) {
@@ -229,9 +233,9 @@ private:
     std::optional<SolidFault> fault_;
     std::vector<Uses> uses_;  ///< of each edge
     PointNumbers numbers_;
-    std::vector<std::uint32_t> rounded_;  ///< number of each vertex's rounded point
+    std::vector<std::uint32_t> rounded_;  ///< number of each vertex's rounded point, once it was asked for
     std::vector<std::uint32_t> of_face_;  ///< of each numbered point: 1 + the last face that has it as a vertex
-    EdgeSum inner_, all_;
+    EdgeSum inner_;
 };
 
 }  // namespace

@@ -72,15 +72,19 @@ std::uint32_t SolidPatch::add(const FacetPlace& facet) {
     return owner ? add_stored(facet, static_cast<const SolidFace&>(*owner)) : add_untouched(facet);
 }
 
+void SolidPatch::reserve(std::size_t face_count) {
+    faces.reserve(face_count);
+    vertices.reserve(2 * face_count);
+    edges.reserve(3 * face_count);
+    all_uses.reserve(4 * face_count);
+    face_of_.reserve(face_count);
+    for (FlatMap* map : {&vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
+        map->reserve(face_count);
+}
+
 void SolidPatch::add(std::span<const FacetPlace> facets) {
     fetch_ahead(facets);
-    faces.reserve(facets.size());
-    vertices.reserve(2 * facets.size());
-    edges.reserve(3 * facets.size());
-    all_uses.reserve(4 * facets.size());
-    face_of_.reserve(facets.size());
-    for (FlatMap* map : {&vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
-        map->reserve(facets.size());
+    reserve(facets.size());
     for (const FacetPlace& facet : facets) add(facet);
 }
 

@@ -65,6 +65,8 @@ public:
     std::uint32_t add(const FacetPlace& facet);
     /// Likewise the faces of several facets, in this order; quicker than one by one.
     void add(std::span<const FacetPlace> facets);
+    /// Makes room for so many faces, before the first.
+    void reserve(std::size_t face_count);
     /// The number of a facet's face, or none: ~0.
     std::uint32_t find(const FacetPlace& facet) const;
 

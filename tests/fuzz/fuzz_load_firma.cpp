@@ -123,9 +123,11 @@ void change(File& file, const SectionPlace& place, Bytes& bytes) {
     const std::size_t other = place.first + number_below(entries, bytes) * size;
     const std::size_t field = size < 4 ? 0 : number_below(size / 4, bytes) * 4;
     switch (bytes.next() % 6) {
-        case 0:  // any byte
-            file[at + number_below(size, bytes)] = std::byte(bytes.next());
+        case 0: {  // any byte
+            const std::size_t byte = number_below(size, bytes);
+            file[at + byte] = std::byte(bytes.next());
             break;
+        }
         case 1:  // an odd number
             if (size >= 4) put_u32(file, at + field, odd_number(read_u32(file.data() + at + field), bytes));
             break;
@@ -157,24 +159,14 @@ File changed_file(Bytes& bytes) {
 File crossing_file(Bytes& bytes) {
     std::string text;
     for (int boxes = 2 + bytes.next() % 3; boxes > 0; --boxes) {
-        double low[3], high[3];
+        Vec3 low, high;
         for (int axis = 0; axis < 3; ++axis) {
             low[axis] = double(bytes.next() - 128) / 16;
             high[axis] = low[axis] + double(1 + bytes.next() % 128) / 16;
         }
-        for (int k = 0; k < 8; ++k)
-            text += "v " + std::to_string(k & 1 ? high[0] : low[0]) + " " + std::to_string(k & 2 ? high[1] : low[1]) +
-                    " " + std::to_string(k & 4 ? high[2] : low[2]) + "\n";
-        constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-        const bool room = bytes.next() % 2;
-        for (const auto& side : kSides) {
-            text += "f";
-            for (int k = 0; k < 4; ++k) text += " " + std::to_string(side[room ? 3 - k : k] - 8);
-            text += "\n";
-        }
+        add_box(text, low, high, bytes.next() % 2);
     }
-    File file = pack_world(make_world(read_obj(text, "fuzz").value()).value());
+    File file = pack_world(world_of(text));
     for (const SectionPlace& place : section_places(file)) {
         if (place.type == kWorldSection) file[place.first + 24] = std::byte(kExactPart | kHasRules | bytes.next() % 2);
         if (place.type != kFacesSection) continue;

@@ -15,26 +15,30 @@
 
 namespace firma {
 
+/// Adds a box to an .obj, its fronts outward, or inward for a room.
+inline void add_box(std::string& text, const Vec3& low, const Vec3& high, bool room) {
+    for (int k = 0; k < 8; ++k)
+        text += "v " + std::to_string(k & 1 ? high.x : low.x) + " " + std::to_string(k & 2 ? high.y : low.y) + " " +
+                std::to_string(k & 4 ? high.z : low.z) + "\n";
+    constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& side : kSides) {
+        text += "f";
+        for (int k = 0; k < 4; ++k) text += " " + std::to_string(side[room ? 3 - k : k] - 8);
+        text += "\n";
+    }
+}
+
+inline World world_of(const std::string& text, const WorldOptions& options = {}) {
+    return make_world(read_obj(text, "level").value(), options).value();
+}
+
 /// A room of 8 m in endless rock, with a pillar; two materials.
 inline World room_world(const WorldOptions& options = {}) {
-    std::string text;
-    const auto box = [&](const Vec3& low, const Vec3& high, bool room) {
-        for (int k = 0; k < 8; ++k)
-            text += "v " + std::to_string(k & 1 ? high.x : low.x) + " " + std::to_string(k & 2 ? high.y : low.y) + " " +
-                    std::to_string(k & 4 ? high.z : low.z) + "\n";
-        constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-        for (const auto& side : kSides) {
-            text += "f";
-            for (int k = 0; k < 4; ++k) text += " " + std::to_string(side[room ? 3 - k : k] - 8);
-            text += "\n";
-        }
-    };
-    text += "usemtl rock\n";
-    box({-4, -4, -2}, {4, 4, 2}, true);
+    std::string text = "usemtl rock\n";
+    add_box(text, {-4, -4, -2}, {4, 4, 2}, true);
     text += "usemtl pillar\n";
-    box({-1, -1, -1}, {1, 0, 1}, false);
-    return make_world(read_obj(text, "room").value(), options).value();
+    add_box(text, {-1, -1, -1}, {1, 0, 1}, false);
+    return world_of(text, options);
 }
 
 /// A crater where a ray from within the world's bounds meets it.

@@ -53,6 +53,31 @@ TEST(PackWorld, LevelsOfEveryFamilyAfterCuts) {
     }
 }
 
+/// Two blocks that touch in an edge: exact faces without any cut, and two edges between the same vertices.
+TEST(PackWorld, DoubledEdges) {
+    std::string text;
+    add_box(text, {0, 0, 0}, {2, 2, 2}, false);
+    add_box(text, {2, 2, 0}, {4, 4, 2}, false);
+    World world = world_of(text);
+    ASSERT_EQ(measure_solid(world).faces, 12u);
+    std::size_t doubled = 0;
+    const std::vector<std::byte> bytes = pack_world(world);
+    for (const SectionPlace& place : section_places(bytes))
+        for (std::size_t k = 0; place.type == kEdgesSection && k < place.length / kEdgeBytes; ++k)
+            doubled += read_u32(bytes.data() + place.first + k * kEdgeBytes + 16) == kDoubledEdge;
+    EXPECT_EQ(doubled, 2u);
+    expect_round_trip(world);
+    World loaded = unpacked(bytes);
+    for (World* each : {&world, &loaded}) {
+        Pose pose;
+        pose.position = {2, 2, 1};
+        pose.scale = 0.5;
+        *each = carve(*each, make_crater(CutterShape::kRocky, 1), pose).world;
+    }
+    EXPECT_EQ(world.data().edits, 1u);
+    EXPECT_EQ(hash_world(loaded), hash_world(world));
+}
+
 TEST(PackWorld, EditsGoOnToTheSameBits) {
     World world = room_world();
     scenes::Rng rng(1);
