@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* The C API, tested from C17. The allocator first: it can be given only before anything was made. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/c/check.h"
+
+int failures = 0;
+
+static size_t slabs_taken = 0;
+static size_t pieces_held = 0;
+
+static void* take(size_t bytes, size_t alignment, void* user) {
+    CHECK(user == &slabs_taken);
+    ++slabs_taken;
+    ++pieces_held;
+    return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+
+static void give_back(void* memory, size_t bytes, size_t alignment, void* user) {
+    (void)bytes, (void)alignment, (void)user;
+    --pieces_held;
+    free(memory);
+}
+
+static void test_allocator(void) {
+    firma_allocator allocator = {0};
+    CHECK_FAILS(firma_set_allocator(NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_set_allocator(&allocator), FIRMA_ERROR_BAD_CALL, "size");
+    allocator.size = sizeof allocator;
+    CHECK_FAILS(firma_set_allocator(&allocator), FIRMA_ERROR_BAD_CALL, "missing");
+    allocator.take = take;
+    allocator.give_back = give_back;
+    allocator.user = &slabs_taken;
+    CHECK_OK(firma_set_allocator(&allocator));
+    const firma_world room = make_room();
+    CHECK(slabs_taken > 0);
+    CHECK_FAILS(firma_set_allocator(&allocator), FIRMA_ERROR_BAD_CALL, "too late");
+    CHECK_OK(firma_world_release(room));
+}
+
+firma_world make_room(void) {
+    static const double positions[] = {0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0, 0, 0, 4, 8, 0, 4, 8, 8, 4, 0, 8, 4};
+    static const uint32_t corners[] = {0, 1, 2, 3, 4, 7, 6, 5, 0, 4, 5, 1, 1, 5, 6, 2, 2, 6, 7, 3, 3, 7, 4, 0};
+    static const uint32_t counts[] = {4, 4, 4, 4, 4, 4};
+    static const uint32_t materials[] = {0, 1, 2, 2, 2, 2};
+    static const char* const names[] = {"floor", "ceiling", "wall"};
+    firma_mesh mesh = {0};
+    mesh.size = sizeof mesh;
+    mesh.positions = positions;
+    mesh.vertex_count = 8;
+    mesh.corners = corners;
+    mesh.corner_counts = counts;
+    mesh.face_count = 6;
+    mesh.materials = materials;
+    mesh.material_names = names;
+    mesh.material_count = 3;
+    firma_world world = {0};
+    CHECK_OK(firma_world_from_mesh(&mesh, "room", NULL, &world));
+    return world;
+}
+
+int main(int argc, char** argv) {
+    test_allocator();
+    test_library();
+    test_worlds();
+    test_casts();
+    test_carving();
+    test_stores();
+    test_files(argc > 1 ? argv[1] : ".");
+    test_handles();
+    CHECK(firma_live_handles() == 0);
+    if (failures == 0) printf("the C API: all holds\n");
+    return failures != 0;
+}

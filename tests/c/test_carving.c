@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+/* Craters at once, in slices, several as one version; rules; differences. */
+#include <math.h>
+
+#include "tests/c/check.h"
+
+static const firma_pose kInFloor = {{4, 4, 0}, {0, 0, 0, 1}, 1.5};
+
+static uint64_t hash_of(firma_world world) {
+    uint64_t hash = 0;
+    CHECK_OK(firma_world_hash(world, &hash));
+    return hash;
+}
+
+static void test_cutters(void) {
+    firma_cutter cutter = {0};
+    CHECK_FAILS(firma_cutter_crater(5, 1, &cutter), FIRMA_ERROR_INVALID, "no shape 5");
+    const double positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const uint32_t closed[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    CHECK_FAILS(firma_cutter_from_mesh(positions, 4, closed, 3, "lid", &cutter), FIRMA_ERROR_MALFORMED, "lid");
+    CHECK_FAILS(firma_cutter_from_mesh(NULL, 4, closed, 4, NULL, &cutter), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_cutter_from_mesh(positions, 4, closed, 4, NULL, &cutter));
+    CHECK_OK(firma_cutter_release(cutter));
+    const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    CHECK_OK(firma_cutter_from_obj(obj, sizeof obj - 1, "t.obj", &cutter));
+    CHECK_OK(firma_cutter_release(cutter));
+    CHECK_FAILS(firma_cutter_from_obj("f 1 2 3\n", 8, "f.obj", &cutter), FIRMA_ERROR_OUT_OF_RANGE, "f.obj:1");
+    CHECK_FAILS(firma_cutter_release(cutter), FIRMA_ERROR_BAD_HANDLE, "cutter");
+}
+
+static void test_cut(firma_world room, firma_cutter cutter) {
+    firma_world after = {0};
+    firma_carve_report report;
+    double before_volume = 0, after_volume = 0;
+    CHECK_OK(firma_carve(room, cutter, &kInFloor, NULL, &after, &report));
+    CHECK(report.status == FIRMA_CARVE_DONE && report.volume > 1 && report.faces_new > 20 && report.faces_gone == 1);
+    CHECK_OK(firma_world_check(after));
+    CHECK_OK(firma_world_measure(room, &before_volume, NULL));
+    CHECK_OK(firma_world_measure(after, &after_volume, NULL));
+    CHECK(fabs(before_volume - after_volume - report.volume) < 1e-9);
+
+    /* What changed. */
+    firma_diff diff = {0};
+    firma_diff_view view;
+    CHECK_OK(firma_world_diff(room, after, 1, &diff));
+    CHECK_OK(firma_diff_get_view(diff, &view));
+    CHECK(view.gone_count == 1 && view.gone[0] == 0 && view.come_count == report.faces_new && view.tile_count > 0);
+    CHECK(view.come[0].first_corner == 0 && view.corner_count >= 3 * view.come_count && view.low[2] < -1);
+    CHECK_OK(firma_diff_release(diff));
+    CHECK_FAILS(firma_world_diff(room, after, 0.001, &diff), FIRMA_ERROR_INVALID, "tile");
+
+    /* Filling what was cut; nothing to cut in the air; a pose that is none. */
+    firma_carve_options options = {sizeof options, 1, "plaster"};
+    firma_world filled = {0};
+    CHECK_OK(firma_carve(after, cutter, &kInFloor, &options, &filled, &report));
+    CHECK(report.status == FIRMA_CARVE_DONE && report.volume < 0);
+    CHECK_OK(firma_world_release(filled));
+    const firma_pose in_air = {{4, 4, 2}, {0, 0, 0, 1}, 0.5};
+    firma_world same = {0};
+    CHECK_OK(firma_carve(room, cutter, &in_air, NULL, &same, &report));
+    CHECK(report.status == FIRMA_CARVE_NOTHING && hash_of(same) == hash_of(room));
+    CHECK_OK(firma_world_release(same));
+    const firma_pose nowhere = {{NAN, 4, 2}, {0, 0, 0, 1}, 0.5};
+    CHECK_OK(firma_carve(room, cutter, &nowhere, NULL, &same, &report));
+    CHECK(report.status == FIRMA_CARVE_REFUSED && strstr(firma_error_message(), "finite"));
+    CHECK(hash_of(same) == hash_of(room));
+    CHECK_OK(firma_world_release(same));
+    options.fill = 2;
+    CHECK_FAILS(firma_carve(room, cutter, &kInFloor, &options, &same, NULL), FIRMA_ERROR_INVALID, "fill");
+    CHECK_FAILS(firma_carve(room, cutter, NULL, NULL, &same, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_world_release(after));
+}
+
+static void test_job(firma_world room, firma_cutter cutter) {
+    firma_world at_once = {0}, in_slices = {0};
+    CHECK_OK(firma_carve(room, cutter, &kInFloor, NULL, &at_once, NULL));
+    firma_job job = {0};
+    uint32_t finished = 0;
+    int runs = 0;
+    CHECK_OK(firma_job_start(room, cutter, &kInFloor, NULL, &job));
+    CHECK_FAILS(firma_job_result(job, &in_slices, NULL), FIRMA_ERROR_BAD_CALL, "not finished");
+    CHECK_FAILS(firma_job_run(job, NAN, &finished), FIRMA_ERROR_INVALID, "time");
+    for (; !finished; ++runs) CHECK_OK(firma_job_run(job, 0, &finished));
+    CHECK(runs > 5);
+    firma_carve_report report;
+    CHECK_OK(firma_job_result(job, &in_slices, &report));
+    CHECK(report.status == FIRMA_CARVE_DONE && hash_of(at_once) == hash_of(in_slices));
+    CHECK_OK(firma_job_release(job));
+    CHECK_OK(firma_world_release(in_slices));
+    CHECK_OK(firma_world_release(at_once));
+    CHECK_OK(firma_job_start(room, cutter, &kInFloor, NULL, &job));
+    CHECK_OK(firma_job_release(job)); /* dropped half-way */
+}
+
+static void test_edit(firma_world room, firma_cutter cutter) {
+    firma_edit edit = {0};
+    firma_carve_report report;
+    firma_pose pose = kInFloor;
+    CHECK_OK(firma_edit_begin(room, &edit));
+    for (int k = 0; k < 3; ++k) {
+        pose.position[0] = 2 + 2 * k;
+        firma_random_turn((uint64_t)k, pose.rotation);
+        CHECK_OK(firma_edit_carve(edit, cutter, &pose, NULL, &report));
+        CHECK(report.status == FIRMA_CARVE_DONE);
+    }
+    firma_world after = {0};
+    firma_world_facts facts;
+    CHECK_OK(firma_edit_finish(edit, &after));
+    CHECK_OK(firma_world_get_facts(after, &facts));
+    CHECK(facts.version == 1 && facts.edits == 3);
+    CHECK_OK(firma_edit_release(edit));
+    CHECK_OK(firma_world_release(after));
+}
+
+static void test_rules(firma_world room, firma_cutter cutter) {
+    const firma_zone zone = {"vault", {3, 3, -1}, {5, 5, 1}, 1};
+    firma_rules rules = {0};
+    firma_world guarded = {0}, after = {0};
+    CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_BAD_CALL, "size");
+    rules.size = sizeof rules;
+    rules.zone_count = 1;
+    CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_BAD_CALL, "array");
+    rules.zones = &zone;
+    CHECK_OK(firma_world_with_rules(room, &rules, &guarded));
+    firma_carve_report report;
+    CHECK_OK(firma_carve(guarded, cutter, &kInFloor, NULL, &after, &report));
+    CHECK(report.status == FIRMA_CARVE_REFUSED && strstr(firma_error_message(), "zone vault"));
+    CHECK_OK(firma_world_release(after));
+    CHECK_OK(firma_world_release(guarded));
+    const double hard[] = {0, 2};
+    rules.hardness = hard;
+    rules.hardness_count = 2;
+    CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_INVALID, "material 1");
+}
+
+void test_carving(void) {
+    const firma_world room = make_room();
+    firma_cutter cutter = {0};
+    CHECK_OK(firma_cutter_crater(FIRMA_ROCKY, 7, &cutter));
+    test_cutters();
+    test_cut(room, cutter);
+    test_job(room, cutter);
+    test_edit(room, cutter);
+    test_rules(room, cutter);
+    CHECK_OK(firma_cutter_release(cutter));
+    CHECK_OK(firma_world_release(room));
+}

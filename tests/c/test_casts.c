@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/* Casts one by one, in batches, over threads; and questions about points. */
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "tests/c/check.h"
+
+enum { kThreads = 3, kCasts = 2000 };
+
+struct share {
+    size_t begin, count;
+    void (*work)(void*, size_t);
+    void* context;
+};
+
+static void* run_share(void* given) {
+    const struct share* share = given;
+    for (size_t k = share->begin; k < share->count; k += kThreads) share->work(share->context, k);
+    return NULL;
+}
+
+static void run_on_threads(size_t count, void (*work)(void*, size_t), void* context, void* user) {
+    ++*(int*)user;
+    pthread_t threads[kThreads];
+    struct share shares[kThreads];
+    for (size_t t = 0; t < kThreads; ++t) {
+        shares[t] = (struct share){t, count, work, context};
+        pthread_create(&threads[t], NULL, run_share, &shares[t]);
+    }
+    for (size_t t = 0; t < kThreads; ++t) pthread_join(threads[t], NULL);
+}
+
+static double between(uint32_t* seed, double low, double high) {
+    *seed = *seed * 1664525u + 1013904223u;
+    return low + (high - low) * (*seed >> 8) / 16777216.0;
+}
+
+static void test_one(firma_world room) {
+    const firma_cast_input down = {{4, 4, 2}, 0.5, {0, 0, -4}};
+    firma_hit hit;
+    firma_cast_counts counts = {0};
+    CHECK_OK(firma_cast(room, &down, NULL, &hit, &counts));
+    CHECK(hit.status == FIRMA_HIT && hit.fraction == 0.375 && hit.face == 0 && hit.feature == FIRMA_FACE);
+    CHECK(hit.normal[2] == 1 && hit.point[2] == 0 && hit.centre[2] == 0.5 && hit.other_face == FIRMA_NO_FACE);
+    CHECK(hit.safe_fraction < hit.fraction && hit.safe_fraction > 0.374 && hit.version == 0);
+    CHECK(counts.bins > 0 && counts.faces > 0);
+    uint32_t status = 9;
+    CHECK_OK(firma_cast_any(room, &down, NULL, &status));
+    CHECK(status == FIRMA_HIT);
+
+    const firma_cast_input bad = {{NAN, 0, 0}, 0.5, {0, 0, -4}};
+    CHECK_OK(firma_cast(room, &bad, NULL, &hit, NULL));
+    CHECK(hit.status == FIRMA_INVALID && hit.face == FIRMA_NO_FACE);
+    const firma_cast_input short_one = {{4, 4, 2}, 0.5, {0, 0, -1}};
+    CHECK_OK(firma_cast(room, &short_one, NULL, &hit, NULL));
+    CHECK(hit.status == FIRMA_MISS);
+
+    firma_cast_options options;
+    firma_cast_options_defaults(&options);
+    options.skin = 0.5;
+    CHECK_OK(firma_cast(room, &down, &options, &hit, NULL));
+    CHECK(hit.safe_fraction == 0.25);
+    options.mask = 0;
+    CHECK_OK(firma_cast(room, &down, &options, &hit, NULL));
+    CHECK(hit.status == FIRMA_MISS);
+    options.sides = 7;
+    CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_INVALID, "sides");
+    firma_cast_options_defaults(&options);
+    options.skin = NAN;
+    CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_INVALID, "skin");
+    options.size = 0;
+    CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "size");
+    CHECK_FAILS(firma_cast(room, NULL, NULL, &hit, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_cast(room, &down, NULL, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+}
+
+static void test_all(firma_world room) {
+    const firma_cast_input through = {{4, 4, 2}, 0, {0, 0, -4}};
+    firma_cast_options both;
+    firma_cast_options_defaults(&both);
+    both.sides = 1;
+    const firma_cast_input long_one = {{4, 4, -1}, 0, {0, 0, 6}};
+    firma_hit hits[4];
+    size_t count = 0;
+    CHECK_OK(firma_cast_all(room, &through, NULL, hits, 4, &count));
+    CHECK(count == 1 && hits[0].face == 0);
+    CHECK_OK(firma_cast_all(room, &long_one, &both, hits, 4, &count));
+    CHECK(count == 2 && hits[0].face == 0 && hits[1].face == 1 && hits[0].fraction < hits[1].fraction);
+    hits[1].face = 1234;
+    CHECK_OK(firma_cast_all(room, &long_one, &both, hits, 1, &count));
+    CHECK(count == 2 && hits[1].face == 1234);
+    CHECK_OK(firma_cast_all(room, &long_one, &both, NULL, 0, &count));
+    CHECK(count == 2);
+    const firma_cast_input bad = {{0, 0, 0}, -1, {0, 0, 6}};
+    CHECK_FAILS(firma_cast_all(room, &bad, NULL, NULL, 0, &count), FIRMA_ERROR_OUT_OF_RANGE, "radius");
+    CHECK_FAILS(firma_cast_all(room, &through, NULL, NULL, 3, &count), FIRMA_ERROR_BAD_CALL, "null");
+}
+
+static void test_batch(firma_world room) {
+    firma_cast_input* inputs = calloc(kCasts, sizeof *inputs);
+    firma_hit* hits = calloc(kCasts, sizeof *hits);
+    uint32_t seed = 1;
+    for (int k = 0; k < kCasts; ++k) {
+        for (int axis = 0; axis < 3; ++axis) inputs[k].centre[axis] = between(&seed, 1, 3);
+        inputs[k].radius = k % 2 ? between(&seed, 0.1, 0.5) : 0;
+        for (int axis = 0; axis < 3; ++axis) inputs[k].path[axis] = between(&seed, -9, 9);
+    }
+    firma_cast_counts alone = {0}, batched = {0}, threaded = {0};
+    CHECK_OK(firma_cast_batch(room, inputs, kCasts, NULL, hits, &batched));
+    for (int k = 0; k < kCasts; ++k) {
+        firma_hit hit;
+        memset(&hit, 0, sizeof hit);
+        CHECK_OK(firma_cast(room, &inputs[k], NULL, &hit, &alone));
+        CHECK(memcmp(&hit, &hits[k], sizeof hit) == 0);
+    }
+    CHECK(alone.bins == batched.bins && alone.boxes == batched.boxes && alone.faces == batched.faces);
+
+    int runs = 0;
+    const firma_tasks tasks = {sizeof tasks, run_on_threads, &runs};
+    CHECK_OK(firma_set_tasks(&tasks));
+    firma_hit* again = calloc(kCasts, sizeof *again);
+    CHECK_OK(firma_cast_batch(room, inputs, kCasts, NULL, again, &threaded));
+    CHECK(runs == 1 && memcmp(again, hits, kCasts * sizeof *hits) == 0 && threaded.bins == batched.bins);
+    CHECK_OK(firma_set_tasks(NULL));
+    CHECK_OK(firma_cast_batch(room, NULL, 0, NULL, NULL, NULL));
+    CHECK_FAILS(firma_cast_batch(room, inputs, kCasts, NULL, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    free(inputs);
+    free(hits);
+    free(again);
+}
+
+static void test_points(firma_world room) {
+    const double middle[3] = {4, 4, 2}, rock[3] = {4, 4, -1}, on_floor[3] = {4, 4, 0}, near_corner[3] = {0.1, 0.1, 0.1};
+    const double bad[3] = {0, INFINITY, 0};
+    uint32_t where = 9, found = 9;
+    CHECK_OK(firma_in_solid(room, middle, &where));
+    CHECK(where == 0);
+    CHECK_OK(firma_in_solid(room, rock, &where));
+    CHECK(where == 1);
+    CHECK_OK(firma_in_solid(room, on_floor, &where));
+    CHECK(where == 2);
+    CHECK_FAILS(firma_in_solid(room, bad, &where), FIRMA_ERROR_OUT_OF_RANGE, "finite");
+    firma_near near[6];
+    CHECK_OK(firma_closest(room, middle, INFINITY, ~0u, near, &found));
+    CHECK(found == 1 && near[0].distance == 2 && near[0].face == 0);
+    CHECK_OK(firma_closest(room, middle, 1, ~0u, near, &found));
+    CHECK(found == 0);
+    CHECK_FAILS(firma_closest(room, middle, -1, ~0u, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "reach");
+    size_t count = 0;
+    CHECK_OK(firma_overlap(room, near_corner, 0.2, ~0u, near, 6, &count));
+    CHECK(count == 3 && near[0].face < near[1].face && near[1].face < near[2].face);
+    CHECK_FAILS(firma_overlap(room, bad, 0.2, ~0u, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE, "finite");
+}
+
+void test_casts(void) {
+    const firma_world room = make_room();
+    test_one(room);
+    test_all(room);
+    test_batch(room);
+    test_points(room);
+    CHECK_OK(firma_world_release(room));
+}

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+/* Worlds made well and badly, and what they say of themselves. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "tests/c/check.h"
+
+static const char kTetrahedron[] =
+    "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nusemtl rock\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+static void test_bad_meshes(void) {
+    double positions[] = {0, 0, 0, 4, 0, 0, 0, 4, 0};
+    uint32_t corners[] = {0, 1, 2};
+    uint32_t counts[] = {3};
+    const uint32_t materials[] = {1};
+    firma_mesh mesh = {0};
+    firma_world world = {0};
+    CHECK_FAILS(firma_world_from_mesh(NULL, NULL, NULL, &world), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, &world), FIRMA_ERROR_BAD_CALL, "size");
+    mesh.size = sizeof mesh;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, "empty", NULL, &world), FIRMA_ERROR_MALFORMED, "empty: has no faces");
+    mesh.face_count = 1;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, &world), FIRMA_ERROR_BAD_CALL, "array");
+    mesh.corners = corners;
+    mesh.positions = positions;
+    mesh.vertex_count = 2;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, &world), FIRMA_ERROR_MALFORMED, "face 0: names vertex 2 of 2");
+    mesh.vertex_count = 3;
+    positions[4] = NAN;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, &world), FIRMA_ERROR_OUT_OF_RANGE, "vertex 1: is not finite");
+    positions[4] = 9000;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, "big", NULL, &world), FIRMA_ERROR_OUT_OF_RANGE,
+                "big: vertex 1: lies outside");
+    positions[4] = 0;
+    counts[0] = 2;
+    mesh.corner_counts = counts;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, &world), FIRMA_ERROR_MALFORMED, "2 corners");
+    counts[0] = 3;
+    mesh.materials = materials;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, &world), FIRMA_ERROR_MALFORMED, "material 1 of 0");
+    mesh.materials = NULL;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, NULL, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK(world.id == 0);
+    CHECK_OK(firma_world_from_mesh(&mesh, NULL, NULL, &world));
+    CHECK_OK(firma_world_release(world));
+}
+
+static void test_options(void) {
+    firma_world_options options;
+    firma_world_options_defaults(&options);
+    firma_world world = {0};
+    options.scale = 2;
+    options.skin = 0.25;
+    CHECK_OK(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world));
+    firma_world_facts facts;
+    CHECK_OK(firma_world_get_facts(world, &facts));
+    CHECK(facts.high[0] == 8 && facts.skin == 0.25);
+    CHECK_OK(firma_world_release(world));
+    options.size = 4;
+    CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world),
+                FIRMA_ERROR_BAD_CALL, "size");
+    firma_world_options_defaults(&options);
+    options.skin = -1;
+    CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
+                "skin");
+    firma_world_options_defaults(&options);
+    options.faces_per_bin = 0;
+    CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
+                "tree");
+    firma_world_options_defaults(&options);
+    options.scale = INFINITY;
+    CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
+                "scale");
+}
+
+static void test_obj(void) {
+    firma_world world = {0};
+    CHECK_FAILS(firma_world_from_obj("v 1 2 x\n", 8, "bad.obj", NULL, &world), FIRMA_ERROR_MALFORMED, "bad.obj:1");
+    CHECK_FAILS(firma_world_from_obj(NULL, 8, "bad.obj", NULL, &world), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_world_from_bsp("IBSP", 4, "cut.bsp", NULL, &world), FIRMA_ERROR_MALFORMED, "cut.bsp");
+    CHECK_OK(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, NULL, NULL, &world));
+    const char* name = NULL;
+    CHECK_OK(firma_world_material(world, 1, &name));
+    CHECK(name && strcmp(name, "rock") == 0);
+    CHECK_FAILS(firma_world_material(world, 9, &name), FIRMA_ERROR_INVALID, "no material 9");
+    CHECK_OK(firma_world_release(world));
+}
+
+static void test_room(void) {
+    const firma_world room = make_room();
+    firma_world_facts facts;
+    CHECK_OK(firma_world_get_facts(room, &facts));
+    CHECK(facts.face_count == 6 && facts.room_count == 1 && facts.version == 0 && facts.edits == 0);
+    CHECK(facts.low[0] == 0 && facts.high[2] == 4 && facts.skin == 0.001);
+    CHECK_OK(firma_world_check(room));
+    double volume = 0, area = 0;
+    CHECK_OK(firma_world_measure(room, &volume, &area));
+    CHECK(volume == -256 && area == 256);
+    CHECK_OK(firma_world_measure(room, NULL, NULL));
+
+    firma_world copy = {0};
+    uint64_t hash = 0, hash_of_copy = 1, alone = 0, both = 1;
+    CHECK_OK(firma_world_copy(room, &copy));
+    CHECK(copy.id != room.id);
+    CHECK_OK(firma_world_hash(room, &hash));
+    CHECK_OK(firma_world_hash(copy, &hash_of_copy));
+    CHECK(hash == hash_of_copy);
+    const firma_world two[] = {room, copy};
+    CHECK_OK(firma_world_memory(two, 1, &alone));
+    CHECK_OK(firma_world_memory(two, 2, &both));
+    CHECK(alone > 0 && both >= alone && both < alone + alone / 2);
+
+    firma_faces faces = {0};
+    firma_faces_view view;
+    CHECK_OK(firma_world_faces(room, &faces));
+    CHECK_OK(firma_faces_get_view(faces, &view));
+    CHECK(view.face_count == 6 && view.corner_count == 24);
+    CHECK(view.faces[0].id == 0 && view.faces[0].normal[2] == 1 && view.faces[0].flags == FIRMA_FACE_SOLID);
+    CHECK(view.faces[5].first_corner == 20 && view.faces[5].corner_count == 4);
+    CHECK(view.corners[3] == 8 && view.corners[4] == 0);
+    CHECK_OK(firma_faces_release(faces));
+    CHECK_OK(firma_world_find_face(room, 3, &faces));
+    CHECK_OK(firma_faces_get_view(faces, &view));
+    CHECK(view.face_count == 1 && view.faces[0].id == 3 && view.faces[0].normal[0] == -1);
+    CHECK_OK(firma_faces_release(faces));
+    CHECK_OK(firma_world_find_face(room, 1000, &faces));
+    CHECK_OK(firma_faces_get_view(faces, &view));
+    CHECK(view.face_count == 0);
+    CHECK_OK(firma_faces_release(faces));
+    CHECK_OK(firma_world_release(copy));
+    CHECK_OK(firma_world_release(room));
+}
+
+void test_worlds(void) {
+    test_bad_meshes();
+    test_options();
+    test_obj();
+    test_room();
+}
