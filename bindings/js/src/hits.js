@@ -101,19 +101,10 @@ export function getNear(core, at) {
     };
 }
 
-const BYTES = { status: HIT.status, feature: HIT.feature };
-const WORDS = {
-    featureIndex: HIT.featureIndex,
-    face: HIT.face,
-    otherFace: HIT.otherFace,
-    source: HIT.source,
-    sourceEdit: HIT.sourceEdit,
-    material: HIT.material,
-    room: HIT.room,
-    roomsPassed: HIT.roomsPassed,
-};
-const DOUBLES = { fraction: HIT.fraction, safeFraction: HIT.safeFraction };
-const VECTORS = { centre: HIT.centre, point: HIT.point, normal: HIT.normal, faceNormal: HIT.faceNormal };
+const BYTES = ['status', 'feature'];
+const WORDS = ['featureIndex', 'face', 'otherFace', 'source', 'sourceEdit', 'material', 'room', 'roomsPassed'];
+const DOUBLES = ['fraction', 'safeFraction'];
+const VECTORS = ['centre', 'point', 'normal', 'faceNormal'];
 
 /** Set by HitBatch, which keeps its capacity to itself. */
 let reserveHits;
@@ -132,10 +123,10 @@ export class HitBatch {
     static {
         reserveHits = (batch, count) => {
             if (batch.#capacity < count) {
-                for (const name in BYTES) batch[name] = new Uint8Array(count);
-                for (const name in WORDS) batch[name] = new Uint32Array(count);
-                for (const name in DOUBLES) batch[name] = new Float64Array(count);
-                for (const name in VECTORS) batch[name] = new Float64Array(3 * count);
+                for (const name of BYTES) batch[name] = new Uint8Array(count);
+                for (const name of WORDS) batch[name] = new Uint32Array(count);
+                for (const name of DOUBLES) batch[name] = new Float64Array(count);
+                for (const name of VECTORS) batch[name] = new Float64Array(3 * count);
                 batch.#capacity = count;
             }
             batch.count = count;
@@ -168,26 +159,34 @@ export class HitBatch {
     }
 }
 
-/** One field of hits that lie one after the other from `from`, into an array from its place `begin`. */
-function gather(source, from, stride, count, target, begin) {
-    for (let k = 0, at = from; k < count; ++k, at += stride) target[begin + k] = source[at];
-}
-
-function gatherVectors(source, from, stride, count, target, begin) {
-    for (let k = 0, at = from, to = 3 * begin; k < count; ++k, at += stride, to += 3) {
-        target[to] = source[at];
-        target[to + 1] = source[at + 1];
-        target[to + 2] = source[at + 2];
-    }
-}
-
-/** The hits at `at` become answers `begin` and on. */
+/** The hits at `at` become answers `begin` and on. One loop over all fields: every array is of one type to the engine. */
 export function getHits(core, at, count, batch, begin) {
-    for (const name in BYTES) gather(core.u32, (at + BYTES[name]) >>> 2, HIT.sizeof / 4, count, batch[name], begin);
-    for (const name in WORDS) gather(core.u32, (at + WORDS[name]) >>> 2, HIT.sizeof / 4, count, batch[name], begin);
-    for (const name in DOUBLES) gather(core.f64, (at + DOUBLES[name]) >>> 3, HIT.sizeof / 8, count, batch[name], begin);
-    for (const name in VECTORS)
-        gatherVectors(core.f64, (at + VECTORS[name]) >>> 3, HIT.sizeof / 8, count, batch[name], begin);
+    const { f64, u32 } = core;
+    const { status, feature, featureIndex, face, otherFace, source, sourceEdit, material, room, roomsPassed } = batch;
+    const { fraction, safeFraction, centre, point, normal, faceNormal } = batch;
+    for (let k = 0; k < count; ++k) {
+        const to = begin + k;
+        const w = (at + k * HIT.sizeof) >>> 2;
+        const d = w >>> 1;
+        status[to] = u32[w + U32(HIT.status)];
+        feature[to] = u32[w + U32(HIT.feature)];
+        featureIndex[to] = u32[w + U32(HIT.featureIndex)];
+        face[to] = u32[w + U32(HIT.face)];
+        otherFace[to] = u32[w + U32(HIT.otherFace)];
+        source[to] = u32[w + U32(HIT.source)];
+        sourceEdit[to] = u32[w + U32(HIT.sourceEdit)];
+        material[to] = u32[w + U32(HIT.material)];
+        room[to] = u32[w + U32(HIT.room)];
+        roomsPassed[to] = u32[w + U32(HIT.roomsPassed)];
+        fraction[to] = f64[d + F64(HIT.fraction)];
+        safeFraction[to] = f64[d + F64(HIT.safeFraction)];
+        for (let axis = 0; axis < 3; ++axis) {
+            centre[3 * to + axis] = f64[d + F64(HIT.centre) + axis];
+            point[3 * to + axis] = f64[d + F64(HIT.point) + axis];
+            normal[3 * to + axis] = f64[d + F64(HIT.normal) + axis];
+            faceNormal[3 * to + axis] = f64[d + F64(HIT.faceNormal) + axis];
+        }
+    }
     if (count > 0) batch.version = core.getCount(at + HIT.version);
 }
 
