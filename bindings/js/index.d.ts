@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: MIT
+// The types of the package: collision detection in polygon worlds that get carved.
+//
+// Units: metres, microseconds where said; right-handed. A surface's front is the side from which its corners run
+// counter-clockwise. Every failure throws a FirmaError. Objects with release() hold memory of the module until then.
+//
+// Arguments of a wrong kind or length throw BAD_CALL, released objects and those of another module BAD_HANDLE; this is
+// not said again below.
+
+/// <reference lib="esnext.disposable" />
+
+/** Three numbers: an array, or a typed array of length 3. */
+export type Vector = ArrayLike<number>;
+/** As it comes back: an array of its own. */
+export type Vector3 = [x: number, y: number, z: number];
+/** x, y, z, w. */
+export type Quaternion = [x: number, y: number, z: number, w: number];
+export type Numbers = Float64Array | Float32Array | readonly number[];
+export type Words = Uint32Array | Uint16Array | Uint8Array | readonly number[];
+export type Bytes = ArrayBuffer | ArrayBufferView;
+
+export type ErrorCode =
+    | 'CANNOT_READ' // the module cannot be read or fetched
+    | 'MALFORMED' // data break their format
+    | 'OUT_OF_RANGE' // a number is not finite, or beyond what Firma can hold
+    | 'TOO_LARGE' // a count or size exceeds a limit
+    | 'UNSUPPORTED' // a format or version that Firma does not read
+    | 'INVALID' // arguments that make no sense
+    | 'CANNOT_WRITE'
+    | 'BAD_HANDLE' // released, of another kind, or of another module
+    | 'BAD_CALL' // an argument of a wrong kind, a call out of order
+    | 'NO_MEMORY' // not enough for the arguments: nothing happened
+    | 'BROKEN' // check() found something that does not hold
+    | 'INTERNAL'; // the module stopped (a trap, as when memory runs out within a call): load it anew
+
+export class FirmaError extends Error {
+    constructor(code: ErrorCode, message: string, options?: { cause?: unknown });
+    readonly name: 'FirmaError';
+    readonly code: ErrorCode;
+}
+
+/**
+ * Loads the module, a new instance of it each time.
+ *
+ * @param source nothing: the firma.wasm that comes with the package (fetched in browsers, read as a file in node). Or a
+ *     URL (in node also a path), a Response, the bytes, a compiled module; or a promise of one of these
+ * @throws {FirmaError} CANNOT_READ, MALFORMED (no WebAssembly), UNSUPPORTED (another module, or another version of it)
+ */
+export function loadFirma(source?: Source | PromiseLike<Source>): Promise<Firma>;
+export type Source = string | URL | Response | Bytes | WebAssembly.Module;
+
+/** What holds memory of the module. */
+export interface Handle {
+    /**
+     * Gives the memory back; a second time throws BAD_HANDLE. What is never released is released some time after
+     * nobody can reach it any more, which may be late: a few bytes here may hold megabytes there. Does nothing once the
+     * module has stopped.
+     */
+    release(): void;
+    readonly released: boolean;
+    /** For `using`, where JavaScript has it: as release(), but nothing when that was done already. */
+    [Symbol.dispose](): void;
+}
+
+export interface Firma {
+    /** As '0.1.0'. */
+    readonly version: string;
+    /** Objects that are not released yet: 0 when nothing has leaked. */
+    liveHandles(): number;
+
+    /** A Wavefront .obj file, as a string or its bytes. Closed pieces can be carved, other faces only cast against. */
+    worldFromObj(file: string | Bytes, options?: WorldOptions): World;
+    /** A Quake III .bsp file. */
+    worldFromBsp(file: Bytes, options?: WorldOptions): World;
+    worldFromMesh(mesh: Mesh, options?: WorldOptions): World;
+    /** What World.pack() gave, or a .firma file. `name` is for messages. @throws {FirmaError} MALFORMED, UNSUPPORTED */
+    unpackWorld(file: Bytes, name?: string): World;
+
+    /** Bytes that worlds hold together; what they share counts once. */
+    memory(worlds: readonly World[]): number;
+
+    /** A shape of mean radius about 1 around the origin; equal seeds give equal ones on every machine. */
+    crater(shape: Shape, seed: Seed): Cutter;
+    /** A closed mesh of triangles. @param positions three for each vertex; @param corners three for each triangle */
+    cutterFromMesh(positions: Numbers, corners: Words, name?: string): Cutter;
+    cutterFromObj(file: string | Bytes, name?: string): Cutter;
+    /** A unit quaternion, evenly distributed; equal seeds give equal ones on every machine. */
+    randomTurn(seed: Seed): Quaternion;
+
+    /**
+     * A history that begins with `world`.
+     * @param mostBytes what versions other than the current one may hold; 0: no undo, Infinity: no bound
+     */
+    openStore(world: World, mostBytes: number | bigint): Store;
+}
+
+/** An integer from 0: below 2^53 as a number, below 2^64 as a BigInt. */
+export type Seed = number | bigint;
+/** 'rocky' has 180 triangles and radii from 0.78 to 1.2; 'box' goes from -1 to 1. */
+export type Shape = 'rocky' | 'spiky' | 'drill' | 'wedge' | 'box';
+
+export interface WorldOptions {
+    /** For messages. */
+    name?: string;
+    /** How far movers stay from surfaces, metres; 0.001 unless given. */
+    skin?: number;
+    /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp). */
+    scale?: number;
+    /** Whether bins are split by surface area, not in half. */
+    surfaceArea?: boolean;
+    /** 0..64 */
+    maxDepth?: number;
+    /** >= 1 */
+    facesPerBin?: number;
+    /** Cubic metres. */
+    minBinVolume?: number;
+}
+
+/** Polygons; each is divided where it is not convex and planar on the grid of 1/4096 m. */
+export interface Mesh {
+    /** Three for each vertex. */
+    positions: Numbers;
+    /** Indices of vertices, face after face, counter-clockwise seen from the air. */
+    corners: Words;
+    /** For each face, >= 3; none: all are triangles. Their sum is the length of `corners`. */
+    cornerCounts?: Words;
+    /** For each face, an index of `materialNames`; none: the first. */
+    materials?: Words;
+    materialNames?: readonly string[];
+    /** For each face, what casts choose by; none: all bits. */
+    masks?: Words;
+    /** For each face; none: no face is. */
+    twoSided?: ArrayLike<boolean | number>;
+}
+
+export interface WorldFacts {
+    /** 0 as read; every edit adds one. */
+    version: number;
+    faceCount: number;
+    roomCount: number;
+    /** Bounds of all faces; low > high when there are none. */
+    low: Vector3;
+    high: Vector3;
+    skin: number;
+    materials: string[];
+    /** Cuts and fills so far. */
+    edits: number;
+}
+
+/** Faces, an array for each of their properties; face k has corners firstCorners[k] and on, cornerCounts[k] of them. */
+export interface Faces {
+    /** Of the world's lifetime: a face keeps its id until an edit touches it. */
+    ids: Uint32Array;
+    /** Unit, three for each. */
+    normals: Float64Array;
+    materials: Uint32Array;
+    /** Index of the face in the level's file; where sourceEdits is not 0, of a triangle of that edit's cutter. */
+    sources: Uint32Array;
+    /** 0: of the level's file; else the number of the edit. */
+    sourceEdits: Uint32Array;
+    masks: Uint32Array;
+    /** Bits: FACE_TWO_SIDED, FACE_SOLID. */
+    flags: Uint32Array;
+    /** Counted in points. */
+    firstCorners: Uint32Array;
+    cornerCounts: Uint32Array;
+    /** Three for each; convex, counter-clockwise seen from the front. */
+    corners: Float64Array;
+}
+export const FACE_TWO_SIDED: 1;
+/** Bounds a closed solid, which can be carved. */
+export const FACE_SOLID: 2;
+/** What ids of faces in a HitBatch are where there is none. */
+export const NO_FACE: 0xffffffff;
+
+export interface Face {
+    id: number;
+    normal: Vector3;
+    material: number;
+    source: number;
+    sourceEdit: number;
+    mask: number;
+    flags: number;
+    /** Three for each. */
+    corners: Float64Array;
+}
+
+/** A sphere that moves along `path`; radius 0 casts a particle. */
+export interface CastInput {
+    centre: Vector;
+    radius: number;
+    path: Vector;
+}
+
+export interface CastOptions {
+    /** Faces that share a bit are met; all unless given. */
+    mask?: number;
+    /** Whether faces are met from behind too. */
+    bothSides?: boolean;
+    /** Metres; the world's unless given. */
+    skin?: number;
+}
+
+/** What casts looked at. */
+export interface CastCounts {
+    bins: number;
+    boxes: number;
+    faces: number;
+    precise: number;
+}
+
+/** `counts`: an object whose four numbers are added to. */
+export interface CountedCastOptions extends CastOptions {
+    counts?: Partial<CastCounts>;
+}
+
+/** 'invalid': a number of the input is no good, nothing was asked. 'touching': at the start, and moving closer. */
+export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
+export type Feature = 'face' | 'edge' | 'vertex';
+
+/** Where nothing was met, only status, fraction (1), safeFraction, centre, room, roomsPassed and version mean anything. */
+export interface Hit {
+    status: Status;
+    /** Of the path, 0..1. */
+    fraction: number;
+    /** How far to go so that the skin is kept. */
+    safeFraction: number;
+    /** Of the sphere at `fraction`. */
+    centre: Vector3;
+    /** Of the surface. */
+    point: Vector3;
+    /** Unit, from `point` toward the centre. */
+    normal: Vector3;
+    faceNormal: Vector3;
+    feature: Feature;
+    /** Corner of the vertex, or of the edge's first corner. */
+    featureIndex: number;
+    face: number | null;
+    /** Across the edge that was met. */
+    otherFace: number | null;
+    source: number;
+    sourceEdit: number;
+    material: number;
+    room: number;
+    roomsPassed: number;
+    /** Of the world that was asked. */
+    version: number;
+}
+
+/**
+ * The answers of castBatch(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
+ * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE for null.
+ */
+export class HitBatch {
+    /** An empty one, to be given as `out`. */
+    constructor();
+    readonly count: number;
+    readonly version: number;
+    readonly status: Uint8Array;
+    readonly feature: Uint8Array;
+    readonly fraction: Float64Array;
+    readonly safeFraction: Float64Array;
+    /** Three for each, as are the next ones. */
+    readonly centre: Float64Array;
+    readonly point: Float64Array;
+    readonly normal: Float64Array;
+    readonly faceNormal: Float64Array;
+    readonly featureIndex: Uint32Array;
+    readonly face: Uint32Array;
+    readonly otherFace: Uint32Array;
+    readonly source: Uint32Array;
+    readonly sourceEdit: Uint32Array;
+    readonly material: Uint32Array;
+    readonly room: Uint32Array;
+    readonly roomsPassed: Uint32Array;
+    /** Answer k as cast() gives it; null when there is no such answer. */
+    hit(k: number): Hit | null;
+}
+
+/** A face near a point. */
+export interface Near {
+    /** The nearest of the face. */
+    point: Vector3;
+    /** Metres. */
+    distance: number;
+    face: number;
+    source: number;
+    sourceEdit: number;
+    material: number;
+    feature: Feature;
+    featureIndex: number;
+}
+
+/** Where a cutter goes: turned, scaled, moved. */
+export interface Pose {
+    position: Vector;
+    /** x, y, z, w, of any length but zero; not turned unless given. */
+    rotation?: ArrayLike<number>;
+    /** Metres a unit of the cutter, > 0; 1 unless given. */
+    scale?: number;
+}
+
+export interface CarveOptions {
+    /** Adds the cutter instead of taking it away. */
+    fill?: boolean;
+    /** Name of the material of the faces it leaves; '' unless given. */
+    material?: string;
+}
+
+export interface CarveReport {
+    /** 'nothing': the cutter meets nothing. 'refused': rules, limits or the pose do not allow it. */
+    status: 'done' | 'nothing' | 'refused';
+    /** Why it was refused; '' when it was not. */
+    reason: string;
+    retries: number;
+    facesLookedAt: number;
+    facesCut: number;
+    facesGone: number;
+    facesNew: number;
+    /** What zones and materials left of the cutter's scale. */
+    scale: number;
+    /** Cubic metres taken; negative when added. */
+    volume: number;
+    /** Microseconds, `total` their sum. */
+    times: Record<'place' | 'gather' | 'cut' | 'label' | 'trace' | 'facets' | 'tree' | 'total', number>;
+}
+
+/** `world` is always a handle of its own, to be released; of the world before when nothing was done. */
+export interface CarveResult {
+    world: World;
+    report: CarveReport;
+}
+
+/** What changed from one world to another: take `gone` out of the faces, put `come` in. */
+export interface Diff {
+    /** Ids, ascending. */
+    gone: Uint32Array;
+    /** In order of id. */
+    come: Faces;
+    /** Three for each: the cell from tile * tileSize to (tile + 1) * tileSize. */
+    tiles: Int32Array;
+    /** Bounds of all that changed; low > high when nothing did. */
+    low: Vector3;
+    high: Vector3;
+    /** Too much changed: `tiles` is empty. */
+    tooManyTiles: boolean;
+}
+
+/** A region that refuses a cut (hardness 1) or shrinks it. */
+export interface Zone {
+    name?: string;
+    low: Vector;
+    high: Vector;
+    /** 0..1 */
+    hardness: number;
+}
+
+/** 0 or none takes a limit's default. */
+export interface Rules {
+    zones?: readonly Zone[];
+    /** By material, 0..1; missing ones are 0. */
+    hardness?: Numbers;
+    mostFaces?: number;
+    mostFacesLookedAt?: number;
+    mostNewFaces?: number;
+    mostCutterTriangles?: number;
+    mostPairs?: number;
+    mostCorners?: number;
+    /** Metres. */
+    largestCutter?: number;
+}
+
+/** A value: it never changes, edits make others that share with it what they did not touch. */
+export interface World extends Handle {
+    /** Another handle to the same value. */
+    copy(): World;
+    facts(): WorldFacts;
+    /** Of everything the world holds: equal edits in equal order give equal ones on every machine. */
+    hash(): bigint;
+    /** @throws {FirmaError} BROKEN when an invariant of faces, trees or the exact solid does not hold */
+    check(): void;
+    /** The solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and area. */
+    measure(): { volume: number; area: number };
+    /** Bytes. */
+    memory(): number;
+    /** Copies of all faces, in order of id. */
+    faces(): Faces;
+    /** Null when the world has no such face. Searches all faces. */
+    findFace(id: number): Face | null;
+
+    /** The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. */
+    cast(input: CastInput, options?: CountedCastOptions): Hit;
+    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    castAny(input: CastInput, options?: CastOptions): boolean;
+    /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
+    castAll(input: CastInput, options?: CastOptions): Hit[];
+    /**
+     * Many casts: answer k is what cast() gives for input k.
+     * @param inputs seven numbers a cast: centre, radius, path; fastest as a Float64Array
+     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned
+     */
+    castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
+    /** Faces that a closed ball touches, by id. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    overlap(centre: Vector, radius: number, mask?: number): Near[];
+    /**
+     * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are no good
+     */
+    closest(point: Vector, reach?: number, mask?: number): Near | null;
+    /** Null where that cannot be said (on a face). @throws {FirmaError} OUT_OF_RANGE for a number that is not finite */
+    inSolid(point: Vector): boolean | null;
+
+    /** One edit. A pose with bad numbers, too, is refused in the report, not thrown. */
+    carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveResult;
+    /** One edit, in slices of time. */
+    startCarve(cutter: Cutter, pose: Pose, options?: CarveOptions): Job;
+    /** Several edits that become one version. */
+    edit(): Edit;
+    /**
+     * What changed from this world to `after`.
+     * @param tileSize metres, at least 1/16; 0 or none: no tiles
+     */
+    diff(after: World, tileSize?: number): Diff;
+    /** The same world under other rules for carving. */
+    withRules(rules: Rules): World;
+    /**
+     * The bytes of a .firma file.
+     * @param options `exact: false` leaves the exact part out: the world read back can be cast against, not carved
+     */
+    pack(options?: { exact?: boolean }): Uint8Array<ArrayBuffer>;
+}
+
+/** A shape to carve with; it never changes. */
+export interface Cutter extends Handle {}
+
+export interface Job extends Handle {
+    /** Goes on for about so long; whether it is finished. Infinity: to the end. */
+    run(microseconds: number): boolean;
+    /** As of carve(), a new handle each time. @throws {FirmaError} BAD_CALL before it is finished */
+    result(): CarveResult;
+}
+
+export interface Edit extends Handle {
+    carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveReport;
+    /** The world as edited so far, one version on. The edit can go on afterwards. */
+    finish(): World;
+}
+
+/** `oldest`, `current`, `newest` are versions; `versions` counts those held, undone ones included. */
+export interface StoreFacts {
+    oldest: number;
+    current: number;
+    newest: number;
+    versions: number;
+    /** Held beside the newest version. */
+    bytes: number;
+    /** Dropped versions that somebody held when it was last looked. */
+    waiting: number;
+}
+
+/** The current world and those before it, for undo. Worlds it gives are handles of their own, to be released. */
+export interface Store extends Handle {
+    current(): World;
+    /**
+     * Makes `after` the current world; drops what was undone, and the oldest versions beyond the bytes.
+     * @throws {FirmaError} INVALID, and nothing changed, when `before`, from which it was made, is not the current world
+     */
+    publish(before: World, after: World): void;
+    /** The world gone back to. @throws {FirmaError} INVALID when there is none */
+    undo(): World;
+    redo(): World;
+    /** @throws {FirmaError} INVALID for a version that is not held */
+    at(version: number | bigint): World;
+    facts(): StoreFacts;
+    /** Frees dropped versions that nobody holds any more; how many are still held. */
+    collect(): number;
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Cutters, and edits in one go, in slices, and several at once.
+import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
+import { badCall } from './errors.js';
+import { CARVE_OPTIONS, CARVE_REPORT, CARVE_STATUS_NAMES, POSE } from './layout.js';
+import { flag, number, object, text, vector } from './arguments.js';
+import { World } from './world.js';
+
+export class Cutter extends Handle {
+    constructor(core, id) {
+        super(core, id, 'firma_cutter_release');
+    }
+}
+
+/** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
+function putOrder(core, lent, cutter, pose, options, place) {
+    const id = idOf(cutter, core, place, 'cutter');
+    if (typeof pose !== 'object' || pose === null) throw badCall(place, 'the pose must be { position, rotation, scale }');
+    object(options, place, 'the options');
+    const position = vector(pose.position, 3, place, 'position');
+    const rotation = vector(pose.rotation ?? [0, 0, 0, 1], 4, place, 'rotation');
+    const scale = number(pose.scale ?? 1, place, 'scale');
+    const fill = flag(options?.fill, place, 'fill');
+    const material = text(options?.material, place, 'material');
+    const name = material === '' ? 0 : lent.text(material);
+    const { pose: at, carveOptions } = core.at;
+    core.setVector(at + POSE.position, position);
+    core.setVector(at + POSE.rotation, rotation);
+    core.setF64(at + POSE.scale, scale);
+    core.setU32(carveOptions + CARVE_OPTIONS.size, CARVE_OPTIONS.sizeof);
+    core.setU32(carveOptions + CARVE_OPTIONS.fill, fill);
+    core.setU32(carveOptions + CARVE_OPTIONS.material, name);
+    return [id, at, carveOptions];
+}
+
+function getReport(core) {
+    const at = core.at.report;
+    const status = CARVE_STATUS_NAMES[core.getU32(at + CARVE_REPORT.status)];
+    const times = {};
+    let total = 0;
+    for (const phase of ['place', 'gather', 'cut', 'label', 'trace', 'facets', 'tree']) {
+        times[phase] = core.getF64(at + CARVE_REPORT[`${phase}Us`]);
+        total += times[phase];
+    }
+    return {
+        status,
+        reason: status === 'refused' ? core.message() : '',
+        retries: core.getU32(at + CARVE_REPORT.retries),
+        facesLookedAt: core.getCount(at + CARVE_REPORT.facesLookedAt),
+        facesCut: core.getCount(at + CARVE_REPORT.facesCut),
+        facesGone: core.getCount(at + CARVE_REPORT.facesGone),
+        facesNew: core.getCount(at + CARVE_REPORT.facesNew),
+        scale: core.getF64(at + CARVE_REPORT.scale),
+        volume: core.getF64(at + CARVE_REPORT.volume),
+        times: { ...times, total },
+    };
+}
+
+/** What firma_carve() and firma_job_result() put. */
+function getResult(core) {
+    const world = new World(core, core.u64[core.at.out >>> 3]);
+    return { world, report: getReport(core) };
+}
+
+export function carve(world, cutter, pose, options) {
+    const core = world[CORE];
+    return core.borrow((lent) => {
+        const order = putOrder(core, lent, cutter, pose, options, 'carve');
+        core.run('firma_carve', world[ID], ...order, core.at.out, core.at.report);
+        return getResult(core);
+    });
+}
+
+export class Job extends Handle {
+    constructor(core, id) {
+        super(core, id, 'firma_job_release');
+    }
+
+    static start(world, cutter, pose, options) {
+        const core = world[CORE];
+        return core.borrow((lent) => {
+            const order = putOrder(core, lent, cutter, pose, options, 'startCarve');
+            return new Job(core, makeHandle(core, 'firma_job_start', world[ID], ...order));
+        });
+    }
+
+    run(microseconds) {
+        const core = this[CORE];
+        number(microseconds, 'run', 'microseconds');
+        core.run('firma_job_run', this[ID], microseconds, core.at.out);
+        return core.getU32(core.at.out) !== 0;
+    }
+
+    result() {
+        const core = this[CORE];
+        core.run('firma_job_result', this[ID], core.at.out, core.at.report);
+        return getResult(core);
+    }
+}
+
+export class Edit extends Handle {
+    constructor(core, id) {
+        super(core, id, 'firma_edit_release');
+    }
+
+    static begin(world) {
+        const core = world[CORE];
+        return new Edit(core, makeHandle(core, 'firma_edit_begin', world[ID]));
+    }
+
+    carve(cutter, pose, options) {
+        const core = this[CORE];
+        return core.borrow((lent) => {
+            const order = putOrder(core, lent, cutter, pose, options, 'carve');
+            core.run('firma_edit_carve', this[ID], ...order, core.at.report);
+            return getReport(core);
+        });
+    }
+
+    finish() {
+        const core = this[CORE];
+        return new World(core, makeHandle(core, 'firma_edit_finish', this[ID]));
+    }
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Faces as arrays: copies of what the module shows.
+import { DIFF_VIEW, FACE, FACES_VIEW } from './layout.js';
+
+/** @param faces, corners addresses; @param count, cornerCount how many there are */
+function getFaces(core, faces, count, corners, cornerCount) {
+    const words = (offset) => {
+        const all = new Uint32Array(count);
+        for (let k = 0, at = (faces + offset) >>> 2; k < count; ++k, at += FACE.sizeof / 4) all[k] = core.u32[at];
+        return all;
+    };
+    const normals = new Float64Array(3 * count);
+    for (let k = 0; k < count; ++k) {
+        const at = (faces + k * FACE.sizeof + FACE.normal) >>> 3;
+        for (let axis = 0; axis < 3; ++axis) normals[3 * k + axis] = core.f64[at + axis];
+    }
+    return {
+        ids: words(FACE.id),
+        normals,
+        materials: words(FACE.material),
+        sources: words(FACE.source),
+        sourceEdits: words(FACE.sourceEdit),
+        masks: words(FACE.mask),
+        flags: words(FACE.flags),
+        firstCorners: words(FACE.firstCorner),
+        cornerCounts: words(FACE.cornerCount),
+        corners: core.f64.slice(corners >>> 3, (corners >>> 3) + 3 * cornerCount),
+    };
+}
+
+/** What a firma_faces handle shows; releases it. */
+export function takeFaces(core, handle) {
+    try {
+        const at = core.at.facesView;
+        core.run('firma_faces_get_view', handle, at);
+        const [faces, count] = [core.getU32(at + FACES_VIEW.faces), core.getU32(at + FACES_VIEW.faceCount)];
+        const [corners, cornerCount] = [core.getU32(at + FACES_VIEW.corners), core.getU32(at + FACES_VIEW.cornerCount)];
+        return getFaces(core, faces, count, corners, cornerCount);
+    } finally {
+        core.call('firma_faces_release', handle);
+    }
+}
+
+/** What a firma_diff handle shows; releases it. */
+export function takeDiff(core, handle) {
+    try {
+        const at = core.at.diffView;
+        core.run('firma_diff_get_view', handle, at);
+        const get = (field) => core.getU32(at + DIFF_VIEW[field]);
+        const gone = get('gone') >>> 2;
+        const tiles = get('tiles') >>> 2;
+        return {
+            gone: core.u32.slice(gone, gone + get('goneCount')),
+            come: getFaces(core, get('come'), get('comeCount'), get('corners'), get('cornerCount')),
+            tiles: core.i32.slice(tiles, tiles + 3 * get('tileCount')),
+            low: core.getVector(at + DIFF_VIEW.low),
+            high: core.getVector(at + DIFF_VIEW.high),
+            tooManyTiles: get('tooManyTiles') !== 0,
+        };
+    } finally {
+        core.call('firma_diff_release', handle);
+    }
+}

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// What `import ... from 'firma'` gives.
+export { loadFirma } from './load.js';
+export { FirmaError } from './errors.js';
+export { HitBatch, NO_FACE } from './hits.js';
+export { FACE_SOLID, FACE_TWO_SIDED } from './layout.js';

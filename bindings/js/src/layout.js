@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// Written by tools/make_layout.js from firma_c.h; change that, not this file. Bytes, as clang lays structs out for wasm32.
+
+export const VERSION = '0.1.0';
+
+export const FACE_TWO_SIDED = 1;
+export const FACE_SOLID = 2;
+
+/** By the numbers of firma_code. */
+export const CODE_NAMES = Object.freeze([
+    'OK',
+    'CANNOT_READ',
+    'MALFORMED',
+    'OUT_OF_RANGE',
+    'TOO_LARGE',
+    'UNSUPPORTED',
+    'INVALID',
+    'CANNOT_WRITE',
+    'BAD_HANDLE',
+    'BAD_CALL',
+    'NO_MEMORY',
+    'BROKEN',
+    'INTERNAL',
+]);
+
+/** By the numbers of firma_status. */
+export const STATUS_NAMES = Object.freeze([
+    'miss',
+    'hit',
+    'touching',
+    'invalid',
+]);
+
+/** By the numbers of firma_feature. */
+export const FEATURE_NAMES = Object.freeze([
+    'face',
+    'edge',
+    'vertex',
+]);
+
+/** By the numbers of firma_shape. */
+export const SHAPE_NAMES = Object.freeze([
+    'rocky',
+    'spiky',
+    'drill',
+    'wedge',
+    'box',
+]);
+
+/** By the numbers of firma_carve_status. */
+export const CARVE_STATUS_NAMES = Object.freeze([
+    'done',
+    'nothing',
+    'refused',
+]);
+
+/** firma_allocator */
+export const ALLOCATOR = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    take: 4,
+    giveBack: 8,
+    user: 12,
+});
+
+/** firma_tasks */
+export const TASKS = Object.freeze({
+    sizeof: 12,
+    size: 0,
+    run: 4,
+    user: 8,
+});
+
+/** firma_world_options */
+export const WORLD_OPTIONS = Object.freeze({
+    sizeof: 40,
+    size: 0,
+    surfaceArea: 4,
+    maxDepth: 8,
+    facesPerBin: 12,
+    minBinVolume: 16,
+    skin: 24,
+    scale: 32,
+});
+
+/** firma_mesh */
+export const MESH = Object.freeze({
+    sizeof: 44,
+    size: 0,
+    materialCount: 4,
+    positions: 8,
+    vertexCount: 12,
+    corners: 16,
+    cornerCounts: 20,
+    faceCount: 24,
+    materials: 28,
+    materialNames: 32,
+    masks: 36,
+    twoSided: 40,
+});
+
+/** firma_world_facts */
+export const WORLD_FACTS = Object.freeze({
+    sizeof: 88,
+    version: 0,
+    faceCount: 8,
+    roomCount: 16,
+    low: 24,
+    high: 48,
+    skin: 72,
+    materialCount: 80,
+    edits: 84,
+});
+
+/** firma_zone */
+export const ZONE = Object.freeze({
+    sizeof: 64,
+    name: 0,
+    low: 8,
+    high: 32,
+    hardness: 56,
+});
+
+/** firma_rules */
+export const RULES = Object.freeze({
+    sizeof: 80,
+    size: 0,
+    reserved: 4,
+    zones: 8,
+    zoneCount: 12,
+    hardness: 16,
+    hardnessCount: 20,
+    mostFaces: 24,
+    mostFacesLookedAt: 32,
+    mostNewFaces: 40,
+    mostCutterTriangles: 48,
+    mostPairs: 56,
+    mostCorners: 64,
+    largestCutter: 72,
+});
+
+/** firma_face */
+export const FACE = Object.freeze({
+    sizeof: 56,
+    normal: 0,
+    id: 24,
+    source: 28,
+    sourceEdit: 32,
+    material: 36,
+    mask: 40,
+    flags: 44,
+    firstCorner: 48,
+    cornerCount: 52,
+});
+
+/** firma_faces_view */
+export const FACES_VIEW = Object.freeze({
+    sizeof: 16,
+    faces: 0,
+    faceCount: 4,
+    corners: 8,
+    cornerCount: 12,
+});
+
+/** firma_cast_input */
+export const CAST_INPUT = Object.freeze({
+    sizeof: 56,
+    centre: 0,
+    radius: 24,
+    path: 32,
+});
+
+/** firma_cast_options */
+export const CAST_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    mask: 4,
+    sides: 8,
+    reserved: 12,
+    skin: 16,
+});
+
+/** firma_hit */
+export const HIT = Object.freeze({
+    sizeof: 160,
+    fraction: 0,
+    safeFraction: 8,
+    centre: 16,
+    point: 40,
+    normal: 64,
+    faceNormal: 88,
+    version: 112,
+    status: 120,
+    feature: 124,
+    featureIndex: 128,
+    face: 132,
+    otherFace: 136,
+    source: 140,
+    sourceEdit: 144,
+    material: 148,
+    room: 152,
+    roomsPassed: 156,
+});
+
+/** firma_cast_counts */
+export const CAST_COUNTS = Object.freeze({
+    sizeof: 32,
+    bins: 0,
+    boxes: 8,
+    faces: 16,
+    precise: 24,
+});
+
+/** firma_near */
+export const NEAR = Object.freeze({
+    sizeof: 56,
+    point: 0,
+    distance: 24,
+    face: 32,
+    source: 36,
+    sourceEdit: 40,
+    material: 44,
+    feature: 48,
+    featureIndex: 52,
+});
+
+/** firma_pose */
+export const POSE = Object.freeze({
+    sizeof: 64,
+    position: 0,
+    rotation: 24,
+    scale: 56,
+});
+
+/** firma_carve_options */
+export const CARVE_OPTIONS = Object.freeze({
+    sizeof: 12,
+    size: 0,
+    fill: 4,
+    material: 8,
+});
+
+/** firma_carve_report */
+export const CARVE_REPORT = Object.freeze({
+    sizeof: 112,
+    status: 0,
+    retries: 4,
+    facesLookedAt: 8,
+    facesCut: 16,
+    facesGone: 24,
+    facesNew: 32,
+    scale: 40,
+    volume: 48,
+    placeUs: 56,
+    gatherUs: 64,
+    cutUs: 72,
+    labelUs: 80,
+    traceUs: 88,
+    facetsUs: 96,
+    treeUs: 104,
+});
+
+/** firma_diff_view */
+export const DIFF_VIEW = Object.freeze({
+    sizeof: 88,
+    gone: 0,
+    goneCount: 4,
+    come: 8,
+    comeCount: 12,
+    corners: 16,
+    cornerCount: 20,
+    tiles: 24,
+    tileCount: 28,
+    low: 32,
+    high: 56,
+    tooManyTiles: 80,
+    reserved: 84,
+});
+
+/** firma_store_facts */
+export const STORE_FACTS = Object.freeze({
+    sizeof: 48,
+    oldest: 0,
+    current: 8,
+    newest: 16,
+    versions: 24,
+    bytes: 32,
+    waiting: 40,
+});

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Rules for carving, as the module takes them.
+import { badCall } from './errors.js';
+import { RULES, ZONE } from './layout.js';
+import { doubles, longWord, number, object, text, vector } from './arguments.js';
+
+const PLACE = 'withRules';
+const LIMITS = ['mostFaces', 'mostFacesLookedAt', 'mostNewFaces', 'mostCutterTriangles', 'mostPairs', 'mostCorners'];
+
+function putZones(core, lent, zones) {
+    const at = lent.take(zones.length * ZONE.sizeof);
+    zones.forEach((zone, k) => {
+        const place = `${PLACE}: zone ${k}`;
+        if (typeof zone !== 'object' || zone === null) throw badCall(place, 'it must be { name, low, high, hardness }');
+        const low = vector(zone.low, 3, place, 'low');
+        const high = vector(zone.high, 3, place, 'high');
+        const hardness = number(zone.hardness, place, 'hardness');
+        const name = lent.text(text(zone.name, place, 'name'));
+        const start = at + k * ZONE.sizeof;
+        core.setU32(start + ZONE.name, name);
+        core.setVector(start + ZONE.low, low);
+        core.setVector(start + ZONE.high, high);
+        core.setF64(start + ZONE.hardness, hardness);
+    });
+    return at;
+}
+
+/** @returns the address of the struct */
+export function putRules(core, lent, rules) {
+    const given = object(rules, PLACE, 'the rules');
+    const zones = given.zones ?? [];
+    if (!Array.isArray(zones)) throw badCall(PLACE, 'zones must be an array');
+    const hardness = doubles(given.hardness ?? [], 1, PLACE, 'hardness');
+    const limits = LIMITS.map((name) => longWord(given[name] ?? 0, PLACE, name));
+    const largest = number(given.largestCutter ?? 0, PLACE, 'largestCutter');
+    const zonesAt = putZones(core, lent, zones);
+    const hardnessAt = lent.doubles(hardness);
+    const at = core.at.rules;
+    core.setU32(at + RULES.size, RULES.sizeof);
+    core.setU32(at + RULES.reserved, 0);
+    core.setU32(at + RULES.zones, zonesAt);
+    core.setU32(at + RULES.zoneCount, zones.length);
+    core.setU32(at + RULES.hardness, hardnessAt);
+    core.setU32(at + RULES.hardnessCount, hardness.length);
+    LIMITS.forEach((name, k) => core.setU64(at + RULES[name], limits[k]));
+    core.setF64(at + RULES.largestCutter, largest);
+    return at;
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Worlds: what they are, what they meet, and edits of them.
+import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
+import { badCall, FirmaError } from './errors.js';
+import { CASTS_AT_ONCE } from './core.js';
+import { CAST_INPUT, HIT, NEAR, WORLD_FACTS } from './layout.js';
+import { doubles, flag, mask as maskOf, number, object, vector, word } from './arguments.js';
+import { addCounts, clearCounts, getHit, getHits, getNear, HitBatch, putCastOptions, putInput, reserve } from './hits.js';
+import { carve, Edit, Job } from './carving.js';
+import { takeDiff, takeFaces } from './faces.js';
+import { putRules } from './rules.js';
+
+/** All of a list whose length is not known before: asks again when there is no room for all. */
+function getList(core, ask, bytes, get) {
+    let room = Math.floor((CASTS_AT_ONCE * (CAST_INPUT.sizeof + HIT.sizeof)) / bytes);
+    let found = ask(core.batch(), room);
+    const read = (at) => Array.from({ length: found }, (_, k) => get(core, at + k * bytes));
+    if (found <= room) return read(core.batch());
+    return core.borrow((lent) => {
+        room = found;
+        const at = lent.take(room * bytes);
+        found = ask(at, room);
+        return read(at);
+    });
+}
+
+export class World extends Handle {
+    constructor(core, id) {
+        super(core, id, 'firma_world_release');
+    }
+
+    copy() {
+        const core = this[CORE];
+        return new World(core, makeHandle(core, 'firma_world_copy', this[ID]));
+    }
+
+    facts() {
+        const core = this[CORE];
+        const at = core.at.worldFacts;
+        core.run('firma_world_get_facts', this[ID], at);
+        const facts = {
+            version: core.getCount(at + WORLD_FACTS.version),
+            faceCount: core.getCount(at + WORLD_FACTS.faceCount),
+            roomCount: core.getCount(at + WORLD_FACTS.roomCount),
+            low: core.getVector(at + WORLD_FACTS.low),
+            high: core.getVector(at + WORLD_FACTS.high),
+            skin: core.getF64(at + WORLD_FACTS.skin),
+            materials: [],
+            edits: core.getU32(at + WORLD_FACTS.edits),
+        };
+        const count = core.getU32(at + WORLD_FACTS.materialCount);
+        for (let material = 0; material < count; ++material) {
+            core.run('firma_world_material', this[ID], material, core.at.out);
+            facts.materials.push(core.text(core.getU32(core.at.out)));
+        }
+        return facts;
+    }
+
+    hash() {
+        const core = this[CORE];
+        core.run('firma_world_hash', this[ID], core.at.out);
+        return core.u64[core.at.out >>> 3];
+    }
+
+    check() {
+        this[CORE].run('firma_world_check', this[ID]);
+    }
+
+    measure() {
+        const core = this[CORE];
+        const at = core.at.out;
+        core.run('firma_world_measure', this[ID], at, at + 8);
+        return { volume: core.getF64(at), area: core.getF64(at + 8) };
+    }
+
+    memory() {
+        return memoryOf(this[CORE], [this]);
+    }
+
+    faces() {
+        const core = this[CORE];
+        return takeFaces(core, makeHandle(core, 'firma_world_faces', this[ID]));
+    }
+
+    findFace(id) {
+        const core = this[CORE];
+        word(id, 'findFace', 'the id');
+        const found = takeFaces(core, makeHandle(core, 'firma_world_find_face', this[ID], id));
+        if (found.ids.length === 0) return null;
+        return {
+            id: found.ids[0],
+            normal: Array.from(found.normals),
+            material: found.materials[0],
+            source: found.sources[0],
+            sourceEdit: found.sourceEdits[0],
+            mask: found.masks[0],
+            flags: found.flags[0],
+            corners: found.corners,
+        };
+    }
+
+    cast(input, options) {
+        const core = this[CORE];
+        const at = core.at.hit;
+        const given = putInput(core, input, 'cast');
+        const chosen = putCastOptions(core, options, 'cast');
+        const counts = clearCounts(core, options, 'cast');
+        let code;
+        try {
+            code = core.exports.firma_cast(this[ID], given, chosen, at, counts);
+        } catch (error) {
+            throw core.stop(error);
+        }
+        core.refresh();
+        if (code !== 0) throw core.failure(code);
+        addCounts(core, counts, options);
+        return getHit(core, at);
+    }
+
+    castAny(input, options) {
+        const core = this[CORE];
+        const given = putInput(core, input, 'castAny');
+        const chosen = putCastOptions(core, options, 'castAny');
+        let code;
+        try {
+            code = core.exports.firma_cast_any(this[ID], given, chosen, core.at.out);
+        } catch (error) {
+            throw core.stop(error);
+        }
+        core.refresh();
+        if (code !== 0) throw core.failure(code);
+        const status = core.getU32(core.at.out);
+        if (status === 3) throw new FirmaError('OUT_OF_RANGE', 'castAny: a number is not finite or too large, or the radius negative');
+        return status !== 0;
+    }
+
+    castAll(input, options) {
+        const core = this[CORE];
+        const ask = (at, room) => {
+            const given = putInput(core, input, 'castAll');
+            const chosen = putCastOptions(core, options, 'castAll');
+            core.run('firma_cast_all', this[ID], given, chosen, at, room, core.at.out);
+            return core.getU32(core.at.out);
+        };
+        return getList(core, ask, HIT.sizeof, getHit);
+    }
+
+    castBatch(inputs, options, out = new HitBatch()) {
+        const core = this[CORE];
+        doubles(inputs, 7, 'castBatch', 'the inputs');
+        if (!(out instanceof HitBatch)) throw badCall('castBatch', 'out must be a HitBatch, as castBatch() returns');
+        const numbers = inputs instanceof Float64Array ? inputs : Float64Array.from(inputs);
+        const count = numbers.length / 7;
+        const chosen = putCastOptions(core, options, 'castBatch');
+        const counts = clearCounts(core, options, 'castBatch');
+        const given = core.batch();
+        const hits = given + CASTS_AT_ONCE * CAST_INPUT.sizeof;
+        reserve(out, count);
+        let begin = 0;
+        do {
+            const some = Math.min(CASTS_AT_ONCE, count - begin);
+            core.f64.set(numbers.subarray(7 * begin, 7 * (begin + some)), given >>> 3);
+            core.run('firma_cast_batch', this[ID], given, some, chosen, hits, counts);
+            getHits(core, hits, some, out, begin);
+            begin += some;
+        } while (begin < count);
+        addCounts(core, counts, options);
+        return out;
+    }
+
+    overlap(centre, radius, mask = -1) {
+        const core = this[CORE];
+        vector(centre, 3, 'overlap', 'centre');
+        number(radius, 'overlap', 'radius');
+        const bits = maskOf(mask, 'overlap');
+        const ask = (at, room) => {
+            core.setVector(core.at.input, centre);
+            core.run('firma_overlap', this[ID], core.at.input, radius, bits, at, room, core.at.out);
+            return core.getU32(core.at.out);
+        };
+        return getList(core, ask, NEAR.sizeof, getNear);
+    }
+
+    closest(point, reach = Infinity, mask = -1) {
+        const core = this[CORE];
+        vector(point, 3, 'closest', 'point');
+        number(reach, 'closest', 'reach');
+        const bits = maskOf(mask, 'closest');
+        core.setVector(core.at.input, point);
+        core.run('firma_closest', this[ID], core.at.input, reach, bits, core.at.near, core.at.out);
+        return core.getU32(core.at.out) === 0 ? null : getNear(core, core.at.near);
+    }
+
+    inSolid(point) {
+        const core = this[CORE];
+        core.setVector(core.at.input, vector(point, 3, 'inSolid', 'point'));
+        core.run('firma_in_solid', this[ID], core.at.input, core.at.out);
+        return [false, true, null][core.getU32(core.at.out)];
+    }
+
+    carve(cutter, pose, options) {
+        return carve(this, cutter, pose, options);
+    }
+
+    startCarve(cutter, pose, options) {
+        return Job.start(this, cutter, pose, options);
+    }
+
+    edit() {
+        return Edit.begin(this);
+    }
+
+    diff(after, tileSize = 0) {
+        const core = this[CORE];
+        const to = idOf(after, core, 'diff', 'world');
+        number(tileSize, 'diff', 'tileSize');
+        return takeDiff(core, makeHandle(core, 'firma_world_diff', this[ID], to, tileSize));
+    }
+
+    withRules(rules) {
+        const core = this[CORE];
+        return core.borrow((lent) => {
+            const at = putRules(core, lent, rules);
+            return new World(core, makeHandle(core, 'firma_world_with_rules', this[ID], at));
+        });
+    }
+
+    pack(options) {
+        const core = this[CORE];
+        const exact = flag(object(options, 'pack', 'the options').exact ?? true, 'pack', 'exact');
+        const handle = makeHandle(core, 'firma_world_pack', this[ID], exact);
+        try {
+            core.run('firma_bytes_get_view', handle, core.at.out, core.at.out + 4);
+            const start = core.getU32(core.at.out);
+            return core.u8.slice(start, start + core.getU32(core.at.out + 4));
+        } finally {
+            core.call('firma_bytes_release', handle);
+        }
+    }
+}
+
+/** Bytes that worlds hold together. */
+export function memoryOf(core, worlds) {
+    return core.borrow((lent) => {
+        const ids = worlds.map((world) => idOf(world, core, 'memory', 'world'));
+        const at = lent.take(8 * ids.length);
+        core.u64.set(ids, at >>> 3);
+        core.run('firma_world_memory', at, ids.length, core.at.out);
+        return core.getCount(core.at.out);
+    });
+}
