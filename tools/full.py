@@ -93,7 +93,7 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('rays')),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['src', 'tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts),
-    Claim('same_everywhere', '1,000 cuts and 100,000 casts by g++, clang, -march=native, for 64-bit ARM, in node and in Chromium: the same bits',
+    Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, to the bit',
           7, 7, 'ways', ['include', 'src', 'bindings', 'cmake', 'levels', 'CMakeLists.txt', 'CMakePresets.json', 'tools/same_everywhere.sh']
           + [f'tests/full/same_everywhere{ending}' for ending in ('.c', '.mjs', '_browser.mjs')], 'test', same_everywhere, 'firma_c'),
     Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
