@@ -75,6 +75,10 @@ def same_cuts(seed, count):
     return ['tools/same_bits.sh', '1000']
 
 
+def same_everywhere(seed, count):
+    return ['tools/same_everywhere.sh', '1000', '100000']
+
+
 def store(seed, count):
     return [f'{THREAD}/full_store', '--count', str(count), '--seed', str(seed)]
 
@@ -92,6 +96,10 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('rays')),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts),
+    Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, to the bit',
+          7, 7, 'ways', ['include', 'src', 'bindings/c', 'bindings/wasm', 'bindings/js/src', 'cmake', 'levels', 'CMakeLists.txt', 'CMakePresets.json',
+              'tools/same_everywhere.sh']
+          + [f'tests/full/same_everywhere{ending}' for ending in ('.c', '.mjs', '_browser.mjs')], 'test', same_everywhere, 'firma_c'),
     Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
           1_000, 'cuts', CARVE_SOURCES + ['src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),

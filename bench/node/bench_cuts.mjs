@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// The same craters in the same levels by Firma and by manifold-3d in node, a few of one and a few of the other in turn, and
+// whether both took the same volume away.
+//
+//   node bench_cuts.mjs [--quick] [--csv FOLDER]
+import { fileURLToPath } from 'node:url';
+import initManifold from 'manifold-3d';
+import { loadFirma } from '../../bindings/js/src/index.js';
+import { count, finish, median, number, quantile, ratio, settings, times } from './race.mjs';
+import { bumpyRooms, craterPose, placed, rockyBall } from './scene.mjs';
+
+const TURN = 5;
+
+class FirmaCutter {
+    taken = 0;
+    retries = 0;
+    refused = 0;
+    constructor(firma, mesh, ball) {
+        this.world = firma.worldFromMesh(mesh);
+        this.cutter = firma.cutterFromMesh(ball.positions, ball.corners);
+    }
+    cut(pose) {
+        const { world, report } = this.world.carve(this.cutter, pose);
+        this.world.release();
+        this.world = world;
+        this.taken += report.volume;
+        this.retries += report.retries;
+        this.refused += report.status === 'refused';
+    }
+}
+
+/** Manifold evaluates lazily: numTri() makes it cut. */
+class ManifoldCutter {
+    failed = 0;
+    placing = 0; // milliseconds of making the crater's mesh, counted apart
+    constructor(library, mesh, ball) {
+        this.library = library;
+        this.ball = ball;
+        this.level = this.solid(mesh);
+        this.before = this.level.volume();
+    }
+    solid({ positions, corners }) {
+        const mesh = new this.library.Mesh({ numProp: 3, vertProperties: Float32Array.from(positions), triVerts: corners });
+        const solid = new this.library.Manifold(mesh);
+        if (solid.status() !== 'NoError') throw new Error(`manifold-3d: ${solid.status()}`);
+        return solid;
+    }
+    /** @param solid the crater where Firma puts it */
+    cut(solid) {
+        const after = this.level.subtract(solid);
+        if (after.numTri() === 0) ++this.failed;
+        this.level.delete();
+        solid.delete();
+        this.level = after;
+    }
+    get taken() {
+        return this.before - this.level.volume();
+    }
+}
+
+function timed(list, run) {
+    const before = performance.now();
+    const made = run();
+    list.push(performance.now() - before);
+    return made;
+}
+
+/** A few cuts by each in turn; who begins alternates. */
+function compete(firma, ours, theirs, rooms, inCorner, cuts) {
+    const laps = { ours: [], theirs: [], placing: [] };
+    for (let from = 0; from < cuts; from += TURN) {
+        const poses = Array.from({ length: TURN }, (_, k) => craterPose(firma, rooms, inCorner, from + k));
+        const turns = [
+            () => poses.forEach((pose) => timed(laps.ours, () => ours.cut(pose))),
+            () =>
+                poses.forEach((pose) => {
+                    const mesh = placed(theirs.ball, pose);
+                    const solid = timed(laps.placing, () => theirs.solid(mesh));
+                    timed(laps.theirs, () => theirs.cut(solid));
+                }),
+        ];
+        if ((from / TURN) % 2 === 1) turns.reverse();
+        turns.forEach((turn) => turn());
+    }
+    return laps;
+}
+
+const { quick, csv } = settings();
+const cuts = quick ? 10 : 100;
+const firma = await loadFirma(fileURLToPath(new URL('../../build/wasm/bin/firma.wasm', import.meta.url)));
+const library = await initManifold();
+library.setup();
+const ball = rockyBall(3);
+const rows = [];
+for (const inCorner of [false, true])
+    for (const rooms of quick ? [2] : [2, 6]) {
+        const mesh = bumpyRooms(rooms);
+        const ours = new FirmaCutter(firma, mesh, ball);
+        const theirs = new ManifoldCutter(library, mesh, ball);
+        const laps = compete(firma, ours, theirs, rooms, inCorner, cuts);
+        const whole = laps.theirs.map((ms, k) => ms + laps.placing[k]);
+        ours.world.check();
+        const [taken, theirsTaken] = [ours.taken, theirs.taken];
+        rows.push([
+            count(mesh.corners.length / 3),
+            inCorner ? 'in one corner' : 'spread',
+            count(cuts),
+            ...[median(laps.ours), quantile(laps.ours, 0.99), median(laps.theirs), quantile(laps.theirs, 0.99), median(whole)].map(number),
+            times(ratio(laps.theirs, laps.ours)),
+            times(ratio(whole, laps.ours)),
+            ...[ours.retries, ours.refused, theirs.failed].map(count),
+            taken.toFixed(6),
+            theirsTaken.toFixed(6),
+            number(Math.abs(theirsTaken / taken - 1)),
+            count(ours.world.facts().faceCount),
+            count(theirs.level.numTri()),
+        ]);
+        ours.world.release();
+        ours.cutter.release();
+        theirs.level.delete();
+    }
+const speed = ['Firma median ms', 'Firma p99 ms', 'manifold median ms', 'manifold p99 ms', 'manifold with the crater made, median ms'];
+const ratios = ['manifold to Firma', 'with the crater made, to Firma'];
+const answers = ["Firma's retries", 'not cut by Firma', 'not cut by manifold', 'Firma took m3', 'manifold took m3', 'differ by'];
+await finish('node_cuts', ['triangles', 'craters', 'cuts', ...speed, ...ratios, ...answers, 'facets of Firma', 'triangles of manifold'], rows, csv);
+process.exit(0);

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// What same_everywhere.c does, draw by draw, through the JavaScript API: prints the same hashes, or something is wrong.
+// Change both or none.
+//
+//   node same_everywhere.mjs FIRMA.wasm LEVEL.obj CUTS CASTS
+import { loadFirma } from '../../bindings/js/src/index.js';
+
+const PORTIONS = 10;
+const BATCH = 100;
+const MOST = 64;
+const SINGLES = 50;
+const SHAPES = ['rocky', 'spiky', 'drill', 'wedge', 'box'];
+
+// ---- random numbers ----
+
+let state = 20031;
+
+function next() {
+    state = (state + 0x9e3779b9) | 0;
+    let z = state;
+    z = Math.imul(z ^ (z >>> 16), 0x85ebca6b);
+    z = Math.imul(z ^ (z >>> 13), 0xc2b2ae35);
+    return (z ^ (z >>> 16)) >>> 0;
+}
+const below = (count) => next() % count;
+function seed() {
+    const high = BigInt(next());
+    const low = BigInt(next());
+    return (high << 32n) | low;
+}
+const signUnit = () => (below(2001) - 1000) / 1000;
+
+// ---- the hash of all bits that came back ----
+
+let hashA = 1;
+let hashB = 2;
+const double = new Float64Array(1);
+const halves = new Uint32Array(double.buffer);
+
+function mix(word) {
+    hashA = Math.imul(hashA ^ word, 0x9e3779b1);
+    hashA ^= hashA >>> 15;
+    hashB = Math.imul((hashB + word) | 0, 0x85ebca6b);
+    hashB ^= hashB >>> 13;
+}
+/** A whole number below 2^53. */
+function mixLong(value) {
+    mix(value >>> 0);
+    mix(Math.floor(value / 2 ** 32));
+}
+function mixDouble(value) {
+    double[0] = value;
+    mix(halves[0]);
+    mix(halves[1]);
+}
+const mixAll = (values) => {
+    for (let k = 0; k < values.length; ++k) mixDouble(values[k]);
+};
+/** A name as the number that the C API has for it. */
+function mixName(names, name) {
+    const number = names.indexOf(name);
+    if (number < 0) throw new Error(`what is '${name}'?`);
+    mix(number);
+}
+const mixFace = (face) => mix(face === null ? 0xffffffff : face);
+const STATUSES = ['miss', 'hit', 'touching', 'invalid'];
+const FEATURES = ['face', 'edge', 'vertex'];
+
+function mixHit(hit) {
+    mixName(STATUSES, hit.status);
+    mixDouble(hit.fraction);
+    mixDouble(hit.safeFraction);
+    mixAll(hit.centre);
+    mixAll(hit.point);
+    mixAll(hit.normal);
+    mixAll(hit.faceNormal);
+    mixLong(hit.version);
+    mixName(FEATURES, hit.feature);
+    mix(hit.featureIndex);
+    mixFace(hit.face);
+    mixFace(hit.otherFace);
+    mix(hit.source);
+    mix(hit.sourceEdit);
+    mix(hit.material);
+    mix(hit.room);
+    mix(hit.roomsPassed);
+}
+function mixNear(near) {
+    mixAll(near.point);
+    mixDouble(near.distance);
+    mix(near.face);
+    mix(near.source);
+    mix(near.sourceEdit);
+    mix(near.material);
+    mixName(FEATURES, near.feature);
+    mix(near.featureIndex);
+}
+function mixReport(report) {
+    mixName(['done', 'nothing', 'refused'], report.status);
+    mix(report.retries);
+    mixLong(report.facesLookedAt);
+    mixLong(report.facesCut);
+    mixLong(report.facesGone);
+    mixLong(report.facesNew);
+    mixDouble(report.scale);
+    mixDouble(report.volume);
+}
+
+// ---- where things happen ----
+
+let low, high;
+const lastCut = [0, 0, 0];
+
+function somewhere() {
+    const point = [0, 0, 0];
+    for (let axis = 0; axis < 3; ++axis) {
+        const cells = (high[axis] - low[axis]) * 4096;
+        point[axis] = low[axis] + below(cells + 1) / 4096;
+    }
+    return point;
+}
+
+// ---- cuts ----
+
+let cutsDone = 0;
+let retries = 0;
+
+function drawCutter(firma) {
+    const corners = [1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1];
+    const triangles = [0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
+    const shape = below(6);
+    const from = seed();
+    return shape === 5 ? firma.cutterFromMesh(corners, triangles, 'octahedron') : firma.crater(SHAPES[shape], from);
+}
+
+function drawPose(firma) {
+    const kind = below(3);
+    const pose = { position: somewhere(), rotation: [0, 0, 0, 1], scale: 1 };
+    if (kind === 0) for (let axis = 0; axis < 3; ++axis) pose.position[axis] = Math.trunc(pose.position[axis]);
+    for (let axis = 0; axis < 3; ++axis) lastCut[axis] = pose.position[axis];
+    if (kind === 1) for (let k = 0; k < 4; ++k) pose.rotation[k] = below(201) - 100 + (k === 3 ? 0.5 : 0);
+    if (kind === 2) pose.rotation = firma.randomTurn(seed());
+    pose.scale = (5 + below(26)) / 10;
+    return pose;
+}
+
+function countReport(report) {
+    mixReport(report);
+    cutsDone += report.status === 'done';
+    retries += report.retries;
+}
+
+const carveNow = (world, ...order) => world.carve(...order);
+
+function carveInSlices(world, cutter, pose, options) {
+    const job = world.startCarve(cutter, pose, options);
+    while (!job.run(20));
+    const result = job.result();
+    job.release();
+    return result;
+}
+
+function carveThree(world, cutter, pose, options) {
+    const edit = world.edit();
+    let report;
+    for (let k = 0; k < 3; ++k) {
+        if (k) countReport(report);
+        report = edit.carve(cutter, pose, options);
+        pose.position[k] += 0.75;
+    }
+    const after = edit.finish();
+    edit.release();
+    return { world: after, report };
+}
+
+function cutOnce(firma, world) {
+    const cutter = drawCutter(firma);
+    const pose = drawPose(firma);
+    const kind = below(10);
+    const options = { fill: kind === 0, material: kind < 5 ? 'crater' : '' };
+    const way = below(8);
+    const edit = [carveInSlices, carveThree][way] ?? carveNow;
+    const { world: after, report } = edit(world, cutter, pose, options);
+    countReport(report);
+    cutter.release();
+    world.release();
+    return after;
+}
+
+// ---- casts ----
+
+function drawCast() {
+    const input = { centre: somewhere(), radius: 0, path: [0, 0, 0] };
+    if (below(3) === 0) for (let axis = 0; axis < 3; ++axis) input.centre[axis] = lastCut[axis] + signUnit();
+    const thousandths = below(700);
+    input.radius = below(2) ? 0 : thousandths / 1000;
+    const length = below(2) ? 1 : 30;
+    for (let axis = 0; axis < 3; ++axis) input.path[axis] = signUnit() * length;
+    if (below(8) === 0) input.path[below(3)] = 0;
+    return input;
+}
+
+function drawOptions() {
+    const options = { mask: 0xffffffff, bothSides: below(4) === 0 };
+    if (below(8) === 0) options.skin = 0.0625;
+    return options;
+}
+
+function askMore(world, input, options) {
+    mix(world.castAny(input, options) ? 1 : 0);
+    const hits = world.castAll(input, options);
+    mix(hits.length);
+    hits.slice(0, MOST).forEach(mixHit);
+    const found = world.overlap(input.centre, input.radius + 0.25, 0xffffffff);
+    mix(found.length);
+    found.slice(0, MOST).forEach(mixNear);
+    const near = world.closest(input.centre, 5, 0xffffffff);
+    mix(near === null ? 0 : 1);
+    if (near !== null) mixNear(near);
+    const inside = world.inSolid(input.centre);
+    mix(inside === null ? 2 : inside ? 1 : 0);
+}
+
+let hitCount = 0;
+const met = (hit) => hit.status === 'hit' || hit.status === 'touching';
+
+let answers;
+function oneBatch(world, count) {
+    const inputs = new Float64Array(7 * count);
+    for (let k = 0; k < count; ++k) {
+        const { centre, radius, path } = drawCast();
+        inputs.set([...centre, radius, ...path], 7 * k);
+    }
+    const options = drawOptions();
+    answers = world.castBatch(inputs, options, answers);
+    for (let k = 0; k < count; ++k) {
+        const hit = answers.hit(k);
+        mixHit(hit);
+        hitCount += met(hit);
+    }
+}
+
+function oneByOne(world, count) {
+    for (let k = 0; k < count; ++k) {
+        const input = drawCast();
+        const options = drawOptions();
+        const hit = world.cast(input, options);
+        mixHit(hit);
+        hitCount += met(hit);
+        if (k % 8 === 0) askMore(world, input, options);
+    }
+}
+
+function castMany(world, count) {
+    while (count) {
+        const singles = Math.min(count, SINGLES);
+        oneByOne(world, singles);
+        count -= singles;
+        const batch = Math.min(count, BATCH);
+        oneBatch(world, batch);
+        count -= batch;
+    }
+}
+
+// ---- the whole ----
+
+const hex = (number, digits) => number.toString(16).padStart(digits, '0');
+const answersSoFar = () => hex(hashA >>> 0, 8) + hex(hashB >>> 0, 8);
+
+function say(print, world, cuts, casts) {
+    print(
+        `cuts=${cuts} done=${cutsDone} retries=${retries} casts=${casts} hits=${hitCount} ` +
+            `faces=${world.facts().faceCount} world=${hex(world.hash(), 16)} answers=${answersSoFar()}`,
+    );
+}
+
+function sayRest(print, firma, first, last) {
+    const { volume, area } = last.measure();
+    mixDouble(volume);
+    mixDouble(area);
+    const { gone, come, tiles } = first.diff(last, 4);
+    gone.forEach(mix);
+    come.ids.forEach((id, k) => {
+        mix(id);
+        mixAll(come.normals.subarray(3 * k, 3 * k + 3));
+        mix(come.materials[k]);
+    });
+    mixAll(come.corners);
+    tiles.forEach(mix);
+    const bytes = last.pack();
+    bytes.forEach(mix);
+    const again = firma.unpackWorld(bytes, 'again');
+    print(`packed=${bytes.length} world=${hex(again.hash(), 16)} everything=${answersSoFar()}`);
+    again.release();
+}
+
+/** @param module, level what loadFirma() takes, and the bytes of the .obj file; @param print gets each line */
+export async function run(module, level, cuts, casts, print) {
+    const firma = await loadFirma(module);
+    const first = firma.worldFromObj(level, { name: 'level' });
+    ({ low, high } = first.facts());
+    let world = first.copy();
+    say(print, world, 0, 0);
+    let cut = 0;
+    let cast = 0;
+    for (let portion = 1; portion <= PORTIONS; ++portion) {
+        for (; cut < Math.floor((cuts * portion) / PORTIONS); ++cut) world = cutOnce(firma, world);
+        const until = Math.floor((casts * portion) / PORTIONS);
+        castMany(world, until - cast);
+        cast = until;
+        say(print, world, cut, cast);
+    }
+    sayRest(print, firma, first, world);
+    world.release();
+    first.release();
+    if (firma.liveHandles() !== 0) throw new Error(`${firma.liveHandles()} handles have leaked`);
+}
+
+if (typeof process !== 'undefined' && process.argv[1]?.endsWith('same_everywhere.mjs')) {
+    const { readFile } = await import('node:fs/promises');
+    const [module, level, cuts, casts] = process.argv.slice(2);
+    if (casts === undefined) throw new Error('usage: node same_everywhere.mjs FIRMA.wasm LEVEL.obj CUTS CASTS');
+    await run(await readFile(module), await readFile(level), Number(cuts), Number(casts), console.log);
+}
