@@ -93,6 +93,38 @@ function coreOf(object) {
     return object[Object.getOwnPropertySymbols(object).find((symbol) => symbol.description === 'core')];
 }
 
+test('memory beyond two and beyond three gigabytes', async () => {
+    for (const pages of [33000, 50000]) {
+        const { firma, exports } = await loadOpen();
+        exports.memory.grow(pages);
+        const plain = await loadFirma(bytes);
+        const [here, there] = [firma, plain].map((one) => {
+            const world = one.worldFromObj(levelBytes, { name: 'größe' });
+            const cutter = one.crater('spiky', 3);
+            const position = world.cast({ centre: [40, 20, 4], radius: 0, path: [30, 1, 0] }).point;
+            const { world: after } = world.carve(cutter, { position }, { material: 'größe' });
+            const batch = after.castBatch(randomCasts(1500, after.facts(), 4));
+            const facts = after.facts();
+            const answers = {
+                facts,
+                hash: after.hash(),
+                faces: after.faces(),
+                diff: world.diff(after, 1),
+                near: after.overlap([40, 20, 4], 300),
+                hits: Array.from({ length: batch.count }, (_, k) => batch.hit(k)),
+                packed: after.pack(),
+                solid: after.inSolid([40, 20, 4]),
+            };
+            answers.again = one.unpackWorld(answers.packed).hash();
+            for (const object of [world, cutter, after]) object.release();
+            return answers;
+        });
+        const lent = coreOf(firma.crater('box', 1)).take(1 << 20);
+        assert.ok(lent > pages * 65536, `${lent}`);
+        assert.deepEqual(here, there);
+    }
+});
+
 test('no memory for arguments: nothing happens, and the module goes on', async () => {
     const { firma, exports } = await loadOpen();
     const world = firma.worldFromMesh(boxMesh());
