@@ -18,7 +18,8 @@ function putWorldOptions(core, options, place) {
     const at = core.at.worldOptions;
     const given = (name) => options[name] !== undefined;
     const set = [];
-    if (given('surfaceArea')) set.push(['u32', WORLD_OPTIONS.surfaceArea, flag(options.surfaceArea, place, 'surfaceArea')]);
+    if (given('surfaceArea'))
+        set.push(['u32', WORLD_OPTIONS.surfaceArea, flag(options.surfaceArea, place, 'surfaceArea')]);
     for (const name of ['maxDepth', 'facesPerBin'])
         if (given(name)) set.push(['u32', WORLD_OPTIONS[name], word(options[name], place, name)]);
     for (const name of ['minBinVolume', 'skin', 'scale'])
@@ -44,7 +45,8 @@ function readMesh(mesh, place) {
         read.faceCount = read.cornerCounts.length;
         let sum = 0;
         for (const count of read.cornerCounts) sum += count;
-        if (sum !== read.corners.length) throw badCall(place, `cornerCounts sum to ${sum}, corners are ${read.corners.length}`);
+        if (sum !== read.corners.length)
+            throw badCall(place, `cornerCounts sum to ${sum}, corners are ${read.corners.length}`);
     }
     if (!Array.isArray(read.materialNames)) throw badCall(place, 'materialNames must be an array');
     read.materialNames = read.materialNames.map((name, k) => text(name, place, `materialNames[${k}]`));

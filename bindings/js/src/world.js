@@ -5,7 +5,17 @@ import { badCall, FirmaError } from './errors.js';
 import { CASTS_AT_ONCE } from './core.js';
 import { CAST_INPUT, HIT, NEAR, WORLD_FACTS } from './layout.js';
 import { doubles, flag, mask as maskOf, number, object, vector, word } from './arguments.js';
-import { addCounts, clearCounts, getHit, getHits, getNear, HitBatch, putCastOptions, putInput, reserve } from './hits.js';
+import {
+    addCounts,
+    clearCounts,
+    getHit,
+    getHits,
+    getNear,
+    HitBatch,
+    putCastOptions,
+    putInput,
+    reserve,
+} from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { takeDiff, takeFaces } from './faces.js';
 import { putRules } from './rules.js';
@@ -130,7 +140,11 @@ export class World extends Handle {
         core.refresh();
         if (code !== 0) throw core.failure(code);
         const status = core.getU32(core.at.out);
-        if (status === 3) throw new FirmaError('OUT_OF_RANGE', 'castAny: a number is not finite or too large, or the radius negative');
+        if (status === 3)
+            throw new FirmaError(
+                'OUT_OF_RANGE',
+                'castAny: a number is not finite or too large, or the radius negative',
+            );
         return status !== 0;
     }
 
