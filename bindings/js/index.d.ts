@@ -317,7 +317,7 @@ export interface CarveReport {
     facesCut: number;
     facesGone: number;
     facesNew: number;
-    /** What zones and materials left of the cutter's scale. */
+    /** What zones and materials left of the cutter's scale, 0..1. */
     scale: number;
     /** Cubic metres taken; negative when added. */
     volume: number;

@@ -79,10 +79,15 @@ export function words(value, count, place, what) {
     return value;
 }
 
+/** Also one of another window or context, whose class is not ours. */
+export function isArrayBuffer(value) {
+    return Object.prototype.toString.call(value) === '[object ArrayBuffer]';
+}
+
 /** Bytes of whatever holds them; strings are encoded. */
 export function bytes(value, place, what, strings = false) {
     if (strings && typeof value === 'string') return encoder.encode(value);
-    if (value instanceof ArrayBuffer) return new Uint8Array(value);
+    if (isArrayBuffer(value)) return new Uint8Array(value);
     if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
     throw badCall(place, `${what} must be ${strings ? 'a string, ' : ''}a Uint8Array or an ArrayBuffer`);
 }

@@ -3,7 +3,7 @@
 import * as layout from './layout.js';
 import { FirmaError } from './errors.js';
 
-const decoder = new TextDecoder();
+const decoder = new TextDecoder('utf-8', { ignoreBOM: true }); // which keeps it
 const encoder = new TextEncoder();
 
 /** Casts that a batch hands over at a time: their structs fit into a processor's second cache. */

@@ -130,6 +130,7 @@ export class HitBatch {
                 batch.#capacity = count;
             }
             batch.count = count;
+            batch.version = 0;
         };
     }
 

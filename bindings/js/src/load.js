@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gets the module from wherever it is, and starts it.
+import { bytes } from './arguments.js';
 import { Core } from './core.js';
 import { Firma } from './firma.js';
 import { FirmaError } from './errors.js';
@@ -38,25 +39,28 @@ async function readUrl(source) {
     return scheme === 'file' ? readFile(new URL(source)) : fetchUrl(source);
 }
 
-async function readResponse(response) {
+/** Compiled while it arrives, where the server says what it is. */
+async function compileResponse(response) {
     if (!response.ok) throw cannotRead(response.url, `status ${response.status}`);
-    try {
-        return await response.arrayBuffer();
-    } catch (error) {
-        throw cannotRead(response.url, error);
-    }
+    const type = response.headers.get('content-type') ?? '';
+    if (/^application\/wasm *(;|$)/.test(type)) return WebAssembly.compileStreaming(response);
+    return WebAssembly.compile(
+        await response.arrayBuffer().catch((error) => {
+            throw cannotRead(response.url, error);
+        }),
+    );
 }
 
 /** A WebAssembly.Module of whatever was given. */
 async function moduleOf(source) {
     if (source instanceof WebAssembly.Module) return source;
     if (typeof source === 'string' || source instanceof URL) source = await readUrl(source);
-    if (typeof Response === 'function' && source instanceof Response) source = await readResponse(source);
-    if (!(source instanceof ArrayBuffer) && !ArrayBuffer.isView(source))
-        throw new FirmaError('BAD_CALL', `${PLACE}: give a URL, Response, ArrayBuffer, Uint8Array or WebAssembly.Module`);
+    const compile = typeof Response === 'function' && source instanceof Response ? compileResponse : WebAssembly.compile;
+    if (compile !== compileResponse) source = bytes(source, PLACE, 'what is not a URL, Response or WebAssembly.Module');
     try {
-        return await WebAssembly.compile(source);
+        return await compile(source);
     } catch (error) {
+        if (error instanceof FirmaError) throw error;
         throw new FirmaError('MALFORMED', `${PLACE}: ${error.message}`, { cause: error });
     }
 }

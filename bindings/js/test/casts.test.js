@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Casts: alone, any, all, in batches; what is near; numbers that are no good.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { HitBatch, NO_FACE } from '../src/index.js';
+import { boxMesh, firma, releasing, throwsCode, withLevel } from './helpers.js';
+import { randomCasts } from './scenario.js';
+
+const castOf = (inputs, k) => ({
+    centre: inputs.subarray(7 * k, 7 * k + 3),
+    radius: inputs[7 * k + 3],
+    path: Array.from(inputs.subarray(7 * k + 4, 7 * k + 7)),
+});
+const inBox = (mesh, work) => releasing([firma.worldFromMesh({ ...boxMesh(), ...mesh })], work);
+const toWall = { centre: [4, 4, 4], radius: 1, path: [6, 0, 0] };
+
+test('a hit has all that the C API says', () => {
+    inBox({ materials: [0, 0, 0, 1, 0, 0], materialNames: ['a', 'b'] }, (world) => {
+        const { safeFraction, face, source, material, ...rest } = world.cast(toWall);
+        assert.deepEqual(rest, {
+            status: 'hit',
+            fraction: 0.5,
+            centre: [7, 4, 4],
+            point: [8, 4, 4],
+            normal: [-1, 0, 0],
+            faceNormal: [-1, 0, 0],
+            feature: 'face',
+            featureIndex: 0,
+            otherFace: null,
+            sourceEdit: 0,
+            room: 0,
+            roomsPassed: 1,
+            version: 0,
+        });
+        assert.ok(safeFraction < 0.5 && safeFraction > 0.499);
+        assert.equal(world.findFace(face).normal[0], -1);
+        assert.equal(world.findFace(face).source, source);
+        assert.equal(world.findFace(face).material, material);
+        const miss = world.cast({ ...toWall, path: [1, 0, 0] });
+        assert.equal(miss.status, 'miss');
+        assert.equal(miss.face, null);
+        assert.equal(world.cast({ ...toWall, centre: [7.5, 4, 4] }).status, 'touching');
+        assert.equal(world.cast({ ...toWall, path: [0, 0, 0] }).status, 'miss');
+        assert.equal(world.cast({ centre: [4, 4, 4], radius: 0, path: [0, 0, -8] }).fraction, 0.5);
+    });
+});
+
+test('options: mask, sides, skin, counts', () => {
+    inBox({ masks: [1, 2, 4, 8, 16, 32] }, (world) => {
+        const wall = world.findFace(world.cast(toWall).face);
+        assert.equal(world.cast(toWall, { mask: wall.mask }).status, 'hit');
+        assert.equal(world.cast(toWall, { mask: ~wall.mask }).status, 'miss');
+        assert.equal(world.cast(toWall, { mask: -1 }).status, 'hit');
+        assert.equal(world.cast(toWall, { mask: 0 }).status, 'miss');
+        assert.equal(world.cast(toWall, {}).status, 'hit');
+        const fromRock = { centre: [12, 4, 4], radius: 1, path: [-6, 0, 0] };
+        assert.notEqual(world.cast(fromRock).point[0], 8);
+        assert.equal(world.cast(fromRock, { bothSides: true }).point[0], 8);
+        assert.equal(world.cast(toWall, { skin: 0.6 }).safeFraction, 0.4);
+        assert.equal(world.cast(toWall, { skin: 0 }).safeFraction, 0.5);
+        const counts = { faces: 100 };
+        world.cast(toWall, { counts });
+        const once = { ...counts };
+        assert.ok(once.faces > 100 && once.boxes > 0 && once.bins > 0, JSON.stringify(once));
+        assert.equal(typeof once.precise, 'number');
+        world.castBatch([4, 4, 4, 1, 6, 0, 0], { counts });
+        assert.equal(counts.faces - once.faces, once.faces - 100);
+        for (const options of [{ mask: 1.5 }, { mask: 2 ** 32 }, { mask: 'all' }, { bothSides: 1 }, { skin: '1' }, { counts: 5 }, null, 5])
+            for (const ask of ['cast', 'castBatch'])
+                throwsCode('BAD_CALL', () => world[ask](ask === 'cast' ? toWall : [], options), new RegExp(`^${ask}: `));
+        throwsCode('INVALID', () => world.cast(toWall, { skin: NaN }), /skin/);
+        throwsCode('INVALID', () => world.castBatch([], { skin: Infinity }), /skin/);
+    });
+});
+
+test('a batch answers what single casts answer, beyond one piece of it', () => {
+    withLevel((world) => {
+        const inputs = randomCasts(2500, world.facts(), 5);
+        inputs[7 * 3] = NaN;
+        inputs[7 * 1500 + 3] = -1;
+        const batch = world.castBatch(inputs);
+        assert.equal(batch.count, 2500);
+        let met = 0;
+        for (let k = 0; k < batch.count; ++k) {
+            const one = world.cast(castOf(inputs, k));
+            assert.deepEqual(batch.hit(k), one);
+            assert.equal(batch.face[k], one.face ?? NO_FACE);
+            if (one.status !== 'invalid') assert.equal(world.castAny(castOf(inputs, k)), one.face !== null);
+            met += one.face !== null;
+        }
+        assert.ok(met > 300 && met < 2400, `${met} met something`);
+        assert.equal(batch.hit(3).status, 'invalid');
+        assert.equal(batch.hit(1500).status, 'invalid');
+        for (const k of [-1, 2500, NaN, undefined]) assert.equal(batch.hit(k), null);
+    });
+});
+
+test('a batch takes any numbers, and memory that it had', () => {
+    withLevel((world) => {
+        const inputs = randomCasts(50, world.facts(), 6).map(Math.fround);
+        const expected = world.castBatch(inputs);
+        const [fromFloats, fromArray] = [Float32Array.from(inputs), Array.from(inputs)].map((given) => world.castBatch(given));
+        for (let k = 0; k < 50; ++k) {
+            assert.deepEqual(fromFloats.hit(k), expected.hit(k));
+            assert.deepEqual(fromArray.hit(k), expected.hit(k));
+        }
+        const out = new HitBatch();
+        assert.equal(out.count, 0);
+        assert.equal(out.hit(0), null);
+        assert.equal(world.castBatch(inputs, {}, out), out);
+        const { point } = out;
+        world.castBatch(inputs.subarray(0, 70), {}, out);
+        assert.equal(out.count, 10);
+        assert.equal(out.point, point);
+        assert.deepEqual(out.hit(9), expected.hit(9));
+        assert.equal(out.hit(10), null);
+        world.castBatch(randomCasts(51, world.facts(), 6), {}, out);
+        assert.notEqual(out.point, point);
+        assert.equal(world.castBatch([], undefined, out).count, 0);
+        assert.equal(world.castBatch(new Float64Array(0)).count, 0);
+        for (const wrong of [null, undefined, 'x', { length: 7 }, inputs.subarray(1), ['1', 2, 3, 4, 5, 6, 7], new DataView(new ArrayBuffer(56))])
+            throwsCode('BAD_CALL', () => world.castBatch(wrong), /^castBatch: /);
+        throwsCode('BAD_CALL', () => world.castBatch(inputs, {}, {}), /out/);
+    });
+});
+
+test('all that a cast meets, also when that is much', () => {
+    withLevel((world) => {
+        const through = { centre: [0, 20, 4], radius: 0.5, path: [90, 3, 1] };
+        const all = world.castAll(through);
+        assert.ok(all.length > 3);
+        assert.deepEqual(all[0].face, world.cast(through).face);
+        assert.ok(all.every((hit, k) => k === 0 || hit.fraction >= all[k - 1].fraction));
+        assert.ok(world.castAll(through, { bothSides: true }).length > all.length);
+        // More than there is room for at first.
+        const wide = { centre: [-60, 20, 4], radius: 50, path: [200, 0, 0] };
+        const many = world.castAll(wide, { bothSides: true });
+        assert.ok(many.length > 4000, `${many.length}`);
+        assert.equal(new Set(many.map((hit) => hit.face)).size, many.length);
+        assert.deepEqual(world.castAll({ ...through, path: [0, 0, 0] }), []);
+    });
+});
+
+test('overlap, closest, inSolid', () => {
+    inBox({}, (world) => {
+        assert.deepEqual(world.overlap([4, 4, 4], 3.9), []);
+        const near = world.overlap([7, 4, 7], 1.5);
+        assert.equal(near.length, 2);
+        const [wall, ceiling] = near.sort((a, b) => b.point[0] - a.point[0]);
+        assert.deepEqual(wall.point, [8, 4, 7]);
+        assert.equal(wall.distance, 1);
+        assert.deepEqual(ceiling.point, [7, 4, 8]);
+        assert.deepEqual(world.overlap([7, 4, 7], 1.5, 0), []);
+        assert.deepEqual(world.closest([4, 4, 1]).point, [4, 4, 0]);
+        assert.equal(world.closest([4, 4, 1]).distance, 1);
+        assert.equal(world.closest([4, 4, 1]).feature, 'face');
+        assert.equal(world.closest([-1, -1, -1]).feature, 'vertex');
+        assert.equal(world.closest([4, 4, 4], 3.9), null);
+        assert.equal(world.closest([4, 4, 4], Infinity, 0), null);
+        assert.equal(world.inSolid([4, 4, 4]), false);
+        assert.equal(world.inSolid([-4, 4, 4]), true);
+        assert.equal(world.inSolid([0, 4, 4]), null);
+    });
+    withLevel((world) => assert.equal(world.overlap([40, 20, 4], 200).length, world.facts().faceCount));
+});
+
+test('numbers that are no good, and what is no number', () => {
+    inBox({}, (world) => {
+        for (const bad of [NaN, Infinity, -Infinity]) {
+            assert.equal(world.cast({ ...toWall, centre: [bad, 4, 4] }).status, 'invalid');
+            assert.equal(world.cast({ ...toWall, path: [0, bad, 0] }).status, 'invalid');
+            assert.equal(world.cast({ ...toWall, radius: bad }).status, 'invalid');
+            for (const ask of ['castAny', 'castAll']) throwsCode('OUT_OF_RANGE', () => world[ask]({ ...toWall, radius: bad }));
+            throwsCode('OUT_OF_RANGE', () => world.overlap([4, 4, bad], 1));
+            throwsCode('OUT_OF_RANGE', () => world.overlap([4, 4, 4], bad));
+            throwsCode('OUT_OF_RANGE', () => world.closest([4, bad, 4]));
+            throwsCode('OUT_OF_RANGE', () => world.inSolid([bad, 4, 4]));
+        }
+        throwsCode('OUT_OF_RANGE', () => world.closest([4, 4, 4], -1));
+        throwsCode('OUT_OF_RANGE', () => world.closest([4, 4, 4], NaN));
+        const wrong = [undefined, null, 5, {}, { ...toWall, centre: [1, 2] }, { ...toWall, centre: '123' }, { ...toWall, radius: '1' }];
+        wrong.push({ ...toWall, path: [1, 2, null] }, { centre: [4, 4, 4], radius: 1 }, { ...toWall, path: [1n, 2, 3] });
+        for (const input of wrong)
+            for (const ask of ['cast', 'castAny', 'castAll']) throwsCode('BAD_CALL', () => world[ask](input), new RegExp(`^${ask}: `));
+        throwsCode('BAD_CALL', () => world.overlap([1, 2, 3]));
+        throwsCode('BAD_CALL', () => world.overlap([1, 2], 3));
+        throwsCode('BAD_CALL', () => world.closest());
+        throwsCode('BAD_CALL', () => world.closest([1, 2, 3], '1'));
+        throwsCode('BAD_CALL', () => world.closest([1, 2, 3], 1, 0.5));
+        throwsCode('BAD_CALL', () => world.inSolid([1, 2, '3']));
+    });
+});

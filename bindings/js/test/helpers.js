@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What tests share: the module, the first level, random numbers that are the same everywhere.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after } from 'node:test';
+import { FirmaError, loadFirma } from '../src/index.js';
+
+export const wasmUrl = new URL('../src/firma.wasm', import.meta.url);
+export const levelUrl = new URL('../../../levels/first.obj', import.meta.url);
+export const levelBytes = readFileSync(levelUrl);
+
+/** One instance for a test file; at its end nothing may be left in it. */
+export const firma = await loadFirma();
+after(() => assert.equal(firma.liveHandles(), 0, 'handles were left'));
+
+/** Runs work(object...), then releases the objects. */
+export function releasing(objects, work) {
+    try {
+        return work(...objects);
+    } finally {
+        for (const object of objects) if (!object.released) object.release();
+    }
+}
+
+export const withLevel = (work) => releasing([firma.worldFromObj(levelBytes, { name: 'first.obj' })], work);
+
+/** A room of air in rock, from `low` to `high`: its walls face inward. */
+export function boxMesh(low = [0, 0, 0], high = [8, 8, 8]) {
+    const positions = [];
+    for (let k = 0; k < 8; ++k) for (let axis = 0; axis < 3; ++axis) positions.push((k >> axis) & 1 ? high[axis] : low[axis]);
+    const quads = [0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6];
+    return { positions, corners: quads.reverse(), cornerCounts: [4, 4, 4, 4, 4, 4] };
+}
+
+/** Asserts that it throws a FirmaError of a code, and that its message is of the pattern. */
+export function throwsCode(code, work, message = /./) {
+    assert.throws(work, (error) => {
+        assert.ok(error instanceof FirmaError, `not a FirmaError: ${error.stack}`);
+        assert.equal(error.code, code, error.message);
+        assert.match(error.message, message);
+        return true;
+    });
+}

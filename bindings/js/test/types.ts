@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Every function of the package as TypeScript sees it: compiled by types.test.js, never run.
+import {
+    FACE_SOLID,
+    FACE_TWO_SIDED,
+    FirmaError,
+    HitBatch,
+    loadFirma,
+    NO_FACE,
+    type CarveReport,
+    type CastCounts,
+    type Diff,
+    type Face,
+    type Faces,
+    type Hit,
+    type Mesh,
+    type Near,
+    type StoreFacts,
+    type World,
+    type WorldFacts,
+} from 'firma';
+
+const firma = await loadFirma();
+await loadFirma('firma.wasm');
+await loadFirma(new URL('http://localhost/firma.wasm'));
+await loadFirma(fetch('firma.wasm'));
+await loadFirma(new Uint8Array(8));
+await loadFirma(await WebAssembly.compile(new ArrayBuffer(8)));
+
+const version: string = firma.version;
+const live: number = firma.liveHandles();
+
+const world: World = firma.worldFromObj('v 0 0 0', { name: 'a', skin: 0.001, scale: 1, surfaceArea: true, maxDepth: 9, facesPerBin: 4, minBinVolume: 1 });
+firma.worldFromObj(new Uint8Array(1));
+firma.worldFromBsp(new ArrayBuffer(1), {});
+const mesh: Mesh = {
+    positions: [0, 0, 0],
+    corners: Uint32Array.of(0, 1, 2),
+    cornerCounts: [3],
+    materials: [0],
+    materialNames: ['rock'],
+    masks: [1],
+    twoSided: [false],
+};
+firma.worldFromMesh(mesh, { skin: 1 });
+firma.unpackWorld(world.pack({ exact: true }), 'name');
+// @ts-expect-error text is no .bsp
+firma.worldFromBsp('text');
+// @ts-expect-error an option that is none
+firma.worldFromObj('', { skn: 1 });
+
+const facts: WorldFacts = world.facts();
+const [x, y, z]: [number, number, number] = facts.low;
+const names: string[] = facts.materials;
+const hash: bigint = world.hash();
+world.check();
+const volume: number = world.measure().volume + world.measure().area;
+const memory: number = world.memory() + firma.memory([world, world.copy()]);
+const faces: Faces = world.faces();
+const flags: number = faces.flags[0]! & (FACE_SOLID | FACE_TWO_SIDED);
+const face: Face | null = world.findFace(0);
+
+const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
+const counts: CastCounts = { bins: 0, boxes: 0, faces: 0, precise: 0 };
+const hit: Hit = world.cast(input, { mask: 1, bothSides: true, skin: 0.1, counts });
+if (hit.status === 'hit' && hit.face !== null) world.findFace(hit.face);
+// @ts-expect-error a name that no status has
+if (hit.status === 'nothing') throw new Error();
+const any: boolean = world.castAny(input);
+const all: Hit[] = world.castAll(input, { mask: 1 });
+const batch: HitBatch = world.castBatch(new Float64Array(7), { counts: {} }, new HitBatch());
+const one: Hit | null = batch.hit(0);
+const where: number = batch.point[0]! + batch.status[0]! + batch.count;
+const none: boolean = batch.face[0] === NO_FACE;
+const near: Near[] = world.overlap([1, 2, 3], 1, 1);
+const closest: Near | null = world.closest([1, 2, 3], 5, 1);
+const solid: boolean | null = world.inSolid([1, 2, 3]);
+
+const cutter = firma.crater('rocky', 5n);
+firma.cutterFromMesh([0, 0, 0], [0, 1, 2], 'name');
+firma.cutterFromObj('', 'name');
+// @ts-expect-error no such shape
+firma.crater('round', 1);
+const rotation: [number, number, number, number] = firma.randomTurn(7);
+const { world: after, report } = world.carve(cutter, { position: hit.point, rotation, scale: 2 }, { fill: true, material: 'a' });
+const refused: CarveReport = report;
+const total: number = refused.times.total + refused.times.place;
+const job = world.startCarve(cutter, { position: [1, 2, 3] });
+while (!job.run(1000));
+job.result().world.release();
+const edit = world.edit();
+edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
+edit.finish().release();
+const diff: Diff = world.diff(after, 1);
+const corners: Float64Array = diff.come.corners;
+world.withRules({ zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }], hardness: [0], mostFaces: 5, largestCutter: 3 });
+// @ts-expect-error a world is no cutter for carving
+world.carve(world, { position: 5 });
+
+const store = firma.openStore(world, Infinity);
+store.publish(store.current(), after);
+for (const kept of [store.undo(), store.redo(), store.at(0)]) kept.release();
+const storeFacts: StoreFacts = store.facts();
+const waiting: number = store.collect() + storeFacts.bytes;
+store.release();
+store[Symbol.dispose]();
+const gone: boolean = store.released;
+
+try {
+    world.release();
+} catch (error) {
+    if (error instanceof FirmaError && error.code === 'BAD_HANDLE') console.log(error.message);
+}
+{
+    using kept = world.copy();
+    kept.check();
+}
+export const used = [version, live, x, y, z, names, hash, volume, memory, flags, face, any, all, one, where, none, near, closest, solid, total, corners, waiting, gone];

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Worlds from files and meshes, what they tell of themselves, and packing.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { FACE_SOLID, FACE_TWO_SIDED } from '../src/index.js';
+import { boxMesh, firma, levelBytes, releasing, throwsCode, withLevel } from './helpers.js';
+import { randomCasts } from './scenario.js';
+
+const triangle = 'v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n';
+
+test('an .obj as text and as bytes of every kind is the same world', () => {
+    const text = new TextDecoder().decode(levelBytes);
+    const copy = new Uint8Array(levelBytes);
+    const all = [text, levelBytes, copy, copy.buffer, new DataView(copy.buffer)].map((file) => firma.worldFromObj(file));
+    releasing(all, (first, ...others) => {
+        for (const other of others) assert.equal(other.hash(), first.hash());
+        assert.equal(typeof first.hash(), 'bigint');
+        assert.ok(first.hash() > 0n);
+    });
+});
+
+test('facts, check, measure, memory', () => {
+    withLevel((world) => {
+        const facts = world.facts();
+        assert.deepEqual(
+            { ...facts, materials: facts.materials.length },
+            {
+                version: 0,
+                faceCount: 5944,
+                roomCount: 1,
+                low: [2, -10, -1.285888671875],
+                high: [79, 48, 9.5],
+                skin: 0.001,
+                materials: 10,
+                edits: 0,
+            },
+        );
+        assert.ok(facts.materials.includes('wall'));
+        world.check();
+        const { volume, area } = world.measure();
+        assert.ok(Math.abs(volume + 15525.511392) < 1e-3 && Math.abs(area - 8646.83595) < 1e-3);
+        assert.ok(world.memory() > 100_000);
+        assert.equal(firma.memory([world]), world.memory());
+        assert.equal(firma.memory([]), 0);
+        releasing([world.copy()], (copy) => {
+            assert.equal(copy.hash(), world.hash());
+            assert.equal(firma.memory([world, copy]), world.memory());
+        });
+        throwsCode('BAD_CALL', () => firma.memory(world));
+        throwsCode('BAD_HANDLE', () => firma.memory([world, null]));
+    });
+});
+
+test('options are taken', () => {
+    const scaled = firma.worldFromObj(triangle, { scale: 0.5, skin: 0.25, name: 'a triangle' });
+    releasing([scaled], (world) => {
+        assert.deepEqual(world.facts().high, [2, 2, 0]);
+        assert.equal(world.facts().skin, 0.25);
+    });
+    const options = { surfaceArea: true, maxDepth: 3, facesPerBin: 2, minBinVolume: 0.5 };
+    releasing([firma.worldFromObj(levelBytes, options), firma.worldFromObj(levelBytes)], (chosen, usual) => {
+        const [shallow, deep] = [chosen, usual].map((world) => {
+            const counts = {};
+            world.castBatch(randomCasts(200, usual.facts(), 3), { counts });
+            return counts.faces + counts.boxes;
+        });
+        assert.ok(shallow > deep, `a shallow tree looks at more: ${shallow}, ${deep}`);
+    });
+    const wrong = [{ maxDepth: 65 }, { facesPerBin: 0 }, { skin: -1 }, { skin: NaN }, { scale: Infinity }, { scale: -1 }];
+    for (const one of wrong) throwsCode('INVALID', () => firma.worldFromObj(triangle, one));
+    const bad = [{ maxDepth: 1.5 }, { facesPerBin: '2' }, { skin: '1' }, { surfaceArea: 2 }, { name: 5 }, { name: 'a\0b' }];
+    for (const one of [...bad, null, 7]) throwsCode('BAD_CALL', () => firma.worldFromObj(triangle, one), /^worldFromObj: /);
+});
+
+test('bad files say where', () => {
+    throwsCode('MALFORMED', () => firma.worldFromObj('v 0 0 zero', { name: 'röhre.obj' }), /röhre\.obj/);
+    throwsCode('OUT_OF_RANGE', () => firma.worldFromObj('v 0 0 0\nf 1 2 3\n'), /2/);
+    throwsCode('MALFORMED', () => firma.worldFromBsp(new Uint8Array(10), { name: 'cut.bsp' }), /cut\.bsp/);
+    throwsCode('BAD_CALL', () => firma.worldFromBsp('text'));
+    for (const one of [undefined, null, 3, [1, 2]]) throwsCode('BAD_CALL', () => firma.worldFromObj(one));
+});
+
+test('a mesh, with all its arrays and with few', () => {
+    const box = boxMesh();
+    const extras = {
+        materials: [0, 1, 0, 1, 0, 1],
+        materialNames: ['fels', 'größe 日本'],
+        masks: Uint32Array.of(1, 2, 4, 8, 16, 0xffffffff),
+        twoSided: [false, false, true, false, false, false],
+    };
+    releasing([firma.worldFromMesh(box), firma.worldFromMesh({ ...box, ...extras }, { skin: 0.01 })], (plain, full) => {
+        assert.deepEqual(full.facts().materials.filter(Boolean), extras.materialNames);
+        assert.equal(full.facts().skin, 0.01);
+        assert.deepEqual(full.facts().low, [0, 0, 0]);
+        assert.deepEqual(full.facts().high, [8, 8, 8]);
+        assert.deepEqual([...full.faces().masks], [...extras.masks]);
+        assert.equal(full.faces().flags[2] & FACE_TWO_SIDED, FACE_TWO_SIDED);
+        assert.ok(plain.faces().flags.every((flags) => flags === FACE_SOLID));
+        assert.equal(plain.measure().volume, -512);
+        assert.equal(plain.inSolid([4, 4, 4]), false);
+        assert.equal(plain.inSolid([9, 4, 4]), true);
+    });
+    const triangles = { positions: Float32Array.of(0, 0, 0, 4, 0, 0, 0, 4, 0), corners: Uint16Array.of(0, 1, 2) };
+    releasing([firma.worldFromMesh(triangles)], (world) => assert.equal(world.facts().faceCount, 1));
+    throwsCode('MALFORMED', () => firma.worldFromMesh({ positions: [], corners: [] }), /no faces/);
+});
+
+test('meshes whose arrays do not fit each other', () => {
+    const box = boxMesh();
+    const wrong = [
+        null,
+        { ...box, positions: box.positions.slice(1) },
+        { ...box, corners: box.corners.slice(1) },
+        { ...box, cornerCounts: undefined, corners: [0, 1] },
+        { ...box, cornerCounts: [4, 4, 4, 4, 4, 5] },
+        { ...box, corners: [...box.corners.slice(1), -1] },
+        { ...box, corners: [...box.corners.slice(1), 1.5] },
+        { ...box, positions: [...box.positions.slice(1), '1'] },
+        { ...box, materials: [0] },
+        { ...box, masks: [1, 2, 3, 4, 5, NaN] },
+        { ...box, twoSided: [true] },
+        { ...box, materialNames: 'rock' },
+        { ...box, materialNames: [5] },
+        { corners: box.corners },
+    ];
+    for (const mesh of wrong) throwsCode('BAD_CALL', () => firma.worldFromMesh(mesh), /^worldFromMesh: /);
+    const far = { ...box, corners: [99, ...box.corners.slice(1)] };
+    assert.throws(() => firma.worldFromMesh(far, { name: 'far' }), /far/);
+    throwsCode('OUT_OF_RANGE', () => firma.worldFromMesh({ ...box, positions: box.positions.map(() => NaN) }));
+    assert.throws(() => firma.worldFromMesh({ ...box, materials: [0, 0, 0, 0, 0, 9], materialNames: ['a'] }));
+});
+
+test('faces are copies, each found by its id', () => {
+    withLevel((world) => {
+        const faces = world.faces();
+        assert.equal(faces.ids.length, world.facts().faceCount);
+        assert.ok(faces.ids.every((id, k) => k === 0 || id > faces.ids[k - 1]));
+        let corners = 0;
+        faces.ids.forEach((_, k) => {
+            assert.equal(faces.firstCorners[k], corners);
+            corners += faces.cornerCounts[k];
+            const [x, y, z] = faces.normals.subarray(3 * k, 3 * k + 3);
+            assert.ok(Math.abs(x * x + y * y + z * z - 1) < 1e-12);
+        });
+        assert.equal(faces.corners.length, 3 * corners);
+        const k = 17;
+        const face = world.findFace(faces.ids[k]);
+        const begin = 3 * faces.firstCorners[k];
+        assert.deepEqual(face, {
+            id: faces.ids[k],
+            normal: [...faces.normals.subarray(3 * k, 3 * k + 3)],
+            material: faces.materials[k],
+            source: faces.sources[k],
+            sourceEdit: 0,
+            mask: 0xffffffff,
+            flags: FACE_SOLID,
+            corners: faces.corners.slice(begin, begin + 3 * faces.cornerCounts[k]),
+        });
+        assert.equal(world.findFace(4_000_000), null);
+        for (const id of [-1, 0.5, 2 ** 32, '1', undefined]) throwsCode('BAD_CALL', () => world.findFace(id));
+        faces.corners.fill(0);
+        assert.notEqual(world.faces().corners[0], 0);
+    });
+});
+
+test('packed and unpacked it is the same; without the exact part it cannot be carved', () => {
+    withLevel((world) => {
+        const whole = world.pack();
+        const light = world.pack({ exact: false });
+        assert.ok(light.length < whole.length);
+        assert.deepEqual(world.pack({ exact: true }), whole);
+        releasing([firma.unpackWorld(whole, 'a'), firma.unpackWorld(light), firma.crater('rocky', 1)], (again, lighter, cutter) => {
+            assert.equal(again.hash(), world.hash());
+            assert.deepEqual(again.facts(), world.facts());
+            assert.deepEqual(again.faces(), world.faces());
+            again.check();
+            const cast = { centre: [40, 20, 4], radius: 0.1, path: [30, 1, 0] };
+            assert.deepEqual(lighter.cast(cast), world.cast(cast));
+            const { world: after, report } = lighter.carve(cutter, { position: world.cast(cast).point });
+            after.release();
+            assert.notEqual(report.status, 'done');
+        });
+        throwsCode('MALFORMED', () => firma.unpackWorld(whole.subarray(0, 1000), 'half.firma'), /half\.firma/);
+        throwsCode('MALFORMED', () => firma.unpackWorld(whole.map((byte, k) => (k === 5000 ? byte ^ 1 : byte))));
+        throwsCode('MALFORMED', () => firma.unpackWorld(new Uint8Array(0)));
+        throwsCode('BAD_CALL', () => firma.unpackWorld('text'));
+        throwsCode('BAD_CALL', () => world.pack({ exact: 1 }));
+        throwsCode('BAD_CALL', () => world.pack(null));
+    });
+});

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds the module for browsers and node, and runs the JavaScript package's tests in node and Chromium. Ends non-zero on
+# any failure, and then shows what failed; else prints a line or two. Installs what is missing (apt, npm).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/needs.sh
+
+need cmake ninja-build clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 chromium
+# By command: node may come from elsewhere than Debian, whose npm then cannot be installed beside it.
+command -v node >/dev/null || need nodejs
+command -v npm >/dev/null || need npm
+
+mkdir -p build
+log=build/test_js.log
+
+# quietly COMMAND...: its output only when it fails.
+quietly() { "$@" >"$log" 2>&1 || { tail -n 100 "$log" >&2; return 1; }; }
+
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+quietly cmake --preset wasm "${launcher[@]}"
+quietly cmake --build --preset wasm
+cp build/wasm/bin/firma.wasm bindings/js/src/
+
+cd bindings/js
+log=../../$log
+# Again only when the lock has changed: npm marks what it installed.
+cmp -s package-lock.json node_modules/.firma_lock || {
+    quietly npm ci --no-audit --no-fund
+    cp package-lock.json node_modules/.firma_lock
+}
+quietly node --test --test-reporter=tap test/*.test.js
+# A test that was skipped is one that did not pass.
+grep -q '^# skipped 0$' "$log" && grep -q '^# todo 0$' "$log" || { tail -n 20 "$log" >&2; exit 1; }
+grep -E '^# (firma\.wasm: |100 cuts, )' "$log" | sed 's/^# //'
+echo "$(sed -n 's/^# pass //p' "$log") tests in node $(node --version) and $(chromium --version --no-sandbox 2>/dev/null | head -n 1) passed"
