@@ -4,7 +4,7 @@
 #
 #   bench/run_all.sh [name ...]        only these: article_formulas boxes edges first_level inside pieces stop_distance
 #                                      subdivision tree carve carve_allocations carve_cgal carve_rebuild carved_casts
-#                                      versions save store peers openarena
+#                                      versions save store peers openarena node
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -27,13 +27,14 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions save store openarena peers
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions save store openarena peers node
 for name in "$@"; do
     echo "--- $name"
     case $name in
         pieces) pieces ;;
         openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
         peers) bench/peers/run.sh ;;
+        node) bench/node/run.sh --csv "$results" ;;
         carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB
         carve_cgal)  # only where there is CGAL
             [ ! -x build/bench/bin/bench_carve_cgal ] || build/bench/bin/bench_carve_cgal --csv "$results" ;;

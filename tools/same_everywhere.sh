@@ -5,7 +5,7 @@
 #   tools/same_everywhere.sh CUTS CASTS [WAY...]
 #
 # Ways: gcc-O3 gcc-O0 gcc-native clang-O3; aarch64, run by qemu; node and chromium, which run the module; test, what
-# the preset of that name has built. All but the last unless given.
+# the preset of that name has built. All but the last unless given. FIRMA_LEVEL: another level than levels/first.obj.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -13,7 +13,7 @@ cuts=${1:?usage: tools/same_everywhere.sh CUTS CASTS [WAY...]}
 casts=${2:?usage: tools/same_everywhere.sh CUTS CASTS [WAY...]}
 shift 2
 [ $# -gt 0 ] || set -- gcc-O3 gcc-O0 gcc-native clang-O3 aarch64 node chromium
-level=levels/first.obj
+level=${FIRMA_LEVEL:-levels/first.obj}
 module=build/wasm/bin/firma.wasm
 folder=build/same_everywhere
 mkdir -p "$folder"

@@ -27,12 +27,15 @@ class FirmaCutter {
         this.retries += report.retries;
         this.refused += report.status === 'refused';
     }
+    release() {
+        this.world.release();
+        this.cutter.release();
+    }
 }
 
 /** Manifold evaluates lazily: numTri() makes it cut. */
 class ManifoldCutter {
     failed = 0;
-    placing = 0; // milliseconds of making the crater's mesh, counted apart
     constructor(library, mesh, ball) {
         this.library = library;
         this.ball = ball;
@@ -55,6 +58,9 @@ class ManifoldCutter {
     }
     get taken() {
         return this.before - this.level.volume();
+    }
+    release() {
+        this.level.delete();
     }
 }
 
@@ -86,11 +92,21 @@ function compete(firma, ours, theirs, rooms, inCorner, cuts) {
 }
 
 const { quick, csv } = settings();
-const cuts = quick ? 10 : 100;
+const cuts = quick ? 10 : 200;
 const firma = await loadFirma(fileURLToPath(new URL('../../build/wasm/bin/firma.wasm', import.meta.url)));
 const library = await initManifold();
 library.setup();
 const ball = rockyBall(3);
+/** So that the engine has compiled what is timed. */
+function warmUp() {
+    const mesh = bumpyRooms(1);
+    const [ours, theirs] = [new FirmaCutter(firma, mesh, ball), new ManifoldCutter(library, mesh, ball)];
+    compete(firma, ours, theirs, 1, false, 8 * TURN);
+    ours.release();
+    theirs.release();
+}
+
+warmUp();
 const rows = [];
 for (const inCorner of [false, true])
     for (const rooms of quick ? [2] : [2, 6]) {
@@ -115,9 +131,8 @@ for (const inCorner of [false, true])
             count(ours.world.facts().faceCount),
             count(theirs.level.numTri()),
         ]);
-        ours.world.release();
-        ours.cutter.release();
-        theirs.level.delete();
+        ours.release();
+        theirs.release();
     }
 const speed = ['Firma median ms', 'Firma p99 ms', 'manifold median ms', 'manifold p99 ms', 'manifold with the crater made, median ms'];
 const ratios = ['manifold to Firma', 'with the crater made, to Firma'];

@@ -39,7 +39,7 @@ export const count = (value) => String(value).replace(/\B(?=(\d{3})+$)/g, ' ');
 export function number(value) {
     const size = Math.abs(value);
     if (size === 0) return '0';
-    if (size < 1e-3) return value.toExponential(1).replace(/e([+-])(\d)$/, 'e$10$2');
+    if (size < 1e-2) return value.toExponential(1).replace(/e([+-])(\d)$/, 'e$10$2');
     if (size < 9.995) return value.toFixed(2);
     return size < 99.95 ? value.toFixed(1) : count(Math.round(value));
 }

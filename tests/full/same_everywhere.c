@@ -2,7 +2,7 @@
 // Cuts a level and casts into it through the C API, and prints hashes of all that came back: the same from every
 // machine. same_everywhere.mjs does the very same through the JavaScript API; change both or none.
 //
-//   same_everywhere LEVEL.obj CUTS CASTS
+//   same_everywhere LEVEL.obj|LEVEL.bsp CUTS CASTS
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -301,7 +301,11 @@ static firma_world read_level(const char* path) {
     fclose(file);
     if (!text) exit(1);
     firma_world world;
-    must(firma_world_from_obj(text, length, "level", NULL, &world));
+    const char* ending = strrchr(path, '.');
+    if (ending && strcmp(ending, ".bsp") == 0)
+        must(firma_world_from_bsp(text, length, "level", NULL, &world));
+    else
+        must(firma_world_from_obj(text, length, "level", NULL, &world));
     free(text);
     return world;
 }
@@ -315,6 +319,56 @@ static void say(firma_world world, unsigned cuts, unsigned casts) {
            retries, casts, hit_count, (unsigned long long)facts.face_count, (unsigned long long)hash, (unsigned)hash_a,
            (unsigned)hash_b);
     fflush(stdout);
+}
+
+// The world's faces as a mesh, and a world of that.
+static void say_mesh(firma_world world) {
+    firma_faces faces;
+    firma_faces_view view;
+    firma_world_facts facts;
+    must(firma_world_faces(world, &faces));
+    must(firma_faces_get_view(faces, &view));
+    must(firma_world_get_facts(world, &facts));
+    const size_t count = view.face_count;
+    uint32_t* words = calloc(view.corner_count + 3 * count + 1, sizeof *words);
+    const char** names = calloc(facts.material_count + 1, sizeof *names);
+    uint8_t* two_sided = calloc(count + 1, 1);
+    if (!words || !names || !two_sided) exit(1);
+    uint32_t *corners = words, *counts = corners + view.corner_count, *materials = counts + count;
+    uint32_t* masks = materials + count;
+    for (size_t k = 0; k < view.corner_count; ++k) corners[k] = (uint32_t)k;
+    for (size_t k = 0; k < count; ++k) {
+        counts[k] = view.faces[k].corner_count;
+        materials[k] = view.faces[k].material;
+        masks[k] = view.faces[k].mask;
+        two_sided[k] = view.faces[k].flags & FIRMA_FACE_TWO_SIDED;
+    }
+    for (uint32_t k = 0; k < facts.material_count; ++k) must(firma_world_material(world, k, &names[k]));
+    const firma_mesh mesh = {sizeof mesh,  facts.material_count,
+                             view.corners, view.corner_count,
+                             corners,      counts,
+                             count,        materials,
+                             names,        masks,
+                             two_sided};
+    firma_world made;
+    uint64_t hash;
+    must(firma_world_from_mesh(&mesh, "mesh", NULL, &made));
+    must(firma_world_hash(made, &hash));
+    printf("mesh=%zu world=%016llx\n", count, (unsigned long long)hash);
+    must(firma_world_release(made));
+    must(firma_faces_release(faces));
+    free(words);
+    free(names);
+    free(two_sided);
+}
+
+// The same world, its left half of a harder stone.
+static firma_world with_rules(firma_world world) {
+    firma_zone zone = {"left half", {low[0], low[1], low[2]}, {(low[0] + high[0]) / 2, high[1], high[2]}, 0.3};
+    firma_rules rules = {.size = sizeof rules, .zones = &zone, .zone_count = 1};
+    firma_world harder;
+    must(firma_world_with_rules(world, &rules, &harder));
+    return harder;
 }
 
 // What is only worth it once: volume and area, faces, the difference to the level, the bytes of the file and back.
@@ -353,15 +407,15 @@ static void say_rest(firma_world first, firma_world last) {
 }
 
 int main(int count, char** words) {
-    if (count != 4) return fputs("usage: same_everywhere LEVEL.obj CUTS CASTS\n", stderr), 2;
+    if (count != 4) return fputs("usage: same_everywhere LEVEL CUTS CASTS\n", stderr), 2;
     const unsigned cuts = (unsigned)atoi(words[2]), casts = (unsigned)atoi(words[3]);
     const firma_world first = read_level(words[1]);
     firma_world_facts facts;
     must(firma_world_get_facts(first, &facts));
     memcpy(low, facts.low, sizeof low);
     memcpy(high, facts.high, sizeof high);
-    firma_world world;
-    must(firma_world_copy(first, &world));
+    firma_world world = with_rules(first);
+    say_mesh(first);
     say(world, 0, 0);
     unsigned cut = 0, cast = 0;
     for (unsigned portion = 1; portion <= kPortions; ++portion) {

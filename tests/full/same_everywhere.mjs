@@ -2,7 +2,7 @@
 // What same_everywhere.c does, draw by draw, through the JavaScript API: prints the same hashes, or something is wrong.
 // Change both or none.
 //
-//   node same_everywhere.mjs FIRMA.wasm LEVEL.obj CUTS CASTS
+//   node same_everywhere.mjs FIRMA.wasm LEVEL.obj|LEVEL.bsp CUTS CASTS
 import { loadFirma } from '../../bindings/js/src/index.js';
 
 const PORTIONS = 10;
@@ -114,7 +114,7 @@ const lastCut = [0, 0, 0];
 function somewhere() {
     const point = [0, 0, 0];
     for (let axis = 0; axis < 3; ++axis) {
-        const cells = (high[axis] - low[axis]) * 4096;
+        const cells = Math.trunc((high[axis] - low[axis]) * 4096);
         point[axis] = low[axis] + below(cells + 1) / 4096;
     }
     return point;
@@ -274,6 +274,29 @@ function say(print, world, cuts, casts) {
     );
 }
 
+function sayMesh(print, firma, world) {
+    const faces = world.faces();
+    const made = firma.worldFromMesh(
+        {
+            positions: faces.corners,
+            corners: Uint32Array.from({ length: faces.corners.length / 3 }, (_, k) => k),
+            cornerCounts: faces.cornerCounts,
+            materials: faces.materials,
+            materialNames: world.facts().materials,
+            masks: faces.masks,
+            twoSided: faces.flags.map((flags) => flags & 1),
+        },
+        { name: 'mesh' },
+    );
+    print(`mesh=${faces.ids.length} world=${hex(made.hash(), 16)}`);
+    made.release();
+}
+
+function withRules(world) {
+    const zone = { name: 'left half', low, high: [(low[0] + high[0]) / 2, high[1], high[2]], hardness: 0.3 };
+    return world.withRules({ zones: [zone] });
+}
+
 function sayRest(print, firma, first, last) {
     const { volume, area } = last.measure();
     mixDouble(volume);
@@ -294,12 +317,14 @@ function sayRest(print, firma, first, last) {
     again.release();
 }
 
-/** @param module, level what loadFirma() takes, and the bytes of the .obj file; @param print gets each line */
+/** @param module, level what loadFirma() takes, and the bytes of the .obj or .bsp file; @param print gets each line */
 export async function run(module, level, cuts, casts, print) {
     const firma = await loadFirma(module);
-    const first = firma.worldFromObj(level, { name: 'level' });
+    const bsp = level[0] === 0x49 && level[1] === 0x42; // "IBSP"
+    const first = bsp ? firma.worldFromBsp(level, { name: 'level' }) : firma.worldFromObj(level, { name: 'level' });
     ({ low, high } = first.facts());
-    let world = first.copy();
+    let world = withRules(first);
+    sayMesh(print, firma, first);
     say(print, world, 0, 0);
     let cut = 0;
     let cast = 0;
@@ -319,6 +344,6 @@ export async function run(module, level, cuts, casts, print) {
 if (typeof process !== 'undefined' && process.argv[1]?.endsWith('same_everywhere.mjs')) {
     const { readFile } = await import('node:fs/promises');
     const [module, level, cuts, casts] = process.argv.slice(2);
-    if (casts === undefined) throw new Error('usage: node same_everywhere.mjs FIRMA.wasm LEVEL.obj CUTS CASTS');
+    if (casts === undefined) throw new Error('usage: node same_everywhere.mjs FIRMA.wasm LEVEL CUTS CASTS');
     await run(await readFile(module), await readFile(level), Number(cuts), Number(casts), console.log);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs same_everywhere.mjs in Chromium, from a server of its own on this machine; the page sends back what it would print.
 //
-//   node same_everywhere_browser.mjs FIRMA.wasm LEVEL.obj CUTS CASTS      (paths below the repository)
+//   node same_everywhere_browser.mjs FIRMA.wasm LEVEL CUTS CASTS      (paths below the repository)
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -51,7 +51,7 @@ function serve(html, done) {
 }
 
 const words = process.argv.slice(2);
-if (words.length !== 4) throw new Error('usage: node same_everywhere_browser.mjs FIRMA.wasm LEVEL.obj CUTS CASTS');
+if (words.length !== 4) throw new Error('usage: node same_everywhere_browser.mjs FIRMA.wasm LEVEL CUTS CASTS');
 const profile = await mkdtemp(join(tmpdir(), 'firma-chromium-'));
 let browser;
 const result = await new Promise((done) => {

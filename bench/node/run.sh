@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Firma's module in node beside jolt-physics, rapier3d-simd-compat and manifold-3d; tables as CSV into a folder.
+#
+#   bench/node/run.sh [--quick] [--csv FOLDER]
+set -euo pipefail
+arguments=()
+for word in "$@"; do
+    [[ $word == -* ]] || word=$(realpath -m "$word")
+    arguments+=("$word")
+done
+cd "$(dirname "$0")/../.."
+. tools/needs.sh
+need_build
+need clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32
+command -v node >/dev/null || need nodejs
+command -v npm >/dev/null || need npm
+cmake --preset wasm >/dev/null
+cmake --build --preset wasm --target firma_wasm >/dev/null
+cd bench/node
+npm ci --omit=optional --no-fund --no-audit --silent
+node bench_casts.mjs "${arguments[@]}"
+node bench_cuts.mjs "${arguments[@]}"
