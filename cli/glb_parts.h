@@ -37,7 +37,8 @@ public:
     explicit GlbParts(const World& world);
 
     /// In order of the world's materials, those of the level first; none is without faces.
-    const std::vector<GlbPart>& list() const { return list_; }
+    const std::vector<GlbPart>& list() const& { return list_; }
+    const std::vector<GlbPart>& list() const&& = delete;  // of what is gone after the line
     std::size_t part_of(const FaceRecord& face) const { return index_.at(key(face)); }
     /// Of the whole buffer.
     std::uint64_t buffer_bytes() const;

@@ -174,6 +174,7 @@ tinygltf::Model describe(const World& world, const GlbParts& parts, const std::v
         {"hash", tinygltf::Value(fmt::format("{:016x}", hash_world(world)))},
     });
     model.scenes.emplace_back();
+    model.scenes[0].name = "world";  // one without anything in it, tinygltf would write as null
     model.defaultScene = 0;
     if (parts.list().empty()) return model;
 
