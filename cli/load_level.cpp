@@ -35,11 +35,14 @@ ReadOptions read_options(const LevelArguments& arguments) {
     return options;
 }
 
-bool names_saved_world(const std::string& path) {
-    constexpr std::string_view kEnding = ".firma";
-    if (path.size() < kEnding.size()) return false;
+bool has_ending(const std::string& path, std::string_view ending) {
+    if (path.size() < ending.size()) return false;
     const auto alike = [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); };
-    return std::equal(path.end() - std::ptrdiff_t(kEnding.size()), path.end(), kEnding.begin(), alike);
+    return std::equal(path.end() - std::ptrdiff_t(ending.size()), path.end(), ending.begin(), alike);
+}
+
+bool names_saved_world(const std::string& path) {
+    return has_ending(path, ".firma");
 }
 
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
@@ -53,6 +56,8 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
         loaded.read_seconds = seconds_since(start);
         return loaded;
     }
+    if (has_ending(arguments.path, ".glb") || has_ending(arguments.path, ".gltf"))
+        throw Failure(arguments.path, "glTF is written, not read; keep the .firma or .obj beside it");
     loaded.level = take(read_level(arguments.path, read_options(arguments)));
     loaded.read_seconds = seconds_since(start);
     const auto read = std::chrono::steady_clock::now();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "cli/command.h"
 #include "firma/level.h"
@@ -27,6 +28,8 @@ struct LoadedLevel {
     double read_seconds = 0, build_seconds = 0;
 };
 
+/// Whether a name ends so (".glb"), capitals or not.
+bool has_ending(const std::string& path, std::string_view ending);
 /// Whether a name ends in .firma, capitals or not.
 bool names_saved_world(const std::string& path);
 

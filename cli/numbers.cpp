@@ -57,6 +57,13 @@ Vec3 point_option(const std::string& option, const std::string& text) {
     return point;
 }
 
+int axis_option(const std::string& option, const std::string& text) {
+    if (text.empty() || text == "z") return 2;
+    if (text == "x") return 0;
+    if (text == "y") return 1;
+    throw Failure(option, "'" + text + "' is neither x, y nor z");
+}
+
 void append_17(std::string& out, double value) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);

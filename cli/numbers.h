@@ -21,6 +21,8 @@ double number_option(const std::string& option, const std::string& text, double 
 std::uint64_t count_option(const std::string& option, const std::string& text, std::uint64_t low, std::uint64_t high);
 /// "x,y,z"
 Vec3 point_option(const std::string& option, const std::string& text);
+/// "x", "y" or "z" -> 0, 1, 2; "" is z.
+int axis_option(const std::string& option, const std::string& text);
 
 /// Appends a double with 17 significant digits, as printf's %.17g does.
 void append_17(std::string& out, double value);

@@ -14,11 +14,13 @@
 #include "cli/atomic_file.h"
 #include "cli/failure.h"
 #include "cli/fire_blast.h"
+#include "cli/glb_parts.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_blasts.h"
+#include "cli/write_glb.h"
 #include "firma/save.h"
 #include "firma/write_obj.h"
 #include "tree/visit.h"
@@ -30,7 +32,7 @@ namespace {
 
 struct CarveArguments {
     LevelArguments level;
-    std::string blasts, out, report, material, slices;
+    std::string blasts, out, report, material, slices, up;
     bool json = false;
 };
 
@@ -60,13 +62,18 @@ A number that makes no crater (a radius of 0 or less, a place outside the world)
 change the exit code.
 
 The level written goes by the ending of AFTER. A .firma file holds all of it, its exact solid, tree and counters
-too: blasts go on from it as if there had been no file between. Anything else gets an .obj: the faces that casts
-meet, convex polygons of exactly the corners they have (decimals, multiples of 1/262144 m), with their materials.
+too: blasts go on from it as if there had been no file between. A .glb is binary glTF 2.0, for viewers and engines: the
+faces that casts meet as triangles with normals, rounded to 32-bit floats (exact within 64 m of the origin, at most
+1/4096 m off at the rim), under a material each of the level's; faces that cuts made have one of their own, with (cut)
+behind its name. In glTF y points up: the node turns the axis of the level that does so there, z or what --up says; the
+positions stay the level's. Anything else gets an .obj: the faces that casts meet, convex polygons of exactly the
+corners they have (decimals, multiples of 1/262144 m), with their materials.
 Only closed solids are carved; a .bsp has none. An .obj read again, its vertices are snapped to 1/4096 m; where that
-makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. Both files appear whole or
-not at all; `-` writes standard output. When blasts leave no face at all, stderr says so: AFTER.obj then holds none,
-and `firma check` does not take it ("no face"). Should cuts contradict each other, which would be a fault of Firma,
-the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the cutter.
+makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. All files appear whole or
+not at all; `-` writes standard output, an .obj. When blasts leave no face at all, stderr says so: AFTER.obj then holds
+none, and `firma check` does not take it ("no face"); AFTER.glb is an empty scene. Should cuts contradict each other,
+which would be a fault of Firma, the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the
+cutter.
 
 --json: level, blasts, done, nothing, refused, faces_before, faces_after, castable_only, median_ms, p99_ms, longest_ms,
 longest_slice_ms, retries, volume, hash, read_seconds, build_seconds, out, report.
@@ -174,11 +181,17 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
     return tally;
 }
 
+bool names_glb(const std::string& path) {
+    return has_ending(path, ".glb");
+}
+
 /// An .obj without faces is what is left, but no level to anyone who reads it.
 void tell_if_empty(const CarveArguments& arguments, const World& world) {
     if (world.face_count() > 0 || names_saved_world(arguments.out)) return;
-    std::fputs(fmt::format("firma: {}: the blasts left no face: it holds none, and `firma check` will not take it\n",
-                           is_standard_output(arguments.out) ? "standard output" : arguments.out)
+    std::fputs(fmt::format("firma: {}: the blasts left no face: {}\n",
+                           is_standard_output(arguments.out) ? "standard output" : arguments.out,
+                           names_glb(arguments.out) ? "its scene is empty"
+                                                    : "it holds none, and `firma check` will not take it")
                    .c_str(),
                stderr);
 }
@@ -187,6 +200,12 @@ void write_level(const World& world, const CarveArguments& arguments, AtomicFile
     if (names_saved_world(arguments.out)) {
         const std::vector<std::byte> bytes = pack_world(world);
         return out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    if (names_glb(arguments.out)) {
+        const GlbParts parts(world);
+        judge_glb_size(parts.file_bytes(), arguments.out);
+        return write_glb(world, parts, axis_option("--up", arguments.up),
+                         [&](std::string_view bytes) { out.write(bytes); });
     }
     write_obj(world, [&](std::string_view text) {
         out.write(text);  // throws where that is not possible
@@ -246,6 +265,10 @@ std::string text_for_people(const CarveArguments& arguments, Tally& tally, const
 
 /// Outputs must differ from each other, and from what is read.
 void judge_outputs(const CarveArguments& arguments) {
+    if (has_ending(arguments.out, ".gltf"))
+        throw Failure(arguments.out, "glTF is written as one binary file; let its name end in .glb");
+    if (!arguments.up.empty() && !names_glb(arguments.out)) throw Failure("--up", "is for a .glb");
+    axis_option("--up", arguments.up);
     refuse_json_beside(arguments.json, arguments.out);
     refuse_json_beside(arguments.json, arguments.report);
     for (const std::string& out : {arguments.out, arguments.report}) {
@@ -268,6 +291,8 @@ int run(const CarveArguments& arguments) {
     judge_outputs(arguments);
     const LoadedLevel loaded = load_level(arguments.level);
     const std::vector<Blast> blasts = read_blasts(arguments.blasts);
+    // Blasts mostly add faces: what is too large already should not take hours to be so.
+    if (names_glb(arguments.out)) judge_glb_size(GlbParts(loaded.world).file_bytes(), arguments.out);
 
     AtomicFile out(arguments.out);
     std::optional<AtomicFile> report;
@@ -294,11 +319,13 @@ Verb add_carve(CLI::App& app) {
     const auto arguments = std::make_shared<CarveArguments>();
     add_level_arguments(command, arguments->level);
     command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts, see below", true);
-    add_out_option(command, arguments->out, ".obj or .firma to write: the level after all blasts", true);
+    add_out_option(command, arguments->out, ".obj, .firma or .glb to write: the level after all blasts", true);
     command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");
     command.add_option("--material", arguments->material, "NAME", "material of the faces that blasts leave");
     command.add_option("--slices", arguments->slices, "US",
                        "run each edit in slices of so many microseconds; the result is the same");
+    command.add_option("--up", arguments->up, "AXIS",
+                       "of a .glb: the level's axis that points up: x, y or z (default z)");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};

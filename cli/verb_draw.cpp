@@ -59,13 +59,6 @@ blasts, new_faces, bytes, out. With --view: level, eye, look, blasts, new_faces,
 
 constexpr int kViewWidth = 640, kViewHeight = 480;
 
-int axis_option(const std::string& text) {
-    if (text.empty() || text == "z") return 2;
-    if (text == "x") return 0;
-    if (text == "y") return 1;
-    throw Failure("--up", "'" + text + "' is neither x, y nor z");
-}
-
 std::vector<debug::DrawnCast> gather_casts(const DrawArguments& arguments, const World& world) {
     if (arguments.queries.empty()) return {};
     const std::vector<Query> queries = read_queries(arguments.queries);
@@ -89,7 +82,7 @@ std::size_t new_faces(const World& world) {
 
 debug::Camera camera_of(const DrawArguments& arguments, const World& before, const World& after) {
     debug::Camera camera;
-    camera.up = axis_option(arguments.up);
+    camera.up = axis_option("--up", arguments.up);
     camera.width = kViewWidth;
     camera.height = kViewHeight;
     if (!arguments.zoom.empty()) camera.zoom = number_option("--zoom", arguments.zoom, 0.1, 100);
@@ -137,7 +130,7 @@ void draw_view(const DrawArguments& arguments, const World& before, const World&
 void draw_plan(const DrawArguments& arguments, const World& world, std::size_t blasts) {
     debug::PlanOptions options;
     options.title = short_name(arguments.level.path);
-    options.up = axis_option(arguments.up);
+    options.up = axis_option("--up", arguments.up);
     if (!arguments.at.empty()) options.at = number_option("--at", arguments.at);
     if (!arguments.most_casts.empty())
         options.most_casts = count_option("--most-casts", arguments.most_casts, 0, 100000);
@@ -183,7 +176,7 @@ int run(const DrawArguments& arguments) {
     } else if (!arguments.queries.empty() || !arguments.at.empty() || !arguments.most_casts.empty()) {
         throw Failure("--view", "shows neither casts nor a section");
     }
-    axis_option(arguments.up);
+    axis_option("--up", arguments.up);
     refuse_json_beside(arguments.json, arguments.out);
     for (const std::string& input : {arguments.level.path, arguments.queries, arguments.casts, arguments.blasts})
         refuse_overwriting(arguments.out, input);
