@@ -29,4 +29,4 @@ need() {
 }
 
 # What it takes to build the library and the command line.
-need_build() { need g++ cmake ninja-build libcli11-dev libfmt-dev libtbb-dev libfast-float-dev libboost-dev; }
+need_build() { need g++ cmake ninja-build libcli11-dev libfmt-dev libtbb-dev libfast-float-dev libboost-dev libcpp-httplib-dev; }
