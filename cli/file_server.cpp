@@ -5,9 +5,12 @@
 #include <httplib.h>
 #include <pthread.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -164,7 +167,14 @@ FileServer::FileServer(const std::string& folder, int port) : state_(std::make_u
 FileServer::~FileServer() = default;
 
 void FileServer::run() {
-    std::thread answering([this] { state_->server.listen_after_bind(); });
+    std::atomic<bool> ended = false;
+    std::thread answering([this, &ended] {
+        state_->server.listen_after_bind();
+        ended = true;
+        kill(getpid(), SIGTERM);  // where it ended by itself, run() is still waiting for a signal
+    });
+    // stop() is lost on a server that does not run yet.
+    while (!state_->server.is_running() && !ended) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const sigset_t signals = ending_signals();
     int number = 0;
     sigwait(&signals, &number);

@@ -8,16 +8,16 @@ const kFlashSeconds = 0.35;
 export class Stage {
     constructor(canvas) {
         this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-        this.renderer.toneMapping = THREE.NeutralToneMapping;
-        this.renderer.toneMappingExposure = 1.05;
+        this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+        this.renderer.toneMappingExposure = 1.0;
         this.scene = new THREE.Scene();
         this.scene.background = new THREE.Color(kFog);
         this.scene.fog = new THREE.FogExp2(kFog, 0.009);
         this.camera = new THREE.PerspectiveCamera(78, 1, 0.05, 400);
         this.camera.up.set(0, 0, 1);
 
-        this.scene.add(new THREE.HemisphereLight(0xdfe9ff, 0x5b4a3c, 1.35));
-        const sun = new THREE.DirectionalLight(0xfff0d8, 1.25);
+        this.scene.add(new THREE.HemisphereLight(0xe6edf8, 0xa39a90, 1.7));
+        const sun = new THREE.DirectionalLight(0xfff3e0, 1.3);
         sun.position.set(0.55, -0.35, 0.75);
         this.scene.add(sun);
         this.lamp = new THREE.PointLight(0xffe8c8, 9, 22, 1.5); // on the helmet: what is near stands out

@@ -40,11 +40,11 @@ float noiseAt(vec3 p) {
 float joints(vec3 place, vec3 flatNormal) {
     vec3 a = abs(flatNormal);
     vec2 uv = a.z > a.x && a.z > a.y ? place.xy : a.x > a.y ? place.yz : place.xz;
-    vec2 wide = fwidth(uv) * 0.75 + 0.012;
+    vec2 wide = fwidth(uv) * 0.6 + 0.008;
     vec2 from = abs(fract(uv * 0.5 + 0.5) - 0.5) * 2.0;
     vec2 line = 1.0 - smoothstep(wide, wide * 1.8, from);
     float strength = clamp(0.2 / max(wide.x, wide.y), 0.0, 1.0);
-    return 1.0 - 0.3 * strength * max(line.x, line.y);
+    return 1.0 - 0.2 * strength * max(line.x, line.y);
 }
 
 float grain(vec3 place, vec3 flatNormal, float kind) {
