@@ -30,6 +30,7 @@ export class Game {
         this.aimed = null;
         this.spawn = findSpawn(this.player, world, levelName);
         this.respawn();
+        this.launcher.warmUp(this.spawn.feet);
     }
 
     respawn() {

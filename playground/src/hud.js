@@ -36,9 +36,9 @@ export class Hud {
         const set = (name, text) => (this.lines[name].textContent = text);
         set('place', `at ${at}   ${s.room === null ? '' : `room ${s.room}   `}version ${s.version}   ` +
             `${grouped(s.faces)} faces   history ${number(s.history.bytes / 1024, 0)} KiB in ${s.history.versions} versions`);
-        set('aim', s.aim ? `view cast: ${s.aim.met ? `${s.aim.material || 'rock'} at ${number(s.aim.distance, 2)} m` : 'nothing'}` +
-            `; looked at ${counts(s.aim.counts)}` : '');
-        set('move', `moving: ${s.move.casts} sphere casts a frame; looked at ${counts(s.move.counts)}`);
+        set('aim', s.aim ? `looking: ${s.aim.met ? `${s.aim.material || 'rock'} at ${number(s.aim.distance, 2)} m` : 'nothing'}` +
+            `; the cast looked at ${counts(s.aim.counts)}` : '');
+        set('move', `moving: ${s.move.casts} sphere casts looked at ${counts(s.move.counts)}`);
         set('times', `frame ${number(s.times.frameMs.median, 1)} ms (ours ${number(s.times.workMs.median, 2)})   ` +
             `cast ${number(s.times.castUs.median, 1)} \u00b5s (least ${number(s.times.castUs.least, 1)})   ` +
             `cut ${number(s.times.cutMs.median, 2)} ms (least ${number(s.times.cutMs.least, 2)}, last ${number(s.times.cutMs.last, 2)})`);

@@ -7,7 +7,7 @@ export const kKinds = { plain: 0, panels: 1, rock: 2, ground: 3, sky: 4 };
 /** The first pattern that a material's name fits gives its colour and its kind. */
 const kLooks = [
     [/sky/, [0xa9, 0xc7, 0xe8], 'sky'],
-    [/rubble|crater/, [0xa8, 0x74, 0x4a], 'rock'],
+    [/rubble|crater/, [0xb4, 0x82, 0x58], 'rock'],
     [/rock|stone|cliff|tunnel/, [0x8a, 0x7c, 0x6c], 'rock'],
     [/ground|grass|dirt|sand|terrain/, [0x7d, 0x86, 0x58], 'ground'],
     [/bridge|metal|iron|grate/, [0x6f, 0x86, 0x9c], 'panels'],
@@ -51,8 +51,8 @@ export class Painter {
         if (edit > 0) {
             // Deep in the rock it is darker and redder, and each facet has a shade of its own, so that one sees depth.
             const depth = Math.max(0, Math.min(1, this.depth(edit, [x, y, z])));
-            light = (0.84 + 0.32 * share) * (1.06 - 0.5 * depth);
-            warm = 0.1 * depth;
+            light = (0.84 + 0.32 * share) * (1.08 - 0.42 * depth);
+            warm = 0.05 * depth;
         }
         out[0] = Math.min(255, colour[0] * light * (1 + warm));
         out[1] = Math.min(255, colour[1] * light);

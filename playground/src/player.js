@@ -11,6 +11,7 @@ const kJump = 5.6;
 const kGravity = 16;
 const kStep = 0.42; // what one walks up without jumping
 const kWalkable = 0.6; // least z of the normal of what one stands on
+const kSteepest = 0.25; // the same on an edge whose upper face is walkable: the edge of a step
 const kLongestStep = 1 / 60; // seconds
 const kMostSlides = 4;
 
@@ -96,10 +97,21 @@ export class Player {
         return normals;
     }
 
+    /** Whether a contact below holds somebody: not too steep, or an edge or corner with a floor just beyond it. */
+    holds(hit) {
+        const [x, y, z] = hit.normal;
+        if (z >= kWalkable) return true;
+        if (z < kSteepest || hit.feature === 'face') return false;
+        const size = Math.hypot(x, y);
+        const above = [hit.point[0] - (0.02 * x) / size, hit.point[1] - (0.02 * y) / size, hit.point[2] + 0.05];
+        const floor = this.probe.cast(above, 0, [0, 0, -0.1]);
+        return floor.status === 'hit' && floor.normal[2] >= kWalkable;
+    }
+
     /** Straight down as far as `depth`; says whether there was something to stand on, else stays. */
     drop(depth) {
         const hit = this.sweep([0, 0, -depth]);
-        if (!hit || hit.normal[2] < kWalkable) return false;
+        if (!hit || !this.holds(hit)) return false;
         this.feet[2] -= depth * hit.safeFraction;
         return true;
     }
@@ -131,7 +143,7 @@ export class Player {
         const wish = [(ahead * c + aside * s) * speed, (ahead * s - aside * c) * speed];
 
         const footing = this.velocity[2] <= 0 && this.sweep([0, 0, -0.02]);
-        this.grounded = Boolean(footing) && footing.normal[2] >= kWalkable;
+        this.grounded = Boolean(footing) && this.holds(footing);
         const share = 1 - Math.exp(-(this.grounded ? 14 : 2.5) * dt);
         for (const k of [0, 1]) this.velocity[k] += (wish[k] - this.velocity[k]) * share;
         const jumps = this.grounded && keys.jump;

@@ -2,8 +2,11 @@
 // Casts through the world of the moment, counted and timed.
 //
 // Browsers round their clock (to 5 us where the page is isolated, else to 100 us), a cast takes some microseconds: so
-// casts are timed in groups, and a group's time is divided by its casts.
+// casts are timed in groups, and a group's time is divided by its casts. What is around them (a player's
+// arithmetic) is counted in.
 import { Samples } from './samples.js';
+
+const kLeastGroup = 4; // casts: fewer say little by such a clock
 
 const noCounts = () => ({ bins: 0, boxes: 0, faces: 0, precise: 0 });
 
@@ -20,7 +23,7 @@ export class Probe {
         const start = performance.now();
         const result = work();
         const spent = (performance.now() - start) * 1000;
-        if (this.group.casts) this.microseconds.add(spent / this.group.casts);
+        if (this.group.casts >= kLeastGroup) this.microseconds.add(spent / this.group.casts);
         return result;
     }
 

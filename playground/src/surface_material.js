@@ -51,7 +51,7 @@ float grain(vec3 place, vec3 flatNormal, float kind) {
     float fine = noiseAt(place * 7.0), broad = noiseAt(place * 1.3);
     if (kind < 0.5) return 0.93 + 0.07 * fine + 0.05 * broad;
     if (kind < 1.5) return (0.92 + 0.07 * fine + 0.06 * broad) * joints(place, flatNormal);
-    if (kind < 2.5) return 0.72 + 0.26 * fine + 0.22 * broad;
+    if (kind < 2.5) return 0.7 + 0.16 * fine + 0.2 * broad + 0.2 * noiseAt(place * 19.0);
     if (kind < 3.5) return 0.74 + 0.22 * fine + 0.24 * noiseAt(place * 0.35);
     return 1.0;
 }
