@@ -17,6 +17,7 @@ export function describeShot(shot) {
                 `${number(shot.report.volume, 2)} m\u00b3; ${cut}, drawn anew in ${number(shot.meshMs, 2)} ms`;
         case 'nothing': return `nothing to take away there (${cut})`;
         case 'refused': return `refused: ${shot.reason} (${cut})`;
+        case 'undone': case 'redone': return shot.status;
         case 'sky': return 'that is the sky';
         default: return 'nothing in reach';
     }

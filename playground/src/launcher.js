@@ -66,11 +66,11 @@ export class Launcher {
     }
 
     undo() {
-        return this.#travel((facts) => facts.current > facts.oldest, () => this.store.undo());
+        return this.#travel('undone', (facts) => facts.current > facts.oldest, () => this.store.undo());
     }
 
     redo() {
-        return this.#travel((facts) => facts.current < facts.newest, () => this.store.redo());
+        return this.#travel('redone', (facts) => facts.current < facts.newest, () => this.store.redo());
     }
 
     /** How deep a point lies in the crater of an edit: 0 at the surface that was hit, 1 at a crater's radius. */
@@ -79,8 +79,9 @@ export class Launcher {
         return dent ? -dot(subtract(point, dent.point), dent.normal) / dent.scale : 0;
     }
 
-    #travel(isThere, move) {
+    #travel(name, isThere, move) {
         if (!isThere(this.store.facts())) return false;
+        this.last = { status: name };
         this.#change(move());
         return true;
     }

@@ -54,7 +54,7 @@ export class Stage {
         this.sinceShot += dt;
         const left = 1 - this.sinceShot / kFlashSeconds;
         this.ball.visible = left > 0;
-        this.flash.intensity = left > 0 ? 60 * left * left : 0;
+        this.flash.intensity = left > 0 ? 18 * left * left : 0;
         if (left > 0) {
             this.ball.scale.setScalar(0.15 + 0.9 * (1 - left));
             this.ball.material.opacity = 0.75 * left * left;
