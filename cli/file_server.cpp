@@ -110,6 +110,9 @@ void refuse(httplib::Response& response, int status, const char* reason) {
 }
 
 void answer(const fs::path& folder, const httplib::Request& request, httplib::Response& response) {
+    // Files are handed out whole, as HTTP allows: the library serves ranges without a look at where a file ends. The
+    // request is the library's own variable, const only in here.
+    const_cast<httplib::Request&>(request).ranges.clear();
     response.set_header("X-Content-Type-Options", "nosniff");
     response.set_header("Cache-Control", "no-cache");
     // A page of its own, cut off from others: browsers then give it a clock of 5 us instead of 100.
@@ -125,8 +128,13 @@ void answer(const fs::path& folder, const httplib::Request& request, httplib::Re
     if (!file) return refuse(response, 404, "not found");
     std::optional<std::string> bytes = read_whole(*file);
     if (!bytes) return refuse(response, 404, "not found");
-    response.status = 200;
-    response.set_content(std::move(*bytes), type_of(*file));
+    if (bytes->empty()) return response.set_content("", type_of(*file));
+    // By a provider, as the library would compress what is set at once: for seconds, and nobody gains by it here.
+    const auto held = std::make_shared<const std::string>(std::move(*bytes));
+    response.set_content_provider(
+        held->size(), type_of(*file), [held](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+            return offset < held->size() && sink.write(held->data() + offset, std::min(length, held->size() - offset));
+        });
 }
 
 /// Without SO_REUSEPORT, which the library sets by itself: a port that is taken is to be an error.

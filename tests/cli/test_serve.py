@@ -90,6 +90,20 @@ class Serve(CliTest):
             self.assertEqual(headers['Content-Type'].split(';')[0], kind, path)
         self.assertEqual(self.ask(port, '/firma.wasm', 'HEAD')[2]['Content-Length'], str(os.path.getsize(self.path('site/firma.wasm'))))
 
+    def test_no_compression_and_no_parts(self):
+        _, port = self.serve()
+        self.write('site/big.js', '// the same again and again\n' * 100000)
+        status, body, headers = self.ask(port, '/big.js', **{'Accept-Encoding': 'gzip, deflate, br'})
+        self.assertEqual((status, body), (200, self.read('site/big.js')))
+        self.assertNotIn('Content-Encoding', headers)
+        whole = self.read('site/firma.wasm')
+        for part in ['0-9', '100-100', '-7', '5-', '999999999-', '5-999999999', '9-3', 'x', '0-1,2-3,4-5', '9223372036854775807-', '0-0' + ',0-' * 500]:
+            for path in ['/firma.wasm', '/empty.js', '/nothing']:              # no parts: all of it, or an error
+                status, body, _ = self.ask(port, path, Range='bytes=' + part)
+                self.assertIn(status, [200, 400, 404, 416], part)
+                if status == 200: self.assertEqual(body, self.read('site' + path), part)
+        self.assertEqual(self.ask(port, '/firma.wasm')[1], whole)
+
     def test_nothing_else(self):
         _, port = self.serve()
         for path in ['/nothing', '/sub', '/sub/', '/.hidden', '/sub/../.hidden', '/../secret.txt', '/%2e%2e/secret.txt',
