@@ -24,6 +24,7 @@
 #include "cli/verb_demo.h"
 #include "cli/verb_draw.h"
 #include "cli/verb_info.h"
+#include "cli/verb_serve.h"
 #include "cli/verb_walk.h"
 
 namespace firma::cli {
@@ -70,8 +71,8 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(30);
     app.get_formatter()->label("SUBCOMMAND", "VERB");
     app.get_formatter()->label("Subcommands", "Verbs");
-    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app), add_carve(app),
-                                  add_walk(app), add_draw(app),  add_demo(app)};
+    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),  add_carve(app),
+                                  add_walk(app), add_draw(app),  add_serve(app), add_demo(app)};
     refuse_unknown_verb(argc, argv, verbs);
     try {
         app.parse(argc, argv);

@@ -10,7 +10,7 @@ import unittest
 
 from harness import FIRMA, CliTest, box
 
-VERBS = ['info', 'check', 'cast', 'carve', 'walk', 'draw', 'demo']
+VERBS = ['info', 'check', 'cast', 'carve', 'walk', 'draw', 'serve', 'demo']
 WALK = ['--start', '1,1,1', '--radius', '0.5', '--seed', '1']
 
 

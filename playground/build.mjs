@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Bundles the playground into build/playground: index.html, one script, firma.wasm, the level. Runs on nodejs 18 and 20.
+//
+//     node build.mjs [FOLDER]        after `cmake --build --preset wasm`, which makes the module
+import { cpSync, existsSync, mkdirSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const root = path.dirname(here);
+const target = path.resolve(process.argv[2] ?? path.join(root, 'build/playground'));
+const wasm = process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm');
+if (!existsSync(wasm)) {
+    console.error(`firma: ${wasm} is not there; cmake --preset wasm && cmake --build --preset wasm`);
+    process.exit(1);
+}
+
+mkdirSync(target, { recursive: true });
+await build({
+    entryPoints: [path.join(here, 'src/main.js')],
+    outfile: path.join(target, 'playground.js'),
+    bundle: true,
+    format: 'esm',
+    target: 'es2022',
+    minify: true,
+    legalComments: 'inline', // three's licence
+    alias: { firma: process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js') },
+    external: ['node:*'],
+    logLevel: 'warning',
+});
+cpSync(path.join(here, 'index.html'), path.join(target, 'index.html'));
+cpSync(wasm, path.join(target, 'firma.wasm'));
+cpSync(path.join(root, 'levels/first.obj'), path.join(target, 'first.obj'));
+console.log(`firma: playground in ${path.relative(process.cwd(), target) || '.'}`);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Fires: a cast along the view, a crater where it meets something, a new version of the world; and back.
+import { Samples } from './samples.js';
+import { dot, subtract } from './vector.js';
+
+const kReach = 250; // metres
+const kCraterScale = 1.2;
+const kHistoryBytes = 256 * 1024 * 1024;
+
+export class Launcher {
+    /** @param onChange  (diff, world) after each change of the world */
+    constructor(firma, world, probe, onChange) {
+        this.firma = firma;
+        this.store = firma.openStore(world, kHistoryBytes);
+        this.world = world;
+        this.materials = world.facts().materials;
+        this.probe = probe;
+        this.onChange = onChange;
+        this.shots = 0;
+        this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report }
+        this.cutMs = new Samples(60);
+        this.meshMs = new Samples(60);
+        this.dents = new Map(); // number of an edit -> where its crater lies, for the colours of its faces
+    }
+
+    /** Craters that nobody sees, so that the first shot finds compiled code (the first one takes ten times as long). */
+    warmUp(at) {
+        for (let seed = 1; seed <= 3; ++seed) {
+            const cutter = this.firma.crater('rocky', seed);
+            const { world: after } = this.world.carve(cutter, { position: at, scale: kCraterScale }, { material: 'rubble' });
+            this.world.diff(after);
+            cutter.release();
+            after.release();
+        }
+    }
+
+    /** What lies along a view: the hit, with its distance and the name of its material. */
+    aim(eye, direction) {
+        const hit = this.probe.measure(() => this.probe.cast(eye, 0, direction.map((x) => x * kReach)));
+        const met = hit.status === 'hit' || hit.status === 'touching';
+        return { hit, met, distance: met ? hit.fraction * kReach : Infinity, material: met ? this.materials[hit.material] : '' };
+    }
+
+    fire(eye, direction) {
+        const target = this.aim(eye, direction);
+        if (!target.met) return (this.last = { status: 'missed', target });
+        if (target.material === 'sky') return (this.last = { status: 'sky', target });
+        const seed = ++this.shots;
+        const cutter = this.firma.crater('rocky', seed);
+        const pose = { position: target.hit.point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
+        const before = this.world;
+        const start = performance.now();
+        const { world: after, report } = before.carve(cutter, pose, { material: 'rubble' });
+        const cutMs = performance.now() - start;
+        cutter.release();
+        this.last = { status: report.status, reason: report.reason, cutMs, report, target };
+        if (report.status !== 'done') {
+            after.release();
+            return this.last;
+        }
+        this.cutMs.add(cutMs);
+        this.dents.set(after.facts().edits, { point: target.hit.point, normal: target.hit.faceNormal, scale: kCraterScale });
+        this.store.publish(before, after);
+        this.last.meshMs = this.#change(after);
+        return this.last;
+    }
+
+    undo() {
+        return this.#travel('undone', (facts) => facts.current > facts.oldest, () => this.store.undo());
+    }
+
+    redo() {
+        return this.#travel('redone', (facts) => facts.current < facts.newest, () => this.store.redo());
+    }
+
+    /** How deep a point lies in the crater of an edit: 0 at the surface that was hit, 1 at a crater's radius. */
+    depth(edit, point) {
+        const dent = this.dents.get(edit);
+        return dent ? -dot(subtract(point, dent.point), dent.normal) / dent.scale : 0;
+    }
+
+    #travel(name, isThere, move) {
+        if (!isThere(this.store.facts())) return false;
+        this.last = { status: name };
+        this.#change(move());
+        return true;
+    }
+
+    /** Everything from the world before to the one after: what is drawn, what casts meet. */
+    #change(after) {
+        const start = performance.now();
+        const diff = this.world.diff(after);
+        const before = this.world;
+        this.world = after;
+        this.probe.world = after;
+        this.materials = after.facts().materials;
+        this.onChange(diff, after);
+        before.release(); // the store has its own
+        const spent = performance.now() - start;
+        this.meshMs.add(spent);
+        return spent;
+    }
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Loads Firma and a level, runs the frames, and offers window.firmaPlayground to whoever drives the page by program.
+import { loadFirma } from 'firma';
+import { Game } from './game.js';
+import { describeShot, Hud } from './hud.js';
+import { Input } from './input.js';
+import { levelName, loadWorld } from './load_level.js';
+import { Stage } from './stage.js';
+
+const kLongestFrame = 0.1; // seconds: after a pause time does not jump
+
+/** For tests: `done` and `error` say when there is something to see; then time can be stepped by hand. */
+const hooks = { done: false, error: null, frames: 0 };
+window.firmaPlayground = hooks;
+
+function offerHooks(game, loop, draw) {
+    Object.assign(hooks, {
+        state: () => game.state(),
+        /** Stops time; from then on only step() moves anything. */
+        pause: () => (loop.running = false),
+        resume: () => (loop.running = true),
+        step(dt, keys) {
+            loop.running = false;
+            game.step(dt, keys);
+            return game.state();
+        },
+        look: (yaw, pitch) => game.player.look(yaw, pitch),
+        place: (x, y, z) => game.player.place([x, y, z]),
+        aim() {
+            game.aim();
+            return game.state().aim;
+        },
+        fire() {
+            const { status, reason } = game.fire();
+            return { status, reason: reason ?? null, text: describeShot(game.launcher.last) };
+        },
+        undo: () => game.undo(),
+        redo: () => game.redo(),
+        respawn: () => game.respawn(),
+        /** Draws now, `dt` seconds later for what fades. */
+        draw: (dt = 0) => draw(dt),
+        hash: () => game.launcher.world.hash().toString(16),
+        check: () => game.launcher.world.check(),
+        /** Of the player's spheres: the least distance of a centre to a face, and whether one is in rock. */
+        clearance() {
+            const { feet } = game.player;
+            const centres = [0.35, 0.85, 1.35].map((z) => [feet[0], feet[1], feet[2] + z]);
+            const world = game.launcher.world;
+            return {
+                distance: Math.min(...centres.map((centre) => world.closest(centre, 10)?.distance ?? 10)),
+                inSolid: centres.some((centre) => world.inSolid(centre) === true),
+            };
+        },
+        game,
+    });
+}
+
+/** Calls `frame` with the seconds gone by, for each frame of the browser. */
+function runFrames(loop, frame) {
+    let before = performance.now();
+    const next = (now) => {
+        const dt = Math.max(0, (now - before) / 1000);
+        before = now;
+        if (loop.running) frame(dt);
+        requestAnimationFrame(next);
+    };
+    requestAnimationFrame(next);
+}
+
+async function start() {
+    const message = document.querySelector('#message');
+    try {
+        const name = levelName(location.search);
+        const [firma] = await Promise.all([loadFirma(new URL('firma.wasm', document.baseURI))]);
+        const world = await loadWorld(firma, name);
+        const canvas = document.querySelector('canvas');
+        const stage = new Stage(canvas);
+        const game = new Game(firma, world, name, stage);
+        const hud = new Hud(document.querySelector('#hud'));
+        document.querySelector('#title').textContent = `Firma ${firma.version} \u00b7 ${name}`;
+
+        const resize = () => stage.resize(innerWidth, innerHeight, Math.min(devicePixelRatio, 2));
+        addEventListener('resize', resize);
+        resize();
+        const input = new Input(canvas, game.player, {
+            fire: () => game.fire(),
+            undo: () => game.undo(),
+            redo: () => game.redo(),
+            respawn: () => game.respawn(),
+            help: () => document.body.classList.toggle('without-help'),
+        });
+
+        const loop = { running: true };
+        const draw = (dt) => {
+            game.aim();
+            game.render(dt);
+            hud.show(game.state(), performance.now(), !loop.running);
+            ++hooks.frames;
+        };
+        draw(0);
+        offerHooks(game, loop, draw);
+        runFrames(loop, (dt) => {
+            const began = performance.now();
+            input.turn(Math.min(dt, kLongestFrame));
+            game.step(Math.min(dt, kLongestFrame), input.keys);
+            draw(dt);
+            game.frameMs.add(dt * 1000);
+            game.workMs.add(performance.now() - began);
+        });
+        message.hidden = true;
+        hooks.done = true;
+    } catch (error) {
+        hooks.error = String(error?.message ?? error);
+        message.textContent = hooks.error;
+        message.hidden = false;
+        throw error;
+    }
+}
+
+start();

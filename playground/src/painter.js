@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The colour of a face, and what its surface is like, from its material's name and where it came from.
+
+/** Kinds of surface that the shader knows: see surface_material.js. */
+export const kKinds = { plain: 0, panels: 1, rock: 2, ground: 3, sky: 4 };
+
+/** The first pattern that a material's name fits gives its colour and its kind. */
+const kLooks = [
+    [/sky/, [0xa9, 0xc7, 0xe8], 'sky'],
+    [/rubble|crater/, [0xb4, 0x82, 0x58], 'rock'],
+    [/rock|stone|cliff|tunnel/, [0x8a, 0x7c, 0x6c], 'rock'],
+    [/ground|grass|dirt|sand|terrain/, [0x7d, 0x86, 0x58], 'ground'],
+    [/bridge|metal|iron|grate/, [0x6f, 0x86, 0x9c], 'panels'],
+    [/pillar|column/, [0xb3, 0xa3, 0x8b], 'plain'],
+    [/stair|step/, [0xa5, 0x96, 0x82], 'plain'],
+    [/ceil|roof/, [0x8c, 0x92, 0x99], 'plain'],
+    [/floor/, [0x87, 0x83, 0x7b], 'panels'],
+    [/./, [0xa9, 0xaa, 0xa4], 'panels'],
+];
+
+/** A number in [0, 1) that two integers give. */
+function chance(a, b) {
+    let h = Math.imul(a ^ 0x9e3779b9, 0x85ebca6b) ^ Math.imul(b + 0x7f4a7c15, 0xc2b2ae35);
+    h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);
+    return ((h ^ (h >>> 13)) >>> 0) / 4294967296;
+}
+
+export class Painter {
+    /** @param depth  (edit, point): how deep a point lies in the crater of an edit, in its radii */
+    constructor(materials, depth) {
+        this.looks = [];
+        this.depth = depth;
+        this.learn(materials);
+    }
+
+    /** Edits may add materials. */
+    learn(materials) {
+        for (let k = this.looks.length; k < materials.length; ++k) {
+            const [, colour, kind] = kLooks.find(([pattern]) => pattern.test(materials[k].toLowerCase() || 'wall'));
+            this.looks.push({ colour, kind: kKinds[kind] });
+        }
+    }
+
+    /** Puts red, green, blue and kind of a corner of face k into `out`. */
+    paint(faces, k, x, y, z, out) {
+        const { colour, kind } = this.looks[faces.materials[k]];
+        const edit = faces.sourceEdits[k];
+        const share = chance(faces.sources[k], edit);
+        let light = kind === kKinds.sky ? 1 : 0.97 + 0.06 * share;
+        let warm = 0;
+        if (edit > 0) {
+            // Deep in the rock it is darker and redder, and each facet has a shade of its own, so that one sees depth.
+            const depth = Math.max(0, Math.min(1, this.depth(edit, [x, y, z])));
+            light = (0.84 + 0.32 * share) * (1.08 - 0.42 * depth);
+            warm = 0.05 * depth;
+        }
+        out[0] = Math.min(255, colour[0] * light * (1 + warm));
+        out[1] = Math.min(255, colour[1] * light);
+        out[2] = Math.min(255, colour[2] * light * (1 - warm));
+        out[3] = kind;
+    }
+}

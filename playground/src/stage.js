@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What is drawn, but for the faces: camera, lights, fog, the flash of a shot.
+import * as THREE from 'three';
+
+const kFog = 0x8f9aa6;
+const kFlashSeconds = 0.35;
+
+export class Stage {
+    constructor(canvas) {
+        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+        this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+        this.renderer.toneMappingExposure = 1.0;
+        this.scene = new THREE.Scene();
+        this.scene.background = new THREE.Color(kFog);
+        this.scene.fog = new THREE.FogExp2(kFog, 0.009);
+        this.camera = new THREE.PerspectiveCamera(78, 1, 0.05, 400);
+        this.camera.up.set(0, 0, 1);
+
+        this.scene.add(new THREE.HemisphereLight(0xe6edf8, 0xa39a90, 1.7));
+        const sun = new THREE.DirectionalLight(0xfff3e0, 1.3);
+        sun.position.set(0.55, -0.35, 0.75);
+        this.scene.add(sun);
+        this.lamp = new THREE.PointLight(0xffe8c8, 9, 22, 1.5); // on the helmet: what is near stands out
+        this.flash = new THREE.PointLight(0xffa040, 0, 14, 1.2);
+        this.ball = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12),
+            new THREE.MeshBasicMaterial({ color: 0xffc060, transparent: true, depthWrite: false }));
+        this.ball.visible = false;
+        this.scene.add(this.lamp, this.flash, this.ball);
+        this.sinceShot = Infinity;
+    }
+
+    resize(width, height, ratio) {
+        this.renderer.setPixelRatio(ratio);
+        this.renderer.setSize(width, height, false);
+        this.camera.aspect = width / height;
+        this.camera.updateProjectionMatrix();
+    }
+
+    /** Somebody's eye, and where it looks. */
+    view(eye, direction) {
+        this.camera.position.set(...eye);
+        this.camera.lookAt(eye[0] + direction[0], eye[1] + direction[1], eye[2] + direction[2]);
+        this.lamp.position.set(eye[0], eye[1], eye[2] + 0.25);
+    }
+
+    /** A shot went off there. */
+    explode(point, normal) {
+        this.ball.position.set(...point);
+        this.flash.position.set(...point.map((x, k) => x + 0.4 * normal[k]));
+        this.sinceShot = 0;
+    }
+
+    render(dt) {
+        this.sinceShot += dt;
+        const left = 1 - this.sinceShot / kFlashSeconds;
+        this.ball.visible = left > 0;
+        this.flash.intensity = left > 0 ? 18 * left * left : 0;
+        if (left > 0) {
+            this.ball.scale.setScalar(0.15 + 0.9 * (1 - left));
+            this.ball.material.opacity = 0.75 * left * left;
+        }
+        this.renderer.render(this.scene, this.camera);
+    }
+}

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// The playground as a browser shows it: load, walk into a wall, fire until there is a hole, walk through it, undo.
+//
+// Time is stepped by hand: nothing here waits for a frame rate. Pictures go to build/playground_shots.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { call, load, open, shoot } from './harness.mjs';
+
+const kRadius = 0.35;
+const kThinWall = 10.05; // x of its eastern side; 5 cm of rock between two rooms
+let session;
+
+before(async () => (session = await open()));
+after(async () => assert.equal(await session.close(), 0)); // Ctrl-C is how the server is meant to end
+
+const state = (page) => call(page, 'state');
+
+async function assertClear(page) {
+    const { distance, inSolid } = await call(page, 'clearance');
+    assert.equal(inSolid, false);
+    assert.ok(distance >= kRadius - 1e-9, `${distance} m`);
+}
+
+/** Walks to a place in a straight line, at most so many steps of a fifth of a second. */
+async function walkTo(page, x, y, most = 60) {
+    for (let k = 0; k < most; ++k) {
+        const { position } = await state(page);
+        const [dx, dy] = [x - position[0], y - position[1]];
+        if (Math.hypot(dx, dy) < 0.15) break;
+        await call(page, 'look', Math.atan2(dy, dx), 0);
+        await call(page, 'step', Math.min(0.2, Math.hypot(dx, dy) / 4.5), { forward: true });
+    }
+    return (await state(page)).position;
+}
+
+/** How many colours there are on the canvas itself. */
+const coloursDrawn = (page) =>
+    page.evaluate(() => {
+        window.firmaPlayground.draw();
+        const gl = document.querySelector('canvas').getContext('webgl2');
+        const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+        gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        return new Set(new Uint32Array(pixels.buffer)).size;
+    });
+
+/** Whether what is drawn is just what the world consists of: each face's fan, and nothing else. */
+const drawnWrong = (page) =>
+    page.evaluate(() => {
+        const { game } = window.firmaPlayground;
+        const faces = game.launcher.world.faces();
+        const { faces: mesh } = game;
+        const p = mesh.position.array;
+        const wrong = [];
+        const seen = new Uint8Array(mesh.used);
+        if (faces.ids.length !== mesh.faceCount) wrong.push(`${faces.ids.length} faces, ${mesh.faceCount} drawn`);
+        for (let k = 0; k < faces.ids.length; ++k) {
+            const run = mesh.runs.get(faces.ids[k]);
+            if (!run || run.count !== faces.cornerCounts[k] - 2) {
+                wrong.push(`face ${faces.ids[k]}`);
+                continue;
+            }
+            for (let t = 0; t < run.count; ++t) {
+                seen[run.first + t] += 1;
+                for (let c = 0; c < 3; ++c) {
+                    const corner = 3 * (faces.firstCorners[k] + (c === 0 ? 0 : t + c));
+                    for (let a = 0; a < 3; ++a)
+                        if (p[9 * (run.first + t) + 3 * c + a] !== Math.fround(faces.corners[corner + a])) wrong.push(`corner of face ${faces.ids[k]}`);
+                }
+            }
+        }
+        for (let t = 0; t < mesh.used; ++t) {
+            const some = p.subarray(9 * t, 9 * t + 9).some((x) => x !== 0);
+            if (seen[t] !== (some ? 1 : 0)) wrong.push(`triangle ${t} is of ${seen[t]} faces`);
+        }
+        return wrong.slice(0, 5);
+    });
+
+test('loads and draws', async () => {
+    const { page, errors, error } = await load(session);
+    assert.equal(error, null);
+    const s = await state(page);
+    assert.equal(s.faces, 5944);
+    assert.equal(s.drawnFaces, 5944);
+    assert.equal(s.version, 0);
+    assert.ok(s.aim.met && s.aim.counts.bins > 0 && s.aim.counts.faces > 0);
+    assert.ok((await call(page, 'step', 0.1, { forward: true })).move.casts > 0);
+    assert.deepEqual(await drawnWrong(page), []);
+    await assertClear(page);
+    assert.ok((await coloursDrawn(page)) > 1000); // not one colour all over
+    await shoot(page, '1_loaded');
+    const words = await page.textContent('#hud');
+    for (const part of [/at 4\d\.\d\d, /, /room 0/, /version 0/, /5,944 faces/, /\d+ bins, \d+ boxes, \d+ faces/, /frame /, /cast /, /cut /])
+        assert.match(words, part);
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+test('walks into a wall and stops', async () => {
+    const { page, errors } = await load(session);
+    await walkTo(page, 42.5, 32.5);
+    await call(page, 'look', 0, 0); // the wall at x = 44
+    for (let k = 0; k < 12; ++k) {
+        await call(page, 'step', 0.25, { forward: true });
+        await assertClear(page);
+    }
+    const { position } = await state(page);
+    assert.ok(Math.abs(position[0] - (44 - kRadius)) < 0.01, `${position}`);
+    await call(page, 'look', 0.7, 0); // askew: along it
+    await call(page, 'step', 0.5, { forward: true });
+    const slid = (await state(page)).position;
+    assert.ok(slid[1] > position[1] + 0.7 && slid[0] <= 44 - kRadius, `${slid}`);
+    await assertClear(page);
+    await shoot(page, '2_at_the_wall');
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+test('fires until there is a hole, walks through it, undoes it', async () => {
+    const { page, errors } = await load(session);
+    const first = await call(page, 'hash');
+    await walkTo(page, 12.5, 25.75); // through the door into the room with the thin wall
+    await walkTo(page, 12.8, 27.6);
+    await call(page, 'look', Math.PI, 0);
+    await call(page, 'step', 1.5, { forward: true });
+    let { position } = await state(page);
+    assert.ok(Math.abs(position[0] - (kThinWall + kRadius)) < 0.01, `${position}`); // stopped by it
+    await call(page, 'step', 0.5, { back: true });
+    await shoot(page, '3_before_the_thin_wall');
+
+    let shots = 0;
+    while (position[0] > 9 && shots < 12) {
+        await call(page, 'look', Math.PI, [-0.35, -0.1, 0.15][shots % 3]);
+        assert.equal((await call(page, 'fire')).status, 'done');
+        ++shots;
+        assert.equal((await state(page)).version, shots);
+        if (shots === 1) await shoot(page, '4_first_shot', 0.08);
+        if (shots === 1) await shoot(page, '5_hole');
+        await call(page, 'look', Math.PI, 0);
+        for (let k = 0; k < 10; ++k) {
+            await call(page, 'step', 0.1, { forward: true });
+            await assertClear(page);
+        }
+        ({ position } = await state(page));
+        if (position[0] > 9) await call(page, 'step', 0.3, { back: true });
+    }
+    assert.ok(position[0] < 9, `still at ${position} after ${shots} shots`);
+    await call(page, 'check');
+    assert.deepEqual(await drawnWrong(page), []);
+    const holed = await call(page, 'hash');
+    assert.notEqual(holed, first);
+    await call(page, 'look', 0.15, 0);
+    await shoot(page, '6_through_the_hole');
+
+    for (let k = 0; k < shots; ++k) assert.equal(await call(page, 'undo'), true);
+    assert.equal(await call(page, 'undo'), false);
+    const undone = await state(page);
+    assert.deepEqual([undone.faces, undone.drawnFaces, await call(page, 'hash')], [5944, 5944, first]);
+    assert.deepEqual(await drawnWrong(page), []);
+    await call(page, 'look', 0, 0);
+    await call(page, 'step', 2, { forward: true });
+    const stopped = (await state(page)).position;
+    assert.ok(Math.abs(stopped[0] - (10 - kRadius)) < 0.01, `${stopped}`); // the wall is back
+    await assertClear(page);
+    await shoot(page, '7_undone');
+
+    await call(page, 'step', 0.5, { back: true });
+    for (let k = 0; k < shots; ++k) assert.equal(await call(page, 'redo'), true);
+    assert.equal(await call(page, 'redo'), false);
+    assert.equal(await call(page, 'hash'), holed);
+    assert.deepEqual(await drawnWrong(page), []);
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+test('many craters: what is drawn stays what is there', async () => {
+    const { page, errors } = await load(session);
+    const first = await call(page, 'hash');
+    await walkTo(page, 36, 25.75);
+    for (let k = 0; k < 80; ++k) {
+        await call(page, 'look', 0.41 * k, 0.5 * Math.sin(k));
+        await call(page, 'fire');
+        if (k % 10 === 9) assert.equal(await call(page, 'undo'), true);
+    }
+    const s = await state(page);
+    assert.ok(s.drawnTriangles > 16384, `${s.drawnTriangles}`); // more than there was room for
+    assert.deepEqual(await drawnWrong(page), []);
+    await call(page, 'check');
+    await call(page, 'look', 2.6, 0.12);
+    await call(page, 'step', 0.2, {});
+    await shoot(page, '8_many_craters');
+    while (await call(page, 'undo'));
+    assert.equal(await call(page, 'hash'), first);
+    assert.deepEqual(await drawnWrong(page), []);
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+test('keys and the mouse', async () => {
+    const { page, errors } = await load(session);
+    const until = (condition, value) => page.waitForFunction(condition, value);
+    await page.evaluate(() => window.firmaPlayground.resume());
+    const x = (await state(page)).position[0];
+    await page.keyboard.down('w');
+    await until((from) => window.firmaPlayground.state().position[0] < from - 0.5, x);
+    await page.keyboard.up('w');
+    const { yaw } = await state(page);
+    await page.keyboard.down('ArrowLeft');
+    await until((from) => window.firmaPlayground.state().yaw > from + 0.2, yaw);
+    await page.keyboard.up('ArrowLeft');
+    await page.keyboard.press('f');
+    await until(() => window.firmaPlayground.state().version === 1);
+    await page.keyboard.press('z');
+    await until(() => window.firmaPlayground.state().version === 0);
+    await page.keyboard.press('y');
+    await until(() => window.firmaPlayground.state().version === 1);
+
+    await page.mouse.click(500, 300); // takes the pointer, does not fire
+    await until(() => document.pointerLockElement !== null);
+    assert.equal((await state(page)).version, 1);
+    const turned = (await state(page)).yaw;
+    await page.mouse.move(600, 320);
+    await until((from) => window.firmaPlayground.state().yaw !== from, turned);
+    await page.mouse.down();
+    await page.mouse.up();
+    await until(() => window.firmaPlayground.state().version === 2);
+    await page.keyboard.press('h');
+    await until(() => document.body.classList.contains('without-help'));
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+test('another level, and none', async () => {
+    const missing = await load(session, '?level=nothing.obj');
+    assert.match(missing.error, /nothing\.obj: 404/);
+    assert.match(await missing.page.textContent('#message'), /nothing\.obj/);
+    await missing.page.close();
+    const outside = await load(session, '?level=..%2Ffirst.obj');
+    assert.match(outside.error, /a level is/);
+    await outside.page.close();
+    const named = await load(session, '?level=first.obj');
+    assert.equal(named.error, null);
+    await named.page.close();
+});
+
+test('times', async () => {
+    const { page } = await load(session);
+    const measured = await page.evaluate(() => {
+        const { game } = window.firmaPlayground;
+        const eye = game.player.eye();
+        const count = 4000;
+        const paths = Array.from({ length: count }, (_, k) => [0.075 * Math.cos(k), 0.075 * Math.sin(k), 0]);
+        const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
+        const perCast = (radius, reach) =>
+            median(Array.from({ length: 9 }, () => {
+                const start = performance.now();
+                for (const path of paths) game.launcher.world.cast({ centre: eye, radius, path: path.map((x) => x * reach) });
+                return ((performance.now() - start) * 1000) / count;
+            }));
+        const walking = perCast(0.35, 1);
+        const looking = perCast(0, 1000);
+        const cuts = [];
+        for (let k = 0; k < 60; ++k) {
+            game.player.look(0.31 * k, 0.4 * Math.sin(k));
+            game.fire();
+            cuts.push(game.launcher.last.cutMs);
+        }
+        const mesh = game.launcher.meshMs;
+        return { walking, looking, cut: median(cuts.filter(Number.isFinite)), cuts: cuts.length, leastCut: Math.min(...cuts), mesh: mesh.median() };
+    });
+    console.log(`# a walking step's sphere cast ${measured.walking.toFixed(2)} us, a view cast ${measured.looking.toFixed(2)} us (medians of 9 x 4,000); ` +
+        `a crater ${measured.cut.toFixed(2)} ms (median of ${measured.cuts}; least ${measured.leastCut.toFixed(2)}), drawn anew in ${measured.mesh.toFixed(2)} ms`);
+    assert.ok(measured.walking < 500 && measured.looking < 2000 && measured.cut < 500); // orders of magnitude: this machine may be busy
+    await page.close();
+});

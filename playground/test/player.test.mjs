@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Somebody walks through our level, by node alone: never into a wall, not even with craters all over.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { Launcher } from '../src/launcher.js';
+import { kCentres, kRadius, Player } from '../src/player.js';
+import { Probe } from '../src/probe.js';
+import { findSpawn } from '../src/spawn.js';
+import { direction } from '../src/vector.js';
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+const { loadFirma } = await import(pathToFileURL(process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js')));
+const firma = await loadFirma(readFileSync(process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm')));
+const level = readFileSync(path.join(root, 'levels/first.obj'));
+
+let seed = 7;
+const chance = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+
+function begin(text = level, name = 'first.obj') {
+    const world = firma.worldFromObj(text, { name });
+    const probe = new Probe(world);
+    const player = new Player(probe);
+    const launcher = new Launcher(firma, world, probe, () => {});
+    const spawn = findSpawn(player, world, name);
+    player.place(spawn.feet);
+    player.look(spawn.yaw, spawn.pitch);
+    return { world, probe, player, launcher, spawn };
+}
+
+/** No sphere is in rock or nearer to a face than its radius, but for rounding. */
+function assertClear({ player, probe }) {
+    for (const height of kCentres) {
+        const centre = [player.feet[0], player.feet[1], player.feet[2] + height];
+        assert.notEqual(probe.world.inSolid(centre), true, `in rock at ${centre}`);
+        const near = probe.world.closest(centre, 2);
+        assert.ok(!near || near.distance >= kRadius - 1e-9, `${near?.distance} m from a face at ${centre}`);
+    }
+}
+
+/** Walks to a place in a straight line; whether it got there. */
+function walkTo(game, x, y, seconds = 12) {
+    for (let t = 0; t < seconds; t += 1 / 60) {
+        const [dx, dy] = [x - game.player.feet[0], y - game.player.feet[1]];
+        if (Math.hypot(dx, dy) < 0.12) return true;
+        game.player.look(Math.atan2(dy, dx), 0);
+        game.player.step(1 / 60, { forward: true });
+    }
+    return false;
+}
+
+test('stands on the floor, and stays there', () => {
+    const game = begin();
+    game.player.step(1, {});
+    const { feet } = game.player;
+    assert.ok(game.player.grounded);
+    assert.ok(Math.abs(feet[2]) < 0.005);
+    game.player.step(5, {});
+    assert.deepEqual(game.player.feet.map((x) => x.toFixed(6)), feet.map((x) => x.toFixed(6)));
+    assertClear(game);
+});
+
+test('through doors, up the stairs, over the bridge, down the tunnel', () => {
+    const game = begin();
+    const way = [[12.5, 25.75, 0], [11.5, 23.75, 0], [8.5, 23.75, 0], [5, 27, 0], [5, 36.5, 2.5], [7.2, 36.5, 2.5], [13, 36.5, 5], [16, 29, 5],
+        [40, 29, 5], [47, 29, 5], [53.8, 29, 5], [70, 29.2, 0.3], [75, 27, 0], [75, 20, 0]];
+    for (const [x, y, z] of way) {
+        assert.ok(walkTo(game, x, y), `to ${x}, ${y}: at ${game.player.feet}`);
+        assert.ok(Math.abs(game.player.feet[2] - z) < 0.7, `at ${game.player.feet}`);
+        assertClear(game);
+    }
+    assert.ok(walkTo(game, 75, 23) && walkTo(game, 75, 27) && walkTo(game, 70, 29.2) && walkTo(game, 53.8, 29), 'and back up');
+});
+
+test('jumps, and comes down again', () => {
+    const game = begin();
+    game.player.step(0.2, {});
+    let top = 0;
+    game.player.step(1 / 60, { jump: true });
+    for (let k = 0; k < 120; ++k) {
+        game.player.step(1 / 60, {});
+        top = Math.max(top, game.player.feet[2]);
+    }
+    assert.ok(top > 0.8 && top < 1.2, `${top}`);
+    assert.ok(game.player.grounded && Math.abs(game.player.feet[2]) < 0.005);
+});
+
+test('slides along a wall', () => {
+    const game = begin();
+    game.player.place([43, 31.5, 0.01]);
+    game.player.look(0.6, 0); // toward the wall at x = 44, askew
+    game.player.step(1.5, { forward: true });
+    const [x, y] = game.player.feet;
+    assert.ok(Math.abs(x - (44 - kRadius)) < 0.01, `${x}`);
+    assert.ok(y > 34, `${y}`);
+    assertClear(game);
+});
+
+test('never into a wall: wandering, running, jumping, firing, undoing', () => {
+    const game = begin();
+    const { player, launcher } = game;
+    let craters = 0;
+    let undone = 0;
+    for (let k = 0; k < 2500; ++k) {
+        if (k % 8 === 0) player.look(chance() * 7, (chance() - 0.5) * 2);
+        const keys = { forward: chance() < 0.9, left: chance() < 0.2, right: chance() < 0.2, run: chance() < 0.4, jump: chance() < 0.2 };
+        player.step(1 / 30, keys);
+        assertClear(game);
+        if (k % 12 === 5 && launcher.fire(player.eye(), direction(player.yaw, player.pitch)).status === 'done') ++craters;
+        if (k % 100 === 99) {
+            for (let n = 0; n < 5; ++n) undone += launcher.undo();
+            if (!player.freeYourself()) player.place(game.spawn.feet);
+            if (k % 200 === 199) launcher.redo();
+            if (!player.freeYourself()) player.place(game.spawn.feet);
+        }
+        assertClear(game);
+    }
+    launcher.world.check();
+    assert.ok(craters > 100 && undone > 50, `${craters} craters, ${undone} undone`);
+});
+
+test('undo puts nobody into rock', () => {
+    const game = begin();
+    const { player, launcher } = game;
+    assert.ok(walkTo(game, 43, 33));
+    player.look(0, -0.15);
+    for (let k = 0; k < 8 && player.feet[0] < 44.6; ++k) { // a niche in the thick wall at x = 44
+        assert.equal(launcher.fire(player.eye(), direction(0, -0.25 + 0.1 * (k % 3))).status, 'done');
+        player.look(0, -0.15);
+        player.step(1, { forward: true });
+        assertClear(game);
+    }
+    assert.ok(player.feet[0] > 44.4, `${player.feet}`);
+    const inside = [...player.feet];
+    while (launcher.undo());
+    assert.equal(player.isFree(inside), false);
+    assert.ok(player.freeYourself());
+    assert.ok(player.feet[0] <= 44 - kRadius);
+    assertClear(game);
+});
+
+test('the sky is not carved, and a shot at nothing is none', () => {
+    const game = begin();
+    game.player.place([60, -8, 0.5]);
+    const before = game.launcher.world.hash();
+    assert.equal(game.launcher.fire(game.player.eye(), [0, 0, 1]).status, 'sky');
+    assert.equal(game.launcher.world.hash(), before);
+    assert.equal(game.launcher.undo(), false);
+    assert.equal(game.launcher.redo(), false);
+});
+
+test('a level nobody knows: begins on its floor', () => {
+    const corner = (k) => [k & 1 ? 9 : 0, k & 2 ? 7 : 0, k & 4 ? 4 : 0];
+    const faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+    const text = [...Array(8).keys()].map((k) => `v ${corner(k).join(' ')}\n`).join('') + faces.map((f) => `f ${f.map((k) => k + 1).join(' ')}\n`).join('');
+    const game = begin(text, 'box.obj');
+    assertClear(game);
+    game.player.step(0.5, {});
+    assert.ok(game.player.grounded && Math.abs(game.player.feet[2]) < 0.01);
+});
+
+test('no handle is left behind', () => {
+    const before = firma.liveHandles();
+    const game = begin();
+    for (let k = 0; k < 6; ++k) game.launcher.fire(game.player.eye(), direction(k, 0));
+    while (game.launcher.undo());
+    game.launcher.redo();
+    assert.equal(firma.liveHandles(), before + 2); // the store, and the world of the moment
+    game.launcher.world.release();
+    game.launcher.store.release();
+    assert.equal(firma.liveHandles(), before);
+});

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds the module for browsers, then the playground around it, into build/playground. Installs what is missing (apt,
+# npm); says nothing unless it fails, and then shows why.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/needs.sh
+
+need cmake ninja-build clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32
+# By command: node may come from elsewhere than Debian, whose npm then cannot be installed beside it.
+command -v node >/dev/null || need nodejs
+command -v npm >/dev/null || need npm
+
+mkdir -p build
+log=$PWD/build/playground.log
+
+# quietly COMMAND...: its output only when it fails.
+quietly() { "$@" >"$log" 2>&1 || { tail -n 60 "$log" >&2; return 1; }; }
+
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+quietly cmake --preset wasm "${launcher[@]}"
+quietly cmake --build --preset wasm
+
+cd playground
+# Again only when the lock has changed: a copy of it marks what was installed.
+cmp -s package-lock.json node_modules/.firma_lock || {
+    quietly npm ci --ignore-scripts
+    cp package-lock.json node_modules/.firma_lock
+}
+quietly node build.mjs
