@@ -31,6 +31,7 @@ export class Game {
         this.spawn = findSpawn(this.player, world, levelName);
         this.respawn();
         this.launcher.warmUp(this.spawn.feet);
+        for (let k = 0; k < 500; ++k) this.player.sweep([0.07, 0, 0]); // casts likewise: 1,500, some milliseconds
     }
 
     respawn() {
