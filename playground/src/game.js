@@ -55,7 +55,7 @@ export class Game {
 
     fire() {
         const shot = this.launcher.fire(this.player.eye(), this.#direction());
-        if (shot.target.met) this.stage.explode(shot.target.hit.point, shot.target.hit.normal);
+        if (shot.target.met) this.stage.explode(this.player.eye(), shot.target.hit.point, shot.target.hit.normal);
         return shot;
     }
 
