@@ -31,6 +31,7 @@ export class Game {
         this.spawn = findSpawn(this.player, world, levelName);
         this.respawn();
         this.launcher.warmUp(this.spawn.feet);
+        for (let k = 0; k < 500; ++k) this.player.sweep([0.07, 0, 0]); // casts likewise: 1,500, some milliseconds
     }
 
     respawn() {
@@ -54,7 +55,7 @@ export class Game {
 
     fire() {
         const shot = this.launcher.fire(this.player.eye(), this.#direction());
-        if (shot.target.met) this.stage.explode(shot.target.hit.point, shot.target.hit.normal);
+        if (shot.target.met) this.stage.explode(this.player.eye(), shot.target.hit.point, shot.target.hit.normal);
         return shot;
     }
 

@@ -15,7 +15,7 @@ export function describeShot(shot) {
         case 'done':
             return `crater: ${shot.report.facesGone} faces gone, ${shot.report.facesNew} new, ` +
                 `${number(shot.report.volume, 2)} m\u00b3; ${cut}, drawn anew in ${number(shot.meshMs, 2)} ms`;
-        case 'nothing': return `nothing to take away there (${cut})`;
+        case 'nothing': return `nothing is taken away: no closed solid there (${cut})`;
         case 'refused': return `refused: ${shot.reason} (${cut})`;
         case 'undone': case 'redone': return shot.status;
         case 'sky': return 'that is the sky';
@@ -39,7 +39,7 @@ export class Hud {
             `${grouped(s.faces)} faces   history ${number(s.history.bytes / 1024, 0)} KiB in ${s.history.versions} versions`);
         set('aim', s.aim ? `looking: ${s.aim.met ? `${s.aim.material || 'rock'} at ${number(s.aim.distance, 2)} m` : 'nothing'}` +
             `; the cast looked at ${counts(s.aim.counts)}` : '');
-        set('move', `moving: ${s.move.casts} sphere casts looked at ${counts(s.move.counts)}`);
+        set('move', `moving: ${s.move.casts} casts looked at ${counts(s.move.counts)}`);
         set('times', `frame ${number(s.times.frameMs.median, 1)} ms (ours ${number(s.times.workMs.median, 2)})   ` +
             `cast ${number(s.times.castUs.median, 1)} \u00b5s (least ${number(s.times.castUs.least, 1)})   ` +
             `cut ${number(s.times.cutMs.median, 2)} ms (least ${number(s.times.cutMs.least, 2)}, last ${number(s.times.cutMs.last, 2)})`);

@@ -51,7 +51,7 @@ export class Painter {
         if (edit > 0) {
             // Deep in the rock it is darker and redder, and each facet has a shade of its own, so that one sees depth.
             const depth = Math.max(0, Math.min(1, this.depth(edit, [x, y, z])));
-            light = (0.84 + 0.32 * share) * (1.08 - 0.42 * depth);
+            light = (0.84 + 0.32 * share) * (1.14 - 0.62 * depth);
             warm = 0.05 * depth;
         }
         out[0] = Math.min(255, colour[0] * light * (1 + warm));

@@ -25,7 +25,11 @@ export class Stage {
         this.ball = new THREE.Mesh(new THREE.SphereGeometry(1, 16, 12),
             new THREE.MeshBasicMaterial({ color: 0xffc060, transparent: true, depthWrite: false }));
         this.ball.visible = false;
-        this.scene.add(this.lamp, this.flash, this.ball);
+        this.trace = new THREE.Line(new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), new THREE.Vector3()]),
+            new THREE.LineBasicMaterial({ color: 0xffe0a0, transparent: true, depthWrite: false }));
+        this.trace.frustumCulled = false;
+        this.trace.visible = false;
+        this.scene.add(this.lamp, this.flash, this.ball, this.trace);
         this.sinceShot = Infinity;
     }
 
@@ -43,8 +47,10 @@ export class Stage {
         this.lamp.position.set(eye[0], eye[1], eye[2] + 0.25);
     }
 
-    /** A shot went off there. */
-    explode(point, normal) {
+    /** A shot from an eye went off there. */
+    explode(eye, point, normal) {
+        const muzzle = new THREE.Vector3(0.18, -0.16, -0.3).applyQuaternion(this.camera.quaternion);
+        this.trace.geometry.setFromPoints([muzzle.add(new THREE.Vector3(...eye)), new THREE.Vector3(...point)]);
         this.ball.position.set(...point);
         this.flash.position.set(...point.map((x, k) => x + 0.4 * normal[k]));
         this.sinceShot = 0;
@@ -54,6 +60,8 @@ export class Stage {
         this.sinceShot += dt;
         const left = 1 - this.sinceShot / kFlashSeconds;
         this.ball.visible = left > 0;
+        this.trace.visible = left > 0.5;
+        this.trace.material.opacity = 2 * left - 1;
         this.flash.intensity = left > 0 ? 18 * left * left : 0;
         if (left > 0) {
             this.ball.scale.setScalar(0.15 + 0.9 * (1 - left));

@@ -82,6 +82,7 @@ test('loads and draws', async () => {
     assert.equal(s.faces, 5944);
     assert.equal(s.drawnFaces, 5944);
     assert.equal(s.version, 0);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), true); // a clock of 5 us
     assert.ok(s.aim.met && s.aim.counts.bins > 0 && s.aim.counts.faces > 0);
     assert.ok((await call(page, 'step', 0.1, { forward: true })).move.casts > 0);
     assert.deepEqual(await drawnWrong(page), []);

@@ -43,21 +43,19 @@ export async function open() {
     return {
         url,
         browser,
+        /** Ends both; the server's exit code. */
         async close() {
             await browser.close();
-            const ended = new Promise((resolve) => server.on('exit', resolve));
-            server.removeAllListeners('exit');
-            const code = new Promise((resolve) => server.on('exit', resolve));
+            const code = new Promise((resolve) => server.once('exit', resolve));
             server.kill('SIGINT');
-            void ended;
             return code;
         },
     };
 }
 
 /** A page of the playground, loaded, its time stopped. */
-export async function load(session, query = '') {
-    const page = await session.browser.newPage({ viewport: { width: 1120, height: 630 } });
+export async function load(session, query = '', viewport = { width: 1120, height: 630 }) {
+    const page = await session.browser.newPage({ viewport });
     page.setDefaultTimeout(kTimeout);
     const errors = [];
     page.on('pageerror', (error) => errors.push(String(error)));
@@ -72,13 +70,13 @@ export async function load(session, query = '') {
 /** Calls a hook of the page: see src/main.js. */
 export const call = (page, name, ...values) => page.evaluate(([n, v]) => window.firmaPlayground[n](...v), [name, values]);
 
-/** Draws, and keeps a picture. */
-export async function shoot(page, name, dt = 10) {
+/** Draws, `dt` seconds after the last time, and keeps a picture. */
+export async function shoot(page, name, dt = 10, folder = kShots) {
     await page.evaluate(async (seconds) => {
         window.firmaPlayground.draw(seconds);
         await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     }, dt);
-    const file = path.join(kShots, `${name}.png`);
+    const file = path.join(folder, `${name}.png`);
     await page.screenshot({ path: file, timeout: kTimeout });
     return file;
 }

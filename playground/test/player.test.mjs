@@ -51,6 +51,11 @@ function walkTo(game, x, y, seconds = 12) {
     return false;
 }
 
+test('no gap between the spheres', () => {
+    assert.ok(kCentres[0] <= kRadius + 1e-9);
+    for (let k = 1; k < kCentres.length; ++k) assert.ok(kCentres[k] - kCentres[k - 1] < 1.5 * kRadius);
+});
+
 test('stands on the floor, and stays there', () => {
     const game = begin();
     game.player.step(1, {});

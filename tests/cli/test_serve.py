@@ -31,14 +31,19 @@ class Serve(CliTest):
         os.symlink('sub/level.obj', self.path('site/inside.obj'))
         os.mkfifo(self.path('site/pipe'))
 
-    def serve(self, folder='site', *rest):
-        """Starts it on a free port; returns the process and the port."""
-        process = subprocess.Popen([FIRMA, 'serve', folder, '--port', '0', '--json', *rest], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    def start(self, *arguments):
+        """Starts firma; it is ended with the test, whatever happens."""
+        process = subprocess.Popen([FIRMA, *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         def end():
-            if process.poll() is None: process.kill()
+            if process.returncode is not None: return
+            process.kill()
             process.communicate()
         self.addCleanup(end)
+        return process
+
+    def serve(self, folder='site'):
+        """Serves on a free port; returns the process and the port."""
+        process = self.start('serve', folder, '--port', '0', '--json')
         said = self.read_object(process.stdout)
         self.assertEqual(said['url'], 'http://127.0.0.1:%d' % said['port'])
         self.assertEqual(said['folder'], folder)
@@ -155,7 +160,7 @@ class Serve(CliTest):
 
     def test_words_and_the_end(self):
         for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
-            process = subprocess.Popen([FIRMA, 'serve', 'site', '--port', '0'], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            process = self.start('serve', 'site', '--port', '0')
             said = process.stdout.readline().decode()
             self.assertRegex(said, r'^serving site on http://127\.0\.0\.1:\d+ \(Ctrl-C ends\)\n$')
             port = int(said.split(':')[2].split()[0])
@@ -168,7 +173,7 @@ class Serve(CliTest):
             self.assertLess(time.monotonic() - started, 20)
             open_line.close()
             with self.assertRaises(OSError): socket.create_connection(('127.0.0.1', port), timeout=5).close()
-            again = subprocess.Popen([FIRMA, 'serve', 'site', '--port', str(port)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            again = self.start('serve', 'site', '--port', str(port))
             self.assertIn(str(port).encode(), again.stdout.readline())             # the port is free at once
             again.send_signal(signal.SIGTERM)
             again.communicate(timeout=60)                                          # a signal right after its first line is not lost
