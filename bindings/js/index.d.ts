@@ -218,7 +218,7 @@ export interface CountedCastOptions extends CastOptions {
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
-/** Look at `status` first: of a 'miss' or 'invalid' nothing but roomsPassed and version means anything, fractions are 0. */
+/** Look at `status` first: of 'miss' and 'invalid' only roomsPassed and version mean anything, and fractions are 0. */
 export interface Hit {
     status: Status;
     /** Of the path, 0..1. */
@@ -463,7 +463,7 @@ export interface Store extends Handle {
     current(): World;
     /**
      * Makes `after` the current world; drops what was undone, and the oldest versions beyond the bytes.
-     * @throws {FirmaError} INVALID, and nothing changed, when `before`, which it was made from, is not the current world
+     * @throws {FirmaError} INVALID, and nothing changed, when `before` (which it was made from) is not the current one
      */
     publish(before: World, after: World): void;
     /** The world gone back to. @throws {FirmaError} INVALID when there is none */
