@@ -434,7 +434,10 @@ export interface World extends Handle {
 export interface Cutter extends Handle {}
 
 export interface Job extends Handle {
-    /** Goes on for about so long; whether it is finished. Infinity: to the end. */
+    /**
+     * Goes on for about so long; whether it is finished. Infinity: to the end. Browsers tell the time in steps, of 5 or
+     * 100 microseconds: it may go on for one longer.
+     */
     run(microseconds: number): boolean;
     /** As of carve(), a new handle each time. @throws {FirmaError} BAD_CALL before it is finished */
     result(): CarveResult;

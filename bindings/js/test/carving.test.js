@@ -257,6 +257,11 @@ test('several edits become one version', () => {
         let each = keep(world.copy());
         for (const position of positions) each = keep(each.carve(cutter, { position }).world);
         assert.deepEqual(after.faces(), each.faces());
+        // It goes on, and every finish() is one version after the first.
+        assert.equal(edit.carve(cutter, { position: [4, 4, 8] }).status, 'done');
+        const more = keep(edit.finish());
+        assert.deepEqual([more.facts().version, more.facts().edits], [1, 4]);
+        assert.equal(after.facts().edits, 3);
         const untouched = keep(world.edit());
         assert.equal(keep(untouched.finish()).hash(), world.hash());
     });
