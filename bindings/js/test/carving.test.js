@@ -17,7 +17,8 @@ const atWall = { position: [8, 4, 4] };
 test('cutters of every shape and seed', () => {
     for (const shape of ['rocky', 'spiky', 'drill', 'wedge', 'box']) firma.crater(shape, 1).release();
     firma.crater('rocky', 2n ** 64n - 1n).release();
-    for (const shape of ['round', 0, undefined, '', Symbol('box')]) throwsCode('BAD_CALL', () => firma.crater(shape, 1), /shape/);
+    for (const shape of ['round', 0, undefined, '', Symbol('box')])
+        throwsCode('BAD_CALL', () => firma.crater(shape, 1), /shape/);
     for (const seed of [-1, 1.5, NaN, 2 ** 53, 2n ** 64n, -1n, '1', undefined])
         throwsCode('BAD_CALL', () => firma.crater('box', seed), /seed/);
 });
