@@ -150,7 +150,7 @@ export class Firma {
     crater(shape, seed) {
         const core = this.#core;
         const number = SHAPE_NAMES.indexOf(shape);
-        if (number < 0) throw badCall('crater', `there is no shape '${shape}', only ${SHAPE_NAMES.join(', ')}`);
+        if (number < 0) throw badCall('crater', `the shape must be one of ${SHAPE_NAMES.join(', ')}`);
         return new Cutter(core, makeHandle(core, 'firma_cutter_crater', number, longWord(seed, 'crater', 'the seed')));
     }
 

@@ -169,12 +169,12 @@ export class World extends Handle {
         const counts = clearCounts(core, options, 'castBatch');
         const given = core.batch();
         const hits = given + CASTS_AT_ONCE * CAST_INPUT.sizeof;
-        reserve(out, count);
         let begin = 0;
         do {
             const some = Math.min(CASTS_AT_ONCE, count - begin);
             core.f64.set(numbers.subarray(7 * begin, 7 * (begin + some)), given >>> 3);
             core.run('firma_cast_batch', this[ID], given, some, chosen, hits, counts);
+            if (begin === 0) reserve(out, count); // not before: a call that fails leaves `out` as it was
             getHits(core, hits, some, out, begin);
             begin += some;
         } while (begin < count);

@@ -17,7 +17,8 @@ const atWall = { position: [8, 4, 4] };
 test('cutters of every shape and seed', () => {
     for (const shape of ['rocky', 'spiky', 'drill', 'wedge', 'box']) firma.crater(shape, 1).release();
     firma.crater('rocky', 2n ** 64n - 1n).release();
-    for (const shape of ['round', 0, undefined, '']) throwsCode('BAD_CALL', () => firma.crater(shape, 1), /shape/);
+    for (const shape of ['round', 0, undefined, '', Symbol('box')])
+        throwsCode('BAD_CALL', () => firma.crater(shape, 1), /shape/);
     for (const seed of [-1, 1.5, NaN, 2 ** 53, 2n ** 64n, -1n, '1', undefined])
         throwsCode('BAD_CALL', () => firma.crater('box', seed), /seed/);
 });
@@ -257,6 +258,11 @@ test('several edits become one version', () => {
         let each = keep(world.copy());
         for (const position of positions) each = keep(each.carve(cutter, { position }).world);
         assert.deepEqual(after.faces(), each.faces());
+        // It goes on, and every finish() is one version after the first.
+        assert.equal(edit.carve(cutter, { position: [4, 4, 8] }).status, 'done');
+        const more = keep(edit.finish());
+        assert.deepEqual([more.facts().version, more.facts().edits], [1, 4]);
+        assert.equal(after.facts().edits, 3);
         const untouched = keep(world.edit());
         assert.equal(keep(untouched.finish()).hash(), world.hash());
     });

@@ -145,6 +145,9 @@ test('a batch takes any numbers, and memory that it had', () => {
         ])
             throwsCode('BAD_CALL', () => world.castBatch(wrong), /^castBatch: /);
         throwsCode('BAD_CALL', () => world.castBatch(inputs, {}, {}), /out/);
+        world.castBatch(inputs, {}, out);
+        throwsCode('INVALID', () => world.castBatch(inputs.subarray(0, 7), { skin: NaN }, out));
+        assert.deepEqual([out.count, out.hit(49)], [50, expected.hit(49)]);
     });
 });
 

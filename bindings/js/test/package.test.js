@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What belongs to the package beside the code: types, layouts of structs, the files it is made of, the README's program.
+// What belongs to the package beside the code: types, layouts of structs, its files, the program in the README.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, symlinkSync, mkdirSync, writeFileSync } from 'node:fs';
