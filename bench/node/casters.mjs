@@ -5,6 +5,7 @@
 // radius, path), a miss has the fraction 2. `radius` is that of all balls.
 import Rapier from '@dimforge/rapier3d-simd-compat';
 import initJolt from 'jolt-physics/wasm-compat';
+import { clock } from './race.mjs';
 
 export const MISS = 2;
 
@@ -12,9 +13,9 @@ export const MISS = 2;
 export const sink = { sum: 0 };
 
 function timed(make) {
-    const before = performance.now();
+    const before = clock();
     const made = make();
-    return { made, buildMs: performance.now() - before };
+    return { made, buildMs: clock() - before };
 }
 
 export function firmaSingle(world, buildMs) {
