@@ -218,7 +218,7 @@ export interface CountedCastOptions extends CastOptions {
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
-/** Where nothing was met, only status, fraction (1), safeFraction, centre, room, roomsPassed and version mean anything. */
+/** Look at `status` first: of 'miss' and 'invalid' only roomsPassed and version mean anything, and fractions are 0. */
 export interface Hit {
     status: Status;
     /** Of the path, 0..1. */
@@ -434,7 +434,10 @@ export interface World extends Handle {
 export interface Cutter extends Handle {}
 
 export interface Job extends Handle {
-    /** Goes on for about so long; whether it is finished. Infinity: to the end. */
+    /**
+     * Goes on for about so long; whether it is finished. Infinity: to the end. Browsers tell the time in steps, of 5 or
+     * 100 microseconds: it may go on for one longer.
+     */
     run(microseconds: number): boolean;
     /** As of carve(), a new handle each time. @throws {FirmaError} BAD_CALL before it is finished */
     result(): CarveResult;
@@ -463,7 +466,7 @@ export interface Store extends Handle {
     current(): World;
     /**
      * Makes `after` the current world; drops what was undone, and the oldest versions beyond the bytes.
-     * @throws {FirmaError} INVALID, and nothing changed, when `before`, from which it was made, is not the current world
+     * @throws {FirmaError} INVALID, and nothing changed, when `before` (which it was made from) is not the current one
      */
     publish(before: World, after: World): void;
     /** The world gone back to. @throws {FirmaError} INVALID when there is none */

@@ -16,11 +16,11 @@ export function word(value, place, what) {
     return value;
 }
 
-/** Bits of 32: as JavaScript's operators make them, ~0 is -1. */
+/** Bits of 32: as JavaScript's operators make them, ~0 is -1, and as the module takes them, which is the same bits. */
 export function mask(value, place, what = 'mask') {
     if (!Number.isInteger(value) || value < -0x80000000 || value > 0xffffffff)
         throw badCall(place, `${what} must be an integer of 32 bits`);
-    return value >>> 0;
+    return value;
 }
 
 /** 64 bits without sign, as a BigInt. */
@@ -65,7 +65,8 @@ export function vector(value, count, place, what) {
 
 /** Numbers in any array, a multiple of `each`. */
 export function doubles(value, each, place, what) {
-    if (list(value, place, what).length % each !== 0) throw badCall(place, `${what} must have ${each} numbers for each`);
+    if (list(value, place, what).length % each !== 0)
+        throw badCall(place, `${what} must have ${each} numbers for each`);
     if (!(value instanceof Float64Array || value instanceof Float32Array))
         for (const one of value) number(one, place, `each of ${what}`);
     return value;
@@ -75,7 +76,8 @@ export function doubles(value, each, place, what) {
 export function words(value, count, place, what) {
     if (count !== undefined && list(value, place, what).length !== count)
         throw badCall(place, `${what} must have ${count} entries`);
-    if (!(list(value, place, what) instanceof Uint32Array)) for (const one of value) word(one, place, `each of ${what}`);
+    if (!(list(value, place, what) instanceof Uint32Array))
+        for (const one of value) word(one, place, `each of ${what}`);
     return value;
 }
 

@@ -15,7 +15,8 @@ export class Cutter extends Handle {
 /** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
 function putOrder(core, lent, cutter, pose, options, place) {
     const id = idOf(cutter, core, place, 'cutter');
-    if (typeof pose !== 'object' || pose === null) throw badCall(place, 'the pose must be { position, rotation, scale }');
+    if (typeof pose !== 'object' || pose === null)
+        throw badCall(place, 'the pose must be { position, rotation, scale }');
     object(options, place, 'the options');
     const position = vector(pose.position, 3, place, 'position');
     const rotation = vector(pose.rotation ?? [0, 0, 0, 1], 4, place, 'rotation');

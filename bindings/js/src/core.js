@@ -114,7 +114,7 @@ export class Core {
         const why = this.stopped?.message ?? this.stopped;
         return new FirmaError(
             'INTERNAL',
-            `the module stopped (${why}), perhaps out of memory, and cannot be used any more: load it anew with loadFirma()`,
+            `the module stopped (${why}), perhaps out of memory, and cannot be used: load it anew with loadFirma()`,
             { cause: this.stopped },
         );
     }
@@ -148,7 +148,6 @@ export class Core {
 
     /** A string that ends with 0. */
     text(pointer) {
-        pointer >>>= 0;
         return decoder.decode(this.u8.subarray(pointer, this.u8.indexOf(0, pointer)));
     }
 

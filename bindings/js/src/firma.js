@@ -18,7 +18,8 @@ function putWorldOptions(core, options, place) {
     const at = core.at.worldOptions;
     const given = (name) => options[name] !== undefined;
     const set = [];
-    if (given('surfaceArea')) set.push(['u32', WORLD_OPTIONS.surfaceArea, flag(options.surfaceArea, place, 'surfaceArea')]);
+    if (given('surfaceArea'))
+        set.push(['u32', WORLD_OPTIONS.surfaceArea, flag(options.surfaceArea, place, 'surfaceArea')]);
     for (const name of ['maxDepth', 'facesPerBin'])
         if (given(name)) set.push(['u32', WORLD_OPTIONS[name], word(options[name], place, name)]);
     for (const name of ['minBinVolume', 'skin', 'scale'])
@@ -44,7 +45,8 @@ function readMesh(mesh, place) {
         read.faceCount = read.cornerCounts.length;
         let sum = 0;
         for (const count of read.cornerCounts) sum += count;
-        if (sum !== read.corners.length) throw badCall(place, `cornerCounts sum to ${sum}, corners are ${read.corners.length}`);
+        if (sum !== read.corners.length)
+            throw badCall(place, `cornerCounts sum to ${sum}, corners are ${read.corners.length}`);
     }
     if (!Array.isArray(read.materialNames)) throw badCall(place, 'materialNames must be an array');
     read.materialNames = read.materialNames.map((name, k) => text(name, place, `materialNames[${k}]`));
@@ -148,7 +150,7 @@ export class Firma {
     crater(shape, seed) {
         const core = this.#core;
         const number = SHAPE_NAMES.indexOf(shape);
-        if (number < 0) throw badCall('crater', `there is no shape '${shape}', only ${SHAPE_NAMES.join(', ')}`);
+        if (number < 0) throw badCall('crater', `the shape must be one of ${SHAPE_NAMES.join(', ')}`);
         return new Cutter(core, makeHandle(core, 'firma_cutter_crater', number, longWord(seed, 'crater', 'the seed')));
     }
 

@@ -160,7 +160,7 @@ export class HitBatch {
     }
 }
 
-/** The hits at `at` become answers `begin` and on. One loop over all fields: every array is of one type to the engine. */
+/** The hits at `at` become answers `begin` and on. In one loop each array is of one type to the engine. */
 export function getHits(core, at, count, batch, begin) {
     const { f64, u32 } = core;
     const { status, feature, featureIndex, face, otherFace, source, sourceEdit, material, room, roomsPassed } = batch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by tools/make_layout.js from firma_c.h; change that, not this file. Bytes, as clang lays structs out for wasm32.
+// Written by tools/make_layout.js from firma_c.h; change that, not this file. Bytes, by clang for wasm32.
 
 export const VERSION = '0.1.0';
 

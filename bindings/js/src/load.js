@@ -55,7 +55,8 @@ async function compileResponse(response) {
 async function moduleOf(source) {
     if (source instanceof WebAssembly.Module) return source;
     if (typeof source === 'string' || source instanceof URL) source = await readUrl(source);
-    const compile = typeof Response === 'function' && source instanceof Response ? compileResponse : WebAssembly.compile;
+    const compile =
+        typeof Response === 'function' && source instanceof Response ? compileResponse : WebAssembly.compile;
     if (compile !== compileResponse) source = bytes(source, PLACE, 'what is not a URL, Response or WebAssembly.Module');
     try {
         return await compile(source);
@@ -71,10 +72,12 @@ async function start(module) {
     try {
         ({ exports } = await WebAssembly.instantiate(module, imports));
     } catch (error) {
-        if (error instanceof RangeError) throw new FirmaError('NO_MEMORY', `${PLACE}: ${error.message}`, { cause: error });
+        if (error instanceof RangeError)
+            throw new FirmaError('NO_MEMORY', `${PLACE}: ${error.message}`, { cause: error });
         throw new FirmaError('UNSUPPORTED', `${PLACE}: not Firma's module: ${error.message}`, { cause: error });
     }
-    if (typeof exports.firma_version !== 'function') throw new FirmaError('UNSUPPORTED', `${PLACE}: not Firma's module`);
+    if (typeof exports.firma_version !== 'function')
+        throw new FirmaError('UNSUPPORTED', `${PLACE}: not Firma's module`);
     const version = exports.firma_version();
     const [major, minor] = VERSION.split('.').map(Number);
     if (version >>> 8 !== (major << 8) + minor)

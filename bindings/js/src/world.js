@@ -5,7 +5,17 @@ import { badCall, FirmaError } from './errors.js';
 import { CASTS_AT_ONCE } from './core.js';
 import { CAST_INPUT, HIT, NEAR, WORLD_FACTS } from './layout.js';
 import { doubles, flag, mask as maskOf, number, object, vector, word } from './arguments.js';
-import { addCounts, clearCounts, getHit, getHits, getNear, HitBatch, putCastOptions, putInput, reserve } from './hits.js';
+import {
+    addCounts,
+    clearCounts,
+    getHit,
+    getHits,
+    getNear,
+    HitBatch,
+    putCastOptions,
+    putInput,
+    reserve,
+} from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { takeDiff, takeFaces } from './faces.js';
 import { putRules } from './rules.js';
@@ -130,7 +140,11 @@ export class World extends Handle {
         core.refresh();
         if (code !== 0) throw core.failure(code);
         const status = core.getU32(core.at.out);
-        if (status === 3) throw new FirmaError('OUT_OF_RANGE', 'castAny: a number is not finite or too large, or the radius negative');
+        if (status === 3)
+            throw new FirmaError(
+                'OUT_OF_RANGE',
+                'castAny: a number is not finite or too large, or the radius negative',
+            );
         return status !== 0;
     }
 
@@ -155,12 +169,12 @@ export class World extends Handle {
         const counts = clearCounts(core, options, 'castBatch');
         const given = core.batch();
         const hits = given + CASTS_AT_ONCE * CAST_INPUT.sizeof;
-        reserve(out, count);
         let begin = 0;
         do {
             const some = Math.min(CASTS_AT_ONCE, count - begin);
             core.f64.set(numbers.subarray(7 * begin, 7 * (begin + some)), given >>> 3);
             core.run('firma_cast_batch', this[ID], given, some, chosen, hits, counts);
+            if (begin === 0) reserve(out, count); // not before: a call that fails leaves `out` as it was
             getHits(core, hits, some, out, begin);
             begin += some;
         } while (begin < count);

@@ -17,14 +17,18 @@ const atWall = { position: [8, 4, 4] };
 test('cutters of every shape and seed', () => {
     for (const shape of ['rocky', 'spiky', 'drill', 'wedge', 'box']) firma.crater(shape, 1).release();
     firma.crater('rocky', 2n ** 64n - 1n).release();
-    for (const shape of ['round', 0, undefined, '']) throwsCode('BAD_CALL', () => firma.crater(shape, 1), /shape/);
-    for (const seed of [-1, 1.5, NaN, 2 ** 53, 2n ** 64n, -1n, '1', undefined]) throwsCode('BAD_CALL', () => firma.crater('box', seed), /seed/);
+    for (const shape of ['round', 0, undefined, '', Symbol('box')])
+        throwsCode('BAD_CALL', () => firma.crater(shape, 1), /shape/);
+    for (const seed of [-1, 1.5, NaN, 2 ** 53, 2n ** 64n, -1n, '1', undefined])
+        throwsCode('BAD_CALL', () => firma.crater('box', seed), /seed/);
 });
 
 test('cutters from meshes', () => {
     carving((world, _, keep) => {
         const cutter = keep(firma.cutterFromMesh(tetrahedron.positions, tetrahedron.corners, 'tetra'));
-        const typed = keep(firma.cutterFromMesh(Float64Array.from(tetrahedron.positions), Uint32Array.from(tetrahedron.corners)));
+        const typed = keep(
+            firma.cutterFromMesh(Float64Array.from(tetrahedron.positions), Uint32Array.from(tetrahedron.corners)),
+        );
         const obj = tetrahedron.positions.map((x, k) => (k % 3 === 0 ? '\nv ' : ' ') + x).join('');
         const text = obj + tetrahedron.corners.map((v, k) => (k % 3 === 0 ? '\nf ' : ' ') + (v + 1)).join('');
         const fromObj = keep(firma.cutterFromObj(text, 'tetra.obj'));
@@ -41,7 +45,12 @@ test('cutters from meshes', () => {
         assert.throws(() => firma.cutterFromMesh(positions, corners.slice(3), 'open'), /open/);
         assert.throws(() => firma.cutterFromMesh(positions, [9, ...corners.slice(1)]));
         assert.throws(() => firma.cutterFromMesh([], []));
-        throwsCode('OUT_OF_RANGE', () => firma.cutterFromMesh(positions.map(() => NaN), corners));
+        throwsCode('OUT_OF_RANGE', () =>
+            firma.cutterFromMesh(
+                positions.map(() => NaN),
+                corners,
+            ),
+        );
         throwsCode('BAD_CALL', () => firma.cutterFromMesh(positions.slice(1), corners));
         throwsCode('BAD_CALL', () => firma.cutterFromMesh(positions, corners.slice(1)));
         throwsCode('BAD_CALL', () => firma.cutterFromMesh(positions, 'corners'));
@@ -63,7 +72,11 @@ test('a random turn is of length one, and the same for the same seed', () => {
 test('a cut, its report, and the world before', () => {
     carving((world, cutter, keep) => {
         const before = world.hash();
-        const { world: after, report } = world.carve(cutter, { ...atWall, rotation: [0, 0, 0, 2], scale: 1.5 }, { material: 'größe' });
+        const { world: after, report } = world.carve(
+            cutter,
+            { ...atWall, rotation: [0, 0, 0, 2], scale: 1.5 },
+            { material: 'größe' },
+        );
         keep(after).check();
         assert.equal(world.hash(), before);
         assert.equal(report.status, 'done');
@@ -92,16 +105,32 @@ test('nothing met, and refusals: each gives the world before, as a handle of its
         const nothing = world.carve(cutter, { position: [4, 4, 4] });
         assert.equal(nothing.report.status, 'nothing');
         assert.equal(keep(nothing.world).hash(), world.hash());
-        for (const pose of [{ position: [NaN, 4, 4] }, { ...atWall, scale: 0 }, { ...atWall, scale: -1 }, { ...atWall, rotation: [0, 0, 0, 0] }, { ...atWall, scale: 1e9 }]) {
+        for (const pose of [
+            { position: [NaN, 4, 4] },
+            { ...atWall, scale: 0 },
+            { ...atWall, scale: -1 },
+            { ...atWall, rotation: [0, 0, 0, 0] },
+            { ...atWall, scale: 1e9 },
+        ]) {
             const { world: same, report } = world.carve(cutter, pose);
             assert.equal(keep(same).hash(), world.hash());
             assert.equal(report.status, 'refused');
             assert.notEqual(report.reason, '');
         }
-        const wrong = [undefined, null, 5, {}, { position: [1, 2] }, { ...atWall, rotation: [0, 0, 1] }, { ...atWall, scale: '1' }];
+        const wrong = [
+            undefined,
+            null,
+            5,
+            {},
+            { position: [1, 2] },
+            { ...atWall, rotation: [0, 0, 1] },
+            { ...atWall, scale: '1' },
+        ];
         for (const pose of wrong) throwsCode('BAD_CALL', () => world.carve(cutter, pose), /^carve: /);
-        for (const options of [null, 5, { fill: 1 }, { material: 5 }, { material: 'a\0' }]) throwsCode('BAD_CALL', () => world.carve(cutter, atWall, options));
-        for (const one of [undefined, null, {}, 'rocky', world]) throwsCode('BAD_HANDLE', () => world.carve(one, atWall), /cutter/);
+        for (const options of [null, 5, { fill: 1 }, { material: 5 }, { material: 'a\0' }])
+            throwsCode('BAD_CALL', () => world.carve(cutter, atWall, options));
+        for (const one of [undefined, null, {}, 'rocky', world])
+            throwsCode('BAD_HANDLE', () => world.carve(one, atWall), /cutter/);
     });
 });
 
@@ -117,7 +146,13 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
         const shrunk = hard.carve(cutter, atWall);
         keep(shrunk.world);
         assert.ok(shrunk.report.status === 'done' && shrunk.report.scale < 1);
-        for (const rules of [{ mostFaces: 10 }, { mostNewFaces: 3 }, { mostCutterTriangles: 20 }, { largestCutter: 0.5 }, { mostFacesLookedAt: 1, mostPairs: 1, mostCorners: 1 }]) {
+        for (const rules of [
+            { mostFaces: 10 },
+            { mostNewFaces: 3 },
+            { mostCutterTriangles: 20 },
+            { largestCutter: 0.5 },
+            { mostFacesLookedAt: 1, mostPairs: 1, mostCorners: 1 },
+        ]) {
             const limited = keep(world.withRules(rules));
             const tried = limited.carve(cutter, atWall);
             keep(tried.world);
@@ -129,8 +164,21 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
         throwsCode('INVALID', () => world.withRules({ zones: [{ ...zone, low: [NaN, 0, 0] }] }));
         throwsCode('INVALID', () => world.withRules({ hardness: [0, NaN] }), /material 1/);
         throwsCode('INVALID', () => world.withRules({ largestCutter: -1 }));
-        const wrong = [null, 5, { zones: zone }, { zones: [null] }, { zones: [{ ...zone, low: 0 }] }, { zones: [{ ...zone, hardness: '1' }] }];
-        wrong.push({ hardness: 0.5 }, { mostFaces: -1 }, { mostFaces: 1.5 }, { largestCutter: '1' }, { zones: [{ ...zone, name: 7 }] });
+        const wrong = [
+            null,
+            5,
+            { zones: zone },
+            { zones: [null] },
+            { zones: [{ ...zone, low: 0 }] },
+            { zones: [{ ...zone, hardness: '1' }] },
+        ];
+        wrong.push(
+            { hardness: 0.5 },
+            { mostFaces: -1 },
+            { mostFaces: 1.5 },
+            { largestCutter: '1' },
+            { zones: [{ ...zone, name: 7 }] },
+        );
         for (const rules of wrong) throwsCode('BAD_CALL', () => world.withRules(rules), /^withRules: /);
     });
 });
@@ -193,7 +241,11 @@ test('a job outlives the world and cutter it began with', () => {
 test('several edits become one version', () => {
     carving((world, cutter, keep) => {
         const edit = keep(world.edit());
-        const positions = [[8, 4, 4], [0, 4, 4], [4, 8, 4]];
+        const positions = [
+            [8, 4, 4],
+            [0, 4, 4],
+            [4, 8, 4],
+        ];
         for (const position of positions) assert.equal(edit.carve(cutter, { position }).status, 'done');
         assert.equal(edit.carve(cutter, { position: [4, 4, 4] }).status, 'nothing');
         const refused = edit.carve(cutter, { position: [NaN, 4, 4] });
@@ -206,6 +258,11 @@ test('several edits become one version', () => {
         let each = keep(world.copy());
         for (const position of positions) each = keep(each.carve(cutter, { position }).world);
         assert.deepEqual(after.faces(), each.faces());
+        // It goes on, and every finish() is one version after the first.
+        assert.equal(edit.carve(cutter, { position: [4, 4, 8] }).status, 'done');
+        const more = keep(edit.finish());
+        assert.deepEqual([more.facts().version, more.facts().edits], [1, 4]);
+        assert.equal(after.facts().edits, 3);
         const untouched = keep(world.edit());
         assert.equal(keep(untouched.finish()).hash(), world.hash());
     });
@@ -234,7 +291,10 @@ test('a diff put to the faces of the first world gives those of the second', () 
         const second = edit.finish();
         edit.release();
         releasing([second], () => {
-            for (const [from, to] of [[first, second], [second, first]]) {
+            for (const [from, to] of [
+                [first, second],
+                [second, first],
+            ]) {
                 const diff = from.diff(to, 2);
                 const faces = facesById(from.faces());
                 for (const id of diff.gone) assert.ok(faces.delete(id), `${id} is gone, but was not there`);
@@ -243,8 +303,16 @@ test('a diff put to the faces of the first world gives those of the second', () 
                     faces.set(id, face);
                 }
                 const sorted = [...faces].sort(([a], [b]) => a - b);
-                assert.deepEqual(sorted, [...facesById(to.faces())].sort(([a], [b]) => a - b));
-                assert.ok(diff.gone.length > 0 && diff.come.ids.length > 0 && diff.tiles.length > 0 && diff.tiles.length % 3 === 0);
+                assert.deepEqual(
+                    sorted,
+                    [...facesById(to.faces())].sort(([a], [b]) => a - b),
+                );
+                assert.ok(
+                    diff.gone.length > 0 &&
+                        diff.come.ids.length > 0 &&
+                        diff.tiles.length > 0 &&
+                        diff.tiles.length % 3 === 0,
+                );
                 assert.equal(diff.tooManyTiles, false);
                 for (let k = 0; k < diff.come.corners.length; ++k) {
                     assert.ok(diff.come.corners[k] >= diff.low[k % 3] && diff.come.corners[k] <= diff.high[k % 3]);
@@ -267,7 +335,11 @@ test('a history: publish, undo, redo, old versions', () => {
         const store = keep(firma.openStore(world, Infinity));
         let current = keep(store.current());
         const hashes = [current.hash()];
-        for (const position of [[8, 4, 4], [0, 4, 4], [4, 8, 4]]) {
+        for (const position of [
+            [8, 4, 4],
+            [0, 4, 4],
+            [4, 8, 4],
+        ]) {
             const { world: after } = current.carve(cutter, { position });
             store.publish(current, keep(after));
             store.publish(after, after);
@@ -295,7 +367,8 @@ test('a history: publish, undo, redo, old versions', () => {
         const before = keep(forgetful.current());
         forgetful.publish(before, keep(before.carve(cutter, atWall).world));
         throwsCode('INVALID', () => forgetful.undo());
-        for (const bytesKept of [-1, NaN, '5', undefined, 2n ** 64n]) throwsCode('BAD_CALL', () => firma.openStore(world, bytesKept));
+        for (const bytesKept of [-1, NaN, '5', undefined, 2n ** 64n])
+            throwsCode('BAD_CALL', () => firma.openStore(world, bytesKept));
         for (const one of [undefined, cutter]) throwsCode('BAD_HANDLE', () => firma.openStore(one, 5), /world/);
     });
 });

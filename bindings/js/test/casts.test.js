@@ -39,6 +39,7 @@ test('a hit has all that the C API says', () => {
         const miss = world.cast({ ...toWall, path: [1, 0, 0] });
         assert.equal(miss.status, 'miss');
         assert.equal(miss.face, null);
+        assert.deepEqual([miss.fraction, miss.safeFraction, miss.centre], [0, 0, [0, 0, 0]]);
         assert.equal(world.cast({ ...toWall, centre: [7.5, 4, 4] }).status, 'touching');
         assert.equal(world.cast({ ...toWall, path: [0, 0, 0] }).status, 'miss');
         assert.equal(world.cast({ centre: [4, 4, 4], radius: 0, path: [0, 0, -8] }).fraction, 0.5);
@@ -65,9 +66,22 @@ test('options: mask, sides, skin, counts', () => {
         assert.equal(typeof once.precise, 'number');
         world.castBatch([4, 4, 4, 1, 6, 0, 0], { counts });
         assert.equal(counts.faces - once.faces, once.faces - 100);
-        for (const options of [{ mask: 1.5 }, { mask: 2 ** 32 }, { mask: 'all' }, { bothSides: 1 }, { skin: '1' }, { counts: 5 }, null, 5])
+        for (const options of [
+            { mask: 1.5 },
+            { mask: 2 ** 32 },
+            { mask: 'all' },
+            { bothSides: 1 },
+            { skin: '1' },
+            { counts: 5 },
+            null,
+            5,
+        ])
             for (const ask of ['cast', 'castBatch'])
-                throwsCode('BAD_CALL', () => world[ask](ask === 'cast' ? toWall : [], options), new RegExp(`^${ask}: `));
+                throwsCode(
+                    'BAD_CALL',
+                    () => world[ask](ask === 'cast' ? toWall : [], options),
+                    new RegExp(`^${ask}: `),
+                );
         throwsCode('INVALID', () => world.cast(toWall, { skin: NaN }), /skin/);
         throwsCode('INVALID', () => world.castBatch([], { skin: Infinity }), /skin/);
     });
@@ -99,7 +113,9 @@ test('a batch takes any numbers, and memory that it had', () => {
     withLevel((world) => {
         const inputs = randomCasts(50, world.facts(), 6).map(Math.fround);
         const expected = world.castBatch(inputs);
-        const [fromFloats, fromArray] = [Float32Array.from(inputs), Array.from(inputs)].map((given) => world.castBatch(given));
+        const [fromFloats, fromArray] = [Float32Array.from(inputs), Array.from(inputs)].map((given) =>
+            world.castBatch(given),
+        );
         for (let k = 0; k < 50; ++k) {
             assert.deepEqual(fromFloats.hit(k), expected.hit(k));
             assert.deepEqual(fromArray.hit(k), expected.hit(k));
@@ -118,9 +134,20 @@ test('a batch takes any numbers, and memory that it had', () => {
         assert.notEqual(out.point, point);
         assert.equal(world.castBatch([], undefined, out).count, 0);
         assert.equal(world.castBatch(new Float64Array(0)).count, 0);
-        for (const wrong of [null, undefined, 'x', { length: 7 }, inputs.subarray(1), ['1', 2, 3, 4, 5, 6, 7], new DataView(new ArrayBuffer(56))])
+        for (const wrong of [
+            null,
+            undefined,
+            'x',
+            { length: 7 },
+            inputs.subarray(1),
+            ['1', 2, 3, 4, 5, 6, 7],
+            new DataView(new ArrayBuffer(56)),
+        ])
             throwsCode('BAD_CALL', () => world.castBatch(wrong), /^castBatch: /);
         throwsCode('BAD_CALL', () => world.castBatch(inputs, {}, {}), /out/);
+        world.castBatch(inputs, {}, out);
+        throwsCode('INVALID', () => world.castBatch(inputs.subarray(0, 7), { skin: NaN }, out));
+        assert.deepEqual([out.count, out.hit(49)], [50, expected.hit(49)]);
     });
 });
 
@@ -170,7 +197,8 @@ test('numbers that are no good, and what is no number', () => {
             assert.equal(world.cast({ ...toWall, centre: [bad, 4, 4] }).status, 'invalid');
             assert.equal(world.cast({ ...toWall, path: [0, bad, 0] }).status, 'invalid');
             assert.equal(world.cast({ ...toWall, radius: bad }).status, 'invalid');
-            for (const ask of ['castAny', 'castAll']) throwsCode('OUT_OF_RANGE', () => world[ask]({ ...toWall, radius: bad }));
+            for (const ask of ['castAny', 'castAll'])
+                throwsCode('OUT_OF_RANGE', () => world[ask]({ ...toWall, radius: bad }));
             throwsCode('OUT_OF_RANGE', () => world.overlap([4, 4, bad], 1));
             throwsCode('OUT_OF_RANGE', () => world.overlap([4, 4, 4], bad));
             throwsCode('OUT_OF_RANGE', () => world.closest([4, bad, 4]));
@@ -178,10 +206,23 @@ test('numbers that are no good, and what is no number', () => {
         }
         throwsCode('OUT_OF_RANGE', () => world.closest([4, 4, 4], -1));
         throwsCode('OUT_OF_RANGE', () => world.closest([4, 4, 4], NaN));
-        const wrong = [undefined, null, 5, {}, { ...toWall, centre: [1, 2] }, { ...toWall, centre: '123' }, { ...toWall, radius: '1' }];
-        wrong.push({ ...toWall, path: [1, 2, null] }, { centre: [4, 4, 4], radius: 1 }, { ...toWall, path: [1n, 2, 3] });
+        const wrong = [
+            undefined,
+            null,
+            5,
+            {},
+            { ...toWall, centre: [1, 2] },
+            { ...toWall, centre: '123' },
+            { ...toWall, radius: '1' },
+        ];
+        wrong.push(
+            { ...toWall, path: [1, 2, null] },
+            { centre: [4, 4, 4], radius: 1 },
+            { ...toWall, path: [1n, 2, 3] },
+        );
         for (const input of wrong)
-            for (const ask of ['cast', 'castAny', 'castAll']) throwsCode('BAD_CALL', () => world[ask](input), new RegExp(`^${ask}: `));
+            for (const ask of ['cast', 'castAny', 'castAll'])
+                throwsCode('BAD_CALL', () => world[ask](input), new RegExp(`^${ask}: `));
         throwsCode('BAD_CALL', () => world.overlap([1, 2, 3]));
         throwsCode('BAD_CALL', () => world.overlap([1, 2], 3));
         throwsCode('BAD_CALL', () => world.closest());

@@ -17,7 +17,8 @@ const served = /^\/(bindings\/js\/(src|test)\/\w+\.(js|wasm)|levels\/\w+\.obj)$/
 async function serve() {
     const server = createServer(async (request, response) => {
         const path = request.url === '/' ? '' : request.url;
-        if (path === '') return response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html><title>firma</title>');
+        if (path === '')
+            return response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html><title>firma</title>');
         if (!served.test(path)) return response.writeHead(404).end();
         response.writeHead(200, { 'content-type': types[path.split('.').pop()] }).end(await readFile(root + path));
     });
@@ -50,12 +51,16 @@ test('Chromium gives the bits that node gives', { timeout: 120_000 }, async () =
         });
         const start = performance.now();
         const inNode = scenario(firma, levelBytes, 100, 1000);
-        console.log(`100 cuts, 1000 casts: ${inPage.ms.toFixed()} ms in Chromium, ${(performance.now() - start).toFixed()} ms in node`);
+        const ms = (performance.now() - start).toFixed();
+        console.log(`100 cuts, 1000 casts: ${inPage.ms.toFixed()} ms in Chromium, ${ms} ms in node`);
         assert.deepEqual(inPage.result, inNode);
         assert.equal(inNode.left, 0);
         assert.ok(inNode.done > 90 && inNode.hitCount > 100, JSON.stringify(inNode));
         assert.deepEqual(inPage.codes, ['CANNOT_READ', 'MALFORMED', 'BAD_CALL']);
-        assert.deepEqual(problems.filter((text) => !/404/.test(text)), []);
+        assert.deepEqual(
+            problems.filter((text) => !/404/.test(text)),
+            [],
+        );
     } finally {
         await browser.close();
         server.close();

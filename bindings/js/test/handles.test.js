@@ -14,7 +14,13 @@ const cast = { centre: [4, 4, 4], radius: 1, path: [6, 0, 0] };
 function everything(module) {
     const world = module.worldFromMesh(boxMesh());
     const cutter = module.crater('rocky', 1);
-    return { world, cutter, job: world.startCarve(cutter, pose), edit: world.edit(), store: module.openStore(world, 1e6) };
+    return {
+        world,
+        cutter,
+        job: world.startCarve(cutter, pose),
+        edit: world.edit(),
+        store: module.openStore(world, 1e6),
+    };
 }
 
 const callsOf = ({ world, cutter, job, edit, store }) => ({

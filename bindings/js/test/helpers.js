@@ -27,7 +27,8 @@ export const withLevel = (work) => releasing([firma.worldFromObj(levelBytes, { n
 /** A room of air in rock, from `low` to `high`: its walls face inward. */
 export function boxMesh(low = [0, 0, 0], high = [8, 8, 8]) {
     const positions = [];
-    for (let k = 0; k < 8; ++k) for (let axis = 0; axis < 3; ++axis) positions.push((k >> axis) & 1 ? high[axis] : low[axis]);
+    for (let k = 0; k < 8; ++k)
+        for (let axis = 0; axis < 3; ++axis) positions.push((k >> axis) & 1 ? high[axis] : low[axis]);
     const quads = [0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6];
     return { positions, corners: quads.reverse(), cornerCounts: [4, 4, 4, 4, 4, 4] };
 }

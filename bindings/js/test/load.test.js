@@ -49,7 +49,15 @@ test('every kind of source gives a module of its own', async () => {
     const { buffer } = new Uint8Array(bytes);
     const view = new Uint8Array(bytes.length + 3);
     view.set(bytes, 3);
-    const sources = [wasmUrl, wasmUrl.href, fileURLToPath(wasmUrl), bytes, buffer, view.subarray(3), new DataView(buffer)];
+    const sources = [
+        wasmUrl,
+        wasmUrl.href,
+        fileURLToPath(wasmUrl),
+        bytes,
+        buffer,
+        view.subarray(3),
+        new DataView(buffer),
+    ];
     sources.push(await WebAssembly.compile(bytes), Promise.resolve(bytes));
     sources.push(new Response(bytes), new Response(bytes, { headers: { 'content-type': 'application/wasm' } }));
     for (const source of sources) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What belongs to the package beside the code: types, layouts of structs, the files it is made of, what its README says.
+// What belongs to the package beside the code: types, layouts of structs, its files, the program in the README.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, symlinkSync, mkdirSync, writeFileSync } from 'node:fs';
@@ -32,9 +32,15 @@ test('structs are laid out as clang has them', () => {
 
 test('types fit a program that uses every function', () => {
     const common = { noEmit: true, strict: true, noUncheckedIndexedAccess: true, target: 'es2022', types: [] };
-    for (const [module, moduleResolution] of [['nodenext', 'nodenext'], ['esnext', 'bundler']]) {
+    for (const [module, moduleResolution] of [
+        ['nodenext', 'nodenext'],
+        ['esnext', 'bundler'],
+    ]) {
         asUser((folder) => {
-            writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({ compilerOptions: { ...common, module, moduleResolution } }));
+            writeFileSync(
+                join(folder, 'tsconfig.json'),
+                JSON.stringify({ compilerOptions: { ...common, module, moduleResolution } }),
+            );
             writeFileSync(join(folder, 'types.mts'), readFileSync(join(root, 'test/types.ts')));
             const result = run(process.execPath, 'node_modules/typescript/bin/tsc', '--pretty', 'false', '-p', folder);
             assert.equal(result.status, 0, result.stdout + result.stderr);
@@ -48,7 +54,13 @@ test('types name what there is, and nothing else', () => {
     assert.deepEqual(declared.sort(), Object.keys(firmaPackage).sort());
     const world = firma.worldFromMesh({ positions: [0, 0, 0, 4, 0, 0, 0, 4, 0], corners: [0, 1, 2] });
     const cutter = firma.crater('box', 1);
-    const objects = { Firma: firma, World: world, Cutter: cutter, Edit: world.edit(), Store: firma.openStore(world, 1) };
+    const objects = {
+        Firma: firma,
+        World: world,
+        Cutter: cutter,
+        Edit: world.edit(),
+        Store: firma.openStore(world, 1),
+    };
     objects.Job = world.startCarve(cutter, { position: [0, 0, 0] });
     for (const [name, object] of Object.entries(objects)) {
         const body = new RegExp(`^export interface ${name} [^{]*{(}|[^]*?^})`, 'm').exec(types)[0];
@@ -64,7 +76,10 @@ test('the package has its files, and the lock names no host', () => {
     const files = JSON.parse(result.stdout)[0].files.map((file) => file.path);
     for (const name of ['src/firma.wasm', 'src/index.js', 'src/layout.js', 'index.d.ts', 'README.md', 'package.json'])
         assert.ok(files.includes(name), `${name} is not in the package`);
-    assert.ok(files.every((name) => !/^(test|tools|node_modules)\//.test(name)), files.join(' '));
+    assert.ok(
+        files.every((name) => !/^(test|tools|node_modules)\//.test(name)),
+        files.join(' '),
+    );
     const lock = readFileSync(join(root, 'package-lock.json'), 'utf8');
     assert.doesNotMatch(lock, /"resolved"/);
     assert.doesNotMatch(lock, /https?:\/\/(?!github\.com)[^"]*\.tgz/);

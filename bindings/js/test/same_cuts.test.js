@@ -42,14 +42,19 @@ test('sixty cuts leave the world that the native library leaves', () => {
         const scale = rng.uniform(0.5, 3);
         const shape = shapes[rng.below(5)];
         const cutter = firma.crater(shape, rng.next());
-        const { world: after, report } = world.carve(cutter, { position, rotation, scale }, { fill: rng.uniform() < 0.1 });
+        const { world: after, report } = world.carve(
+            cutter,
+            { position, rotation, scale },
+            { fill: rng.uniform() < 0.1 },
+        );
         done += report.status === 'done';
         retries += report.retries;
         cutter.release();
         world.release();
         world = after;
     }
-    const said = `done=${done} retries=${retries} faces=${world.facts().faceCount} world=${world.hash().toString(16).padStart(16, '0')}`;
+    const hash = world.hash().toString(16).padStart(16, '0');
+    const said = `done=${done} retries=${retries} faces=${world.facts().faceCount} world=${hash}`;
     world.check();
     world.release();
     // What `same_cuts levels/first.obj 60` prints, of any compiler.

@@ -42,16 +42,21 @@ test('memory that grows within any call', async () => {
     const world = firma.worldFromMesh(boxMesh());
     const expected = world.cast(cast);
     const hash = world.hash();
-    const [low, high] = [[0, 0, 0], [8, 8, 8]];
+    const [low, high] = [
+        [0, 0, 0],
+        [8, 8, 8],
+    ];
     const inputs = randomCasts(100, { low, high }, 1);
     const batch = world.castBatch(inputs);
     // As if each of these calls took memory: what they answer must be read from where it is afterwards.
     const own = new Map();
-    const growing = (name) => (...args) => {
-        const answer = own.get(name)(...args);
-        exports.memory.grow(1);
-        return answer;
-    };
+    const growing =
+        (name) =>
+        (...args) => {
+            const answer = own.get(name)(...args);
+            exports.memory.grow(1);
+            return answer;
+        };
     const core = coreOf(world);
     const all = Object.keys(core.exports).filter((name) => typeof core.exports[name] === 'function');
     for (const name of all) {
@@ -92,6 +97,29 @@ test('memory that grows within any call', async () => {
 function coreOf(object) {
     return object[Object.getOwnPropertySymbols(object).find((symbol) => symbol.description === 'core')];
 }
+
+test('arguments and answers leave no memory behind', async () => {
+    const { firma, exports } = await loadOpen();
+    const level = firma.worldFromObj(levelBytes);
+    const cutter = firma.crater('rocky', 1);
+    const packed = level.pack();
+    const round = () => {
+        firma.unpackWorld(packed, 'x'.repeat(100_000)).release();
+        throwsCode('MALFORMED', () => firma.unpackWorld(packed.subarray(1)));
+        throwsCode('BAD_CALL', () => level.withRules({ hardness: new Float64Array(50_000), zones: [{}] }));
+        level.carve(cutter, { position: [40, 20, 2.5] }, { material: 'x'.repeat(100_000) }).world.release();
+        level.faces();
+        level.overlap([40, 20, 4], 300);
+        level.castBatch(new Float64Array(7 * 3000));
+    };
+    for (let k = 0; k < 5; ++k) round();
+    const before = exports.memory.buffer.byteLength;
+    for (let k = 0; k < 30; ++k) round();
+    assert.equal(exports.memory.buffer.byteLength, before);
+    level.release();
+    cutter.release();
+    assert.equal(firma.liveHandles(), 0);
+});
 
 test('memory beyond two and beyond three gigabytes', async () => {
     for (const pages of [33000, 50000]) {
@@ -145,7 +173,13 @@ test('a trap stops the module for good', async () => {
     const kept = batch.hit(0);
     growToTheEnd(exports.memory);
     // Worlds until there is no room for another.
-    throwsCode('INTERNAL', () => { for (;;) firma.unpackWorld(packed); }, /stopped .*loadFirma\(\)/);
+    throwsCode(
+        'INTERNAL',
+        () => {
+            for (;;) firma.unpackWorld(packed);
+        },
+        /stopped .*loadFirma\(\)/,
+    );
     const stopped = /^the module stopped .* load it anew with loadFirma\(\)$/;
     for (const call of [
         () => firma.liveHandles(),
@@ -166,7 +200,10 @@ test('a trap stops the module for good', async () => {
         () => world.pack(),
     ])
         throwsCode('INTERNAL', call, stopped);
-    assert.throws(() => world.hash(), (error) => error.cause instanceof WebAssembly.RuntimeError);
+    assert.throws(
+        () => world.hash(),
+        (error) => error.cause instanceof WebAssembly.RuntimeError,
+    );
     // What was copied out is still there, and letting go is quiet.
     assert.deepEqual(batch.hit(0), kept);
     assert.equal(world.released, false);

@@ -30,7 +30,15 @@ await loadFirma(await WebAssembly.compile(new ArrayBuffer(8)));
 const version: string = firma.version;
 const live: number = firma.liveHandles();
 
-const world: World = firma.worldFromObj('v 0 0 0', { name: 'a', skin: 0.001, scale: 1, surfaceArea: true, maxDepth: 9, facesPerBin: 4, minBinVolume: 1 });
+const world: World = firma.worldFromObj('v 0 0 0', {
+    name: 'a',
+    skin: 0.001,
+    scale: 1,
+    surfaceArea: true,
+    maxDepth: 9,
+    facesPerBin: 4,
+    minBinVolume: 1,
+});
 firma.worldFromObj(new Uint8Array(1));
 firma.worldFromBsp(new ArrayBuffer(1), {});
 const mesh: Mesh = {
@@ -82,7 +90,11 @@ firma.cutterFromObj('', 'name');
 // @ts-expect-error no such shape
 firma.crater('round', 1);
 const rotation: [number, number, number, number] = firma.randomTurn(7);
-const { world: after, report } = world.carve(cutter, { position: hit.point, rotation, scale: 2 }, { fill: true, material: 'a' });
+const { world: after, report } = world.carve(
+    cutter,
+    { position: hit.point, rotation, scale: 2 },
+    { fill: true, material: 'a' },
+);
 const refused: CarveReport = report;
 const total: number = refused.times.total + refused.times.place;
 const job = world.startCarve(cutter, { position: [1, 2, 3] });
@@ -93,7 +105,12 @@ edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
 const diff: Diff = world.diff(after, 1);
 const corners: Float64Array = diff.come.corners;
-world.withRules({ zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }], hardness: [0], mostFaces: 5, largestCutter: 3 });
+world.withRules({
+    zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
+    hardness: [0],
+    mostFaces: 5,
+    largestCutter: 3,
+});
 // @ts-expect-error a world is no cutter for carving
 world.carve(world, { position: 5 });
 
@@ -115,4 +132,28 @@ try {
     using kept = world.copy();
     kept.check();
 }
-export const used = [version, live, x, y, z, names, hash, volume, memory, flags, face, any, all, one, where, none, near, closest, solid, total, corners, waiting, gone];
+export const used = [
+    version,
+    live,
+    x,
+    y,
+    z,
+    names,
+    hash,
+    volume,
+    memory,
+    flags,
+    face,
+    any,
+    all,
+    one,
+    where,
+    none,
+    near,
+    closest,
+    solid,
+    total,
+    corners,
+    waiting,
+    gone,
+];

@@ -11,7 +11,9 @@ const triangle = 'v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n';
 test('an .obj as text and as bytes of every kind is the same world', () => {
     const text = new TextDecoder().decode(levelBytes);
     const copy = new Uint8Array(levelBytes);
-    const all = [text, levelBytes, copy, copy.buffer, new DataView(copy.buffer)].map((file) => firma.worldFromObj(file));
+    const all = [text, levelBytes, copy, copy.buffer, new DataView(copy.buffer)].map((file) =>
+        firma.worldFromObj(file),
+    );
     releasing(all, (first, ...others) => {
         for (const other of others) assert.equal(other.hash(), first.hash());
         assert.equal(typeof first.hash(), 'bigint');
@@ -66,10 +68,25 @@ test('options are taken', () => {
         });
         assert.ok(shallow > deep, `a shallow tree looks at more: ${shallow}, ${deep}`);
     });
-    const wrong = [{ maxDepth: 65 }, { facesPerBin: 0 }, { skin: -1 }, { skin: NaN }, { scale: Infinity }, { scale: -1 }];
+    const wrong = [
+        { maxDepth: 65 },
+        { facesPerBin: 0 },
+        { skin: -1 },
+        { skin: NaN },
+        { scale: Infinity },
+        { scale: -1 },
+    ];
     for (const one of wrong) throwsCode('INVALID', () => firma.worldFromObj(triangle, one));
-    const bad = [{ maxDepth: 1.5 }, { facesPerBin: '2' }, { skin: '1' }, { surfaceArea: 2 }, { name: 5 }, { name: 'a\0b' }];
-    for (const one of [...bad, null, 7]) throwsCode('BAD_CALL', () => firma.worldFromObj(triangle, one), /^worldFromObj: /);
+    const bad = [
+        { maxDepth: 1.5 },
+        { facesPerBin: '2' },
+        { skin: '1' },
+        { surfaceArea: 2 },
+        { name: 5 },
+        { name: 'a\0b' },
+    ];
+    for (const one of [...bad, null, 7])
+        throwsCode('BAD_CALL', () => firma.worldFromObj(triangle, one), /^worldFromObj: /);
 });
 
 test('bad files say where', () => {
@@ -169,17 +186,20 @@ test('packed and unpacked it is the same; without the exact part it cannot be ca
         const light = world.pack({ exact: false });
         assert.ok(light.length < whole.length);
         assert.deepEqual(world.pack({ exact: true }), whole);
-        releasing([firma.unpackWorld(whole, 'a'), firma.unpackWorld(light), firma.crater('rocky', 1)], (again, lighter, cutter) => {
-            assert.equal(again.hash(), world.hash());
-            assert.deepEqual(again.facts(), world.facts());
-            assert.deepEqual(again.faces(), world.faces());
-            again.check();
-            const cast = { centre: [40, 20, 4], radius: 0.1, path: [30, 1, 0] };
-            assert.deepEqual(lighter.cast(cast), world.cast(cast));
-            const { world: after, report } = lighter.carve(cutter, { position: world.cast(cast).point });
-            after.release();
-            assert.notEqual(report.status, 'done');
-        });
+        releasing(
+            [firma.unpackWorld(whole, 'a'), firma.unpackWorld(light), firma.crater('rocky', 1)],
+            (again, lighter, cutter) => {
+                assert.equal(again.hash(), world.hash());
+                assert.deepEqual(again.facts(), world.facts());
+                assert.deepEqual(again.faces(), world.faces());
+                again.check();
+                const cast = { centre: [40, 20, 4], radius: 0.1, path: [30, 1, 0] };
+                assert.deepEqual(lighter.cast(cast), world.cast(cast));
+                const { world: after, report } = lighter.carve(cutter, { position: world.cast(cast).point });
+                after.release();
+                assert.notEqual(report.status, 'done');
+            },
+        );
         throwsCode('MALFORMED', () => firma.unpackWorld(whole.subarray(0, 1000), 'half.firma'), /half\.firma/);
         throwsCode('MALFORMED', () => firma.unpackWorld(whole.map((byte, k) => (k === 5000 ? byte ^ 1 : byte))));
         throwsCode('MALFORMED', () => firma.unpackWorld(new Uint8Array(0)));

@@ -39,7 +39,10 @@ function dumpLayouts() {
 function readEnumerations(header) {
     const found = new Map();
     for (const [, name, body] of header.matchAll(/typedef enum (firma_\w+) \{([^}]*)\}/g))
-        found.set(name, [...body.matchAll(/(FIRMA_\w+) = (\d+)/g)].map((m) => [m[1], Number(m[2])]));
+        found.set(
+            name,
+            [...body.matchAll(/(FIRMA_\w+) = (\d+)/g)].map((m) => [m[1], Number(m[2])]),
+        );
     return found;
 }
 
@@ -47,12 +50,15 @@ function write() {
     const header = readFileSync(join(include, 'firma/firma_c.h'), 'utf8');
     const lines = [
         '// SPDX-License-Identifier: MIT',
-        '// Written by tools/make_layout.js from firma_c.h; change that, not this file. Bytes, as clang lays structs out for wasm32.',
+        '// Written by tools/make_layout.js from firma_c.h; change that, not this file. Bytes, by clang for wasm32.',
         '',
     ];
-    const version = ['MAJOR', 'MINOR', 'PATCH'].map((part) => new RegExp(`FIRMA_VERSION_${part} (\\d+)`).exec(header)[1]);
+    const version = ['MAJOR', 'MINOR', 'PATCH'].map(
+        (part) => new RegExp(`FIRMA_VERSION_${part} (\\d+)`).exec(header)[1],
+    );
     lines.push(`export const VERSION = '${version.join('.')}';`, '');
-    for (const [, name, value] of header.matchAll(/#define FIRMA_(FACE_\w+) (\d+)u/g)) lines.push(`export const ${name} = ${value};`);
+    for (const [, name, value] of header.matchAll(/#define FIRMA_(FACE_\w+) (\d+)u/g))
+        lines.push(`export const ${name} = ${value};`);
     lines.push('');
     for (const [name, entries] of readEnumerations(header)) {
         const short = constant(name.slice('firma_'.length));
