@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Compiles for WebAssembly with Debian's clang 19 and wasi-libc. The module has no imports: see bindings/wasm.
+# Compiles for WebAssembly with Debian's clang 19 and wasi-libc; what the module asks of its host: bindings/wasm/runtime.cpp.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_C_COMPILER clang-19)

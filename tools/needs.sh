@@ -33,3 +33,13 @@ need_build() {
     need g++ cmake ninja-build libcli11-dev libfmt-dev libtbb-dev libfast-float-dev libboost-dev libtinygltf-dev nlohmann-json3-dev \
         libcpp-httplib-dev
 }
+
+# What it takes to build the module for browsers and node, and to run what is around it. binaryen: clang has its wasm-opt
+# shrink what it links, where it is there. Node and npm go by command: they may come from elsewhere than Debian, whose
+# npm then cannot be installed beside them.
+need_module() {
+    need cmake ninja-build clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 binaryen \
+        libfast-float-dev libboost-dev
+    command -v node >/dev/null || need nodejs
+    command -v npm >/dev/null || need npm
+}

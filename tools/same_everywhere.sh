@@ -42,8 +42,7 @@ native() {
 preset() { quiet cmake --preset "$1" && quiet cmake --build --preset "$1" --target "$2"; }
 
 build_module() {
-    install clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 binaryen
-    command -v node >/dev/null || install nodejs
+    need_module >&2
     preset wasm firma_wasm
 }
 

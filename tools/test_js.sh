@@ -6,10 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
 
-need cmake ninja-build clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 chromium
-# By command: node may come from elsewhere than Debian, whose npm then cannot be installed beside it.
-command -v node >/dev/null || need nodejs
-command -v npm >/dev/null || need npm
+need_module
+need chromium
 
 mkdir -p build
 log=build/test_js.log

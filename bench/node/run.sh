@@ -12,7 +12,7 @@ done
 cd "$(dirname "$0")/../.."
 . tools/needs.sh
 need_build
-need clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 binaryen
+need_module
 command -v node >/dev/null || need nodejs
 command -v npm >/dev/null || need npm
 cmake --preset wasm >/dev/null
