@@ -13,8 +13,6 @@ cd "$(dirname "$0")/../.."
 . tools/needs.sh
 need_build
 need_module
-command -v node >/dev/null || need nodejs
-command -v npm >/dev/null || need npm
 cmake --preset wasm >/dev/null
 cmake --build --preset wasm --target firma_wasm >/dev/null
 cd bench/node
