@@ -115,6 +115,8 @@ firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, s
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         Batch batch{object->world, inputs, count, {}, hits, {}};
         if (const firma_code code = read_options(options, batch.options, function)) return code;
+        if (count > PTRDIFF_MAX / sizeof(firma_hit))
+            return fail(FIRMA_ERROR_TOO_LARGE, function, "no memory can hold so many hits");
         const std::size_t tasks = (count + kCastsATask - 1) / kCastsATask;
         if (counts) batch.counts.resize(tasks);
         run_batch(tasks, cast_some, &batch);

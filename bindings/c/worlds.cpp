@@ -46,14 +46,15 @@ firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* fu
         if (!given.material_names[k]) return bad_call(function, "the name of a material is null");
         arrays.names.emplace_back(given.material_names[k]);
     }
-    std::size_t corners = 3 * given.face_count;
+    std::uint64_t corners = 3 * std::uint64_t(given.face_count);  // more than a size_t of 32 bits may hold
     if (given.corner_counts) {
         corners = 0;
         for (std::size_t k = 0; k < given.face_count; ++k) corners += given.corner_counts[k];
         arrays.mesh.corner_counts = {given.corner_counts, given.face_count};
     }
+    if (corners >> 31) return fail(FIRMA_ERROR_TOO_LARGE, function, "a level holds fewer than 2^31 corners");
     arrays.mesh.vertices = arrays.vertices;
-    arrays.mesh.corners = {given.corners, corners};
+    arrays.mesh.corners = {given.corners, std::size_t(corners)};
     arrays.mesh.material_names = arrays.names;
     if (given.materials) arrays.mesh.materials = {given.materials, given.face_count};
     if (given.masks) arrays.mesh.masks = {given.masks, given.face_count};

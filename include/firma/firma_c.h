@@ -376,7 +376,8 @@ FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const f
 /* One edit in slices: run until finished, then take the result, or release it at any time. */
 FIRMA_API firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                      const firma_carve_options* options, firma_job* job);
-/* Goes on for about so long; `finished` gets 0 or 1. */
+/* Goes on for about so long; `finished` gets 0 or 1. A job that ran out of memory cannot go on: every later call gives
+ * FIRMA_ERROR_NO_MEMORY again. */
 FIRMA_API firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished);
 /* As firma_carve(); FIRMA_ERROR_BAD_CALL before it is finished. */
 FIRMA_API firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report);
