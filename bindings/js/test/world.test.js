@@ -124,7 +124,8 @@ test('a mesh, with all its arrays and with few', () => {
 
 test('masks as operators make them, materials by the numbers of the world', () => {
     const names = { materialNames: ['a', 'a', 'b'], materials: [0, 1, 2, 2, 2, 2] };
-    releasing([firma.worldFromMesh({ ...boxMesh(), masks: [~0, ~1, 2, 0, -(2 ** 31), 2 ** 32 - 1], ...names })], (world) => {
+    const masks = [~0, ~1, 2, 0, -(2 ** 31), 2 ** 32 - 1];
+    releasing([firma.worldFromMesh({ ...boxMesh(), masks, ...names })], (world) => {
         assert.deepEqual(Array.from(world.faces().masks), [2 ** 32 - 1, 2 ** 32 - 2, 2, 0, 2 ** 31, 2 ** 32 - 1]);
         assert.deepEqual(world.facts().materials, ['', 'a', 'b']);
         assert.deepEqual(Array.from(world.faces().materials), [1, 1, 2, 2, 2, 2]);
