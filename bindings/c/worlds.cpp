@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds made, released, measured.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -62,9 +63,10 @@ firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* fu
     return FIRMA_OK;
 }
 
-template <class T>
-T or_default(std::uint64_t given, T otherwise) {
-    return given == 0 ? otherwise : T(given);
+/// A limit; one that a size_t of 32 bits cannot hold limits nothing.
+std::size_t or_default(std::uint64_t given, std::size_t otherwise) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
+    return given == 0 ? otherwise : std::size_t(given < kMost ? given : kMost);
 }
 
 firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* function) {
