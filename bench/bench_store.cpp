@@ -122,8 +122,8 @@ void edit(WorldStore& store, int rooms, std::size_t cuts, std::atomic<int>& phas
         }
         turn = microseconds_since(start);
         phase = kPause;
-        edits.undo.push_back(timed([&] { keep(store.undo()); }));
-        edits.redo.push_back(timed([&] { keep(store.redo()); }));
+        edits.undo.push_back(timed([&] { keep(store.undo().has_value()); }));
+        edits.redo.push_back(timed([&] { keep(store.redo().has_value()); }));
     }
     phase = kEnd;
 }

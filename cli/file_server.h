@@ -8,9 +8,9 @@
 namespace firma::cli {
 
 /// GET and HEAD of regular files below a folder, on 127.0.0.1. A path that ends in '/' means the index.html there; no
-/// folder is listed. What lies outside the folder (by "..", by a link), or below a name that begins with a dot, is not
-/// there: 404. A request whose Host is not this machine is refused: 403, so that no page from elsewhere can read
-/// anything under a name of its own.
+/// folder is listed. What lies outside the folder (by "..", by a link) is not there, nor is what a request names with a
+/// name that begins with a dot (a link within the folder that has another name does lead to such): 404. A request whose
+/// Host is not this machine is refused: 403, so that no page from elsewhere can read anything under a name of its own.
 class FileServer {
 public:
     /// Opens the port; nothing is answered before run().

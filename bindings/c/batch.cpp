@@ -2,6 +2,8 @@
 // Spreads the work of a batch over the threads that the caller's hook has.
 #include "bindings/c/batch.h"
 
+#include <new>
+
 #include "base/lock.h"
 
 namespace firma::c {
@@ -13,7 +15,8 @@ struct Hook {
 };
 
 Hook& hook() {
-    static auto& only = *new Hook;
+    alignas(Hook) static std::byte place[sizeof(Hook)];  // never destroyed, never without memory
+    static auto& only = *new (place) Hook;
     return only;
 }
 

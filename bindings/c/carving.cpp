@@ -25,6 +25,8 @@ firma_code give_result(const CarveResult& result, firma_world* after, firma_carv
     return FIRMA_OK;
 }
 
+constexpr const char* kBrokenJob = "the job ran out of memory before: release it and start another";
+
 /// What every edit begins with.
 struct Order {
     Cutter cutter;
@@ -126,7 +128,10 @@ firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished)
         JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (!(microseconds >= 0)) return fail(FIRMA_ERROR_INVALID, function, "the time is negative, or no number");
+        if (object->broken) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
+        object->broken = true;  // and stays so if run() is left by an exception
         *finished = object->job.run(microseconds);
+        object->broken = false;
         return FIRMA_OK;
     });
 }
@@ -136,6 +141,7 @@ firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_repor
         if (!after) return bad_call(function, kNull);
         const JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        if (object->broken) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
         if (!object->job.finished()) return bad_call(function, "the job is not finished: run it on first");
         return give_result(object->job.result(), after, report, function);
     });

@@ -6,6 +6,7 @@
 #include "bindings/c/batch.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "geometry/rounding.h"
 
 namespace firma::c {
 namespace {
@@ -115,6 +116,8 @@ firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, s
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         Batch batch{object->world, inputs, count, {}, hits, {}};
         if (const firma_code code = read_options(options, batch.options, function)) return code;
+        if (count > PTRDIFF_MAX / sizeof(firma_hit))
+            return fail(FIRMA_ERROR_TOO_LARGE, function, "no memory can hold so many hits");
         const std::size_t tasks = (count + kCastsATask - 1) / kCastsATask;
         if (counts) batch.counts.resize(tasks);
         run_batch(tasks, cast_some, &batch);
@@ -145,8 +148,9 @@ firma_code firma_closest(firma_world world, const double point[3], double reach,
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const Vec3 at{point[0], point[1], point[2]};
-        if (!is_finite(at) || !(reach >= 0))
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a number is not finite, or the reach negative");
+        if (!is_finite(at) || largest(at) > kLargestNumber || !(reach >= 0))
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
+                        "a number is not finite or too large, or the reach negative");
         const std::optional<NearFace> nearest = closest(object->world, at, reach, mask);
         *found = nearest.has_value();
         if (nearest) put_near(*nearest, *near);
@@ -160,7 +164,8 @@ firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* wh
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const Vec3 at{point[0], point[1], point[2]};
-        if (!is_finite(at)) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite");
+        if (!is_finite(at) || largest(at) > kLargestNumber)
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite or too large");
         const std::optional<bool> inside = in_solid(object->world, at);
         *where = inside ? std::uint32_t(*inside) : 2;
         return FIRMA_OK;

@@ -33,9 +33,10 @@ struct Table {
     std::size_t held = 0;
 };
 
-/// Never destroyed: handles may be released by whatever runs last.
+/// Never destroyed, as handles may be released by whatever runs last; and never without memory.
 Table& table() {
-    static auto& only = *new Table;
+    alignas(Table) static std::byte place[sizeof(Table)];
+    static auto& only = *new (place) Table;
     return only;
 }
 

@@ -20,7 +20,7 @@ struct WorldObject final : Object {
     static constexpr Kind kKind = Kind::kWorld;
     static constexpr const char* kNoun = "world";
     explicit WorldObject(World w) : world(std::move(w)) {}
-    const World world;
+    World world;  ///< never changes once its handle is known
 };
 
 struct CutterObject final : Object {
@@ -35,6 +35,7 @@ struct JobObject final : Object {
     static constexpr const char* kNoun = "job";
     explicit JobObject(CarveJob j) : job(std::move(j)) {}
     CarveJob job;
+    bool broken = false;  ///< memory ran out in the middle of a step, which cannot be done again
 };
 
 struct EditObject final : Object {

@@ -10,6 +10,24 @@
 namespace firma::c {
 namespace {
 
+/// Goes where `step` says, undo() or redo(), and gives the world gone to. Its handle is made first, known to nobody:
+/// what may find no memory comes before what changes the store.
+template <class Step>
+firma_code give_gone_to(WorldStore& store, Step step, firma_world* out, const char* none, const char* function) {
+    auto object = std::make_unique<WorldObject>(store.current());
+    World& shown = object->world;
+    firma_world made;
+    if (const firma_code code = give(std::move(object), &made, function)) return code;
+    std::optional<World> gone_to = (store.*step)();
+    if (!gone_to) {
+        remove_object(made.id, WorldObject::kKind);
+        return fail(FIRMA_ERROR_INVALID, function, none);
+    }
+    shown = *std::move(gone_to);
+    *out = made;
+    return FIRMA_OK;
+}
+
 firma_code give_current(const WorldStore& store, firma_world* out, const char* function) {
     return give(std::make_unique<WorldObject>(store.current()), out, function);
 }
@@ -65,9 +83,8 @@ firma_code firma_store_undo(firma_store store, firma_world* world) {
         if (!world) return bad_call(function, kNull);
         StoreObject* object = find<StoreObject>(store.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (!object->store.undo())
-            return fail(FIRMA_ERROR_INVALID, function, "no version before the current one is held");
-        return give_current(object->store, world, function);
+        return give_gone_to(object->store, &WorldStore::undo, world, "no version before the current one is held",
+                            function);
     });
 }
 
@@ -76,8 +93,7 @@ firma_code firma_store_redo(firma_store store, firma_world* world) {
         if (!world) return bad_call(function, kNull);
         StoreObject* object = find<StoreObject>(store.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (!object->store.redo()) return fail(FIRMA_ERROR_INVALID, function, "no version was undone");
-        return give_current(object->store, world, function);
+        return give_gone_to(object->store, &WorldStore::redo, world, "no version was undone", function);
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds made, released, measured.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -46,14 +47,15 @@ firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* fu
         if (!given.material_names[k]) return bad_call(function, "the name of a material is null");
         arrays.names.emplace_back(given.material_names[k]);
     }
-    std::size_t corners = 3 * given.face_count;
+    std::uint64_t corners = 3 * std::uint64_t(given.face_count);  // more than a size_t of 32 bits may hold
     if (given.corner_counts) {
         corners = 0;
         for (std::size_t k = 0; k < given.face_count; ++k) corners += given.corner_counts[k];
         arrays.mesh.corner_counts = {given.corner_counts, given.face_count};
     }
+    if (corners >> 31) return fail(FIRMA_ERROR_TOO_LARGE, function, "a level holds fewer than 2^31 corners");
     arrays.mesh.vertices = arrays.vertices;
-    arrays.mesh.corners = {given.corners, corners};
+    arrays.mesh.corners = {given.corners, std::size_t(corners)};
     arrays.mesh.material_names = arrays.names;
     if (given.materials) arrays.mesh.materials = {given.materials, given.face_count};
     if (given.masks) arrays.mesh.masks = {given.masks, given.face_count};
@@ -61,9 +63,10 @@ firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* fu
     return FIRMA_OK;
 }
 
-template <class T>
-T or_default(std::uint64_t given, T otherwise) {
-    return given == 0 ? otherwise : T(given);
+/// A limit; one that a size_t of 32 bits cannot hold limits nothing.
+std::size_t or_default(std::uint64_t given, std::size_t otherwise) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
+    return given == 0 ? otherwise : std::size_t(given < kMost ? given : kMost);
 }
 
 firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* function) {

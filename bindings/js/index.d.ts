@@ -126,9 +126,10 @@ export interface Mesh {
     cornerCounts?: Words;
     /** For each face, an index of `materialNames`; none: the first. */
     materials?: Words;
+    /** The world numbers them anew: see WorldFacts.materials. */
     materialNames?: readonly string[];
-    /** For each face, what casts choose by; none: all bits. */
-    masks?: Words;
+    /** For each face, what casts choose by, ~0 or -1 for all; none: all bits. */
+    masks?: Words | Int32Array;
     /** For each face; none: no face is. */
     twoSided?: ArrayLike<boolean | number>;
 }
@@ -142,6 +143,10 @@ export interface WorldFacts {
     low: Vector3;
     high: Vector3;
     skin: number;
+    /**
+     * By the numbers that all of a world's materials go by, whatever their place in the mesh or file: 0 is '', of faces
+     * without one, and equal names are one.
+     */
     materials: string[];
     /** Cuts and fills so far. */
     edits: number;
@@ -358,7 +363,7 @@ export interface Zone {
 /** 0 or none takes a limit's default. */
 export interface Rules {
     zones?: readonly Zone[];
-    /** By material, 0..1; missing ones are 0. */
+    /** By the material's number in WorldFacts.materials, 0..1; missing ones are 0. */
     hardness?: Numbers;
     mostFaces?: number;
     mostFacesLookedAt?: number;
@@ -397,7 +402,8 @@ export interface World extends Handle {
     /**
      * Many casts: answer k is what cast() gives for input k.
      * @param inputs seven numbers a cast: centre, radius, path; fastest as a Float64Array
-     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned
+     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned, and
+     *     has no answers when the module refuses the call
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
     /** Faces that a closed ball touches, by id. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
@@ -407,7 +413,7 @@ export interface World extends Handle {
      * @throws {FirmaError} OUT_OF_RANGE for numbers that are no good
      */
     closest(point: Vector, reach?: number, mask?: number): Near | null;
-    /** Null where that cannot be said (on a face). @throws {FirmaError} OUT_OF_RANGE for a number that is not finite */
+    /** Null where that cannot be said (on a face). @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     inSolid(point: Vector): boolean | null;
 
     /** One edit. A pose with bad numbers, too, is refused in the report, not thrown. */

@@ -138,8 +138,8 @@ typedef struct firma_mesh {
     const uint32_t* corners;       /* indices of vertices, face after face */
     const uint32_t* corner_counts; /* for each face, >= 3; null: all are triangles */
     size_t face_count;
-    const uint32_t* materials;         /* for each face, below material_count; null: the first, or none */
-    const char* const* material_names; /* UTF-8; null when material_count is 0 */
+    const uint32_t* materials;         /* for each face, an index of material_names; null: the first, or none */
+    const char* const* material_names; /* UTF-8; null when material_count is 0. The world numbers them anew */
     const uint32_t* masks;             /* for each face; null: all bits */
     const uint8_t* two_sided;          /* for each face, 0 or 1; null: none */
 } firma_mesh;
@@ -186,7 +186,9 @@ FIRMA_API firma_code firma_world_check(firma_world world);
 FIRMA_API firma_code firma_world_measure(firma_world world, double* volume, double* area);
 /* Bytes that several worlds hold together; what they share counts once. */
 FIRMA_API firma_code firma_world_memory(const firma_world* worlds, size_t count, uint64_t* bytes);
-/* UTF-8; good as long as the handle. FIRMA_ERROR_INVALID for a material that the world does not have. */
+/* UTF-8; good as long as the handle. Materials have a number each in a world, whatever their place in the mesh or file:
+ * 0 is "", of faces without one, and equal names are one. Everything that a world says or is told of a material is by
+ * that number. FIRMA_ERROR_INVALID for one that the world does not have. */
 FIRMA_API firma_code firma_world_material(firma_world world, uint32_t material, const char** name);
 
 /* Regions and materials that refuse a cut (hardness 1) or shrink it, and limits; 0 for a limit takes the default. */
@@ -201,7 +203,7 @@ typedef struct firma_rules {
     uint32_t reserved; /* 0 */
     const firma_zone* zones;
     size_t zone_count;
-    const double* hardness; /* by material; missing ones are 0 */
+    const double* hardness; /* by number of the material in the world; missing ones are 0 */
     size_t hardness_count;
     uint64_t most_faces, most_faces_looked_at, most_new_faces, most_cutter_triangles, most_pairs, most_corners;
     double largest_cutter; /* metres */
@@ -312,7 +314,8 @@ typedef struct firma_near {
  * are no good. */
 FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask,
                                    firma_near* found, size_t capacity, size_t* count);
-/* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1. */
+/* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
+ * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good, here and below. */
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach, uint32_t mask,
                                    firma_near* near, uint32_t* found);
 /* 1 in the solid, 0 in the air, 2 where that cannot be said (on a face). */
@@ -376,7 +379,8 @@ FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const f
 /* One edit in slices: run until finished, then take the result, or release it at any time. */
 FIRMA_API firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                      const firma_carve_options* options, firma_job* job);
-/* Goes on for about so long; `finished` gets 0 or 1. */
+/* Goes on for about so long; `finished` gets 0 or 1. A job that ran out of memory cannot go on: every later call gives
+ * FIRMA_ERROR_NO_MEMORY again. */
 FIRMA_API firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished);
 /* As firma_carve(); FIRMA_ERROR_BAD_CALL before it is finished. */
 FIRMA_API firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report);

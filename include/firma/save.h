@@ -45,7 +45,8 @@ bool is_firma_file(std::span<const std::byte> bytes);
 /// Saves a world: the file appears whole or not at all. Bytes go beside it, into a file of its name with ".part"
 /// behind, which is flushed and renamed; then the folder is flushed. Killed at any moment it leaves what was there
 /// before, and at most the ".part", which the next save of that name takes over. Several saves of one name at once, by
-/// threads or processes, wait for each other. A link is followed; the mode of a file that was there is kept.
+/// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
+/// file that was there is kept.
 /// @return nothing on success; kCannotWrite with the system's reason
 std::optional<Error> save_world(const World& world, const std::string& path, const SaveOptions& options = {});
 

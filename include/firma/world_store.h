@@ -70,9 +70,9 @@ public:
     PublishStatus publish(const World& before, World after);
 
     /// Goes back to the version before, or forward to the one that was undone.
-    /// @return false when there is none
-    bool undo();
-    bool redo();
+    /// @return the version gone to, whatever other threads do meanwhile; nothing when there is none
+    std::optional<World> undo();
+    std::optional<World> redo();
 
     /// Drops versions, the oldest first, then of the undone ones the newest, until StoreHistory::bytes is at most so
     /// many; from then on publish() keeps it so. The current version always stays: with 0 only it does,

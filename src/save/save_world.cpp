@@ -31,6 +31,9 @@ auto persist(const Call& call) {
     return result;
 }
 
+/// Without waiting for somebody to read from what may be a pipe; for files that says nothing.
+constexpr int kToWrite = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+
 /// The file aside: open, locked, empty.
 class Aside {
 public:
@@ -46,9 +49,13 @@ public:
     /// @return 0, or the system's reason; so with the others
     int open_locked() {
         for (;;) {
-            const int descriptor =
-                persist([&] { return open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666); });
+            const int descriptor = persist([&] { return open(path_.c_str(), kToWrite, 0666); });
             if (descriptor < 0) return errno;
+            struct stat status{};
+            if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+                close(descriptor);
+                return EINVAL;  // somebody's pipe or device
+            }
             if (persist([&] { return flock(descriptor, LOCK_EX); }) != 0 && errno != ENOLCK && errno != ENOTSUP) {
                 const int reason = errno;
                 close(descriptor);
@@ -92,13 +99,19 @@ private:
     bool renamed_ = false;
 };
 
-/// The path behind all links, or as it is when there is nothing yet.
-std::string resolved(const std::string& path) {
+/// Makes of a path the one behind all links; leaves it where there is nothing yet.
+/// @return 0, or the system's reason, as of a link that leads nowhere: to be followed, not replaced
+int resolve(std::string& path) {
     const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr), &std::free);
-    return real ? real.get() : path;
+    const int reason = errno;
+    struct stat status{};
+    if (!real) return lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode) ? reason : 0;
+    path = real.get();
+    return 0;
 }
 
-int write_file(const std::vector<std::byte>& bytes, const std::string& target) {
+int write_file(const std::vector<std::byte>& bytes, std::string target) {
+    if (const int reason = resolve(target)) return reason;
     struct stat status{};
     const bool was_there = stat(target.c_str(), &status) == 0;
     if (was_there && S_ISDIR(status.st_mode)) return EISDIR;
@@ -126,7 +139,7 @@ int sync_folder_of(const std::string& path) {
 
 std::optional<Error> save_world(const World& world, const std::string& path, const SaveOptions& options) {
     if (path.empty()) return Error{ErrorCode::kInvalid, "", "a file needs a name"};
-    if (const int reason = write_file(pack_world(world, options), resolved(path))) return cannot_write(path, reason);
+    if (const int reason = write_file(pack_world(world, options), path)) return cannot_write(path, reason);
     return {};
 }
 

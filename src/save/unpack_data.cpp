@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a saved world has besides faces. Tolerances, options and rules are taken as they are, as with_rules() and
-// make_world() take them: whoever uses them can do with any numbers.
+// What a saved world has besides faces. Options and rules are taken as they are, as with_rules() and make_world() take
+// them: whoever uses them can do with any numbers.
 #include "save/unpack_data.h"
 
+#include <cmath>
 #include <limits>
 
 #include "save/sections.h"
@@ -12,6 +13,10 @@ namespace {
 
 /// One less than what says "no face": as edits have it.
 constexpr std::uint32_t kMostFaceIds = ~0u - 1;
+/// Numbers of edits and versions that years of edits do not use up: those of a world read can go on growing, and
+/// versions are exact in JavaScript.
+constexpr std::uint32_t kMostEdits = 1u << 31;
+constexpr std::uint64_t kMostVersion = std::uint64_t(1) << 52;
 
 std::size_t limit_of(std::uint64_t value) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
@@ -57,6 +62,11 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     if (faces > data.next_face) return damage.report(section.type(), "has more faces than there were ids");
     data.face_count = std::size_t(faces);
     if (data.next_face > kMostFaceIds) return damage.report(section.type(), "has no ids left for new faces");
+    if (data.version > kMostVersion || data.edits > kMostEdits)
+        return damage.report(section.type(), 0, "has no numbers left for new edits");
+    // Of a skin below zero, casts would say that it is safe to go through what they meet.
+    if (!(data.tolerance.skin >= 0) || !std::isfinite(data.tolerance.skin))
+        return damage.report(section.type(), 0, "its skin is no length");
     if (flags & ~(kRockOutside | kExactPart | kHasRules) || read_u32(at + 52) != 0)
         return damage.report(section.type(), "has flags that are not of version 1");
     if (split > std::uint32_t(Split::kSurfaceArea))

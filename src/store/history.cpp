@@ -16,9 +16,18 @@ std::optional<World> History::find(std::uint64_t version) const {
     return at->world;
 }
 
-void History::push(World world, std::size_t lost) {
-    FIRMA_ASSERT(!can_redo(), "a new version follows the newest; take out those that were undone");
-    entries_.push_back({std::move(world), lost});
+void History::push(World world, std::size_t lost, std::vector<World>& undone) {
+    FIRMA_ASSERT(undone.capacity() - undone.size() >= size() - at_ - 1, "there is room for what was undone");
+    while (at_ + 2 < entries_.size()) undone.push_back(take_newest());
+    if (can_redo()) {  // the place of the first that was undone is taken over, as there may be no memory for another
+        Entry& next = entries_.back();
+        bytes_ -= next.lost;
+        std::swap(next.world, world);
+        next.lost = lost;
+        undone.push_back(std::move(world));
+    } else {
+        entries_.push_back({std::move(world), lost});
+    }
     bytes_ += lost;
     ++at_;
 }

@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "firma/world.h"
 
@@ -24,9 +25,11 @@ public:
     std::size_t bytes() const { return bytes_; }
     std::optional<World> find(std::uint64_t version) const;
 
-    /// One more, which becomes the current one; nothing may stand after the one before it.
-    /// @param lost  bytes that the one before holds and this does not
-    void push(World world, std::size_t lost);
+    /// One more after the current one, which becomes the current one itself, in place of those that were undone.
+    /// Without the memory for it nothing changes.
+    /// @param lost    bytes that the one before holds and this does not
+    /// @param undone  gets those that were undone, to be freed by the caller; has room for them
+    void push(World world, std::size_t lost, std::vector<World>& undone);
     void undo() { --at_; }
     void redo() { ++at_; }
     /// Takes out one that is not the current one. To be freed by the caller.

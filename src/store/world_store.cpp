@@ -28,10 +28,13 @@ struct WorldStore::State {
         // The handle before lives on in `history` or `dropped`, so this is not its version's end.
     }
 
-    /// For writers holding the history's lock.
-    void drop_undone() {
-        while (history.can_redo()) dropped.push_back(history.take_newest());
+    /// For writers, before anything changes: whatever the history lets go of then needs no more memory.
+    void make_room_for_dropped() {
+        const std::size_t most = dropped.size() + history.size() + 1;
+        if (dropped.capacity() < most) dropped.reserve(2 * most);
     }
+
+    /// For writers holding the history's lock.
     void keep_within_bytes() {
         while (history.bytes() > history_bytes && history.can_undo()) dropped.push_back(history.take_oldest());
         while (history.bytes() > history_bytes && history.can_redo()) dropped.push_back(history.take_newest());
@@ -96,10 +99,10 @@ PublishStatus WorldStore::publish(const World& before, World after) {
     if (&after.data() == &current.data()) return PublishStatus::kSame;
     if (after.version() <= current.version()) return PublishStatus::kNotNewer;
     const std::size_t lost = bytes_alone(current, after);
+    state_->make_room_for_dropped();
     {
         const std::lock_guard<Lock> guard(state_->history_lock);
-        state_->drop_undone();
-        state_->history.push(std::move(after), lost);
+        state_->history.push(std::move(after), lost, state_->dropped);
         state_->keep_within_bytes();
     }
     state_->show_current();
@@ -107,32 +110,33 @@ PublishStatus WorldStore::publish(const World& before, World after) {
     return PublishStatus::kDone;
 }
 
-bool WorldStore::undo() {
+std::optional<World> WorldStore::undo() {
     const std::lock_guard<Lock> turn(state_->writer_lock);
-    if (!state_->history.can_undo()) return false;
+    if (!state_->history.can_undo()) return {};
     {
         const std::lock_guard<Lock> guard(state_->history_lock);
         state_->history.undo();
     }
     state_->show_current();
     state_->collect();
-    return true;
+    return state_->history.current();
 }
 
-bool WorldStore::redo() {
+std::optional<World> WorldStore::redo() {
     const std::lock_guard<Lock> turn(state_->writer_lock);
-    if (!state_->history.can_redo()) return false;
+    if (!state_->history.can_redo()) return {};
     {
         const std::lock_guard<Lock> guard(state_->history_lock);
         state_->history.redo();
     }
     state_->show_current();
     state_->collect();
-    return true;
+    return state_->history.current();
 }
 
 void WorldStore::set_history_bytes(std::size_t bytes) {
     const std::lock_guard<Lock> turn(state_->writer_lock);
+    state_->make_room_for_dropped();
     {
         const std::lock_guard<Lock> guard(state_->history_lock);
         state_->history_bytes = bytes;
@@ -143,16 +147,18 @@ void WorldStore::set_history_bytes(std::size_t bytes) {
 
 void WorldStore::reset(World first) {
     const std::lock_guard<Lock> turn(state_->writer_lock);
-    History anew(std::move(first));
+    state_->make_room_for_dropped();
     {
-        const std::lock_guard<Lock> guard(state_->history_lock);
-        std::swap(state_->history, anew);
+        History anew(std::move(first));
+        {
+            const std::lock_guard<Lock> guard(state_->history_lock);
+            std::swap(state_->history, anew);
+        }
+        state_->show_current();
+        while (anew.can_undo()) state_->dropped.push_back(anew.take_oldest());
+        while (anew.can_redo()) state_->dropped.push_back(anew.take_newest());
+        state_->dropped.push_back(anew.current());
     }
-    state_->show_current();
-    while (anew.can_undo()) state_->dropped.push_back(anew.take_oldest());
-    while (anew.can_redo()) state_->dropped.push_back(anew.take_newest());
-    state_->dropped.push_back(anew.current());
-    anew = History(World());
     state_->collect();
 }
 

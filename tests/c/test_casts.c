@@ -147,6 +147,9 @@ static void test_points(firma_world room) {
     CHECK_OK(firma_closest(room, middle, 1, ~0u, near, &found));
     CHECK(found == 0);
     CHECK_FAILS(firma_closest(room, middle, -1, ~0u, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "reach");
+    const double far_off[3] = {1e200, 0, 0}; /* no number to compute with: not the same as nothing found */
+    CHECK_FAILS(firma_closest(room, far_off, INFINITY, ~0u, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "too large");
+    CHECK_FAILS(firma_in_solid(room, far_off, &where), FIRMA_ERROR_OUT_OF_RANGE, "too large");
     size_t count = 0;
     CHECK_OK(firma_overlap(room, near_corner, 0.2, ~0u, near, 6, &count));
     CHECK(count == 3 && near[0].face < near[1].face && near[1].face < near[2].face);

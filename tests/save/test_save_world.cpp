@@ -80,6 +80,21 @@ TEST_F(SaveWorld, WhatCannotBeSays) {
     EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(SaveWorld, NothingIsPutInPlaceOfALinkOrWaitsForAPipe) {
+    const World world = room_world();
+    fs::create_symlink("not_yet.firma", path("link.firma"));
+    EXPECT_EQ(text_of(save_world(world, path("link.firma"))),
+              path("link.firma") + ": cannot be written: No such file or directory");
+    EXPECT_TRUE(fs::is_symlink(path("link.firma")));
+    fs::create_symlink("round.firma", path("round.firma"));
+    EXPECT_EQ(text_of(save_world(world, path("round.firma"))),
+              path("round.firma") + ": cannot be written: Too many levels of symbolic links");
+    ASSERT_EQ(mkfifo(path("a.firma.part").c_str(), 0600), 0);
+    EXPECT_EQ(text_of(save_world(world, path("a.firma"))),
+              path("a.firma") + ": cannot be written: No such device or address");
+    EXPECT_EQ(files(), 3u);
+}
+
 TEST_F(SaveWorld, PipesAreRead) {
     const World world = cut_room(5, 2);
     EXPECT_FALSE(save_world(world, path("a.firma")));

@@ -2,6 +2,9 @@
 // Damaged and hostile files: an error with its place or the same world, never anything else.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+
 #include "firma/solid.h"
 #include "tests/save/saved_worlds.h"
 
@@ -106,6 +109,29 @@ TEST(UnpackDamage, ErrorsNameTheirPlace) {
               "a.firma: section BINS, entry 0: its box is none within the world");
     EXPECT_EQ(text_of(kWorldSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, 1); }),
               "a.firma: the world is broken: the count of faces is not how many there are");
+}
+
+TEST(UnpackDamage, SkinAndCountersAreOnesToGoOnWith) {
+    const auto with_u64 = [](std::size_t at, std::uint64_t value) {
+        return text_of(kWorldSection, [&](std::vector<std::byte>& b, const SectionPlace& p) {
+            put_u32(b, p.first + at, std::uint32_t(value));
+            put_u32(b, p.first + at + 4, std::uint32_t(value >> 32));
+        });
+    };
+    for (const double skin : {-1.0, -1e-300, double(NAN), double(INFINITY)})
+        EXPECT_EQ(with_u64(32, std::bit_cast<std::uint64_t>(skin)),
+                  "a.firma: section WRLD, entry 0: its skin is no length")
+            << skin;
+    for (const double skin : {0.0, 0.5, 1e300}) EXPECT_EQ(with_u64(32, std::bit_cast<std::uint64_t>(skin)), "read");
+    for (const std::uint64_t version : {~std::uint64_t(0), (std::uint64_t(1) << 52) + 1})
+        EXPECT_EQ(with_u64(0, version), "a.firma: section WRLD, entry 0: has no numbers left for new edits");
+    EXPECT_EQ(with_u64(0, std::uint64_t(1) << 52), "read");
+    const auto with_edits = [](std::uint32_t edits) {
+        return text_of(kWorldSection,
+                       [&](std::vector<std::byte>& b, const SectionPlace& p) { put_u32(b, p.first + 20, edits); });
+    };
+    EXPECT_EQ(with_edits(~0u), "a.firma: section WRLD, entry 0: has no numbers left for new edits");
+    EXPECT_EQ(with_edits(1u << 31), "read");
 }
 
 TEST(UnpackDamage, OtherVersionsSaySo) {

@@ -73,12 +73,17 @@ export function doubles(value, each, place, what) {
 }
 
 /** Integers of 32 bits in any array; as many as `count`, when that is given. */
-export function words(value, count, place, what) {
+export function words(value, count, place, what, check = word) {
     if (count !== undefined && list(value, place, what).length !== count)
         throw badCall(place, `${what} must have ${count} entries`);
     if (!(list(value, place, what) instanceof Uint32Array))
-        for (const one of value) word(one, place, `each of ${what}`);
+        for (const one of value) check(one, place, `each of ${what}`);
     return value;
+}
+
+/** The same of masks; a Uint32Array takes what is below 0 as the same bits. */
+export function masks(value, count, place, what) {
+    return words(value, count, place, what, mask);
 }
 
 /** Also one of another window or context, whose class is not ours. */
@@ -89,7 +94,11 @@ export function isArrayBuffer(value) {
 /** Bytes of whatever holds them; strings are encoded. */
 export function bytes(value, place, what, strings = false) {
     if (strings && typeof value === 'string') return encoder.encode(value);
-    if (isArrayBuffer(value)) return new Uint8Array(value);
-    if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+    try {
+        if (isArrayBuffer(value)) return new Uint8Array(value);
+        if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+    } catch (error) {
+        throw badCall(place, `${what} cannot be read: ${error.message}`); // its memory was transferred
+    }
     throw badCall(place, `${what} must be ${strings ? 'a string, ' : ''}a Uint8Array or an ArrayBuffer`);
 }

@@ -3,7 +3,7 @@
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
 import { MESH, SHAPE_NAMES, WORLD_OPTIONS } from './layout.js';
-import { bytes, doubles, flag, longWord, number, object, text, word, words } from './arguments.js';
+import { bytes, doubles, flag, longWord, masks, number, object, text, word, words } from './arguments.js';
 import { Cutter } from './carving.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
@@ -50,8 +50,8 @@ function readMesh(mesh, place) {
     }
     if (!Array.isArray(read.materialNames)) throw badCall(place, 'materialNames must be an array');
     read.materialNames = read.materialNames.map((name, k) => text(name, place, `materialNames[${k}]`));
-    for (const name of ['materials', 'masks'])
-        if (mesh[name] !== undefined) read[name] = words(mesh[name], read.faceCount, place, name);
+    if (mesh.materials !== undefined) read.materials = words(mesh.materials, read.faceCount, place, 'materials');
+    if (mesh.masks !== undefined) read.masks = masks(mesh.masks, read.faceCount, place, 'masks');
     if (mesh.twoSided !== undefined) {
         const sides = Array.from(mesh.twoSided, Boolean);
         if (sides.length !== read.faceCount) throw badCall(place, `twoSided must have ${read.faceCount} entries`);

@@ -129,7 +129,7 @@ export class HitBatch {
                 for (const name of VECTORS) batch[name] = new Float64Array(3 * count);
                 batch.#capacity = count;
             }
-            batch.count = count;
+            batch.count = 0; // until the answers are there
             batch.version = 0;
         };
     }
@@ -191,5 +191,5 @@ export function getHits(core, at, count, batch, begin) {
     if (count > 0) batch.version = core.getCount(at + HIT.version);
 }
 
-/** Makes room for `count` answers, in the arrays that the batch has when they are long enough. */
+/** Empties a batch and makes room for `count` answers, in the arrays that it has when they are long enough. */
 export const reserve = (batch, count) => reserveHits(batch, count);

@@ -165,6 +165,7 @@ export class World extends Handle {
         if (!(out instanceof HitBatch)) throw badCall('castBatch', 'out must be a HitBatch, as castBatch() returns');
         const numbers = inputs instanceof Float64Array ? inputs : Float64Array.from(inputs);
         const count = numbers.length / 7;
+        reserve(out, count);
         const chosen = putCastOptions(core, options, 'castBatch');
         const counts = clearCounts(core, options, 'castBatch');
         const given = core.batch();
@@ -172,13 +173,14 @@ export class World extends Handle {
         let begin = 0;
         do {
             const some = Math.min(CASTS_AT_ONCE, count - begin);
-            core.f64.set(numbers.subarray(7 * begin, 7 * (begin + some)), given >>> 3);
+            if (some > 0) core.f64.set(numbers.subarray(7 * begin, 7 * (begin + some)), given >>> 3);
             core.run('firma_cast_batch', this[ID], given, some, chosen, hits, counts);
             if (begin === 0) reserve(out, count); // not before: a call that fails leaves `out` as it was
             getHits(core, hits, some, out, begin);
             begin += some;
         } while (begin < count);
         addCounts(core, counts, options);
+        out.count = count;
         return out;
     }
 

@@ -158,6 +158,12 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
             keep(tried.world);
             assert.equal(tried.report.status, 'refused', JSON.stringify(rules));
         }
+        // Larger than what the module can count is no limit, not a small one.
+        const all = ['mostFaces', 'mostFacesLookedAt', 'mostNewFaces', 'mostCutterTriangles', 'mostPairs', 'mostCorners'];
+        const free = keep(world.withRules(Object.fromEntries(all.map((name) => [name, 2 ** 32]))));
+        const cut = free.carve(cutter, atWall);
+        keep(cut.world);
+        assert.equal(cut.report.status, 'done', cut.report.reason);
         keep(world.withRules({}));
         throwsCode('INVALID', () => world.withRules({ zones: [{ ...zone, hardness: 2 }] }), /zone 0/);
         throwsCode('INVALID', () => world.withRules({ zones: [zone, { ...zone, low: [10, 0, 0] }] }), /zone 1/);

@@ -151,6 +151,18 @@ test('a batch takes any numbers, and memory that it had', () => {
     });
 });
 
+test('a batch that was refused has no answers', () => {
+    const out = new HitBatch();
+    const world = firma.worldFromMesh(boxMesh());
+    const inputs = [4, 4, 4, 1, 6, 0, 0, 4, 4, 4, 1, 6, 0, 0];
+    world.castBatch(inputs, {}, out);
+    assert.equal(out.hit(1).status, 'hit');
+    world.release();
+    throwsCode('BAD_HANDLE', () => world.castBatch(inputs, {}, out));
+    assert.equal(out.count, 0);
+    assert.equal(out.hit(0), null);
+});
+
 test('all that a cast meets, also when that is much', () => {
     withLevel((world) => {
         const through = { centre: [0, 20, 4], radius: 0.5, path: [90, 3, 1] };
