@@ -16,7 +16,7 @@ template <class Step>
 firma_code give_gone_to(WorldStore& store, Step step, firma_world* out, const char* none, const char* function) {
     auto object = std::make_unique<WorldObject>(store.current());
     World& shown = object->world;
-    firma_world made;
+    firma_world made{};
     if (const firma_code code = give(std::move(object), &made, function)) return code;
     std::optional<World> gone_to = (store.*step)();
     if (!gone_to) {
