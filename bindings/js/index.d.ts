@@ -402,8 +402,8 @@ export interface World extends Handle {
     /**
      * Many casts: answer k is what cast() gives for input k.
      * @param inputs seven numbers a cast: centre, radius, path; fastest as a Float64Array
-     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned, and
-     *     has no answers when the module refuses the call
+     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned; a
+     *     call that fails leaves the answers of before
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
     /** Faces that a closed ball touches, by id. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */

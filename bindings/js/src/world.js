@@ -165,7 +165,6 @@ export class World extends Handle {
         if (!(out instanceof HitBatch)) throw badCall('castBatch', 'out must be a HitBatch, as castBatch() returns');
         const numbers = inputs instanceof Float64Array ? inputs : Float64Array.from(inputs);
         const count = numbers.length / 7;
-        reserve(out, count);
         const chosen = putCastOptions(core, options, 'castBatch');
         const counts = clearCounts(core, options, 'castBatch');
         const given = core.batch();
