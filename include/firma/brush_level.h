@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A level of convex brushes as read from a .map or a .bsp: planes through points of the grid, entities as they stand,
+// and what is no brush as a Level beside it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "firma/grid.h"
+#include "firma/level.h"
+#include "firma/result.h"
+
+namespace firma {
+
+/// What a brush is made of, and so what it stops (masks.h).
+enum class BrushKind : std::uint8_t {
+    kSolid,       ///< joined into the one solid, which can be carved: stops everything but liquid's casts
+    kSky,         ///< likewise, and painted with the sky
+    kGlass,       ///< stops walk and shots, not sight; castable only
+    kPlayerClip,  ///< stops walk; castable only
+    kShotClip,    ///< stops shots; castable only
+    kLiquid,      ///< its surface meets casts for liquid; castable only
+    kPortal,      ///< divides the air into rooms by those of its sides that are marked; no face of it is met
+    kData,        ///< triggers, fog, origins, brushes of entities that move: kept, met by nothing
+};
+
+/// A half space's rim: what lies in front of the plane is outside the brush.
+struct BrushSide {
+    GridPoint points[3];         ///< of the input grid, not in line; counter-clockwise seen from outside
+    std::uint32_t material = 0;  ///< index into BrushLevel::materials
+    std::uint32_t mask = 0;      ///< what its faces stop
+    bool portal = false;         ///< of a kPortal brush: this side is the portal
+};
+
+/// The common part of its sides' half spaces.
+struct Brush {
+    std::uint32_t first_side = 0, side_count = 0;  ///< in BrushLevel::sides
+    std::uint32_t entity = 0;                      ///< index into BrushLevel::entities
+    BrushKind kind = BrushKind::kSolid;
+    bool detail = false;     ///< the author marked it as detail: joined all the same
+    std::uint32_t line = 0;  ///< where it begins in the file, from 1; 0 where the format has none
+};
+
+struct Entity {
+    std::vector<std::pair<std::string, std::string>> keys;  ///< in the file's order, as written
+    std::uint32_t line = 0;
+
+    /// The value of the first such key; "" when there is none.
+    std::string_view value(std::string_view key) const {
+        for (const auto& [name, value] : keys)
+            if (name == key) return value;
+        return {};
+    }
+};
+
+struct BrushLevel {
+    std::string name;                    ///< the file's, for messages
+    std::vector<Entity> entities;        ///< the first is the world
+    std::vector<Brush> brushes;          ///< in the file's order; index k is "brush k" in messages
+    std::vector<BrushSide> sides;        ///< a face's source is the index of its side here
+    std::vector<std::string> materials;  ///< at least one: "" is the name of none
+    /// What is no brush (patches, drawn surfaces), castable only; with materials of its own. Its faces' sources count
+    /// on from sides.size().
+    Level surfaces;
+    std::vector<std::string> notes;   ///< for people: what was dropped, replaced or not understood, with its place
+    double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values
+    double greatest_shift = 0;        ///< metres by which a plane was moved onto the grid, at a corner of its face
+};
+
+/// Reads a Quake .map: Standard and Valve 220 forms, as TrenchBroom writes them; entities, brushes, patchDef2 patches.
+///
+/// @param text  the whole file
+/// @param name  for messages
+/// @return the level, or the first error with file and line. Parts it does not know are kept or noted, never an error.
+Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadOptions& options = {});
+
+/// Reads the brushes and patches of a Quake 3 .bsp (version 46), of all its models; of the drawn surfaces only patches.
+///
+/// @return the level, or the first error with file, lump and entry.
+Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
+                                    const ReadOptions& options = {});
+
+}  // namespace firma
