@@ -49,6 +49,14 @@ struct FaceId {
     friend auto operator<=>(FaceId, FaceId) = default;
 };
 
+/// Names a portal between two rooms, in all versions of a world.
+struct PortalId {
+    std::uint32_t value = ~0u;
+    bool valid() const { return value != ~0u; }
+    friend bool operator==(PortalId, PortalId) = default;
+    friend auto operator<=>(PortalId, PortalId) = default;
+};
+
 /// Finds a face quickly, in one version of a World only.
 struct FaceRef {
     const void* block = nullptr;
@@ -57,23 +65,36 @@ struct FaceRef {
     friend bool operator==(const FaceRef&, const FaceRef&) = default;
 };
 
+/// Names a room, in all versions of a world.
 struct RoomId {
     std::uint32_t value = 0;
     friend bool operator==(RoomId, RoomId) = default;
+    friend auto operator<=>(RoomId, RoomId) = default;
 };
+
+/// In place of a room: all of them.
+inline constexpr RoomId kAnyRoom{~0u};
+/// In place of a room: the one that the start lies in, which the cast finds out.
+inline constexpr RoomId kLocateRoom{~0u - 1};
+/// So many of the rooms that a cast goes through are listed in its Hit.
+inline constexpr std::uint32_t kRoomsInHit = 8;
 
 /// What a cast through a World met first.
 struct Hit : PolygonHit {
     double safe_fraction = 0;       ///< how far to go so that the skin is kept along `normal`: within 0..fraction
-    FaceId face;                    ///< the face met; of several at the same fraction the lowest id
+    FaceId face;                    ///< the face met; of several at the same fraction the lowest id; invalid when a
+                                    ///< closed portal was met, which is when no face is met at that fraction
+    PortalId portal;                ///< the closed portal met, the lowest id of several; else invalid
     FaceId other_face;              ///< the neighbour across the edge met; invalid otherwise, and on an open edge
     FaceRef ref;                    ///< for World::face, in the World that was asked
     std::uint32_t source = 0;       ///< index of the face in the level's file, dropped ones counted, or see source_edit
     std::uint32_t source_edit = 0;  ///< 0: of the level's file; else the number of the edit whose cutter `source` is of
     std::uint32_t material = 0;     ///< index into World::material_name
     RoomId room;                    ///< of the contact
-    std::uint32_t rooms_passed = 1;  ///< how many rooms the sweep went through, the first included
-    std::uint64_t version = 0;       ///< of the World that was asked
+    std::uint32_t rooms_passed = 1;  ///< how many rooms the cast looked into, the first included; 0 when it asked all
+                                     ///< rooms of a world of several, by CastOptions::room or as its start is in none
+    std::array<RoomId, kRoomsInHit> passed{};  ///< the first of them, in the order in which the sweep reaches them
+    std::uint64_t version = 0;                 ///< of the World that was asked
 };
 
 }  // namespace firma

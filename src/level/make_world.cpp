@@ -6,8 +6,7 @@
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
 #include "level/find_solids.h"
-#include "tree/build_blocks.h"
-#include "world/world_data.h"
+#include "world/assemble_world.h"
 
 namespace firma {
 namespace {
@@ -65,18 +64,13 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
         if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);
 
     const LevelSolids solids = find_solids(level);
-    Ref<Room> room(new Room);
-    room->tree = build_blocks(face_set(level, solids), options.tree);
-    auto data = std::make_shared<WorldData>();
-    data->rooms.emplace_back(room.get());
-    data->materials = std::make_shared<std::vector<std::string>>(level.materials);
-    data->tolerance = options.tolerance;
-    data->tree_options = options.tree;
-    data->face_count = level.faces.size();
-    data->rock_outside = solids.rock_outside;
-    data->rules = std::make_shared<const CarveRules>(options.rules);
-    data->next_face = std::uint32_t(level.faces.size());
-    return World(std::move(data));
+    WorldParts parts;
+    parts.name = level.name;
+    parts.rooms.push_back({face_set(level, solids), {}, false});
+    parts.materials = level.materials;
+    parts.rock_outside = solids.rock_outside;
+    parts.options = options;
+    return assemble_world(std::move(parts));
 }
 
 }  // namespace firma
