@@ -174,7 +174,7 @@ bool RoomFinder::hang(std::uint32_t polygon, DisjointSets& sides) const {
     return false;
 }
 
-JoinRooms RoomFinder::find(DisjointSets seen_together) {
+JoinRooms RoomFinder::find(DisjointSets seen_together) const {
     const std::size_t sides = faces_ + 2 * portals_;
     DisjointSets all(sides + 1);
     for (std::uint32_t k = 0; k < sides; ++k) all.join(k, seen_together.find(k));

@@ -27,7 +27,7 @@ public:
 
     /// Shells that nothing joins around an edge (a pillar that stands free, a cavity) are joined by lines: what follows
     /// each other on a line through air bounds the same air.
-    JoinRooms find(DisjointSets seen_together);
+    JoinRooms find(DisjointSets seen_together) const;
 
     /// The room that a point lies in; kSolid in solid, kUnsure where no line told.
     std::uint32_t room_at(const JoinRooms& rooms, const Vec3& point) const;

@@ -12,6 +12,7 @@ namespace firma {
 namespace {
 
 constexpr std::size_t kMostPlanes = std::size_t(1) << 21;
+constexpr std::uint32_t kNoBrush = ~0u;
 constexpr int kMostRounds = 32;  ///< of leaving out what keeps the rest from being joined
 
 const char* reason_of(BrushFault fault) {
@@ -68,16 +69,18 @@ private:
                 planes.push_back(tables().planes.add(
                     plane_through(to_input(side.points[0]), to_input(side.points[1]), to_input(side.points[2]))));
             }
-            if (!is_solid(brush.kind) && brush.kind != BrushKind::kPortal) continue;
+            if (brush.kind == BrushKind::kData) continue;
             const BrushFault fault = make_brush_shape(tables(), planes, shapes_[b]);
             used_[b] = fault == BrushFault::kNone;
-            if (!used_[b]) leave_out(b, reason_of(fault));
+            if (used_[b]) continue;
+            shapes_[b] = {};
+            leave_out(b, reason_of(fault));
         }
     }
 
     void leave_out(std::uint32_t brush, const char* reason) {
         used_[brush] = false;
-        made_->left_out.push_back({brush, reason});
+        made_->left_out.push_back({brush, reason, shapes_[brush].faces.empty()});
     }
 
     bool in_solid(std::uint32_t brush) const { return used_[brush] && is_solid(level_.brushes[brush].kind); }
@@ -102,7 +105,7 @@ private:
             }
     }
 
-    /// @param brush  the pieces are of this one; or ~0, then what lies on the solid goes as well
+    /// @param brush  the pieces are of this one; of none, kNoBrush: then what lies on the solid goes as well
     void hide_in_solids(const GridBox& box, std::uint32_t brush) {
         near_.clear();
         solid_tree_.for_each_meeting(box, [&](std::uint32_t k) {
@@ -134,7 +137,7 @@ private:
                 const std::uint32_t source = level_.brushes[b].first_side + face.side;
                 if (!level_.sides[source].portal) continue;
                 pieces_.assign(1, face.piece);
-                hide_in_solids(face.piece.box(tables().points), ~0u);
+                hide_in_solids(face.piece.box(tables().points), kNoBrush);
                 for (std::size_t k = 0; k < first && !pieces_.empty(); ++k)
                     if (same_plane(before[k].first, face.piece.plane))
                         hider_.hide(*before[k].second, {.same_way = true, .against = true}, pieces_);
@@ -142,32 +145,41 @@ private:
                 before.push_back({face.piece.plane, &shapes_[b]});
             }
         }
-        std::vector<ConvexPiece> cutters;
-        for (const JoinPiece& portal : portals) cutters.push_back(portal.piece);
-        for (const ConvexPiece& cutter : cutters) {
-            const GridBox box = cutter.box(tables().points);
-            divide_all(portals, cutter.plane, box);
-            divide_all(made_->faces, cutter.plane, box);
+        portal_planes_.clear();
+        std::vector<GridBox> boxes;
+        for (const JoinPiece& portal : portals) {
+            portal_planes_.push_back(portal.piece.plane);
+            boxes.push_back(portal.piece.box(tables().points));
         }
-        for (JoinPiece& portal : portals) portal.material = portal.source;  // so that others do not merge with it
+        portal_tree_ = BoxTree(boxes);
         portal_boxes_.clear();
-        for (const ConvexPiece& cutter : cutters)
-            portal_boxes_.push_back({cutter.plane & ~1u, cutter.box(tables().points)});
+        for (std::size_t k = 0; k < boxes.size(); ++k) portal_boxes_.push_back({portal_planes_[k] & ~1u, boxes[k]});
         std::sort(portal_boxes_.begin(), portal_boxes_.end(),
-                  [](const auto& a, const auto& b) { return a.first < b.first; });
+                  [](const auto& x, const auto& y) { return x.first < y.first; });
+        divide_at_portals(portals);
+        divide_at_portals(made_->faces);
+        for (JoinPiece& portal : portals) portal.material = portal.source;  // so that others do not merge with it
     }
 
-    void divide_all(std::vector<JoinPiece>& pieces, PlaneId by, const GridBox& box) {
+    /// Divides what reaches through a portal, or past one nearby, by its plane.
+    void divide_at_portals(std::vector<JoinPiece>& pieces) {
         ConvexPiece behind, front;
-        for (std::size_t k = 0, count = pieces.size(); k < count; ++k) {
-            if (same_plane(pieces[k].piece.plane, by) || !boxes_meet(pieces[k].piece.box(tables().points), box))
-                continue;
-            divide(tables(), pieces[k].piece, by, behind, front);
-            if (behind.sides.empty() || front.sides.empty()) continue;
-            pieces[k].piece = behind;
-            JoinPiece other = pieces[k];
-            other.piece = front;
-            pieces.push_back(std::move(other));
+        for (std::size_t k = 0; k < pieces.size(); ++k) {  // parts in front are added, and come to their turn
+            near_.clear();
+            portal_tree_.for_each_meeting(pieces[k].piece.box(tables().points), [&](std::uint32_t portal) {
+                near_.push_back(portal);
+                return false;
+            });
+            std::sort(near_.begin(), near_.end());
+            for (const std::uint32_t portal : near_) {
+                if (same_plane(pieces[k].piece.plane, portal_planes_[portal])) continue;
+                divide(tables(), pieces[k].piece, portal_planes_[portal], behind, front);
+                if (behind.sides.empty() || front.sides.empty()) continue;
+                JoinPiece other = pieces[k];
+                other.piece = front;
+                pieces[k].piece = behind;
+                pieces.push_back(std::move(other));
+            }
         }
     }
 
@@ -183,10 +195,14 @@ private:
         return false;
     }
 
-    void merge() {
-        merge_pieces(tables(), made_->faces, [&](std::uint32_t from, std::uint32_t to, PlaneId plane) {
+    void merge_at_portals(std::vector<JoinPiece>& pieces) {
+        merge_pieces(tables(), pieces, [&](std::uint32_t from, std::uint32_t to, PlaneId plane) {
             return ends_at_portal(from, to, plane);
         });
+    }
+
+    void merge() {
+        merge_at_portals(made_->faces);
         merge_pieces(tables(), made_->portal_pieces, [](std::uint32_t, std::uint32_t, PlaneId) { return false; });
     }
 
@@ -218,10 +234,104 @@ private:
         return good;
     }
 
+    /// What is no part of the solid, kind by kind: what of its faces neither the solid nor its own kind hides.
+    void cut_loose() {
+        constexpr BrushKind kKinds[] = {BrushKind::kGlass, BrushKind::kPlayerClip, BrushKind::kShotClip,
+                                        BrushKind::kLiquid};
+        for (const BrushKind kind : kKinds) {
+            std::vector<std::uint32_t> brushes;
+            for (std::uint32_t b = 0; b < shapes_.size(); ++b)
+                if (used_[b] && level_.brushes[b].kind == kind) brushes.push_back(b);
+            add_loose(brushes);
+        }
+        for (const LeftOut& left : made_->left_out)  // by themselves: what keeps them apart may be each other
+            if (!shapes_[left.brush].faces.empty()) add_loose({&left.brush, 1});
+        cut_surfaces();
+    }
+
+    void add_loose(std::span<const std::uint32_t> brushes) {
+        std::vector<GridBox> boxes;
+        for (const std::uint32_t b : brushes) boxes.push_back(shapes_[b].box);
+        const BoxTree tree(boxes);
+        std::vector<JoinPiece> pieces;
+        for (const std::uint32_t b : brushes)
+            for (const BrushShape::Face& face : shapes_[b].faces) {
+                const GridBox box = face.piece.box(tables().points);
+                pieces_.assign(1, face.piece);
+                hide_in_solids(box, kNoBrush);
+                near_.clear();
+                tree.for_each_meeting(box, [&](std::uint32_t k) {
+                    if (brushes[k] != b) near_.push_back(brushes[k]);
+                    return false;
+                });
+                std::sort(near_.begin(), near_.end());
+                for (const std::uint32_t other : near_)
+                    hider_.hide(shapes_[other], {.same_way = other < b, .against = true}, pieces_);
+                add_pieces(level_.brushes[b].first_side + face.side, pieces);
+            }
+        divide_at_portals(pieces);
+        merge_at_portals(pieces);
+        for (LooseFacet& facet : make_loose_facets(tables(), pieces)) made_->loose.push_back(std::move(facet));
+    }
+
+    /// Surfaces stay as the file has them, but for those that reach through a portal.
+    void cut_surfaces() {
+        const Level& surfaces = level_.surfaces;
+        std::vector<JoinPiece> pieces;
+        std::vector<InputPoint> corners;
+        for (std::uint32_t k = 0; k < surfaces.faces.size(); ++k) {
+            const LevelFace& face = surfaces.faces[k];
+            LooseFacet facet;
+            facet.source = std::uint32_t(level_.sides.size()) + k;
+            facet.material = face.material;
+            facet.mask = face.mask;
+            facet.two_sided = face.two_sided;
+            GridBox box;
+            corners.clear();
+            for (std::uint32_t c = 0; c < face.corner_count; ++c) {
+                const GridPoint& corner = surfaces.vertices[surfaces.corners[face.first_corner + c]];
+                facet.corners.push_back(corner);
+                corners.push_back(to_input(corner));
+                box.add(corner);
+            }
+            if (!portal_tree_.for_each_meeting(box, [](std::uint32_t) { return true; })) {
+                made_->loose.push_back(std::move(facet));
+                continue;
+            }
+            pieces.assign(1, {piece_of_corners(tables(), corners), facet.source, face.material, face.mask});
+            divide_at_portals(pieces);
+            for (LooseFacet& part : make_loose_facets(tables(), pieces)) {
+                part.two_sided = face.two_sided;
+                made_->loose.push_back(std::move(part));
+            }
+        }
+    }
+
+    /// Each loose facet is put where its middle lies.
+    void place_loose(const RoomFinder& finder) {
+        for (LooseFacet& facet : made_->loose) {
+            Vec3 middle{0, 0, 0};
+            for (const GridPoint& corner : facet.corners) middle = middle + to_metres(corner);
+            middle = middle * (1.0 / double(facet.corners.size()));
+            const std::uint32_t room = finder.room_at(made_->rooms, middle);
+            facet.room = room < made_->rooms.count ? room : made_->rooms.exterior();
+        }
+    }
+
     void find_rooms() {
         JoinedLevel& made = *made_;
         const std::size_t faces = made.faces.size();
-        made.rooms = RoomFinder(faces, made.portal_pieces.size(), made.facets).find(made.arrangement.seen_together);
+        const RoomFinder finder(faces, made.portal_pieces.size(), made.facets);
+        made.rooms = finder.find(made.arrangement.seen_together);
+        find_portals();
+        cut_loose();
+        place_loose(finder);
+    }
+
+    /// Portal pieces by the rooms on their two sides.
+    void find_portals() {
+        JoinedLevel& made = *made_;
+        const std::size_t faces = made.faces.size();
         for (std::uint32_t k = 0; k < made.portal_pieces.size(); ++k) {
             const std::uint32_t front = made.rooms.of_side[faces + 2 * k], back = made.rooms.of_side[faces + 2 * k + 1];
             const std::uint32_t source = made.portal_pieces[k].source;
@@ -249,7 +359,9 @@ private:
     BoxTree solid_tree_;
     std::vector<ConvexPiece> pieces_;
     std::vector<std::uint32_t> near_;
-    std::vector<std::pair<PlaneId, GridBox>> portal_boxes_;  ///< by plane
+    std::vector<PlaneId> portal_planes_;                     ///< of each polygon in the air
+    BoxTree portal_tree_;                                    ///< of the same polygons
+    std::vector<std::pair<PlaneId, GridBox>> portal_boxes_;  ///< likewise, by plane
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "join/arrangement.h"
 #include "join/find_rooms.h"
 #include "join/join_facets.h"
+#include "join/loose_pieces.h"
 
 namespace firma {
 
@@ -27,7 +28,8 @@ struct JoinPortal {
 /// A brush that is not part of the solid though it should be, and why.
 struct LeftOut {
     std::uint32_t brush = 0;
-    std::string reason;
+    std::string reason;      ///< a clause
+    bool no_volume = false;  ///< it is none at all: castable neither
 };
 
 struct JoinedLevel {
@@ -40,6 +42,8 @@ struct JoinedLevel {
     std::vector<JoinPortal> portals;
     std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals, or parts of some, with one room on both sides
     std::vector<LeftOut> left_out;
+    std::vector<LooseFacet> loose;  ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
+                                    ///< materials are of the list that they come from
 };
 
 /// @return kTooLarge for more planes or polygons than can be numbered
