@@ -19,9 +19,11 @@ namespace {
 constexpr std::uint64_t kMostCells = std::uint64_t(1) << 22;  // of all patches together
 
 std::optional<Error> judge_control(const PatchSurface& surface, double scale) {
-    for (const Vec3& point : surface.patch.control) {
-        if (!snap(point * scale)) {
-            return Error{ErrorCode::kOutOfRange, surface.place, "a control point's " + point_fault(point, scale)};
+    const std::vector<Vec3>& control = surface.patch.control;
+    for (std::size_t k = 0; k < control.size(); ++k) {
+        if (!snap(control[k] * scale)) {
+            return Error{ErrorCode::kOutOfRange, surface.place,
+                         "control point " + std::to_string(k) + ": " + point_fault(control[k], scale)};
         }
     }
     return std::nullopt;

@@ -80,9 +80,10 @@ private:
             for (int corner = 0; corner < 3; ++corner) {
                 const auto snapped = snap(points[corner]);
                 if (!snapped) {
+                    const int in_file = corner == 0 ? 0 : 3 - corner;
                     return Error{ErrorCode::kOutOfRange, place(side.line, from.entity, from.number),
-                                 "side " + std::to_string(k) + ": a point " +
-                                     point_fault(side.points[corner == 0 ? 0 : 3 - corner], scale())};
+                                 "side " + std::to_string(k) + ", point " + std::to_string(in_file) + ": " +
+                                     point_fault(side.points[in_file], scale())};
                 }
                 made.side.points[corner] = *snapped;
                 inexact = std::max(inexact, largest(to_metres(*snapped) - points[corner]));
