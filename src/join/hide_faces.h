@@ -20,8 +20,8 @@ public:
     explicit FaceHider(JoinTables& tables) : tables_(tables) {}
 
     /// Takes what the body hides off each of the pieces, which are replaced by what is left.
-    /// @return whether anything was hidden
-    bool hide(const BrushShape& body, const CoplanarRule& rule, std::vector<ConvexPiece>& pieces);
+    /// What the body only stands on with an edge is divided there.
+    void hide(const BrushShape& body, const CoplanarRule& rule, std::vector<ConvexPiece>& pieces);
 
 private:
     bool hide_one(const BrushShape& body, const CoplanarRule& rule, const ConvexPiece& piece);

@@ -6,6 +6,7 @@
 
 #include "join/hide_faces.h"
 #include "join/merge_pieces.h"
+#include "join/move_planes.h"
 #include "tree/box_tree.h"
 
 namespace firma {
@@ -36,17 +37,24 @@ bool is_solid(BrushKind kind) {
 class BrushJoiner {
 public:
     explicit BrushJoiner(const BrushLevel& level)
-        : level_(level), made_(std::make_unique<JoinedLevel>()), hider_(made_->tables) {}
+        : level_(level), made_(std::make_unique<JoinedLevel>()), mover_(level, made_->tables), hider_(made_->tables) {
+        used_.resize(level.brushes.size(), true);
+        brush_of_side_.resize(level.sides.size());
+        for (std::uint32_t b = 0; b < level.brushes.size(); ++b)
+            for (std::uint32_t k = 0; k < level.brushes[b].side_count; ++k)
+                brush_of_side_[level.brushes[b].first_side + k] = b;
+    }
 
     Result<std::unique_ptr<JoinedLevel>> join() {
         if (level_.sides.size() >= kMostPlanes / 2)
             return Error{ErrorCode::kTooLarge, level_.name, "a level has fewer than 2^20 brush sides"};
-        make_shapes();
         for (int round = 0; round < kMostRounds; ++round) {
+            make_shapes();
             cut_faces();
             cut_portals();
             merge();
-            if (arrange_all()) break;
+            arrange_all();
+            if (mend(round < kMostRounds / 2)) break;
         }
         find_rooms();
         return std::move(made_);
@@ -57,22 +65,14 @@ private:
 
     void make_shapes() {
         shapes_.resize(level_.brushes.size());
-        used_.resize(level_.brushes.size());
-        brush_of_side_.resize(level_.sides.size());
         std::vector<PlaneId> planes;
         for (std::uint32_t b = 0; b < level_.brushes.size(); ++b) {
             const Brush& brush = level_.brushes[b];
+            if (brush.kind == BrushKind::kData || !used_[b]) continue;
             planes.clear();
-            for (std::uint32_t k = 0; k < brush.side_count; ++k) {
-                const BrushSide& side = level_.sides[brush.first_side + k];
-                brush_of_side_[brush.first_side + k] = b;
-                planes.push_back(tables().planes.add(
-                    plane_through(to_input(side.points[0]), to_input(side.points[1]), to_input(side.points[2]))));
-            }
-            if (brush.kind == BrushKind::kData) continue;
+            for (std::uint32_t k = 0; k < brush.side_count; ++k) planes.push_back(mover_.of_side(brush.first_side + k));
             const BrushFault fault = make_brush_shape(tables(), planes, shapes_[b]);
-            used_[b] = fault == BrushFault::kNone;
-            if (used_[b]) continue;
+            if (fault == BrushFault::kNone) continue;
             shapes_[b] = {};
             leave_out(b, reason_of(fault));
         }
@@ -152,10 +152,6 @@ private:
             boxes.push_back(portal.piece.box(tables().points));
         }
         portal_tree_ = BoxTree(boxes);
-        portal_boxes_.clear();
-        for (std::size_t k = 0; k < boxes.size(); ++k) portal_boxes_.push_back({portal_planes_[k] & ~1u, boxes[k]});
-        std::sort(portal_boxes_.begin(), portal_boxes_.end(),
-                  [](const auto& x, const auto& y) { return x.first < y.first; });
         divide_at_portals(portals);
         divide_at_portals(made_->faces);
         for (JoinPiece& portal : portals) portal.material = portal.source;  // so that others do not merge with it
@@ -184,54 +180,67 @@ private:
     }
 
     /// Where a portal's plane meets the walls beside it, faces end: so that each lies in one room.
-    bool ends_at_portal(std::uint32_t from, std::uint32_t to, PlaneId plane) {
+    bool ends_at_portal(std::uint32_t from, std::uint32_t to) {
+        const PointTable& points = tables().points;
         GridBox side;
-        side.add(tables().points.point(from).rounded());
-        side.add(tables().points.point(to).rounded());
-        auto it = std::lower_bound(portal_boxes_.begin(), portal_boxes_.end(), plane & ~1u,
-                                   [](const auto& entry, PlaneId id) { return entry.first < id; });
-        for (; it != portal_boxes_.end() && it->first == (plane & ~1u); ++it)
-            if (boxes_meet(it->second, side)) return true;
-        return false;
+        side.add(points.point(from).rounded());
+        side.add(points.point(to).rounded());
+        return portal_tree_.for_each_meeting(side, [&](std::uint32_t portal) {
+            return points.side(portal_planes_[portal], from) == 0 && points.side(portal_planes_[portal], to) == 0;
+        });
     }
 
     void merge_at_portals(std::vector<JoinPiece>& pieces) {
-        merge_pieces(tables(), pieces, [&](std::uint32_t from, std::uint32_t to, PlaneId plane) {
-            return ends_at_portal(from, to, plane);
-        });
+        merge_pieces(tables(), pieces, [&](std::uint32_t from, std::uint32_t to) { return ends_at_portal(from, to); });
     }
 
     void merge() {
         merge_at_portals(made_->faces);
-        merge_pieces(tables(), made_->portal_pieces, [](std::uint32_t, std::uint32_t, PlaneId) { return false; });
+        merge_at_portals(made_->portal_pieces);
     }
 
-    /// @return false when some brushes had to be left out, and all is to be done again
-    bool arrange_all() {
+    void arrange_all() {
         std::vector<ConvexPiece> portals;
         for (const JoinPiece& portal : made_->portal_pieces) portals.push_back(portal.piece);
-        std::vector<OpenEdge> open;
-        made_->arrangement = arrange(tables(), made_->faces, portals, open);
+        open_.clear();
+        made_->arrangement = arrange(tables(), made_->faces, portals, open_);
         std::vector<PlaneId> planes;
         for (const JoinPiece& face : made_->faces) planes.push_back(face.piece.plane);
         for (const ConvexPiece& portal : portals) planes.push_back(portal.plane);
         made_->facets = make_join_facets(tables(), planes, made_->arrangement);
+    }
 
-        bool good = true;
-        const auto leave_out_of = [&](std::uint32_t polygon, const char* reason) {
-            const std::size_t faces = made_->faces.size();
-            const JoinPiece& piece = polygon < faces ? made_->faces[polygon] : made_->portal_pieces[polygon - faces];
-            const std::uint32_t brush = brush_of_side_[piece.source];
-            if (!used_[brush]) return;
-            leave_out(brush, reason);
-            good = false;
+    const JoinPiece& polygon(std::uint32_t index) const {
+        const std::size_t faces = made_->faces.size();
+        return index < faces ? made_->faces[index] : made_->portal_pieces[index - faces];
+    }
+
+    /// Moves planes that make outlines too thin for the surface grid; leaves out brushes where that is of no use.
+    /// @return true when there is nothing to mend; else all is to be done again
+    bool mend(bool may_move) {
+        bool sound = true;
+        const auto leave_out_of = [&](std::uint32_t index, const char* reason) {
+            sound = false;
+            const std::uint32_t brush = brush_of_side_[polygon(index).source];
+            if (used_[brush]) leave_out(brush, reason);
         };
-        for (const OpenEdge& edge : open)
-            for (const std::uint32_t polygon : edge.polygons)
-                leave_out_of(polygon, "air and solid do not alternate around an edge of it");
-        for (const std::uint32_t polygon : made_->facets.unsound)
-            leave_out_of(polygon, "a face of it is too thin for the grid");
-        return good;
+        for (const OpenEdge& edge : open_)
+            for (const std::uint32_t index : edge.polygons)
+                leave_out_of(index, "air and solid do not alternate around an edge of it");
+        std::vector<PlaneMover::Outline> outlines;
+        for (const std::uint32_t index : made_->facets.unsound) {
+            PlaneMover::Outline& outline = outlines.emplace_back();
+            outline.plane = polygon(index).piece.plane;
+            for (const JoinStep& step : made_->arrangement.outline(index)) outline.corners.push_back(step.corner);
+        }
+        std::vector<bool> moved(outlines.size());
+        if (may_move) moved = mover_.move(outlines, shapes_);
+        for (std::size_t k = 0; k < outlines.size(); ++k) {
+            sound = false;
+            if (!moved[k]) leave_out_of(made_->facets.unsound[k], "a face of it is too thin for the grid");
+        }
+        made_->planes_moved = mover_.moved();
+        return sound;
     }
 
     /// What is no part of the solid, kind by kind: what of its faces neither the solid nor its own kind hides.
@@ -351,6 +360,7 @@ private:
 
     const BrushLevel& level_;
     std::unique_ptr<JoinedLevel> made_;
+    PlaneMover mover_;
     FaceHider hider_;
     std::vector<BrushShape> shapes_;
     std::vector<bool> used_;
@@ -359,9 +369,9 @@ private:
     BoxTree solid_tree_;
     std::vector<ConvexPiece> pieces_;
     std::vector<std::uint32_t> near_;
-    std::vector<PlaneId> portal_planes_;                     ///< of each polygon in the air
-    BoxTree portal_tree_;                                    ///< of the same polygons
-    std::vector<std::pair<PlaneId, GridBox>> portal_boxes_;  ///< likewise, by plane
+    std::vector<OpenEdge> open_;
+    std::vector<PlaneId> portal_planes_;  ///< of each polygon in the air
+    BoxTree portal_tree_;                 ///< of the same polygons
 };
 
 }  // namespace

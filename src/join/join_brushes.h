@@ -42,6 +42,7 @@ struct JoinedLevel {
     std::vector<JoinPortal> portals;
     std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals, or parts of some, with one room on both sides
     std::vector<LeftOut> left_out;
+    std::size_t planes_moved = 0;   ///< so that no face is too thin for the grid: each by less than a millimetre
     std::vector<LooseFacet> loose;  ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
                                     ///< materials are of the list that they come from
 };

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <tuple>
+
+#include "join/line_table.h"
 
 namespace firma {
 namespace {
@@ -18,11 +21,57 @@ double square_length(const JoinTables& tables, std::uint32_t from, std::uint32_t
     return dot(along, along);
 }
 
+/// Which other polygons have a side where two of one plane meet: there a solid stands on both with an edge, and that
+/// has to stay an edge of theirs.
+class SidesOnLines {
+public:
+    SidesOnLines(const JoinTables& tables, std::span<const JoinPiece> pieces) : lines_(tables) {
+        for (const JoinPiece& it : pieces)
+            for (std::size_t k = 0; k < it.piece.sides.size(); ++k) {
+                const ConvexPiece& piece = it.piece;
+                const std::uint32_t line = lines_.add(piece.plane, piece.sides[k].plane, piece.corner(k));
+                Side side{line, piece.corner(k), piece.corner(piece.next(k)), piece.plane};
+                if (!lines_.runs_along(line, piece.plane, piece.sides[k].plane)) std::swap(side.from, side.to);
+                sides_.push_back(side);
+            }
+        std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+            return std::tie(a.line, a.plane, a.from, a.to) < std::tie(b.line, b.plane, b.from, b.to);
+        });
+        first_.assign(lines_.size() + 1, 0);
+        for (const Side& side : sides_) ++first_[side.line + 1];
+        for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+    }
+
+    /// Whether a polygon of another plane has a side that overlaps this one.
+    bool others_at(const ConvexPiece& piece, std::size_t side) {
+        std::uint32_t from = piece.corner(side), to = piece.corner(piece.next(side));
+        const std::uint32_t line = lines_.add(piece.plane, piece.sides[side].plane, from);
+        if (!lines_.runs_along(line, piece.plane, piece.sides[side].plane)) std::swap(from, to);
+        for (std::uint32_t k = first_[line]; k < first_[line + 1]; ++k) {
+            const Side& other = sides_[k];
+            if (other.plane == piece.plane) continue;
+            if (lines_.before(line, other.from, to) && lines_.before(line, from, other.to)) return true;
+        }
+        return false;
+    }
+
+private:
+    struct Side {
+        std::uint32_t line;
+        std::uint32_t from, to;  ///< along the line
+        PlaneId plane;
+    };
+
+    LineTable lines_;
+    std::vector<Side> sides_;
+    std::vector<std::uint32_t> first_;  ///< a line each, and the end
+};
+
 /// The pieces of one plane.
 class PlaneMerger {
 public:
     PlaneMerger(const JoinTables& tables, std::vector<JoinPiece>& pieces, const KeepSide& keep)
-        : tables_(tables), pieces_(pieces), keep_(keep) {}
+        : tables_(tables), pieces_(pieces), keep_(keep), sides_(tables, pieces) {}
 
     void merge(std::span<const std::uint32_t> group) {
         piece_of_.clear();
@@ -62,7 +111,7 @@ private:
             if (it.material != one.material || it.mask != one.mask) continue;
             const std::size_t b = side_at(it.piece, to);
             if (b == it.piece.sides.size() || it.piece.corner(it.piece.next(b)) != from) continue;  // gone meanwhile
-            if (keep_(from, to, one.piece.sides[k].plane)) continue;
+            if (keep_(from, to) || sides_.others_at(one.piece, k)) continue;
             tried_.push_back({k, other, b, square_length(tables_, from, to)});
         }
         std::sort(tried_.begin(), tried_.end(), [](const Shared& x, const Shared& y) {
@@ -108,6 +157,7 @@ private:
     const JoinTables& tables_;
     std::vector<JoinPiece>& pieces_;
     const KeepSide& keep_;
+    SidesOnLines sides_;
     FlatMap piece_of_;  ///< by a side's corners, from and to; may name one that has gone
     std::vector<Shared> tried_;
     std::vector<PieceSide> merged_;

@@ -124,6 +124,7 @@ BrushWorldReport report_of(const BrushLevel& level, const JoinedLevel& joined) {
     const auto same = [](const BrushNote& a, const BrushNote& b) { return a.what == b.what && a.brush == b.brush; };
     report.notes.erase(std::unique(report.notes.begin(), report.notes.end(), same), report.notes.end());
     report.solid_faces = joined.faces.size();
+    report.planes_moved = joined.planes_moved;
     report.lost_shells = joined.rooms.lost;
     return report;
 }
