@@ -16,7 +16,11 @@ constexpr std::size_t kMostSides = std::size_t(1) << 20;
 // Sum over brushes of their sides squared: what cutting the faces takes. Two hundred times the most seen.
 constexpr std::uint64_t kMostPairs = std::uint64_t(1) << 28;
 
-constexpr double kNarrow = 1.0 / 128;  // units: a grid step at the usual scale
+// Units. Compilers make the planes they add from rounded edges, so these cut off slivers of up to some tenths of a unit
+// in width, yet of next to no depth.
+constexpr double kNarrow = 0.5;      // a wider face is never left out
+constexpr double kDepth = 1.0 / 64;  // nor one without which the brush would reach farther by more
+constexpr double kSamePlace = 1.0 / 128;
 
 std::optional<Error> read_planes(const BspFile& file, std::vector<FloatPlane>& planes) {
     const auto records = file.records<BspPlane>();
@@ -137,7 +141,7 @@ private:
             planes_.push_back(out.planes[sides[k].plane]);
         }
         std::vector<Vec3> corners = winding(planes_, at, reach_);
-        merge_corners(corners, kNarrow);
+        merge_corners(corners, kSamePlace);
         if (corners.size() < 3) corners.clear();
         return corners;
     }
@@ -145,7 +149,10 @@ private:
     bool leave_out_touching(std::span<BspSide> sides) {
         bool any = false;
         for (std::size_t k = 0; k < sides.size(); ++k) {
-            if (!is_narrow(faces_[k]) || !may_try(sides.size()) || growth_without(sides, k) > kNarrow) continue;
+            if (!is_narrow(faces_[k]) || !may_try(sides.size())) continue;
+            const double growth = growth_without(sides, k);
+            if (growth > kDepth) continue;
+            out.growth = std::max(out.growth, growth);
             sides[k].bounds = false;
             any = true;
         }
