@@ -17,7 +17,7 @@ namespace firma {
 struct BspSide {
     std::uint32_t plane = 0;   ///< entry of the planes lump
     std::uint32_t shader = 0;  ///< entry of the shaders lump
-    bool bounds = true;        ///< false: nothing of the brush lies on it, or next to nothing; it is left out
+    bool bounds = true;        ///< false: nothing of the brush lies on it, or next to nothing: left out
     double area = 0;           ///< of its face, square units
     std::uint32_t first_corner = 0, corner_count = 0;  ///< of its face, in BspBrushes::corners
 };
@@ -33,13 +33,14 @@ struct BspBrushes {
     std::vector<BspSolid> brushes;
     std::vector<BspSide> sides;
     std::vector<Vec3> corners;
+    double growth = 0;  ///< units: the most that a brush grew by a side left out
 };
 
 /// The lumps of planes, brushes and brush sides, and each side's face in double.
 ///
-/// Compilers add axial planes around each brush, and other planes that touch it in an edge. On the grid such a plane
-/// could cut off a sliver, so a side without a face (narrower than 1/128 unit) is left out where the brush then grows
-/// by no more than 1/128 unit.
+/// Compilers add planes around each brush that touch it in an edge or a vertex, for boxes to be cast against it. On the
+/// grid such a plane could cut off a sliver; and in the file it does. So a side whose face is missing, or narrower than
+/// half a unit, is left out where the brush then grows by no more than 1/64 unit.
 ///
 /// @return kMalformed, kOutOfRange or kTooLarge with lump and entry
 Result<BspBrushes> gather_bsp_brushes(const BspFile& file, double scale);

@@ -25,7 +25,7 @@ struct Lattice {
 // Floats of a plane 4096 units out place a corner to a thousandth of a unit or so; less sharp where planes meet at
 // small angles.
 constexpr Lattice kLattices[] = {
-    {FittedPlane::Points::kWhole, 1, 0.01, 0.01},
+    {FittedPlane::Points::kWhole, 1, 0.05, 0.012},
     {FittedPlane::Points::kEighths, 0.125, 0.005, 0.004},
     {FittedPlane::Points::kGrid, 0, 0, 0},
 };

@@ -13,10 +13,12 @@ namespace {
 
 // Ten times the most seen in fifty maps. Sides can be shared by brushes, so counts of records are no limit.
 constexpr std::size_t kMostSides = std::size_t(1) << 20;
-// Sum over brushes of their sides squared: what cutting the faces takes. Two hundred times the most seen.
-constexpr std::uint64_t kMostPairs = std::uint64_t(1) << 28;
 
-constexpr double kNarrow = 1.0 / 128;  // units: a grid step at the usual scale
+// Units. Compilers make the planes they add from rounded edges, so these cut off slivers of up to some tenths of a unit
+// in width, yet of next to no depth.
+constexpr double kNarrow = 0.5;      // a wider face is never left out
+constexpr double kDepth = 1.0 / 64;  // nor one without which the brush would reach farther by more
+constexpr double kSamePlace = 1.0 / 128;
 
 std::optional<Error> read_planes(const BspFile& file, std::vector<FloatPlane>& planes) {
     const auto records = file.records<BspPlane>();
@@ -41,10 +43,9 @@ public:
     std::optional<Error> gather() {
         if (auto error = read_planes(file_, out.planes)) return error;
         const auto brushes = file_.records<BspBrush>();
-        for (std::size_t k = 0; k < brushes.size(); ++k) {
+        for (std::size_t k = 0; k < brushes.size(); ++k)
             if (auto error = add(k, brushes[k])) return error;
-            cut_faces(out.brushes.back());
-        }
+        for (const BspSolid& brush : out.brushes) cut_faces(brush);
         return std::nullopt;
     }
 
@@ -60,7 +61,7 @@ private:
             return fault(ErrorCode::kMalformed, *bad);
         }
         if (!in_range(brush.shader, BspLump::kShaders, BspShader::kBytes)) {
-            return fault(ErrorCode::kMalformed, "shader " + std::to_string(brush.shader));
+            return fault(ErrorCode::kMalformed, of("shader", brush.shader, BspLump::kShaders, BspShader::kBytes));
         }
         const auto count = std::uint32_t(brush.side_count);
         if (count > kMostBrushSides) {
@@ -68,9 +69,9 @@ private:
                          std::to_string(count) + " sides, more than " + std::to_string(kMostBrushSides));
         }
         pairs_ += std::uint64_t(count) * count;
-        if (out.sides.size() + count > kMostSides || pairs_ > kMostPairs) {
+        if (out.sides.size() + count > kMostSides || pairs_ > kMostSidePairs) {
             return fault(ErrorCode::kTooLarge, "brushes have more than " + std::to_string(kMostSides) +
-                                                   " sides, or more than 2^28 pairs of them");
+                                                   " sides, or more than 2^26 pairs of them");
         }
         out.brushes.push_back({std::uint32_t(out.sides.size()), count, std::uint32_t(brush.shader)});
         for (std::uint32_t k = 0; k < count; ++k) {
@@ -85,10 +86,10 @@ private:
             return file_.fault(ErrorCode::kMalformed, BspLump::kBrushSides, entry, std::move(reason));
         };
         if (!in_range(record.shader, BspLump::kShaders, BspShader::kBytes)) {
-            return malformed("shader " + std::to_string(record.shader));
+            return malformed(of("shader", record.shader, BspLump::kShaders, BspShader::kBytes));
         }
         if (!in_range(record.plane, BspLump::kPlanes, BspPlane::kBytes)) {
-            return malformed("plane " + std::to_string(record.plane));
+            return malformed(of("plane", record.plane, BspLump::kPlanes, BspPlane::kBytes));
         }
         if (out.planes[std::size_t(record.plane)].normal == Vec3{}) {
             return file_.fault(ErrorCode::kMalformed, BspLump::kPlanes, std::size_t(record.plane),
@@ -103,6 +104,11 @@ private:
 
     bool in_range(std::int32_t index, BspLump which, std::size_t record) const {
         return index >= 0 && std::size_t(index) < file_.lump(which).size() / record;
+    }
+
+    std::string of(std::string_view what, std::int32_t index, BspLump which, std::size_t record) const {
+        return std::string(what) + " " + std::to_string(index) + " of " +
+               std::to_string(file_.lump(which).size() / record);
     }
 
     void cut_faces(const BspSolid& brush) {
@@ -137,7 +143,7 @@ private:
             planes_.push_back(out.planes[sides[k].plane]);
         }
         std::vector<Vec3> corners = winding(planes_, at, reach_);
-        merge_corners(corners, kNarrow);
+        merge_corners(corners, kSamePlace);
         if (corners.size() < 3) corners.clear();
         return corners;
     }
@@ -145,7 +151,10 @@ private:
     bool leave_out_touching(std::span<BspSide> sides) {
         bool any = false;
         for (std::size_t k = 0; k < sides.size(); ++k) {
-            if (!is_narrow(faces_[k]) || !may_try(sides.size()) || growth_without(sides, k) > kNarrow) continue;
+            if (!is_narrow(faces_[k]) || !may_try(sides.size())) continue;
+            const double growth = growth_without(sides, k);
+            if (growth > kDepth) continue;
+            out.growth = std::max(out.growth, growth);
             sides[k].bounds = false;
             any = true;
         }
@@ -155,7 +164,7 @@ private:
     // Each try takes as long as all faces of the brush: in a file made to hurt they come to an end.
     bool may_try(std::size_t sides) {
         tried_pairs_ += std::uint64_t(sides) * sides;
-        return tried_pairs_ <= kMostPairs;
+        return tried_pairs_ <= kMostSidePairs;
     }
 
     static bool is_narrow(const std::vector<Vec3>& face) {

@@ -43,6 +43,7 @@ public:
         if (auto error = read_models()) return error;
         const Result<BspBrushes> brushes = gather_bsp_brushes(file_, scale);
         if (!brushes) return brushes.error();
+        builder_.shift(brushes.value().growth * scale, "in lump 8 (brushes)");
         const Result<ExactPlanes> planes = make_exact_planes(file_, brushes.value(), scale);
         if (!planes) return planes.error();
         for (std::uint32_t k = 0; k < brushes.value().brushes.size(); ++k)

@@ -133,6 +133,11 @@ private:
     void measure(std::span<const FloatPlane> planes, double inexact, const Brush& brush,
                  std::vector<BrushBuilder::Side>& sides, const std::string& at) {
         if (inexact == 0 && brush.kind != BrushKind::kPortal) return;
+        pairs_ += planes.size() * planes.size();
+        if (pairs_ > kMostSidePairs) {
+            builder_.notes.add("too many sides in all to measure the snap or find the largest side of a portal", at);
+            return;
+        }
         for (std::size_t k = 0; k < sides.size(); ++k) {
             const std::vector<Vec3> corners = winding(planes, k, 2 * kWorldRim);
             sides[k].area = area(corners);
@@ -173,6 +178,7 @@ private:
     MapFile file_;
     BrushBuilder& builder_;
     std::vector<EntityRule> rules_;  // of the entities
+    std::uint64_t pairs_ = 0;        // that the faces cut out so far have taken
 };
 
 }  // namespace

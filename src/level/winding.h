@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +11,10 @@
 #include "firma/vec.h"
 
 namespace firma {
+
+/// Cutting out all faces of a brush takes time that grows with the square of its sides. The sum of these squares over a
+/// file; seventy times the most seen.
+inline constexpr std::uint64_t kMostSidePairs = std::uint64_t(1) << 26;
 
 /// In front of it, where normal . p > distance, lies the outside. The normal is about 1 long.
 struct FloatPlane {
