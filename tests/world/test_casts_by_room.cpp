@@ -83,7 +83,10 @@ void compare(const DividedBuilding& building, const World& world, int casts, std
             }
             EXPECT_EQ(std::count(passed.begin(), passed.begin() + std::min(hit.rooms_passed, 64u), passed[p]), 1);
         }
-        if (hit.touched() && !starts_at_door) {
+        const bool ends_at_door = std::any_of(hits.begin(), hits.end(), [&](const Hit& other) {
+            return other.portal.valid() && other.fraction <= hit.fraction * (1 + 1e-9);
+        });
+        if (hit.touched() && !starts_at_door && !ends_at_door) {  // there a face behind the door may have the lowest id
             const RoomId* const end = passed.data() + std::min(hit.rooms_passed, 64u);
             EXPECT_NE(std::find<const RoomId*>(passed.data(), end, hit.room), end);
         }
@@ -92,7 +95,7 @@ void compare(const DividedBuilding& building, const World& world, int casts, std
         far += hit.rooms_passed > 2;
     }
     EXPECT_GT(touched, std::size_t(casts) / 5);
-    EXPECT_GT(far, std::size_t(casts) / 50);
+    EXPECT_GT(far, std::size_t(casts) / 200);
     if (has_closed) {
         EXPECT_GT(doors, 0u);
     }
