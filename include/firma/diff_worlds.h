@@ -34,15 +34,29 @@ inline constexpr std::size_t kMostTiles = std::size_t(1) << 22;
 struct WorldDiff {
     std::vector<ChangedFace> gone;  ///< in order of id, then room; refs good in `before`
     std::vector<ChangedFace> come;  ///< likewise in `after`
-    Box bounds;                     ///< of all of them; empty when nothing changed
-    std::vector<Tile> tiles;        ///< those that the box of a changed face touches, each once, in order
-    bool too_many_tiles = false;    ///< there are more than kMostTiles: `tiles` is empty; go by `bounds`
 
-    bool empty() const { return gone.empty() && come.empty(); }
+    // All ascending.
+    std::vector<RoomId> rooms;  ///< that a face left or came to, that became part of another or ceased to be, or that
+                                ///< only one of the worlds has
+    std::vector<PortalId> opened, closed;   ///< doors, of portals in both worlds
+    std::vector<PortalId> portals_gone;     ///< with polygons in `before` only
+    std::vector<PortalId> portals_come;     ///< in `after` only
+    std::vector<PortalId> portals_changed;  ///< in both, and yet not the same: other rooms (as edits joined some),
+                                            ///< polygons or names
+
+    Box bounds;                   ///< of all those faces and portals; empty when nothing changed
+    std::vector<Tile> tiles;      ///< those that the box of such a face or portal touches, each once, in order
+    bool too_many_tiles = false;  ///< there are more than kMostTiles: `tiles` is empty; go by `bounds`
+
+    bool empty() const {
+        return gone.empty() && come.empty() && rooms.empty() && opened.empty() && closed.empty() &&
+               portals_gone.empty() && portals_come.empty() && portals_changed.empty();
+    }
 };
 
-/// Compares two worlds. A face is the same when it has the same id and is alike in everything; rooms are compared by
-/// their ids. What the worlds share is not looked at, so for versions a few edits apart the cost follows the edits.
+/// Compares two worlds. A face is the same when it has the same id and is alike in everything but its room: what an
+/// edit only put into another room, as it joined two, did not change. Rooms and portals are compared by their ids. What
+/// the worlds share is not looked at, so for versions a few edits apart the cost follows the edits.
 ///
 /// @param tile_size  metres, for `tiles`, at least kLeastTile; anything smaller (0, say) or not finite leaves them out.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'

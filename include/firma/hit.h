@@ -91,8 +91,9 @@ struct Hit : PolygonHit {
     std::uint32_t source_edit = 0;  ///< 0: of the level's file; else the number of the edit whose cutter `source` is of
     std::uint32_t material = 0;     ///< index into World::material_name
     RoomId room;                    ///< of the contact
-    std::uint32_t rooms_passed = 1;  ///< how many rooms the cast looked into, the first included; 0 when it asked all
-                                     ///< rooms of a world of several, by CastOptions::room or as its start is in none
+    std::uint32_t rooms_passed = 1;  ///< how many rooms the sweep reaches through open portals, the first included; 0
+                                     ///< when the cast asked all rooms of a world of several, by CastOptions::room or
+                                     ///< as its start is in none
     std::array<RoomId, kRoomsInHit> passed{};  ///< the first of them, in the order in which the sweep reaches them
     std::uint64_t version = 0;                 ///< of the World that was asked
 };

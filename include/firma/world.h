@@ -90,7 +90,7 @@ Result<World> make_world(const Level& level, const WorldOptions& options = {});
 /// What casts looked at. Add up over casts; a cast only ever adds.
 struct CastCounts {
     std::uint64_t bins = 0;     ///< boxes of bins tested
-    std::uint64_t boxes = 0;    ///< boxes of faces tested
+    std::uint64_t boxes = 0;    ///< boxes of faces and of portals' polygons tested
     std::uint64_t faces = 0;    ///< faces whose geometry was looked at
     std::uint64_t precise = 0;  ///< questions that double left open and more digits decided
 };
@@ -100,13 +100,20 @@ struct CastOptions {
     Sides sides = Sides::kFront;   ///< kFront leaves the choice to the face; kBoth meets both sides of all
     double skin = -1;              ///< metres for safe_fraction; negative takes the World's
     CastCounts* counts = nullptr;  ///< added to, when given; not shared between threads
+    /// The room that the start lies in, and the cast goes on from there through portals; kLocateRoom: the cast finds
+    /// out; kAnyRoom: all rooms are asked. For starts in the air, clear of all faces, the answers are the same;
+    /// docs/rooms.md says what they are for others.
+    RoomId room = kAnyRoom;
+    std::span<RoomId> passed{};  ///< filled with the rooms passed, in the order in which the sweep reaches them,
+                                 ///< as far as they fit; how many there were is in Hit::rooms_passed
 };
 
 /// The first touch of a moving sphere with the world.
 ///
 /// @param sphere  centre at the start and radius; both may lie outside the world
 /// @param path    motion (metres)
-/// @return as cast_polygon(), over all faces; of several at the smallest fraction the one with the lowest id.
+/// @return as cast_polygon(), over all faces, and over closed portals as two-sided ones; of several at the smallest
+/// fraction the one with the lowest id, faces before portals; kInvalid also for a room that is not there.
 /// Never allocates, takes no lock and touches no reference count.
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 
@@ -115,31 +122,37 @@ Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastO
 /// kTouching.
 Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 
-/// Every face that the sphere would meet along the whole path, as if alone, by fraction, then id.
+/// Every face and every closed portal that the sphere would meet along the whole path, as if alone, by fraction, then
+/// id, faces before portals. By room: those of the rooms that the whole path leads to through portals, open or closed.
 /// @param hits  replaced; keeps its memory from call to call
 /// @return kMiss when there is none, else the first one's status; kInvalid as cast(), with no hits
 Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
                 const CastOptions& options = {});
 
-/// A face near a point.
+/// A face near a point, or a closed portal.
 struct NearFace : ClosestPoint {
-    FaceId face;
+    FaceId face;      ///< invalid of a portal
+    PortalId portal;  ///< invalid of a face
     FaceRef ref;
     std::uint32_t source = 0;
     std::uint32_t source_edit = 0;  ///< as in Face
     std::uint32_t material = 0;
 };
 
-/// The faces that a closed ball touches, either side, in order of id. No tolerance.
+/// The faces that a closed ball touches, either side, in order of id, then the closed portals. No tolerance.
 /// @param found  replaced
+/// @param room   only what bounds this room; kAnyRoom: all of them
 /// @return kInvalid as for cast(); otherwise kTouching when anything was found, kMiss when not
-Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found, std::uint32_t mask = ~0u);
+Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found, std::uint32_t mask = ~0u,
+               RoomId room = kAnyRoom);
 
-/// The point of all faces nearest to `point`; of several faces at the same distance the lowest id.
+/// The point of all faces and closed portals nearest to `point`; of several at the same distance the lowest id, faces
+/// before portals.
 /// @param reach  metres; nothing farther is looked for. INFINITY looks everywhere
-/// @return nothing when no face lies within reach, or a number is not finite or too large
+/// @param room   only what bounds this room; kAnyRoom: all of them
+/// @return nothing when no face lies within reach, a number is not finite or too large, or there is no such room
 std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY,
-                                std::uint32_t mask = ~0u);
+                                std::uint32_t mask = ~0u, RoomId room = kAnyRoom);
 
 /// Whether a point lies in the solid: behind the faces that bound it (Face::solid), whichever the point sees first.
 ///
@@ -148,9 +161,9 @@ std::optional<NearFace> closest(const World& world, const Vec3& point, double re
 ///         rounding to the grid made (a few millionths of a metre wide)
 std::optional<bool> in_solid(const World& world, const Vec3& point);
 
-/// A hash of what the world holds: ids, rooms, trees, exact faces, counters, version; not of the rules for carving and
-/// of the options for trees. Worlds made by equal edits in equal order have equal ones on every machine; it takes some
-/// nanoseconds a face.
+/// A hash of what the world holds: ids, rooms, portals, doors, trees, exact faces, counters, version; not of the rules
+/// for carving and of the options for trees. Worlds made by equal edits in equal order have equal ones on every
+/// machine; it takes some nanoseconds a face.
 std::uint64_t hash_world(const World& world);
 
 /// A broken invariant, named.
@@ -160,8 +173,9 @@ struct WorldFault {
 };
 
 /// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin; ids unique. Of the exact solid behind the faces see
-/// check_solid().
+/// around what they hold; every face in exactly one bin; ids unique. In a world of several rooms also: portals join two
+/// rooms that are there, by polygons as sound as faces; around each room, the directed edges of the solid's faces and
+/// of its portals cancel exactly. Of the exact solid behind the faces see check_solid().
 std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

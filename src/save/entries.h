@@ -62,6 +62,23 @@ private:
     std::size_t size_ = 1, taken_ = 0;
 };
 
+/// Texts one after the other, their lengths known.
+class Texts {
+public:
+    explicit Texts(std::span<const std::byte> bytes) : left_(bytes) {}
+    bool take(std::uint64_t length, std::string& text) {
+        if (length > left_.size()) return false;
+        text.reserve(std::size_t(length));
+        for (const std::byte byte : left_.first(std::size_t(length))) text += char(byte);
+        left_ = left_.subspan(std::size_t(length));
+        return true;
+    }
+    bool all_taken() const { return left_.empty(); }
+
+private:
+    std::span<const std::byte> left_;
+};
+
 /// The sections of a file by type.
 class Sections {
 public:

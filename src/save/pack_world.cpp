@@ -38,6 +38,8 @@ public:
         pack_materials();
         if (data_.rules) pack_rules(*data_.rules);
         pack_rooms();
+        if (data_.room_records) pack_records(*data_.room_records);
+        if (data_.portals) pack_portals(*data_.portals);
         if (exact_) pack_exact();
         return write_container(sections());
     }
@@ -50,7 +52,8 @@ private:
         world_.u32(data_.edits);
         // Without its faces there is no solid, and no end to what would be rock.
         const bool rock_outside = data_.rock_outside && exact_;
-        world_.u32((rock_outside ? kRockOutside : 0) | (exact_ ? kExactPart : 0) | (data_.rules ? kHasRules : 0));
+        world_.u32((rock_outside ? kRockOutside : 0) | (exact_ ? kExactPart : 0) | (data_.rules ? kHasRules : 0) |
+                   (data_.room_records ? kHasRoomRecords : 0) | (data_.portals ? kHasPortals : 0));
         world_.u32(std::uint32_t(data_.rooms.size()));
         world_.f64(data_.tolerance.skin);
         world_.u32(std::uint32_t(data_.tree_options.split));
@@ -95,6 +98,34 @@ private:
             if (room->tree) pack_block(*room->tree);
             rooms_.u32(std::uint32_t((blocks_.size() - before) / kBlockBytes));
         }
+    }
+
+    void pack_records(const std::vector<RoomRecord>& records) {
+        for (const RoomRecord& record : records) {
+            records_.u32(std::uint32_t(record.name.size()));
+            records_.u32(record.exterior ? kExteriorRoom : 0);
+            records_.u32(record.merged_into);
+        }
+        for (const RoomRecord& record : records) add_text(records_, record.name);
+    }
+
+    void pack_portals(const PortalSet& portals) {
+        portals_.u32(std::uint32_t(portals.portals().size()));
+        for (std::size_t k = 0; k < portals.portals().size(); ++k) {
+            const Portal& portal = portals.portals()[k];
+            for (const RoomId room : portal.rooms) portals_.u32(room.value);
+            portals_.u32(portal.material);
+            portals_.u32(portal.mask);
+            portals_.u32(data_.closed && data_.closed->is_closed[k] ? kClosedPortal : 0);
+            portals_.u32(portal.polygon_count);
+            portals_.u32(std::uint32_t(portal.name.size()));
+            portals_.u32(0);
+            for (const PortalPolygon& polygon : portals.polygons_of(portal)) {
+                portal_polygons_.u32(std::uint32_t(polygon.corners.size()));
+                for (const GridPoint& corner : polygon.corners) add_point(portal_corners_, corner);
+            }
+        }
+        for (const Portal& portal : portals.portals()) add_text(portals_, portal.name);
     }
 
     void pack_block(const Block& block) {
@@ -183,6 +214,12 @@ private:
         add(kFacesSection, faces_);
         add(kVerticesSection, vertices_);
         add(kCornersSection, corners_);
+        if (data_.room_records) add(kRoomRecordsSection, records_);
+        if (data_.portals) {
+            add(kPortalsSection, portals_);
+            add(kPortalPolygonsSection, portal_polygons_);
+            add(kPortalCornersSection, portal_corners_);
+        }
         if (!exact_) return all;
         add(kOwnersSection, owners_);
         add(kPlanesSection, plane_data_);
@@ -198,6 +235,7 @@ private:
     const WorldData& data_;
     const bool exact_;
     ByteWriter world_, materials_, rules_, rooms_, blocks_, bins_, faces_, vertices_, corners_, owners_;
+    ByteWriter records_, portals_, portal_polygons_, portal_corners_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
     Numbers<SolidFace> exact_faces_;
     Numbers<SolidEdge> edges_;

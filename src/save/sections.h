@@ -10,6 +10,10 @@ inline constexpr SectionType kWorldSection = section_type("WRLD");
 inline constexpr SectionType kMaterialsSection = section_type("MATS");
 inline constexpr SectionType kRulesSection = section_type("RULE");
 inline constexpr SectionType kRoomsSection = section_type("ROOM");
+inline constexpr SectionType kRoomRecordsSection = section_type("RECS");
+inline constexpr SectionType kPortalsSection = section_type("PORT");
+inline constexpr SectionType kPortalPolygonsSection = section_type("PPOL");
+inline constexpr SectionType kPortalCornersSection = section_type("PCOR");
 inline constexpr SectionType kBlocksSection = section_type("BLCK");
 inline constexpr SectionType kBinsSection = section_type("BINS");
 inline constexpr SectionType kFacesSection = section_type("FACE");
@@ -25,13 +29,17 @@ inline constexpr SectionType kUsesSection = section_type("USES");
 inline constexpr SectionType kLoopsSection = section_type("LOOP");
 
 inline constexpr SectionType kKnownSections[] = {
-    kWorldSection,      kMaterialsSection, kRulesSection,      kRoomsSection,  kBlocksSection, kBinsSection,
-    kFacesSection,      kVerticesSection,  kCornersSection,    kOwnersSection, kPlanesSection, kGridPointsSection,
-    kMeetPointsSection, kEdgesSection,     kExactFacesSection, kUsesSection,   kLoopsSection};
+    kWorldSection,        kMaterialsSection,  kRulesSection,       kRoomsSection,   kBlocksSection,
+    kBinsSection,         kFacesSection,      kVerticesSection,    kCornersSection, kOwnersSection,
+    kPlanesSection,       kGridPointsSection, kMeetPointsSection,  kEdgesSection,   kExactFacesSection,
+    kUsesSection,         kLoopsSection,      kRoomRecordsSection, kPortalsSection, kPortalPolygonsSection,
+    kPortalCornersSection};
 
 inline constexpr std::size_t kWorldBytes = 64;
-inline constexpr std::size_t kRulesBytes = 64;  ///< without zones and hardness
-inline constexpr std::size_t kZoneBytes = 64;   ///< without its name
+inline constexpr std::size_t kRulesBytes = 64;       ///< without zones and hardness
+inline constexpr std::size_t kZoneBytes = 64;        ///< without its name
+inline constexpr std::size_t kRoomRecordBytes = 12;  ///< without its name
+inline constexpr std::size_t kPortalBytes = 32;      ///< without its name
 inline constexpr std::size_t kBlockBytes = 12;
 inline constexpr std::size_t kBinBytes = 32;
 inline constexpr std::size_t kFaceBytes = 28;
@@ -44,6 +52,12 @@ inline constexpr std::size_t kExactFaceBytes = 36;
 inline constexpr std::uint32_t kRockOutside = 1;
 inline constexpr std::uint32_t kExactPart = 2;
 inline constexpr std::uint32_t kHasRules = 4;
+inline constexpr std::uint32_t kHasRoomRecords = 8;
+inline constexpr std::uint32_t kHasPortals = 16;
+// Of a room.
+inline constexpr std::uint32_t kExteriorRoom = 1;
+// Of a portal.
+inline constexpr std::uint32_t kClosedPortal = 1;
 // Of a face.
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;

@@ -23,23 +23,6 @@ std::size_t limit_of(std::uint64_t value) {
     return std::size_t(value < kMost ? value : kMost);
 }
 
-/// Texts one after the other, their lengths known.
-class Texts {
-public:
-    explicit Texts(std::span<const std::byte> bytes) : left_(bytes) {}
-    bool take(std::uint64_t length, std::string& text) {
-        if (length > left_.size()) return false;
-        text.reserve(std::size_t(length));
-        for (const std::byte byte : left_.first(std::size_t(length))) text += char(byte);
-        left_ = left_.subspan(std::size_t(length));
-        return true;
-    }
-    bool all_taken() const { return left_.empty(); }
-
-private:
-    std::span<const std::byte> left_;
-};
-
 bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& damage) {
     if (section.count() != 1) return damage.report(section.type(), "is not 64 bytes long");
     const std::byte* at = section.at(0);
@@ -57,6 +40,8 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     data.tree_options.min_bin_volume = read_f64(at + 56);
     data.rock_outside = flags & kRockOutside;
     unpacked.exact = flags & kExactPart;
+    unpacked.has_records = flags & kHasRoomRecords;
+    unpacked.has_portals = flags & kHasPortals;
     if (flags & kHasRules) data.rules = std::make_shared<const CarveRules>();
 
     if (faces > data.next_face) return damage.report(section.type(), "has more faces than there were ids");
@@ -67,12 +52,14 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     // Of a skin below zero, casts would say that it is safe to go through what they meet.
     if (!(data.tolerance.skin >= 0) || !std::isfinite(data.tolerance.skin))
         return damage.report(section.type(), 0, "its skin is no length");
-    if (flags & ~(kRockOutside | kExactPart | kHasRules) || read_u32(at + 52) != 0)
+    if (flags & ~(kRockOutside | kExactPart | kHasRules | kHasRoomRecords | kHasPortals) || read_u32(at + 52) != 0)
         return damage.report(section.type(), "has flags that are not of version 1");
     if (split > std::uint32_t(Split::kSurfaceArea))
         return damage.report(section.type(), "has no such way to divide bins");
     if (data.rock_outside && !unpacked.exact) return damage.report(section.type(), "has rock without its faces");
     if (unpacked.rooms == 0) return damage.report(section.type(), "has no room");
+    if (!unpacked.has_records && (unpacked.rooms > 1 || unpacked.has_portals))
+        return damage.report(section.type(), "has several rooms or portals, and no records of rooms");
     return true;
 }
 

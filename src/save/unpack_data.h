@@ -10,7 +10,8 @@ namespace firma {
 struct UnpackedData {
     WorldData data;  ///< without rooms
     std::size_t rooms = 0;
-    bool exact = false;  ///< whether the exact part is there
+    bool exact = false;                             ///< whether the exact part is there
+    bool has_records = false, has_portals = false;  ///< whether those are
 };
 
 /// Check the Damage before using it.

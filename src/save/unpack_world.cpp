@@ -7,6 +7,7 @@
 #include "save/unpack_blocks.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
+#include "save/unpack_portals.h"
 
 namespace firma {
 namespace {
@@ -39,8 +40,10 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     if (unpacked.exact) exact = unpack_exact(sections, damage);
     if (damage.error()) return *damage.error();
     unpacked.data.rooms = unpack_rooms(sections, unpacked.rooms, unpacked.exact, exact, damage);
+    if (!damage.error()) unpack_portals(sections, unpacked, damage);
     sections.refuse_unused(kKnownSections);
     if (damage.error()) return *damage.error();
+    finish_rooms(unpacked.data);
     World world(std::make_shared<const WorldData>(std::move(unpacked.data)));
     check_whole(world, unpacked.exact, damage);
     if (damage.error()) return *damage.error();

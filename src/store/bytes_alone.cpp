@@ -57,6 +57,16 @@ std::size_t bytes_of(const std::vector<std::string>* names) {
     return sum;
 }
 
+/// Of what is beside the rooms' faces.
+std::size_t bytes_of_rooms_alone(const WorldData& mine, const WorldData& theirs) {
+    std::size_t sum = 0;
+    if (mine.room_records && mine.room_records != theirs.room_records) sum += bytes_of(*mine.room_records);
+    if (mine.portals && mine.portals != theirs.portals) sum += mine.portals->bytes();
+    if (mine.closed && mine.closed != theirs.closed) sum += mine.closed->bytes();
+    if (mine.room_boxes && mine.room_boxes != theirs.room_boxes) sum += sizeof(BoxTree) + mine.room_boxes->bytes();
+    return sum;
+}
+
 }  // namespace
 
 std::size_t bytes_alone(const World& world, const World& other) {
@@ -64,6 +74,7 @@ std::size_t bytes_alone(const World& world, const World& other) {
     if (&mine == &theirs) return 0;
     std::size_t sum = sizeof mine + mine.rooms.capacity() * sizeof(mine.rooms[0]);
     if (mine.materials != theirs.materials) sum += bytes_of(mine.materials.get());
+    sum += bytes_of_rooms_alone(mine, theirs);
     UnsharedBlocks all;
     for (std::size_t k = 0; k < std::max(mine.rooms.size(), theirs.rooms.size()); ++k) {
         const Room* my_room = k < mine.rooms.size() ? mine.rooms[k].get() : nullptr;

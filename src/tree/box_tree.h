@@ -30,6 +30,8 @@ public:
     void refit(std::span<const GridBox> boxes);
 
     std::size_t size() const { return items_.size(); }
+    /// Memory beside the object itself.
+    std::size_t bytes() const { return items_.capacity() * sizeof(Item) + nodes_.capacity() * sizeof(Node); }
     /// Around all; empty when there are none.
     GridBox box() const { return nodes_.empty() ? GridBox{} : nodes_[0].box; }
 

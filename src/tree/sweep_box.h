@@ -14,13 +14,18 @@
 
 namespace firma {
 
+/// A sweep's radius, and far more than what rounding can amount to on its way through a world.
+inline double grown_radius(const Sweep& sweep) {
+    constexpr double kMargin = 0x1p-44;
+    const double size = largest(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim;
+    return sweep.radius + kMargin * size;
+}
+
 class SweepBox {
 public:
     explicit SweepBox(const Sweep& sweep) {
-        constexpr double kMargin = 0x1p-44;
         constexpr double kSteepest = 0x1p+300;  // stands for a slope that is infinite
-        const double size = largest(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim;
-        const double grown = sweep.radius + kMargin * size;
+        const double grown = grown_radius(sweep);
         for (int axis = 0; axis < 3; ++axis) {
             const double d = sweep.direction[axis];
             inverse_[axis] = std::fabs(d) * kSteepest > 1 ? 1 / d : kSteepest;

@@ -6,6 +6,7 @@
 
 #include "tree/build_blocks.h"
 #include "tree/rounded_box.h"
+#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -106,13 +107,24 @@ void fit_room_boxes(WorldData& data) {
     data.room_boxes = std::make_shared<const BoxTree>(boxes);
 }
 
+void finish_rooms(WorldData& data) {
+    fit_room_boxes(data);
+    if (!data.room_records) return;
+    data.knows_walls = false;
+    for (const Ref<const Room>& room : data.rooms)
+        if (room->tree)
+            for_each_face_block(*room->tree, [&](const Block& block) {
+                for (const FaceRecord& face : block.faces) data.knows_walls |= face.solid;
+            });
+}
+
 Result<World> assemble_world(WorldParts parts) {
     if (std::optional<Error> error = check(parts)) return *error;
     auto data = std::make_shared<WorldData>();
     const bool plain = is_plain(parts);
     add_rooms(parts, *data);
     if (!plain) add_records(parts, *data);
-    fit_room_boxes(*data);
+    finish_rooms(*data);
     data->materials = std::make_shared<std::vector<std::string>>(std::move(parts.materials));
     data->tolerance = parts.options.tolerance;
     data->tree_options = parts.options.tree;

@@ -6,6 +6,7 @@
 #include "firma/world.h"
 #include "tree/visit.h"
 #include "world/block_faces.h"
+#include "world/check_rooms.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -48,6 +49,7 @@ public:
             if (room->tree) check_block(*room->tree, nullptr);
         if (!fault_ && ids_.size() != world.face_count()) report("the count of faces is not how many there are", {});
         if (!fault_) check_ids(world);
+        if (!fault_) fault_ = check_rooms(world);
         return fault_;
     }
 

@@ -56,6 +56,31 @@ void add(Hasher& hasher, const Block& block) {
     for (const Ref<const Block>& child : block.children) add(hasher, *child);
 }
 
+void add(Hasher& hasher, const std::vector<RoomRecord>& records) {
+    for (const RoomRecord& record : records) {
+        add(hasher, record.name);
+        hasher.add(std::uint32_t(record.exterior), record.merged_into);
+    }
+}
+
+void add(Hasher& hasher, const PortalSet& portals, const ClosedPortals* closed) {
+    hasher.add(portals.portals().size());
+    for (std::size_t k = 0; k < portals.portals().size(); ++k) {
+        const Portal& portal = portals.portals()[k];
+        hasher.add(portal.rooms[0].value, portal.rooms[1].value);
+        add(hasher, portal.name);
+        hasher.add(portal.material, portal.mask);
+        hasher.add(portal.polygon_count, std::uint32_t(closed && closed->is_closed[k]));
+        for (const PortalPolygon& polygon : portals.polygons_of(portal)) {
+            hasher.add(polygon.corners.size());
+            for (const GridPoint& p : polygon.corners) {
+                hasher.add(p.x, p.y);
+                hasher.add(std::uint32_t(p.z));
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::uint64_t hash_world(const World& world) {
@@ -74,6 +99,8 @@ std::uint64_t hash_world(const World& world) {
         hasher.add(bool(room->tree));
         if (room->tree) add(hasher, *room->tree);
     }
+    if (data.room_records) add(hasher, *data.room_records);
+    if (data.portals) add(hasher, *data.portals, data.closed.get());
     return hasher.value();
 }
 

@@ -16,6 +16,10 @@ public:
         const WorldData& data = world.data();
         if (is_new(&data)) bytes_ += sizeof data + data.rooms.capacity() * sizeof(data.rooms[0]);
         if (data.materials && is_new(data.materials.get())) add(*data.materials);
+        if (data.room_records && is_new(data.room_records.get())) bytes_ += bytes_of(*data.room_records);
+        if (data.portals && is_new(data.portals.get())) bytes_ += data.portals->bytes();
+        if (data.closed && is_new(data.closed.get())) bytes_ += data.closed->bytes();
+        if (data.room_boxes && is_new(data.room_boxes.get())) bytes_ += sizeof(BoxTree) + data.room_boxes->bytes();
         for (const Ref<const Room>& room : data.rooms) {
             if (!is_new(room.get())) continue;
             bytes_ += pool_size(sizeof(Room));
@@ -47,6 +51,13 @@ private:
 };
 
 }  // namespace
+
+std::size_t bytes_of(const std::vector<RoomRecord>& records) {
+    std::size_t sum = sizeof records + records.capacity() * sizeof(RoomRecord);
+    for (const RoomRecord& record : records)
+        if (record.name.capacity() > std::string().capacity()) sum += record.name.capacity() + 1;
+    return sum;
+}
 
 std::size_t memory_used(std::span<const World> worlds) {
     Counter counter;

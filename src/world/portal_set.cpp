@@ -49,9 +49,14 @@ PortalSet::PortalSet(std::span<const PortalPart> parts, std::size_t rooms) {
     for (std::size_t room = 0; room < rooms; ++room) first_of_room_[room + 1] += first_of_room_[room];
     of_rooms_.resize(first_of_room_[rooms]);
     std::vector<std::uint32_t> next(first_of_room_.begin(), first_of_room_.end() - 1);
-    for (std::uint32_t k = 0; k < portals_.size(); ++k)
-        if (!portals_[k].gone())
-            for (const RoomId room : portals_[k].rooms) of_rooms_[next[room.value]++] = k;
+    std::vector<GridBox> boxes;
+    for (std::uint32_t k = 0; k < portals_.size(); ++k) {
+        if (portals_[k].gone()) continue;
+        for (const RoomId room : portals_[k].rooms) of_rooms_[next[room.value]++] = k;
+        boxes.push_back(portals_[k].box);
+        with_box_.push_back(k);
+    }
+    boxes_ = BoxTree(boxes);
 }
 
 PortalPart PortalSet::part(std::size_t index) const {
@@ -67,10 +72,11 @@ PortalPart PortalSet::part(std::size_t index) const {
 }
 
 std::size_t PortalSet::bytes() const {
-    std::size_t sum = sizeof *this + portals_.capacity() * sizeof(Portal) +
-                      polygons_.capacity() * sizeof(PortalPolygon) + corners_.capacity() * sizeof(GridPoint) +
-                      metres_.capacity() * sizeof(Vec3) +
-                      (first_of_room_.capacity() + of_rooms_.capacity()) * sizeof(std::uint32_t);
+    std::size_t sum =
+        sizeof *this + portals_.capacity() * sizeof(Portal) + polygons_.capacity() * sizeof(PortalPolygon) +
+        corners_.capacity() * sizeof(GridPoint) + metres_.capacity() * sizeof(Vec3) +
+        (first_of_room_.capacity() + of_rooms_.capacity() + with_box_.capacity()) * sizeof(std::uint32_t) +
+        boxes_.bytes();
     const std::size_t inside = std::string().capacity();
     for (const Portal& portal : portals_)
         if (portal.name.capacity() > inside) sum += portal.name.capacity() + 1;

@@ -14,6 +14,7 @@
 #include "firma/masks.h"
 #include "geometry/grid_box.h"
 #include "geometry/polygon_shape.h"
+#include "tree/box_tree.h"
 
 namespace firma {
 
@@ -69,6 +70,9 @@ public:
         if (room + 1 >= first_of_room_.size()) return {};
         return {of_rooms_.data() + first_of_room_[room], first_of_room_[room + 1] - first_of_room_[room]};
     }
+    /// Around the portals that are not gone, and which they are: for rays and points.
+    const BoxTree& boxes() const { return boxes_; }
+    std::uint32_t portal_of_box(std::uint32_t number) const { return with_box_[number]; }
     /// As it was made, but that it says nothing of being open.
     PortalPart part(std::size_t portal) const;
 
@@ -80,6 +84,8 @@ private:
     std::vector<GridPoint> corners_;
     std::vector<Vec3> metres_;  ///< the same corners
     std::vector<std::uint32_t> first_of_room_, of_rooms_;
+    BoxTree boxes_;
+    std::vector<std::uint32_t> with_box_;
 };
 
 /// Which portals are closed.
@@ -88,6 +94,7 @@ struct ClosedPortals {
     std::vector<std::uint32_t> all;       ///< those that are, ascending
 
     explicit ClosedPortals(std::vector<std::uint8_t> flags);
+    std::size_t bytes() const { return sizeof *this + is_closed.capacity() + all.capacity() * sizeof(std::uint32_t); }
 };
 
 }  // namespace firma

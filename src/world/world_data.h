@@ -38,6 +38,7 @@ struct WorldData {
     std::shared_ptr<const PortalSet> portals;                     ///< null: none
     std::shared_ptr<const ClosedPortals> closed;                  ///< null: none is
     std::shared_ptr<const BoxTree> room_boxes;                    ///< around rooms, or a little wider; null: few rooms
+    bool knows_walls = true;  ///< of several rooms: some face bounds the solid, so that rays from a point tell its room
     std::shared_ptr<const std::vector<std::string>> materials;
     Tolerance tolerance;
     TreeOptions tree_options;  ///< how trees are built, and rebuilt by edits
@@ -49,8 +50,14 @@ struct WorldData {
     std::shared_ptr<const CarveRules> rules;  ///< null: none
 };
 
+/// Memory of what rooms are besides their faces, with its strings.
+std::size_t bytes_of(const std::vector<RoomRecord>& records);
+
 /// Makes `room_boxes` fit the rooms, where there are so many that casts want them; keeps what fits.
 void fit_room_boxes(WorldData& data);
+
+/// Sets what follows from new rooms and their faces: `room_boxes` and `knows_walls`.
+void finish_rooms(WorldData& data);
 
 /// The room that a room is by now part of: itself, as long as no edit joined it to another.
 inline std::uint32_t current_room(const WorldData& data, std::uint32_t room) {

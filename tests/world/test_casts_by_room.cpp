@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Casts that go from room to room answer as casts against all faces do, for starts in the air clear of the walls.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "firma/rooms.h"
+#include "scenes/divided_building.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+using scenes::BuildingPlan;
+using scenes::DividedBuilding;
+
+struct Asked {
+    Sphere sphere;
+    Vec3 path;
+};
+
+Asked ask(const DividedBuilding& building, scenes::Rng& rng) {
+    Asked asked;
+    asked.sphere.radius = rng.chance(0.3) ? 0 : rng.uniform(0.01, 0.45);
+    asked.sphere.centre = building.point_in_air(asked.sphere.radius, rng);
+    const Vec3 direction = rng.direction();
+    asked.path = direction * (rng.chance(0.3) ? rng.uniform(0.01, 1.0) : rng.uniform(1, 40));
+    if (rng.chance(0.25)) {  // along an axis, and so along portals, too
+        const std::uint32_t axis = rng.below(3);
+        for (std::uint32_t other = 0; other < 3; ++other)
+            if (other != axis) asked.path[int(other)] = 0;
+    }
+    return asked;
+}
+
+/// All that does not say which rooms were asked.
+void expect_same(const Hit& a, const Hit& b) {
+    EXPECT_EQ(a.status, b.status);
+    EXPECT_EQ(a.fraction, b.fraction);
+    EXPECT_EQ(a.safe_fraction, b.safe_fraction);
+    EXPECT_EQ(a.face, b.face);
+    EXPECT_EQ(a.portal, b.portal);
+    EXPECT_EQ(a.other_face, b.other_face);
+    EXPECT_EQ(a.point, b.point);
+    EXPECT_EQ(a.normal, b.normal);
+    EXPECT_EQ(a.room, b.room);
+}
+
+void compare(const DividedBuilding& building, const World& world, int casts, std::uint64_t seed) {
+    const World whole = make_world(building.level()).value();
+    const bool has_closed = world.data().closed != nullptr;
+    scenes::Rng rng(seed);
+    std::size_t touched = 0, doors = 0, far = 0;
+    std::vector<Hit> hits;
+    for (int k = 0; k < casts && !testing::Test::HasFailure(); ++k) {
+        const Asked asked = ask(building, rng);
+        const bool starts_at_door = closest(world, asked.sphere.centre, asked.sphere.radius + 1e-9).has_value();
+        const Hit all = cast(world, asked.sphere, asked.path);
+        const Location start = locate(world, asked.sphere.centre);
+        ASSERT_EQ(start.kind, Location::Kind::kRoom);
+        SCOPED_TRACE(testing::Message() << "cast " << k << " from room " << start.room.value);
+        std::array<RoomId, 64> passed;
+        const CastOptions by_room{.room = start.room, .passed = passed};
+        const Hit hit = cast(world, asked.sphere, asked.path, by_room);
+        expect_same(hit, all);
+        expect_same(cast(world, asked.sphere, asked.path, {.room = kLocateRoom}), all);
+        EXPECT_EQ(cast_any(world, asked.sphere, asked.path, by_room) == Status::kMiss, !all.touched());
+        EXPECT_EQ(cast_all(world, asked.sphere, asked.path, hits, by_room) == Status::kMiss, !all.touched());
+        if (!hits.empty()) {
+            expect_same(hits[0], all);
+        }
+        if (!has_closed) {
+            const Hit plain = cast(whole, asked.sphere, asked.path);
+            EXPECT_EQ(plain.status, all.status);
+            EXPECT_EQ(plain.fraction, all.fraction);
+            EXPECT_EQ(plain.face, all.face);
+        }
+        ASSERT_GE(hit.rooms_passed, 1u);
+        EXPECT_EQ(passed[0], start.room);
+        for (std::uint32_t p = 0; p < std::min(hit.rooms_passed, 64u); ++p) {
+            if (p < kRoomsInHit) {
+                EXPECT_EQ(hit.passed[p], passed[p]);
+            }
+            EXPECT_EQ(std::count(passed.begin(), passed.begin() + std::min(hit.rooms_passed, 64u), passed[p]), 1);
+        }
+        const bool ends_at_door = std::any_of(hits.begin(), hits.end(), [&](const Hit& other) {
+            return other.portal.valid() && other.fraction <= hit.fraction * (1 + 1e-9);
+        });
+        if (hit.touched() && !starts_at_door && !ends_at_door) {  // there a face behind the door may have the lowest id
+            const RoomId* const end = passed.data() + std::min(hit.rooms_passed, 64u);
+            EXPECT_NE(std::find<const RoomId*>(passed.data(), end, hit.room), end);
+        }
+        touched += all.touched();
+        doors += all.portal.valid();
+        far += hit.rooms_passed > 2;
+    }
+    EXPECT_GT(touched, std::size_t(casts) / 5);
+    EXPECT_GT(far, std::size_t(casts) / 200);
+    if (has_closed) {
+        EXPECT_GT(doors, 0u);
+    }
+}
+
+TEST(CastsByRoom, AnswerAsThoseAgainstAllFaces) {
+    for (const bool outdoors : {false, true})
+        for (const double closed : {0.0, 0.4})
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                SCOPED_TRACE(testing::Message() << outdoors << " " << closed << " " << seed);
+                const DividedBuilding building({.rooms_x = 3,
+                                                .rooms_y = 2,
+                                                .rooms_z = seed == 2 ? 1 : 2,
+                                                .jitter = seed == 3 ? 0 : 0.15,
+                                                .outdoors = outdoors,
+                                                .closed = closed,
+                                                .seed = seed});
+                compare(building, assemble_world(building.parts()).value(), 2500, seed);
+            }
+}
+
+TEST(CastsByRoom, ManyRooms) {
+    const DividedBuilding building({.rooms_x = 6, .rooms_y = 6, .rooms_z = 2, .outdoors = true, .seed = 9});
+    const World world = assemble_world(building.parts()).value();
+    EXPECT_GT(world.room_count(), 100u);
+    EXPECT_NE(world.data().room_boxes, nullptr);
+    compare(building, world, 1500, 1);
+}
+
+/// From a portal on, both rooms are right.
+TEST(CastsByRoom, FromOnAPortal) {
+    const DividedBuilding building({.rooms_x = 3, .rooms_y = 3, .seed = 4});
+    const World world = assemble_world(building.parts()).value();
+    scenes::Rng rng(4);
+    for (std::uint32_t k = 0; k < portal_count(world); ++k) {
+        const PortalInfo portal = portal_info(world, {k});
+        for (const std::vector<Vec3>& polygon : portal.polygons)
+            for (int turn = 0; turn < 8; ++turn) {
+                const double share = rng.uniform(0.1, 0.9);
+                const Vec3 start = polygon[0] + (polygon[2] - polygon[0]) * share;
+                const Vec3 direction = rng.direction();
+                const Hit all = cast(world, {start, 0}, direction * 9);
+                for (const RoomId room : portal.rooms)
+                    expect_same(cast(world, {start, 0}, direction * 9, {.room = room}), all);
+            }
+    }
+}
+
+/// More rooms than a walk from room to room has marks for, and more waiting than it has places.
+TEST(CastsByRoom, MoreRoomsThanPlaces) {
+    WorldParts parts;
+    parts.rock_outside = true;
+    constexpr std::uint32_t kCount = 5000;
+    parts.rooms.resize(kCount);
+    const auto at = [](double x, double y, double z) {
+        return GridPoint{std::int32_t(x * kSurfaceSteps), std::int32_t(y * kSurfaceSteps),
+                         std::int32_t(z * kSurfaceSteps)};
+    };
+    // A floor of strips, a room each, between two long walls; every strip is reached from the first by a portal of its
+    // own. No closed rooms, but casts do not mind.
+    for (std::uint32_t k = 0; k < kCount; ++k) {
+        FaceSet& set = parts.rooms[k].faces;
+        set.vertices = {at(k, 0, 0), at(k + 1, 0, 0), at(k + 1, 1, 0), at(k, 1, 0)};
+        set.corners = {0, 1, 2, 3};
+        set.faces.push_back({.id = {k}, .first_corner = 0, .corner_count = 4});
+        if (k == 0) continue;
+        PortalPart portal;
+        portal.rooms = {RoomId{0}, RoomId{k}};
+        portal.polygons = {{at(k, 0, 1), at(k + 1, 0, 1), at(k + 1, 1, 1), at(k, 1, 1)}};
+        parts.portals.push_back(portal);
+    }
+    for (const std::uint32_t count : {kCount, 4000u}) {
+        parts.rooms.resize(count);
+        parts.portals.resize(count - 1);
+        WorldParts copy;
+        copy.rock_outside = true;
+        copy.rooms = parts.rooms;
+        copy.portals = parts.portals;
+        const World world = assemble_world(std::move(copy)).value();
+        // Down on the first strips: some rooms wait. Along all of them: far too many do.
+        for (const Vec3& path : {Vec3{1.2, 0, -2}, Vec3{3900, 0, -1.6}}) {
+            const Hit all = cast(world, {{0.5, 0.5, 1.5}, 0.25}, path);
+            const Hit by_room = cast(world, {{0.5, 0.5, 1.5}, 0.25}, path, {.room = {0}});
+            EXPECT_TRUE(all.touched());
+            expect_same(by_room, all);
+            EXPECT_EQ(by_room.rooms_passed == 0, count == kCount || path.x > 1000);
+            std::vector<Hit> hits, hits_by_room;
+            cast_all(world, {{0.5, 0.5, 1.5}, 0.25}, path, hits);
+            cast_all(world, {{0.5, 0.5, 1.5}, 0.25}, path, hits_by_room, {.room = {0}});
+            ASSERT_EQ(hits.size(), hits_by_room.size());
+            for (std::size_t k = 0; k < hits.size(); ++k) expect_same(hits_by_room[k], hits[k]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace firma
