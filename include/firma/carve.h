@@ -72,7 +72,8 @@ struct CarveOptions {
 /// @param pose  where the cutter goes; its rotation and scale
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
 ///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, no way out of
-///         degenerate position, or a contradiction (then `reproduction` holds it).
+///         degenerate position, no numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction
+///         (then `reproduction` holds it).
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "base/assert.h"
 #include "carve/check_shells.h"
@@ -197,7 +198,15 @@ Subtraction::Phase Subtraction::refuse(ErrorCode code, std::string reason) {
     return Phase::kEnd;
 }
 
+/// Edits and versions are numbered: after the last number there is no other edit.
+bool Subtraction::has_numbers_left() const {
+    const WorldData& data = world_.data();
+    return data.edits != std::numeric_limits<decltype(data.edits)>::max() &&
+           data.version != std::numeric_limits<decltype(data.version)>::max();
+}
+
 Subtraction::Phase Subtraction::place() {
+    if (!has_numbers_left()) return refuse(ErrorCode::kTooLarge, "the world has no numbers left for new edits");
     if (cutter_.valid() && cutter_.triangles().size() > rules_.most_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
@@ -453,7 +462,7 @@ Subtraction::Phase Subtraction::remove_facets() {
     if (data.face_count - gone.size() + come > rules_.most_faces)
         return refuse(ErrorCode::kTooLarge,
                       "the world would have more than " + std::to_string(rules_.most_faces) + " faces");
-    if (come >= kMostFaceIds - data.next_face)
+    if (data.next_face > kMostFaceIds || come > kMostFaceIds - data.next_face)
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report.faces_gone = gone.size();
     report.faces_new = come;

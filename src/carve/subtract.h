@@ -68,6 +68,7 @@ private:
     Phase move_what_touches();
     Phase too_many_pairs();
     bool is_large() const;
+    bool has_numbers_left() const;
     const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
