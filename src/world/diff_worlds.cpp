@@ -4,40 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "geometry/grid_box.h"
+#include "tree/unshared_blocks.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
-
-/// Blocks to look at, the one with most faces first.
-class Waiting {
-public:
-    void add(const Block& block) {
-        blocks_.push_back(&block);
-        std::push_heap(blocks_.begin(), blocks_.end(), fewer);
-    }
-    std::uint32_t most() const { return blocks_.empty() ? 0 : blocks_[0]->faces_below; }
-
-    /// Takes out all of so many faces, in order of address: for comparing with another such list, and nothing else.
-    std::vector<const Block*> take(std::uint32_t faces) {
-        std::vector<const Block*> taken;
-        while (most() == faces) {
-            std::pop_heap(blocks_.begin(), blocks_.end(), fewer);
-            taken.push_back(blocks_.back());
-            blocks_.pop_back();
-        }
-        std::sort(taken.begin(), taken.end(), std::less<const Block*>());
-        return taken;
-    }
-
-private:
-    static bool fewer(const Block* a, const Block* b) { return a->faces_below < b->faces_below; }
-
-    std::vector<const Block*> blocks_;
-};
 
 struct Slot {
     FaceId id;
@@ -47,29 +20,13 @@ struct Slot {
     const FaceRecord& face() const { return block->faces[slot]; }
 };
 
-/// Opens blocks that the other tree does not have.
-void open(const std::vector<const Block*>& mine, const std::vector<const Block*>& others, Waiting& waiting,
-          std::vector<Slot>& slots) {
-    for (const Block* block : mine) {
-        if (std::binary_search(others.begin(), others.end(), block, std::less<const Block*>())) continue;
-        for (const Ref<const Block>& child : block->children) waiting.add(*child);
+std::vector<Slot> slots_by_id(const std::vector<const Block*>& blocks) {
+    std::vector<Slot> slots;
+    for (const Block* block : blocks)
         for (std::uint32_t slot = 0; slot < block->faces.size(); ++slot)
             slots.push_back({block->faces[slot].id, slot, block});
-    }
-}
-
-/// Faces in blocks that only one of two trees has. A block has more faces than any below it: when those of so many
-/// faces are compared, all of them are at hand, whatever level they stand at.
-void find_unshared(const Block* before, const Block* after, std::vector<Slot>& old_faces,
-                   std::vector<Slot>& new_faces) {
-    Waiting old_blocks, new_blocks;
-    if (before) old_blocks.add(*before);
-    if (after) new_blocks.add(*after);
-    while (const std::uint32_t most = std::max(old_blocks.most(), new_blocks.most())) {
-        const std::vector<const Block*> olds = old_blocks.take(most), news = new_blocks.take(most);
-        open(olds, news, old_blocks, old_faces);
-        open(news, olds, new_blocks, new_faces);
-    }
+    std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.id < b.id; });
+    return slots;
 }
 
 bool same(const Slot& a, const Slot& b) {
@@ -87,12 +44,8 @@ public:
     explicit Differ(double tile_size) : tile_size_(tile_size) {}
 
     void compare(RoomId room, const Block* before, const Block* after) {
-        if (before == after) return;
-        std::vector<Slot> olds, news;
-        find_unshared(before, after, olds, news);
-        const auto by_id = [](const Slot& a, const Slot& b) { return a.id < b.id; };
-        std::sort(olds.begin(), olds.end(), by_id);
-        std::sort(news.begin(), news.end(), by_id);
+        const UnsharedBlocks unshared = unshared_blocks(before, after);
+        const std::vector<Slot> olds = slots_by_id(unshared.before), news = slots_by_id(unshared.after);
         auto come = news.begin();
         for (const Slot& gone : olds) {
             while (come != news.end() && come->id < gone.id) add(room, *come++, diff_.come);
