@@ -177,7 +177,7 @@ std::uint32_t SolidPatch::add_untouched(const FacetPlace& facet) {
     Plane plane;
     for (std::size_t k = 2; k < corners && !plane.valid(); ++k)  // the first ones may lie on a line
         plane = plane_through(corner(0), corner(k - 1), corner(k));
-    faces[index].plane = Ref<const SolidPlane>(new SolidPlane(plane));
+    faces[index].plane = keep(Ref<const SolidPlane>(new SolidPlane(plane)));
 
     const std::uint32_t first = grid_vertex(corner(0));
     std::uint32_t last = first;
@@ -197,7 +197,7 @@ std::uint32_t SolidPatch::add_stored(const FacetPlace& facet, const SolidFace& s
     faces.emplace_back();
     faces[index].facet = facet;
     faces[index].stored = &stored;
-    faces[index].plane = stored.plane;
+    faces[index].plane = stored.plane.get();
     faces[index].first_use = std::uint32_t(all_uses.size());
     faces[index].first_loop = std::uint32_t(loop_ends.size());
     for (const SolidUse& use : stored.uses) all_uses.push_back(stored_edge(use));
@@ -227,7 +227,7 @@ void SolidPatch::settle_planes(std::uint32_t index) {
     if (edge.plane[0]) return;
     for (const std::uint32_t face : edge.face) {
         if (face == ~0u) continue;
-        const SolidPlane* plane = faces[face].plane.get();
+        const SolidPlane* plane = faces[face].plane;
         if (!edge.plane[0])
             edge.plane[0] = plane;
         else if (!exact_parallel(edge.plane[0]->plane, plane->plane))

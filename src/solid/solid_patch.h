@@ -45,7 +45,7 @@ struct FacetPlace {
 };
 
 struct PatchFace {
-    Ref<const SolidPlane> plane;
+    const SolidPlane* plane = nullptr;
     const FaceOwner* stored = nullptr;  ///< the SolidFace; null for one that no cut has touched
     FacetPlace facet;                   ///< one of its facets
     std::uint32_t first_use = 0, use_count = 0;
