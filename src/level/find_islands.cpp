@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "level/disjoint_sets.h"
 
 namespace firma {
@@ -83,7 +84,7 @@ std::vector<std::uint32_t> walk_rim(std::span<const Edge> rim) {
 }
 
 std::vector<std::uint32_t> sorted_once(std::vector<std::uint32_t> corners) {
-    std::sort(corners.begin(), corners.end());
+    sort_range(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     return corners;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "geometry/grid_box.h"
 #include "tree/unshared_blocks.h"
 #include "world/world_data.h"
@@ -25,7 +26,7 @@ std::vector<Slot> slots_by_id(const std::vector<const Block*>& blocks) {
     for (const Block* block : blocks)
         for (std::uint32_t slot = 0; slot < block->faces.size(); ++slot)
             slots.push_back({block->faces[slot].id, slot, block});
-    std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.id < b.id; });
+    sort_range(slots, [](const Slot& a, const Slot& b) { return a.id < b.id; });
     return slots;
 }
 
@@ -62,7 +63,7 @@ public:
 
     WorldDiff result() {
         for (std::vector<ChangedFace>* faces : {&diff_.gone, &diff_.come})
-            std::sort(faces->begin(), faces->end(), [](const ChangedFace& a, const ChangedFace& b) {
+            sort_range(*faces, [](const ChangedFace& a, const ChangedFace& b) {
                 return a.id != b.id ? a.id < b.id : a.room.value < b.room.value;
             });
         sort_tiles();
@@ -98,7 +99,7 @@ private:
     }
 
     void sort_tiles() {
-        std::sort(diff_.tiles.begin(), diff_.tiles.end());
+        sort_range(diff_.tiles);
         diff_.tiles.erase(std::unique(diff_.tiles.begin(), diff_.tiles.end()), diff_.tiles.end());
         sorted_ = diff_.tiles.size();
         if (sorted_ > kMostTiles) give_up_tiles();
