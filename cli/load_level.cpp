@@ -9,6 +9,7 @@
 #include "cli/failure.h"
 #include "cli/numbers.h"
 #include "firma/save.h"
+#include "level/read_file.h"
 
 namespace firma::cli {
 
@@ -58,8 +59,8 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
     }
     if (has_ending(arguments.path, ".glb") || has_ending(arguments.path, ".gltf"))
         throw Failure(arguments.path, "glTF is written, not read; keep the .firma or .obj beside it");
-    if (!has_ending(arguments.path, ".obj") && !has_ending(arguments.path, ".bsp"))
-        throw Failure(arguments.path, "the name ends in none of .obj, .bsp and .firma");
+    if (!level_format(arguments.path))
+        throw Failure(arguments.path, "the name ends in none of " + level_endings() + ", .firma");
     loaded.level = take(read_level(arguments.path, read_options(arguments)));
     loaded.read_seconds = seconds_since(start);
     const auto read = std::chrono::steady_clock::now();

@@ -16,6 +16,7 @@ FLOORS = [
     ['src/cast'],
     ['src/tree'],
     ['src/solid'],
+    ['src/join'],
     ['src/world'],
     ['src/level', 'src/carve', 'src/save', 'src/store', 'src/body'],
     ['src/debug'],

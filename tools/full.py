@@ -111,6 +111,11 @@ CLAIMS = [
           READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('obj_mesh'), 'fuzz_obj_mesh'),
     Claim('fuzz_read_bsp', 'seconds of fuzzing the .bsp reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_bsp'), 'fuzz_read_bsp'),
+    Claim('fuzz_read_map', 'seconds of fuzzing the .map reader, no crash, hang or broken level of brushes', 600, 300, 'seconds',
+          READ_SOURCES + ['src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp', 'tests/fuzz'], 'fuzz', fuzz('read_map'), 'fuzz_read_map'),
+    Claim('fuzz_bsp_brushes', 'seconds of fuzzing the reader of .bsp brushes, no crash, hang or broken level of brushes', 600, 300, 'seconds',
+          READ_SOURCES + ['src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp', 'tests/fuzz'], 'fuzz', fuzz('read_bsp_brushes'),
+          'fuzz_read_bsp_brushes'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
           'seconds', CARVE_SOURCES + ['src/save', 'tests/fuzz', 'tests/save/saved_worlds.h'], 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
 ]

@@ -128,10 +128,8 @@ firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished)
         JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (!(microseconds >= 0)) return fail(FIRMA_ERROR_INVALID, function, "the time is negative, or no number");
-        if (object->broken) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
-        object->broken = true;  // and stays so if run() is left by an exception
+        if (object->job.broken()) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
         *finished = object->job.run(microseconds);
-        object->broken = false;
         return FIRMA_OK;
     });
 }
@@ -141,7 +139,7 @@ firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_repor
         if (!after) return bad_call(function, kNull);
         const JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (object->broken) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
+        if (object->job.broken()) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
         if (!object->job.finished()) return bad_call(function, "the job is not finished: run it on first");
         return give_result(object->job.result(), after, report, function);
     });

@@ -44,6 +44,8 @@ firma_code fail(const Error& error) noexcept {
                 return FIRMA_ERROR_INVALID;
             case ErrorCode::kCannotWrite:
                 return FIRMA_ERROR_CANNOT_WRITE;
+            case ErrorCode::kNoMemory:
+                return FIRMA_ERROR_NO_MEMORY;
         }
         return FIRMA_ERROR_INTERNAL;
     };

@@ -35,7 +35,6 @@ struct JobObject final : Object {
     static constexpr const char* kNoun = "job";
     explicit JobObject(CarveJob j) : job(std::move(j)) {}
     CarveJob job;
-    bool broken = false;  ///< memory ran out in the middle of a step, which cannot be done again
 };
 
 struct EditObject final : Object {

@@ -25,7 +25,9 @@ enum class BrushKind : std::uint8_t {
     kShotClip,    ///< stops shots; castable only
     kLiquid,      ///< its surface meets casts for liquid; castable only
     kPortal,      ///< divides the air into rooms by those of its sides that are marked; no face of it is met
-    kData,        ///< triggers, fog, origins, brushes of entities that move: kept, met by nothing
+    /// Triggers, fog, origins, brushes of entities that move, and what encloses nothing: kept, met by nothing. It may
+    /// have fewer than four sides, or none.
+    kData,
 };
 
 /// A half space's rim: what lies in front of the plane is outside the brush.
@@ -60,7 +62,7 @@ struct Entity {
 struct BrushLevel {
     std::string name;                    ///< the file's, for messages
     std::vector<Entity> entities;        ///< the first is the world
-    std::vector<Brush> brushes;          ///< in the file's order; index k is "brush k" in messages
+    std::vector<Brush> brushes;          ///< in the file's order
     std::vector<BrushSide> sides;        ///< a face's source is the index of its side here
     std::vector<std::string> materials;  ///< at least one: "" is the name of none
     /// What is no brush (patches, drawn surfaces), castable only; with materials of its own. Its faces' sources count
@@ -68,17 +70,23 @@ struct BrushLevel {
     Level surfaces;
     std::vector<std::string> notes;   ///< for people: what was dropped, replaced or not understood, with its place
     double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values
-    double greatest_shift = 0;        ///< metres by which a plane was moved onto the grid, at a corner of its face
+    /// Metres by which a plane was moved onto the grid, at that corner of its faces where it is most; of a .bsp also by
+    /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
+    double greatest_shift = 0;
 };
 
 /// Reads a Quake .map: Standard and Valve 220 forms, as TrenchBroom writes them; entities, brushes, patchDef2 patches.
+/// docs/formats.md says what is kept, dropped and refused.
 ///
 /// @param text  the whole file
 /// @param name  for messages
-/// @return the level, or the first error with file and line. Parts it does not know are kept or noted, never an error.
+/// @return the level, or the first error with file and line: broken syntax, a number too large, a point outside the
+///         world, a brush of more than 1024 sides, no entity at all. Parts it does not know are kept or noted, never an
+///         error.
 Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadOptions& options = {});
 
-/// Reads the brushes and patches of a Quake 3 .bsp (version 46), of all its models; of the drawn surfaces only patches.
+/// Reads the brushes and patches of a Quake 3 .bsp (version 46), of all its models; of the drawn surfaces only patches,
+/// those of the first model. Float planes are made exact once each, a plane and its negative together.
 ///
 /// @return the level, or the first error with file, lump and entry.
 Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,

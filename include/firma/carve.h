@@ -72,7 +72,8 @@ struct CarveOptions {
 /// @param pose  where the cutter goes; its rotation and scale
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
 ///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, no way out of
-///         degenerate position, or a contradiction (then `reproduction` holds it).
+///         degenerate position, no numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction
+///         (then `reproduction` holds it).
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
@@ -83,6 +84,10 @@ CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose, con
 enum class CarveKind : std::uint8_t { kCarve, kFill };
 
 /// One edit in slices: runs for a while, is resumed or dropped, and ends in the same bits as in one go.
+///
+/// When memory runs out, run() throws std::bad_alloc, as operator new does, and the job is broken: a piece of work that
+/// was begun cannot be begun again. From then on run() does nothing and returns true, finished() is true, and result()
+/// is a refusal by kNoMemory with the world before. Start another job.
 class CarveJob {
 public:
     CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options = {},
@@ -98,7 +103,9 @@ public:
     /// @return true once it is finished
     bool run(double microseconds);
     bool finished() const;
-    /// What came out. Only once finished() (FIRMA_ASSERT), else a refusal.
+    /// Whether an exception left run().
+    bool broken() const;
+    /// What came out. Only once finished() (FIRMA_ASSERT), else a refusal by kInvalid.
     CarveResult result() const;
 
 private:

@@ -18,6 +18,7 @@ enum class ErrorCode : std::uint8_t {
     kUnsupported,  ///< a format or version that Firma does not read
     kInvalid,      ///< a call with arguments that make no sense
     kCannotWrite,  ///< the file cannot be made or written: no folder, no permission, no room
+    kNoMemory,     ///< an edit in slices was broken off when memory ran out: see CarveJob
 };
 
 /// Where and why. `place` is "file", "file:line" or "file: entry", whichever the format has.

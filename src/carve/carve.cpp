@@ -13,6 +13,13 @@ namespace firma {
 struct CarveJob::State {
     Subtraction work;
     bool finished = false;
+    bool broken = false;  ///< true while a step is done, and for good when an exception leaves it
+
+    void step() {
+        broken = true;
+        finished = !work.step();
+        broken = false;
+    }
 };
 
 CarveJob::CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options, CarveKind kind)
@@ -22,30 +29,32 @@ CarveJob::CarveJob(CarveJob&&) noexcept = default;
 CarveJob& CarveJob::operator=(CarveJob&&) noexcept = default;
 
 bool CarveJob::run(double microseconds) {
-    if (microseconds == INFINITY) {
-        while (state_->work.step()) {
-        }
-        return state_->finished = true;
-    }
     const auto start = std::chrono::steady_clock::now();
-    while (!state_->finished) {
-        state_->finished = !state_->work.step();
+    while (!finished()) {
+        state_->step();
+        if (microseconds == INFINITY) continue;
         const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
         if (!(spent.count() < microseconds)) break;
     }
-    return state_->finished;
+    return finished();
 }
 
 bool CarveJob::finished() const {
-    return state_->finished;
+    return state_->finished || state_->broken;
+}
+
+bool CarveJob::broken() const {
+    return state_->broken;
 }
 
 CarveResult CarveJob::result() const {
-    FIRMA_ASSERT(state_->finished, "an edit has no result yet: call run() until it returns true");
-    if (state_->finished) return state_->work.take_result();
-    CarveResult none;
-    none.error = {ErrorCode::kInvalid, "", "the edit is not finished"};
-    return none;
+    FIRMA_ASSERT(finished(), "an edit has no result yet: call run() until it returns true");
+    CarveResult result = state_->work.take_result();
+    if (state_->finished) return result;
+    result.status = CarveStatus::kRefused;
+    result.error = state_->broken ? Error{ErrorCode::kNoMemory, "", "memory ran out in the middle of the edit"}
+                                  : Error{ErrorCode::kInvalid, "", "the edit is not finished"};
+    return result;
 }
 
 CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options) {

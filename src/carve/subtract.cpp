@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <limits>
 
 #include "base/assert.h"
 #include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
 #include "carve/label.h"
-#include "carve/polygon_reaches.h"
+#include "carve/reaches_into.h"
 #include "carve/tile_faces.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
@@ -46,31 +46,6 @@ std::string number(double value) {
 const CarveRules& rules_of(const World& world) {
     static const CarveRules kNone;
     return world.data().rules ? *world.data().rules : kNone;
-}
-
-/// Whether a cutter reaches into a region: by a triangle, or by holding its middle.
-bool reaches_into(const CutterSolid& cutter, const Box& region) {
-    GridBox box;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = std::floor(region.low[axis] * kSurfaceSteps),
-                     high = -std::floor(-region.high[axis] * kSurfaceSteps);
-        if (!(low <= high) || high < INT32_MIN || low > INT32_MAX)
-            return false;  // empty, no number, or outside the world
-        box.low[axis] = low < INT32_MIN ? INT32_MIN : std::int32_t(low);
-        box.high[axis] = high > INT32_MAX ? INT32_MAX : std::int32_t(high);
-    }
-    if (!boxes_meet(box, cutter.box)) return false;
-    std::vector<Vec3> corners;
-    const auto reaches = [&](std::uint32_t t) {
-        corners.clear();
-        for (const std::uint32_t v : cutter.triangle(t)) corners.push_back(cutter.points[v].approximate());
-        return polygon_reaches_into(corners, box);
-    };
-    if (cutter.tree.for_each_meeting(box, reaches)) return true;
-    GridPoint middle;
-    for (int axis = 0; axis < 3; ++axis)
-        middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2);
-    return side_of_cutter(cutter, ExactPoint(to_input(middle))) > 0;
 }
 
 }  // namespace
@@ -197,7 +172,15 @@ Subtraction::Phase Subtraction::refuse(ErrorCode code, std::string reason) {
     return Phase::kEnd;
 }
 
+/// Edits and versions are numbered: after the last number there is no other edit.
+bool Subtraction::has_numbers_left() const {
+    const WorldData& data = world_.data();
+    return data.edits != std::numeric_limits<decltype(data.edits)>::max() &&
+           data.version != std::numeric_limits<decltype(data.version)>::max();
+}
+
 Subtraction::Phase Subtraction::place() {
+    if (!has_numbers_left()) return refuse(ErrorCode::kTooLarge, "the world has no numbers left for new edits");
     if (cutter_.valid() && cutter_.triangles().size() > rules_.most_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
@@ -210,8 +193,8 @@ Subtraction::Phase Subtraction::place() {
         result_.error = placed.error();
         return Phase::kEnd;
     }
-    placed_ = std::move(placed).value();
-    make_cutter_solid(placed_, solid_cutter_);
+    mover_.start(std::move(placed).value());
+    make_cutter_solid(mover_.placed(), solid_cutter_);
     for (int axis = 0; axis < 3; ++axis)
         if (solid_cutter_.box.extent(axis) > rules_.largest_cutter)
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
@@ -242,7 +225,7 @@ Subtraction::Phase Subtraction::shrink(double hardness, const std::string& by, P
 }
 
 Subtraction::Phase Subtraction::judge_cutter() {
-    if (std::optional<Error> fault = firma::check_cutter(placed_, &budget_)) {
+    if (std::optional<Error> fault = firma::check_cutter(mover_.placed(), &budget_)) {
         result_.status = CarveStatus::kRefused;
         result_.error = std::move(*fault);
         return Phase::kEnd;
@@ -275,7 +258,7 @@ Subtraction::Phase Subtraction::tile() {
 
 Subtraction::Phase Subtraction::start_cut() {
     cut_.clear();
-    cut_.collects = is_large();
+    cut_.collects = mover_.is_large();
     come_ = {};
     next_ = 0;
     return Phase::kCut;
@@ -293,44 +276,21 @@ Subtraction::Phase Subtraction::move_cutter_aside() {
                   "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
 }
 
-bool Subtraction::is_large() const {
-    return placed_.vertices.size() > kMostMovedWhole;
-}
-
-/// What is to be moved: each vertex once, in order, of those that a phase found; all, where it could name none.
 Subtraction::Phase Subtraction::degenerate() {
-    if (!is_large()) return move_cutter_aside();
-    touching_.swap(cut_.touching);
-    if (touching_.empty())
-        for (std::uint32_t v = 0; v < placed_.vertices.size(); ++v) touching_.push_back(v);
-    std::sort(touching_.begin(), touching_.end());
-    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+    mover_.touched(cut_.touching);
     return move_cutter_aside();
 }
 
 /// One try. A cutter that was moved must pass what it passed before.
 Subtraction::Phase Subtraction::try_move() {
-    if (is_large()) return move_what_touches();
-    Result<PlacedCutter> moved = move_cutter(placed_, ++result_.report.retries);
-    if (!moved) return move_cutter_aside();
-    if (firma::check_cutter(moved.value(), &budget_)) return budget_.spent() ? too_many_pairs() : move_cutter_aside();
-    make_cutter_solid(std::move(moved).value(), solid_cutter_);
-    if (const CarveZone* zone = zone_reached(0); zone && zone->hardness >= 1) return move_cutter_aside();
-    return start_cut();
-}
-
-/// The same for a large cutter. While tries fail, `touching_` stays what it is: all other vertices are where they were
-/// when the cutter passed last, which is why only triangles at these are judged again.
-Subtraction::Phase Subtraction::move_what_touches() {
-    const int tries = ++result_.report.retries;
-    // A try goes through all triangles some times, judged or not.
-    if (!budget_.take(placed_.triangles.size())) return too_many_pairs();
-    Result<PlacedCutter> moved = move_vertices(placed_, solid_cutter_.placed, touching_, tries);
-    if (!moved) return move_cutter_aside();
-    const std::vector<std::uint32_t> triangles =
-        update_cutter_solid(std::move(moved).value(), touching_, solid_cutter_);
-    if (check_moved_cutter(solid_cutter_.placed, triangles, solid_cutter_.tree, &budget_))
-        return budget_.spent() ? too_many_pairs() : move_cutter_aside();
+    switch (mover_.move(++result_.report.retries, solid_cutter_, budget_)) {
+        case CutterMover::Outcome::kTooManyPairs:
+            return too_many_pairs();
+        case CutterMover::Outcome::kUnsound:
+            return move_cutter_aside();
+        case CutterMover::Outcome::kMoved:
+            break;
+    }
     if (const CarveZone* zone = zone_reached(0); zone && zone->hardness >= 1) return move_cutter_aside();
     return start_cut();
 }
@@ -453,7 +413,7 @@ Subtraction::Phase Subtraction::remove_facets() {
     if (data.face_count - gone.size() + come > rules_.most_faces)
         return refuse(ErrorCode::kTooLarge,
                       "the world would have more than " + std::to_string(rules_.most_faces) + " faces");
-    if (come >= kMostFaceIds - data.next_face)
+    if (data.next_face > kMostFaceIds || come > kMostFaceIds - data.next_face)
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report.faces_gone = gone.size();
     report.faces_new = come;

@@ -7,6 +7,7 @@
 
 #include "carve/cut_faces.h"
 #include "carve/cut_state.h"
+#include "carve/cutter_mover.h"
 #include "carve/make_faces.h"
 #include "firma/carve.h"
 #include "tree/edit_blocks.h"
@@ -65,9 +66,8 @@ private:
     Phase degenerate();
     Phase move_cutter_aside();
     Phase try_move();
-    Phase move_what_touches();
     Phase too_many_pairs();
-    bool is_large() const;
+    bool has_numbers_left() const;
     const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
@@ -83,8 +83,7 @@ private:
     CarveResult result_;
     Phase phase_ = Phase::kPlace;
 
-    PlacedCutter placed_;                  ///< before it was moved aside
-    std::vector<std::uint32_t> touching_;  ///< vertices to be moved aside, of a large cutter
+    CutterMover mover_;
     CutterSolid solid_cutter_;
     SolidPatch patch_;
     std::vector<FacetPlace> facets_;  ///< gathered

@@ -20,7 +20,7 @@ CarveResult WorldEdit::fill(const Cutter& cutter, const Pose& pose, const CarveO
 }
 
 World WorldEdit::finish() const {
-    if (now_.version() <= before_.version() + 1) return now_;
+    if (now_.version() - before_.version() <= 1) return now_;  // never below: there is no edit after the last version
     auto data = std::make_shared<WorldData>(now_.data());
     data->version = before_.version() + 1;
     return World(std::move(data));

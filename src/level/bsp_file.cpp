@@ -20,14 +20,14 @@ struct LumpKind {
 constexpr std::array<LumpKind, kBspLumps> kLumpKinds = {{
     {"entities", 1},
     {"shaders", BspShader::kBytes},
-    {"planes", 16},
+    {"planes", BspPlane::kBytes},
     {"nodes", 36},
     {"leafs", 48},
     {"leaf faces", 4},
     {"leaf brushes", 4},
     {"models", BspModel::kBytes},
-    {"brushes", 12},
-    {"brush sides", 8},
+    {"brushes", BspBrush::kBytes},
+    {"brush sides", BspBrushSide::kBytes},
     {"vertices", BspVertex::kBytes},
     {"mesh vertices", BspMeshVertex::kBytes},
     {"effects", 72},
@@ -92,6 +92,18 @@ BspShader BspShader::read(const std::byte* at) {
 
 BspModel BspModel::read(const std::byte* at) {
     return {read_i32(at + 24), read_i32(at + 28), read_i32(at + 32), read_i32(at + 36)};
+}
+
+BspPlane BspPlane::read(const std::byte* at) {
+    return {read_floats(at), std::bit_cast<float>(read_u32(at + 12))};
+}
+
+BspBrush BspBrush::read(const std::byte* at) {
+    return {read_i32(at), read_i32(at + 4), read_i32(at + 8)};
+}
+
+BspBrushSide BspBrushSide::read(const std::byte* at) {
+    return {read_i32(at), read_i32(at + 4)};
 }
 
 // Between position and normal: texture and lightmap coordinates.

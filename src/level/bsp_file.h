@@ -64,6 +64,38 @@ struct BspModel {
     static BspModel read(const std::byte* at);
 };
 
+/// In front of it, where normal . p > distance, lies the outside of a brush.
+struct BspPlane {
+    static constexpr BspLump kLump = BspLump::kPlanes;
+    static constexpr std::size_t kBytes = 16;
+
+    std::array<float, 3> normal{};
+    float distance = 0;
+
+    static BspPlane read(const std::byte* at);
+};
+
+struct BspBrush {
+    static constexpr BspLump kLump = BspLump::kBrushes;
+    static constexpr std::size_t kBytes = 12;
+
+    std::int32_t first_side = 0;
+    std::int32_t side_count = 0;
+    std::int32_t shader = 0;  ///< what its contents are
+
+    static BspBrush read(const std::byte* at);
+};
+
+struct BspBrushSide {
+    static constexpr BspLump kLump = BspLump::kBrushSides;
+    static constexpr std::size_t kBytes = 8;
+
+    std::int32_t plane = 0;
+    std::int32_t shader = 0;
+
+    static BspBrushSide read(const std::byte* at);
+};
+
 struct BspVertex {
     static constexpr BspLump kLump = BspLump::kVertices;
     static constexpr std::size_t kBytes = 44;

@@ -9,15 +9,13 @@
 #include <cmath>
 #include <utility>
 
-#include "level/message.h"
+#include "level/judge_input.h"
 
 namespace firma {
 namespace {
 
 // Eight times what the engine itself can hold.
 constexpr std::size_t kMostCorners = std::size_t(1) << 22;
-
-constexpr double kMetresPerUnit = 1.0 / 32;
 
 // Units, across a surface that its compiler took for flat. Corners are moved to eighths of a unit, more than once; the
 // most seen in fifty maps is 0.48.
@@ -140,30 +138,6 @@ private:
     BspSurfaces& out_;
 };
 
-std::optional<Error> judge_options(const ReadOptions& options, const std::string& name) {
-    if (!std::isfinite(options.scale) || options.scale < 0) {
-        return Error{ErrorCode::kInvalid, name, "scale " + number_text(options.scale) + " is not a positive number"};
-    }
-    if (!(options.patch_tolerance > 0)) {
-        return Error{ErrorCode::kInvalid, name,
-                     "patch tolerance " + number_text(options.patch_tolerance) + " is not a positive number"};
-    }
-    return std::nullopt;
-}
-
-// Why the snap refused a vertex.
-std::string vertex_fault(const Vec3& position, double scale) {
-    int axis = 0;
-    for (int k = 2; k >= 0; --k) {
-        Vec3 alone;
-        alone[k] = position[k] * scale;
-        if (!snap(alone)) axis = k;
-    }
-    const std::string name(1, "xyz"[axis]);
-    if (!std::isfinite(position[axis])) return name + " is " + number_text(position[axis]);
-    return "lies outside the world: " + name + " = " + number_text(position[axis] * scale) + " m";
-}
-
 // Every vertex of the lump, used or not: a file with a bad number in it is a bad file.
 std::optional<Error> read_vertices(const BspFile& file, BspSurfaces& out) {
     const auto vertices = file.records<BspVertex>();
@@ -174,7 +148,7 @@ std::optional<Error> read_vertices(const BspFile& file, BspSurfaces& out) {
         const Vec3 position = {x, y, z};
         const std::optional<GridPoint> point = snap(position * out.scale);
         if (!point) {
-            return file.fault(ErrorCode::kOutOfRange, BspLump::kVertices, k, vertex_fault(position, out.scale));
+            return file.fault(ErrorCode::kOutOfRange, BspLump::kVertices, k, point_fault(position, out.scale));
         }
         out.positions.push_back(position);
         out.snapped.push_back(*point);
@@ -196,7 +170,7 @@ Result<BspSurfaces> read_surfaces(const BspFile& file, const ReadOptions& option
     }
 
     BspSurfaces out;
-    out.scale = options.scale == 0 ? kMetresPerUnit : options.scale;
+    out.scale = options.scale == 0 ? kQuakeUnit : options.scale;
     if (auto error = read_vertices(file, out)) return *std::move(error);
     const auto shaders = file.records<BspShader>();
     for (std::size_t k = 0; k < shaders.size(); ++k) out.shaders.emplace_back(shaders[k].name);

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "level/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 #include "level/span_stray.h"
 
 namespace firma {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "level/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace firma {
 namespace {

@@ -63,7 +63,7 @@ private:
             Plane plane;
             for (std::size_t k = 2; k < corners.size() && !plane.valid(); ++k)
                 plane = plane_through(mesh_.points[corners[0]], mesh_.points[corners[k - 1]], mesh_.points[corners[k]]);
-            planes_.emplace_back(new SolidPlane(plane));
+            planes_.push_back(Ref<const SolidPlane>(new SolidPlane(plane)));
         }
         return planes_[known];
     }
@@ -72,7 +72,7 @@ private:
         std::uint32_t& known = vertex_of_.at(point);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(vertices_.size());
-            vertices_.emplace_back(new SolidVertex(ExactPoint(mesh_.points[point]), {}));
+            vertices_.push_back(Ref<const SolidVertex>(new SolidVertex(ExactPoint(mesh_.points[point]), {})));
         }
         return vertices_[known];
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From a level to a world: one room, its faces in a tree.
+#include <cmath>
 #include <string>
 
 #include "firma/level.h"
@@ -60,6 +61,8 @@ FaceSet face_set(const Level& level, const LevelSolids& solids) {
 Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (level.faces.size() >= (1u << 31) || level.corners.size() > 0xFFFFFFFFu)
         return Error{ErrorCode::kTooLarge, level.name, "a world holds fewer than 2^31 faces"};
+    if (const double skin = options.tolerance.skin; !(skin >= 0) || !std::isfinite(skin))
+        return Error{ErrorCode::kInvalid, level.name, "the skin must be a finite number, not below zero"};
     for (std::size_t k = 0; k < level.faces.size(); ++k)
         if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);
 

@@ -2,7 +2,6 @@
 // Makes a Level of a .bsp's drawn surfaces.
 #include <array>
 #include <cstddef>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -10,36 +9,10 @@
 #include "level/bsp_mesh.h"
 #include "level/divide_polygon.h"
 #include "level/level_builder.h"
+#include "level/shared_vertices.h"
 
 namespace firma {
 namespace {
-
-// Vertices of the level, one for each point: the faces of a .bsp bring their own, though they meet.
-class SharedVertices {
-public:
-    explicit SharedVertices(LevelBuilder& builder) : builder_(builder) {}
-
-    std::uint32_t at(const GridPoint& point) {
-        const auto [place, added] = index_.try_emplace(point, 0);
-        if (added) place->second = *builder_.add_vertex(to_metres(point));
-        return place->second;
-    }
-
-private:
-    struct Hash {
-        std::size_t operator()(const GridPoint& p) const {
-            std::uint64_t mixed = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                mixed = (mixed ^ std::uint32_t(p[axis])) * 0x9E3779B97F4A7C15u;
-                mixed ^= mixed >> 32;
-            }
-            return std::size_t(mixed);
-        }
-    };
-
-    LevelBuilder& builder_;
-    std::unordered_map<GridPoint, std::uint32_t, Hash> index_;
-};
 
 class LevelMaker {
 public:

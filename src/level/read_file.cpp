@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 namespace firma {
@@ -17,6 +18,13 @@ Error cannot_read(const std::string& path, int reason) {
     const std::string words = reason ? std::generic_category().message(reason) : "the read broke off";
     return {ErrorCode::kCannotRead, path, "cannot be read: " + words};
 }
+
+/// What is read, by what its name ends in: small letters.
+struct Ending {
+    std::string_view text;
+    LevelFormat format;
+};
+constexpr Ending kEndings[] = {{".obj", LevelFormat::kObj}, {".bsp", LevelFormat::kBsp}};
 
 struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -44,12 +52,18 @@ Result<std::string> read_file(const std::string& path) {
 
 Result<LevelFormat> level_format(const std::string& path) {
     const std::size_t point = path.find_last_of("./\\");
-    std::string ending = point != std::string::npos && path[point] == '.' ? path.substr(point + 1) : "";
+    std::string ending = point != std::string::npos && path[point] == '.' ? path.substr(point) : "";
     for (char& c : ending)
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    if (ending == "obj") return LevelFormat::kObj;
-    if (ending == "bsp") return LevelFormat::kBsp;
-    return Error{ErrorCode::kUnsupported, path, "the name ends in neither .obj nor .bsp"};
+    for (const Ending& known : kEndings)
+        if (ending == known.text) return known.format;
+    return Error{ErrorCode::kUnsupported, path, "the name ends in none of " + level_endings()};
+}
+
+std::string level_endings() {
+    std::string list;
+    for (const Ending& known : kEndings) list.append(list.empty() ? "" : ", ").append(known.text);
+    return list;
 }
 
 }  // namespace firma

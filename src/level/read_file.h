@@ -16,7 +16,9 @@ Result<std::string> read_file(const std::string& path);
 enum class LevelFormat : std::uint8_t { kObj, kBsp };
 
 /// By what stands behind the last point of the name, capitals or not.
-/// @return kUnsupported for other endings
+/// @return kUnsupported for other endings, naming those that there are
 Result<LevelFormat> level_format(const std::string& path);
+/// The endings that there are, for messages: ".obj, .bsp".
+std::string level_endings();
 
 }  // namespace firma

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "level/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace firma {
 namespace {

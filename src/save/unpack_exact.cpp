@@ -10,6 +10,10 @@ namespace firma {
 namespace {
 
 constexpr std::int32_t kRim = 1 << 25;  // input steps
+/// How far the square of a normal's length, and its cosine with its plane's, may be from 1. Edits and levels compute
+/// normals in double from whole numbers, in some ten operations, which leaves less than 2^-49; this is far more than
+/// that, and far less than a picture or a cast shows.
+constexpr double kRounding = 0x1p-40;
 
 bool opposite(const Plane& a, const Plane& b) {
     return a.offset == -b.offset && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
@@ -30,7 +34,7 @@ bool holds(const SolidPlane& plane, const SolidVertex& vertex) {
 bool suits(const Vec3& normal, const Plane& plane) {
     const Vec3 n{plane.n[0], plane.n[1], plane.n[2]};
     if (!is_finite(normal) || largest(normal) > 2) return false;
-    return std::fabs(dot(normal, normal) - 1) < 1e-9 && dot(normal, n) > 0.999 * length(n);
+    return std::fabs(dot(normal, normal) - 1) <= kRounding && dot(normal, n) >= (1 - kRounding) * length(n);
 }
 
 class ExactReader {

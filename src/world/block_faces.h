@@ -2,7 +2,6 @@
 // Faces of a block as queries want them.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "firma/world.h"
@@ -15,8 +14,8 @@ namespace firma {
 class FaceShape {
 public:
     FaceShape(const Block& block, const FaceRecord& face) {
-        for (std::size_t k = 0; k < face.corner_count; ++k) corners_[k] = to_metres(block.corner(face, k));
-        polygon = make_shape({corners_.data(), face.corner_count});
+        for (std::size_t k = 0; k < face.corner_count; ++k) corners_.at[k] = to_metres(block.corner(face, k));
+        polygon = make_shape({corners_.at, face.corner_count});
     }
     FaceShape(const FaceShape&) = delete;
     FaceShape& operator=(const FaceShape&) = delete;
@@ -24,7 +23,11 @@ public:
     PolygonShape polygon;
 
 private:
-    std::array<Vec3, kMaxCorners> corners_;
+    /// Without the zeros that a Vec3 begins with: there are many, and few are used.
+    union Corners {
+        Corners() {}
+        Vec3 at[kMaxCorners];
+    } corners_;
 };
 
 /// A face as users see it, in the tree of its room.

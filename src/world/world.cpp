@@ -67,7 +67,7 @@ void add(TreeStatistics& sum, const TreeStatistics& more) {
 
 std::shared_ptr<const WorldData> empty_world() {
     auto data = std::make_shared<WorldData>();
-    data->rooms.emplace_back(new Room);
+    data->rooms.push_back(Ref<const Room>(new Room));  // owned before the list grows, which may throw
     data->materials = std::make_shared<std::vector<std::string>>(1);
     return data;
 }

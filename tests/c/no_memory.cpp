@@ -3,58 +3,15 @@
 // has leaked. A program of its own, as operator new fails on demand.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "firma/firma_c.h"
-
-namespace {
-
-long calls_left = -1;  ///< of operator new, until all fail; negative: none fails
-bool failed = false;
-
-void* take(std::size_t bytes) {
-    if (calls_left == 0) {
-        failed = true;
-        return nullptr;
-    }
-    if (calls_left > 0) --calls_left;
-    return std::malloc(bytes ? bytes : 1);
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-    void* memory = take(bytes);
-    if (!memory) throw std::bad_alloc();
-    return memory;
-}
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-    return take(bytes);
-}
-// Not inlined, or g++ takes free() for a mistake where it sees `new`.
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-
-/// Known: 16 bytes, where the memory for a list of one room runs out after that for the room (World::World()).
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:empty_world\n";
-}
+#include "tests/failing_new.h"
 
 namespace {
 
 /// Calls with memory for so many allocations; whether that was too few.
 template <class Call>
 bool runs_out(long allocations, firma_code& code, const Call& call) {
-    failed = false;
-    calls_left = allocations;
-    code = call();
-    calls_left = -1;
-    return failed;
+    return firma::tests::runs_out(allocations, [&] { code = call(); });
 }
 
 firma_world make_room() {

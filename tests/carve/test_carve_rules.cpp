@@ -8,6 +8,7 @@
 #include "firma/carve.h"
 #include "firma/level.h"
 #include "firma/solid.h"
+#include "world/world_data.h"
 
 namespace firma {
 namespace {
@@ -353,6 +354,57 @@ TEST(CarveRules, AZoneBesideATurnedCutterDoesNothing) {
     EXPECT_NE(carve(world, make_crater(CutterShape::kBox, 0), turned).status, CarveStatus::kRefused);
     turned.position = {2, 2, 0};
     expect_refused(world, carve(world, make_crater(CutterShape::kBox, 0), turned), "zone vault");
+}
+
+/// A world that has seen so many edits.
+template <class Change>
+World with_counters(const World& world, const Change& change) {
+    auto data = std::make_shared<WorldData>(world.data());
+    change(*data);
+    return World(std::move(data));
+}
+
+TEST(CarveRules, WithoutNumbersForEditsThereAreNone) {
+    constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
+    const World last = with_counters(room(), [](WorldData& data) { data.edits = kLast; });
+    expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
+    expect_refused(last, fill(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
+    const World before = with_counters(room(), [](WorldData& data) { data.edits = kLast - 1; });
+    const CarveResult done = carve(before, kRock, at(4, 0, 0));
+    ASSERT_TRUE(done.done());
+    EXPECT_EQ(done.world.data().edits, kLast);
+    EXPECT_FALSE(check_world(done.world));
+}
+
+TEST(CarveRules, WithoutNumbersForVersionsThereAreNoEdits) {
+    constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
+    const World last = with_counters(room(), [](WorldData& data) { data.version = kLast; });
+    expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
+    WorldEdit none(last);
+    EXPECT_FALSE(none.carve(kRock, at(4, 0, 0)).done());
+    EXPECT_EQ(&none.finish().data(), &last.data());
+    const World before = with_counters(room(), [](WorldData& data) { data.version = kLast - 1; });
+    WorldEdit one(before);
+    EXPECT_TRUE(one.carve(kRock, at(4, 0, 0)).done());
+    EXPECT_FALSE(one.carve(kRock, at(-4, 0, 0)).done()) << "it would be the version after the last";
+    EXPECT_EQ(one.finish().version(), kLast);
+}
+
+TEST(CarveRules, WithoutIdsForFacesThereAreNoEdits) {
+    constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max() - 1;  // the next one says "no face"
+    const std::uint32_t come = std::uint32_t(carve(room(), kRock, at(4, 0, 0)).report.faces_new);
+    ASSERT_GT(come, 0u);
+    for (const std::uint32_t left : {0u, 1u, come - 1}) {
+        const World last = with_counters(room(), [&](WorldData& data) { data.next_face = kMost - left; });
+        expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no ids left for new faces");
+    }
+    const World beyond = with_counters(room(), [](WorldData& data) { data.next_face = kMost + 1; });
+    expect_refused(beyond, carve(beyond, kRock, at(4, 0, 0)), "no ids left for new faces");
+    const World enough = with_counters(room(), [&](WorldData& data) { data.next_face = kMost - come; });
+    const CarveResult done = carve(enough, kRock, at(4, 0, 0));
+    ASSERT_TRUE(done.done());
+    for (const Face& face : done.world.faces()) EXPECT_TRUE(face.id.valid());
+    EXPECT_FALSE(check_world(done.world));
 }
 
 TEST(CarveRules, AShrunkCutterIsCountedFromItsOwnFirstTry) {

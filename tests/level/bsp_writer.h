@@ -49,20 +49,55 @@ public:
     BspWriter() { shader("textures/tests/wall"); }
 
     struct Model {
-        std::int32_t first_face = 0, face_count = -1;  ///< -1: all
+        std::int32_t first_face = 0, face_count = -1;    ///< -1: all
+        std::int32_t first_brush = 0, brush_count = -1;  ///< likewise
     };
 
     std::string magic = "IBSP";
     std::int32_t version = 46;
+    std::string entities = "{ \"classname\" \"worldspawn\" }";
     std::vector<std::string> shaders;
+    std::vector<std::array<std::int32_t, 2>> shader_flags;  ///< surface, contents
+    std::vector<BspPlane> planes;
+    std::vector<BspBrush> brushes;
+    std::vector<BspBrushSide> brush_sides;
     std::vector<Vec3> vertices;
     std::vector<std::int32_t> mesh_vertices;
     std::vector<BspFace> faces;
     std::vector<Model> models = {{}};
 
-    std::int32_t shader(std::string name) {
+    std::int32_t shader(std::string name, std::int32_t surface = 0, std::uint32_t contents = 0) {
         shaders.push_back(std::move(name));
+        shader_flags.push_back({surface, std::int32_t(contents)});
         return std::int32_t(shaders.size()) - 1;
+    }
+
+    /// The plane normal . p = distance and its negative behind it; the number of the first.
+    std::int32_t plane(const Vec3& normal, double distance) {
+        for (const float sign : {1.0f, -1.0f}) {
+            const Vec3 n = normal * double(sign);
+            planes.push_back({{float(n.x), float(n.y), float(n.z)}, sign * float(distance)});
+        }
+        return std::int32_t(planes.size()) - 2;
+    }
+
+    /// A brush by its planes' numbers, all of one shader.
+    BspBrush& brush(const std::vector<std::int32_t>& of, std::int32_t shader) {
+        brushes.push_back({std::int32_t(brush_sides.size()), std::int32_t(of.size()), shader});
+        for (const std::int32_t k : of) brush_sides.push_back({k, shader});
+        return brushes.back();
+    }
+
+    /// A box; sides in the order low x, high x, low y ...
+    BspBrush& box(const Vec3& low, const Vec3& high, std::int32_t shader) {
+        std::vector<std::int32_t> of;
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 normal;
+            normal[axis] = 1;
+            of.push_back(plane(normal, low[axis]) + 1);
+            of.push_back(plane(normal, high[axis]));
+        }
+        return brush(of, shader);
     }
 
     /// Triangles by corners counted from 0, counter-clockwise seen from the front; they are written clockwise, as Quake
@@ -122,17 +157,28 @@ public:
 private:
     void write_lumps(std::array<ByteWriter, kBspLumps>& lumps) const {
         const auto lump = [&](BspLump which) -> ByteWriter& { return lumps[std::size_t(which)]; };
-        lump(BspLump::kEntities).add_name("{ \"classname\" \"worldspawn\" }");
-        for (const std::string& name : shaders) {
-            lump(BspLump::kShaders).add_name(name);
-            lump(BspLump::kShaders).add_zeros(8);
+        for (const char c : entities) lump(BspLump::kEntities).bytes.push_back(std::byte(c));
+        lump(BspLump::kEntities).add_zeros(1);
+        for (std::size_t k = 0; k < shaders.size(); ++k) {
+            lump(BspLump::kShaders).add_name(shaders[k]);
+            for (const std::int32_t flags : shader_flags[k]) lump(BspLump::kShaders).add(flags);
         }
-        lump(BspLump::kPlanes).add_zeros(16);
+        if (planes.empty()) lump(BspLump::kPlanes).add_zeros(16);
+        for (const BspPlane& each : planes) {
+            for (const float component : each.normal) lump(BspLump::kPlanes).add(component);
+            lump(BspLump::kPlanes).add(each.distance);
+        }
+        for (const BspBrush& each : brushes)
+            for (const std::int32_t field : {each.first_side, each.side_count, each.shader})
+                lump(BspLump::kBrushes).add(field);
+        for (const BspBrushSide& side : brush_sides)
+            for (const std::int32_t field : {side.plane, side.shader}) lump(BspLump::kBrushSides).add(field);
         for (const Model& model : models) {
             lump(BspLump::kModels).add_zeros(24);
             lump(BspLump::kModels).add(model.first_face);
             lump(BspLump::kModels).add(model.face_count < 0 ? std::int32_t(faces.size()) : model.face_count);
-            lump(BspLump::kModels).add_zeros(8);
+            lump(BspLump::kModels).add(model.first_brush);
+            lump(BspLump::kModels).add(model.brush_count < 0 ? std::int32_t(brushes.size()) : model.brush_count);
         }
         for (const Vec3& vertex : vertices) {
             lump(BspLump::kVertices).add(vertex);

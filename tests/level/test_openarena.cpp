@@ -10,7 +10,9 @@
 #include <iterator>
 #include <map>
 
+#include "firma/brush_level.h"
 #include "firma/firma.h"
+#include "geometry/exact_plane.h"
 #include "level/bsp_file.h"
 
 namespace firma {
@@ -147,6 +149,32 @@ TEST(OpenArena, EveryMapMakesASoundWorld) {
         const auto fault = check_world(world.value());
         EXPECT_FALSE(fault.has_value()) << map.name << ": " << fault->what;
     }
+}
+
+TEST(OpenArena, EveryMapsBrushesAreRead) {
+    LOAD_MAPS_OR_SKIP(maps);
+    std::size_t solid = 0, portals = 0;
+    double greatest = 0;
+    for (const Map& map : maps) {
+        const auto level = read_bsp_brushes(map.span(), map.name);
+        ASSERT_TRUE(level.ok()) << level.error().text();
+        for (const BrushSide& side : level.value().sides) {
+            ASSERT_TRUE(
+                plane_through(to_input(side.points[0]), to_input(side.points[1]), to_input(side.points[2])).valid());
+        }
+        for (const Brush& brush : level.value().brushes) {
+            solid += brush.kind == BrushKind::kSolid;
+            portals += brush.kind == BrushKind::kPortal;
+            EXPECT_TRUE(brush.side_count >= 4 || brush.kind == BrushKind::kData) << map.name;
+        }
+        for (const LevelFace& face : level.value().surfaces.faces) {
+            ASSERT_EQ(check_polygon(corners_of(level.value().surfaces, face)), PolygonFault::kNone) << map.name;
+        }
+        greatest = std::max(greatest, level.value().greatest_shift);
+    }
+    EXPECT_LT(greatest, 0.0005);
+    EXPECT_GT(solid, 60000u);
+    EXPECT_GT(portals, 400u);
 }
 
 TEST(OpenArena, EveryMapIsChecked) {

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
 
 #include "firma/level.h"
 #include "firma/polygon.h"
+#include "level/read_file.h"
 #include "scenes/rng.h"
 
 namespace firma {
@@ -336,6 +339,12 @@ TEST(ReadLevel, ReadsByEnding) {
     }
     for (const char* name : {"a.txt", "obj", "a.obj.gz", "a.obj~"})
         EXPECT_EQ(read_level(write(name)).error().code, ErrorCode::kUnsupported) << name;
+    EXPECT_EQ(read_level("a.stl").error().text(), "a.stl: the name ends in none of " + level_endings());
+    std::istringstream endings(level_endings());
+    int count = 0;
+    for (std::string ending; std::getline(endings >> std::ws, ending, ','); ++count)
+        EXPECT_TRUE(level_format("a" + ending)) << ending;
+    EXPECT_GE(count, 2);
     for (const char* name : {"missing.obj", "folder.obj", "no/such/folder/a.obj"}) {
         const Result<Level> level = read_level((folder / name).string());
         ASSERT_FALSE(level.ok());

@@ -173,6 +173,21 @@ TEST(World, RefusesALevelThatNoReaderMakes) {
     EXPECT_FALSE(make_world(level));
 }
 
+TEST(World, RefusesASkinThatIsNoLength) {
+    WorldOptions options;
+    for (const double skin : {-0.001, -4.9e-324, -double(INFINITY), double(INFINITY), double(NAN)}) {
+        options.tolerance.skin = skin;
+        const auto refused = make_world(box_room(), options);
+        ASSERT_FALSE(refused) << skin;
+        EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
+        EXPECT_EQ(refused.error().text(), "box room: the skin must be a finite number, not below zero");
+    }
+    for (const double skin : {0.0, -0.0, 0.5}) {
+        options.tolerance.skin = skin;
+        EXPECT_TRUE(make_world(box_room(), options)) << skin;
+    }
+}
+
 TEST(World, TheNextVersionSharesAllButItsNumber) {
     const World world = room();
     const World next(next_version(world.data()));

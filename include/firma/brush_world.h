@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// From a level of brushes to a World: brushes joined into one solid, the air divided into rooms.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "firma/brush_level.h"
+#include "firma/world.h"
+
+namespace firma {
+
+/// What did not become what its author meant.
+struct BrushNote {
+    enum class What : std::uint8_t {
+        kNotJoined,   ///< a brush of solid: castable only, or nothing at all where it has no volume
+        kNoVolume,    ///< a brush whose planes leave no volume, or do not close it: met by nothing
+        kIdlePortal,  ///< a portal, or a part of one, with one room on both sides: the air goes around it
+    };
+    What what = What::kNotJoined;
+    std::uint32_t brush = 0;  ///< index into BrushLevel::brushes
+    std::string reason;       ///< a clause: "its planes leave no volume"
+};
+
+/// What joining a level came to.
+struct BrushWorldReport {
+    std::vector<BrushNote> notes;   ///< by what, then brush
+    std::size_t solid_brushes = 0;  ///< joined
+    std::size_t solid_faces = 0;    ///< exact faces of the solid
+    std::size_t planes_moved = 0;   ///< by up to half a millimetre, as they made faces too thin for the surface grid
+    std::size_t lost_shells = 0;    ///< closed surfaces whose room no ray told: rooms of their own
+};
+
+/// Joins the brushes exactly: of faces that lie against each other, or in another brush, nothing is left; of faces of
+/// two brushes in one plane that look the same way, and overlap, that of the brush that comes first stays; neighbours
+/// in one plane with one material become one face where that is convex. The air is divided by the portals into rooms,
+/// the last of which is the exterior; pockets that nothing leads to are rooms of their own. What is no solid (glass,
+/// clips, liquids, patches) is castable, with its mask, in the room that it lies in.
+///
+/// A face's source is the index of its brush's side; that of a surface counts on from there.
+///
+/// @param report  filled, when given
+/// @return kTooLarge for a level of 2^20 brush sides or more
+Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {}, BrushWorldReport* report = nullptr);
+
+}  // namespace firma

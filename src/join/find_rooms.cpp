@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// The rooms of a joined level.
+#include "join/find_rooms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cast/cast_sphere_polygon.h"
+#include "firma/tree_options.h"
+#include "geometry/exact_integer.h"
+#include "geometry/polygon_shape.h"
+#include "tree/build_blocks.h"
+#include "tree/sweep_box.h"
+#include "tree/visit.h"
+
+namespace firma {
+namespace {
+
+constexpr Vec3 kWays[] = {{0.36, 0.48, 0.80},  {-0.48, 0.64, -0.60}, {0.60, -0.64, 0.48},  {-0.28, -0.96, 0.02},
+                          {0.96, 0.03, -0.28}, {0.02, 0.28, 0.96},   {-0.8, -0.36, -0.48}, {0.64, 0.6, -0.48}};
+constexpr double kLineLength = 8 * kWorldRim;  ///< from beyond the world to beyond it
+
+/// Crossings nearer to each other, or to a facet's rim, may be told in the wrong order (metres).
+constexpr double kTooNear = 1e-6;
+/// A line that meets a facet at a smaller sine than this says little.
+constexpr double kTooFlat = 0.01;
+
+/// Six times the volume between a facet and the origin, in cubic surface steps: at most 2^99 a triangle.
+Int128 cone_of(std::span<const GridPoint> corners) {
+    Int128 sum = 0;
+    const GridPoint& a = corners[0];
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+        const GridPoint &b = corners[k - 1], &c = corners[k];
+        sum += Int128(a.x) * (Int128(b.y) * c.z - Int128(b.z) * c.y);
+        sum += Int128(a.y) * (Int128(b.z) * c.x - Int128(b.x) * c.z);
+        sum += Int128(a.z) * (Int128(b.x) * c.y - Int128(b.y) * c.x);
+    }
+    return sum;
+}
+
+/// Of a facet's corners, rounded: somewhere inside it.
+Vec3 middle_of(std::span<const GridPoint> corners) {
+    Vec3 sum{0, 0, 0};
+    for (const GridPoint& corner : corners) sum = sum + to_metres(corner);
+    return sum * (1.0 / double(corners.size()));
+}
+
+struct Touch {
+    double t;
+    std::uint32_t facet;
+    bool front;
+};
+
+/// Every facet that a line meets.
+struct AllOnLine {
+    const Sweep& sweep;
+    const SweepBox boxes;
+    std::vector<Touch>& touches;
+    bool sure = true;
+
+    bool enter(const Bin& bin, double& nearest) const { return boxes.enters(bin.box, sweep.end, nearest); }
+    bool still(double) const { return true; }
+    bool faces(const Block& in, std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t k = first; k < first + count; ++k) {
+            Vec3 corners[kMaxCorners];
+            const FaceRecord& face = in.faces[k];
+            for (std::size_t c = 0; c < face.corner_count; ++c) corners[c] = to_metres(in.corner(face, c));
+            look({corners, face.corner_count}, face.source);
+        }
+        return !sure;
+    }
+    void look(std::span<const Vec3> corners, std::uint32_t facet) {
+        const PolygonShape shape = make_shape(corners);
+        const Contact contact = cast_sweep_polygon(sweep, shape, Sides::kBoth, sweep.end, nullptr);
+        if (!contact.touched()) return;
+        const double facing = dot(sweep.direction, shape.unit_normal()) / sweep.direction_length;
+        if (std::fabs(facing) < kTooFlat || contact.feature != Feature::kFace) sure = false;
+        const Vec3 point = sweep.at(contact.t);
+        for (std::size_t c = 0; c < corners.size(); ++c) {
+            const Vec3 edge = corners[shape.next(c)] - corners[c];
+            if (length(cross(edge, point - corners[c])) < kTooNear * length(edge)) sure = false;
+        }
+        touches.push_back({contact.t, facet, facing < 0});
+    }
+};
+
+}  // namespace
+
+RoomFinder::RoomFinder(std::size_t face_count, std::size_t portal_count, const JoinFacets& facets)
+    : faces_(face_count), portals_(portal_count), facets_(facets) {
+    FaceSet set;
+    polygon_of_.resize(facets.corners.size());
+    for (std::uint32_t polygon = 0; polygon + 1 < facets.first.size(); ++polygon)
+        for (std::uint32_t k = facets.first[polygon]; k < facets.first[polygon + 1]; ++k) {
+            polygon_of_[k] = polygon;
+            FaceSet::Entry entry;
+            entry.id = {k};
+            entry.source = k;
+            entry.first_corner = std::uint32_t(set.corners.size());
+            entry.corner_count = std::uint32_t(facets.corners[k].size());
+            for (const GridPoint& corner : facets.corners[k]) {
+                set.corners.push_back(std::uint32_t(set.vertices.size()));
+                set.vertices.push_back(corner);
+            }
+            set.faces.push_back(entry);
+        }
+    TreeOptions options;
+    options.split = Split::kSurfaceArea;
+    tree_ = build_blocks(set, options);
+}
+
+/// @param at  where on the line the point lies
+/// @return false when the order of what the line meets is in doubt
+bool RoomFinder::cross_level(const Vec3& through, const Vec3& way, std::vector<Crossing>& crossings, double& at) const {
+    crossings.clear();
+    Sweep sweep;
+    const Vec3 path = way * kLineLength;
+    if (make_sweep({through - path * 0.5, 0}, path, sweep) != Status::kHit) return false;
+    at = sweep.end * 0.5;
+    if (!tree_) return true;
+    std::vector<Touch> touches;
+    AllOnLine all{sweep, SweepBox(sweep), touches};
+    visit(*tree_, all);
+    if (!all.sure) return false;
+    for (const Touch& touch : touches) crossings.push_back({touch.t, touch.facet, touch.front});
+    std::sort(crossings.begin(), crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.t != b.t ? a.t < b.t : a.facet < b.facet; });
+    const double near = kTooNear / sweep.direction_length;
+    for (std::size_t k = 1; k < crossings.size(); ++k)
+        if (crossings[k].t - crossings[k - 1].t < near) return false;
+    return true;
+}
+
+/// Goes along a line from infinity to infinity.
+/// @param join  (side, side): the two see each other through air. The exterior is the side after all others
+/// @return false where the line passes from air into air, or from solid into solid
+template <class Join>
+bool RoomFinder::follow(std::span<const Crossing> crossings, const Join& join) const {
+    const auto outside = std::uint32_t(faces_ + 2 * portals_);
+    std::uint32_t last = outside;
+    for (const Crossing& crossing : crossings) {
+        const std::uint32_t polygon = polygon_of_[crossing.facet];
+        if (polygon >= faces_) {
+            const auto front = std::uint32_t(faces_ + 2 * (polygon - faces_));
+            if (last == kSolid) return false;
+            join(last, crossing.front ? front : front + 1);
+            last = crossing.front ? front + 1 : front;
+        } else if (crossing.front) {
+            if (last == kSolid) return false;
+            join(last, polygon);
+            last = kSolid;
+        } else {
+            if (last != kSolid) return false;
+            last = polygon;
+        }
+    }
+    if (last == kSolid) return false;
+    join(last, outside);
+    return true;
+}
+
+/// Joins what lines through a polygon tell.
+bool RoomFinder::hang(std::uint32_t polygon, DisjointSets& sides) const {
+    std::vector<Crossing> crossings;
+    const auto nothing = [](std::uint32_t, std::uint32_t) {};
+    for (const Vec3& way : kWays)
+        for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
+            double at;
+            if (!cross_level(middle_of(facets_.corners[k]), way, crossings, at)) continue;
+            if (!follow(crossings, nothing)) continue;
+            follow(crossings, [&](std::uint32_t a, std::uint32_t b) { sides.join(a, b); });
+            return true;
+        }
+    return false;
+}
+
+JoinRooms RoomFinder::find(DisjointSets seen_together) const {
+    const std::size_t sides = faces_ + 2 * portals_;
+    DisjointSets all(sides + 1);
+    for (std::uint32_t k = 0; k < sides; ++k) all.join(k, seen_together.find(k));
+
+    // A shell whose fronts look outward hangs in the air of another, or in the exterior's.
+    std::vector<Int128> volume(sides);
+    std::vector<std::uint32_t> largest(sides, ~0u);
+    std::vector<double> size(sides);
+    for (std::uint32_t side = 0; side < sides; ++side) {
+        const std::uint32_t polygon = side < faces_ ? side : std::uint32_t(faces_ + (side - faces_) / 2);
+        const bool back = side >= faces_ && ((side - faces_) & 1);
+        const std::uint32_t shell = seen_together.find(side);
+        for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
+            const Int128 cone = cone_of(facets_.corners[k]);
+            volume[shell] += back ? -cone : cone;
+            GridBox box;
+            for (const GridPoint& corner : facets_.corners[k]) box.add(corner);
+            if (largest[shell] != ~0u && box.half_area() <= size[shell]) continue;
+            largest[shell] = polygon;
+            size[shell] = box.half_area();
+        }
+    }
+    JoinRooms rooms;
+    for (std::uint32_t side = 0; side < sides; ++side)
+        if (seen_together.find(side) == side && largest[side] != ~0u && volume[side] >= 0)
+            rooms.lost += !hang(largest[side], all);
+
+    std::vector<std::uint32_t> number(sides + 1, ~0u);
+    const std::uint32_t outside = all.find(std::uint32_t(sides));
+    for (std::uint32_t side = 0; side < sides; ++side) {
+        const std::uint32_t set = all.find(side);
+        if (set != outside && number[set] == ~0u) number[set] = rooms.count++;
+    }
+    number[outside] = rooms.count++;
+    for (std::uint32_t side = 0; side < sides; ++side) rooms.of_side.push_back(number[all.find(side)]);
+    return rooms;
+}
+
+std::uint32_t RoomFinder::room_at(const JoinRooms& rooms, const Vec3& point) const {
+    std::vector<Crossing> crossings;
+    const auto nothing = [](std::uint32_t, std::uint32_t) {};
+    for (const Vec3& way : kWays) {
+        double at;
+        if (!cross_level(point, way, crossings, at) || !follow(crossings, nothing)) continue;
+        const Crossing* last = nullptr;
+        bool sure = true;
+        for (const Crossing& crossing : crossings) {
+            if (std::fabs(crossing.t - at) < kTooNear) sure = false;
+            if (crossing.t < at) last = &crossing;
+        }
+        if (!sure) continue;
+        if (!last) return rooms.exterior();
+        const std::uint32_t polygon = polygon_of_[last->facet];
+        if (polygon < faces_) return last->front ? kSolid : rooms.of_side[polygon];
+        return rooms.of_side[faces_ + 2 * (polygon - faces_) + last->front];
+    }
+    return kUnsure;
+}
+
+}  // namespace firma

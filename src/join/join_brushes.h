@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Many convex brushes become one closed solid: faces hidden in other brushes go, what is left is joined, and the air is
+// divided into rooms by portals.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firma/brush_level.h"
+#include "join/arrangement.h"
+#include "join/find_rooms.h"
+#include "join/join_facets.h"
+#include "join/loose_pieces.h"
+
+namespace firma {
+
+/// A portal that divides two rooms.
+struct JoinPortal {
+    std::uint32_t source = 0;  ///< the brush side
+    std::vector<std::uint32_t>
+        polygons;  ///< indices into JoinedLevel::portal_pieces; their fronts look into the first room
+    std::uint32_t room[2] = {0, 0};
+};
+
+/// A brush that is not part of the solid though it should be, and why.
+struct LeftOut {
+    std::uint32_t brush = 0;
+    std::string reason;      ///< a clause
+    bool no_volume = false;  ///< it is none at all: castable neither
+};
+
+struct JoinedLevel {
+    JoinTables tables;
+    std::vector<JoinPiece> faces;          ///< of the solid, fronts in the air
+    std::vector<JoinPiece> portal_pieces;  ///< in the air; a material is the portal's brush side
+    Arrangement arrangement;               ///< of faces and, after them, portal pieces
+    JoinFacets facets;                     ///< likewise
+    JoinRooms rooms;
+    std::vector<JoinPortal> portals;
+    std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals, or parts of some, with one room on both sides
+    std::vector<LeftOut> left_out;
+    std::size_t planes_moved = 0;   ///< so that no face is too thin for the grid: each by less than a millimetre
+    std::vector<LooseFacet> loose;  ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
+                                    ///< materials are of the list that they come from
+};
+
+/// @return kTooLarge for more planes or polygons than can be numbered
+Result<std::unique_ptr<JoinedLevel>> join_brushes(const BrushLevel& level);
+
+}  // namespace firma

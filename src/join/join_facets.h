@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The facets that casts meet, made from the polygons of a joined level, and the exact faces behind them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "join/arrangement.h"
+#include "solid/make_facets.h"
+#include "tree/face_set.h"
+
+namespace firma {
+
+/// Facets of polygons in a row: polygon p has facets first[p] .. first[p + 1].
+struct JoinFacets {
+    std::vector<std::vector<GridPoint>> corners;
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t>
+        unsound;  ///< polygons whose rounded outline makes no sound facets, ascending; without any
+
+    std::size_t count(std::uint32_t polygon) const { return first[polygon + 1] - first[polygon]; }
+};
+
+/// @param outlines  of each polygon [planes.size()], as an Arrangement has them
+JoinFacets make_join_facets(const JoinTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement);
+
+/// Makes the exact faces of a joined solid: vertices, edges and planes are shared objects, each made once.
+class JoinFaceMaker {
+public:
+    JoinFaceMaker(const JoinTables& tables, std::span<const JoinPiece> faces, const Arrangement& arrangement,
+                  const JoinFacets& facets);
+
+    /// The face's exact form; null where its one facet says it all.
+    Ref<const SolidFace> make(std::uint32_t face);
+
+private:
+    bool is_own_facet(std::uint32_t face) const;
+    const Ref<const SolidVertex>& vertex(std::uint32_t point);
+    const Ref<const SolidEdge>& edge(std::uint32_t index);
+
+    const JoinTables& tables_;
+    const std::span<const JoinPiece> faces_;
+    const Arrangement& arrangement_;
+    const JoinFacets& facets_;
+    std::vector<Ref<const SolidVertex>> vertices_;
+    std::vector<Ref<const SolidEdge>> edges_;
+};
+
+}  // namespace firma

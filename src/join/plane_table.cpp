@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// All planes of a level that is joined, each once.
+#include "join/plane_table.h"
+
+namespace firma {
+namespace {
+
+std::uint64_t hash_of(const Plane& plane) {
+    std::uint64_t hash = 0;
+    for (const std::int64_t n : plane.normal) hash = mix_bits(hash ^ std::uint64_t(n));
+    hash = mix_bits(hash ^ std::uint64_t(plane.offset));
+    return mix_bits(hash ^ std::uint64_t(plane.offset >> 64));
+}
+
+/// Of a plane and the same from behind, the one that is numbered first.
+bool looks_forward(const Plane& plane) {
+    for (const std::int64_t n : plane.normal)
+        if (n != 0) return n > 0;
+    return true;
+}
+
+}  // namespace
+
+PlaneId PlaneTable::add(const Plane& plane) {
+    const bool behind = !looks_forward(plane);
+    const Plane forward = behind ? flipped(plane) : plane;
+    for (std::uint64_t key = hash_of(forward);; key = mix_bits(key + 1)) {
+        std::uint32_t& known = of_hash_.at(key);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(planes_.size());
+            planes_.emplace_back(new SolidPlane(forward));
+            planes_.emplace_back(new SolidPlane(flipped(forward)));
+            return known + behind;
+        }
+        if (planes_[known]->plane == forward) return known + behind;
+    }
+}
+
+}  // namespace firma

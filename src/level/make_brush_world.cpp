@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// From a level of brushes to a World: what join_brushes() made, room by room.
+#include <algorithm>
+#include <unordered_map>
+
+#include "firma/brush_world.h"
+#include "join/join_brushes.h"
+#include "world/assemble_world.h"
+
+namespace firma {
+namespace {
+
+class WorldMaker {
+public:
+    WorldMaker(const BrushLevel& level, const JoinedLevel& joined, const WorldOptions& options)
+        : level_(level), joined_(joined) {
+        parts_.name = level.name;
+        parts_.options = options;
+        parts_.rooms.resize(joined.rooms.count);
+        parts_.rooms.back().exterior = true;
+        parts_.rooms.back().name = "exterior";
+        add_materials();
+        add_faces();
+        add_loose();
+        add_portals();
+    }
+
+    WorldParts take() { return std::move(parts_); }
+
+private:
+    /// Surfaces have a list of their own: what both name is one.
+    void add_materials() {
+        parts_.materials = level_.materials;
+        std::unordered_map<std::string, std::uint32_t> known;
+        for (std::uint32_t k = 0; k < parts_.materials.size(); ++k) known.emplace(parts_.materials[k], k);
+        for (const std::string& name : level_.surfaces.materials) {
+            const auto [it, is_new] = known.emplace(name, std::uint32_t(parts_.materials.size()));
+            if (is_new) parts_.materials.push_back(name);
+            surface_material_.push_back(it->second);
+        }
+    }
+
+    void add_facet(std::uint32_t room, std::span<const GridPoint> corners, FaceSet::Entry face) {
+        FaceSet& set = parts_.rooms[room].faces;
+        face.id = {next_face_++};
+        face.first_corner = std::uint32_t(set.corners.size());
+        face.corner_count = std::uint32_t(corners.size());
+        for (const GridPoint& corner : corners) {
+            set.corners.push_back(std::uint32_t(set.vertices.size()));
+            set.vertices.push_back(corner);
+        }
+        set.faces.push_back(face);
+    }
+
+    void add_faces() {
+        JoinFaceMaker maker(joined_.tables, joined_.faces, joined_.arrangement, joined_.facets);
+        for (std::uint32_t k = 0; k < joined_.faces.size(); ++k) {
+            const std::uint32_t room = joined_.rooms.of_side[k];
+            const Ref<const SolidFace> exact = maker.make(k);
+            if (exact) parts_.rooms[room].faces.owners.emplace_back(exact.get());
+            FaceSet::Entry face;
+            face.source = joined_.faces[k].source;
+            face.material = joined_.faces[k].material;
+            face.mask = joined_.faces[k].mask;
+            face.solid = true;
+            face.owner = exact.get();
+            for (std::uint32_t f = joined_.facets.first[k]; f < joined_.facets.first[k + 1]; ++f)
+                add_facet(room, joined_.facets.corners[f], face);
+        }
+    }
+
+    void add_loose() {
+        for (const LooseFacet& facet : joined_.loose) {
+            FaceSet::Entry face;
+            face.source = facet.source;
+            face.material = facet.source < level_.sides.size() ? facet.material : surface_material_[facet.material];
+            face.mask = facet.mask;
+            face.two_sided = facet.two_sided;
+            add_facet(facet.room, facet.corners, face);
+        }
+    }
+
+    void add_portals() {
+        const std::size_t faces = joined_.faces.size();
+        for (const JoinPortal& portal : joined_.portals) {
+            PortalPart part;
+            part.rooms = {RoomId{portal.room[0]}, RoomId{portal.room[1]}};
+            part.material = level_.sides[portal.source].material;
+            for (const std::uint32_t piece : portal.polygons) {
+                const std::size_t polygon = faces + piece;
+                for (std::uint32_t f = joined_.facets.first[polygon]; f < joined_.facets.first[polygon + 1]; ++f)
+                    part.polygons.push_back(joined_.facets.corners[f]);
+            }
+            parts_.portals.push_back(std::move(part));
+        }
+    }
+
+    const BrushLevel& level_;
+    const JoinedLevel& joined_;
+    WorldParts parts_;
+    std::vector<std::uint32_t> surface_material_;
+    std::uint32_t next_face_ = 0;
+};
+
+BrushWorldReport report_of(const BrushLevel& level, const JoinedLevel& joined) {
+    BrushWorldReport report;
+    for (const Brush& brush : level.brushes)
+        report.solid_brushes += brush.kind == BrushKind::kSolid || brush.kind == BrushKind::kSky;
+    for (const LeftOut& left : joined.left_out) {
+        const BrushKind kind = level.brushes[left.brush].kind;
+        report.solid_brushes -= kind == BrushKind::kSolid || kind == BrushKind::kSky;
+        report.notes.push_back(
+            {left.no_volume ? BrushNote::What::kNoVolume : BrushNote::What::kNotJoined, left.brush, left.reason});
+    }
+    for (const std::uint32_t source : joined.idle_portals) {
+        const auto after = std::upper_bound(level.brushes.begin(), level.brushes.end(), source,
+                                            [](std::uint32_t side, const Brush& b) { return side < b.first_side; });
+        report.notes.push_back({BrushNote::What::kIdlePortal, std::uint32_t(after - level.brushes.begin() - 1),
+                                "there is one room on both sides of it"});
+    }
+    std::sort(report.notes.begin(), report.notes.end(), [](const BrushNote& a, const BrushNote& b) {
+        return a.what != b.what ? a.what < b.what : a.brush < b.brush;
+    });
+    const auto same = [](const BrushNote& a, const BrushNote& b) { return a.what == b.what && a.brush == b.brush; };
+    report.notes.erase(std::unique(report.notes.begin(), report.notes.end(), same), report.notes.end());
+    report.solid_faces = joined.faces.size();
+    report.planes_moved = joined.planes_moved;
+    report.lost_shells = joined.rooms.lost;
+    return report;
+}
+
+}  // namespace
+
+Result<World> make_world(const BrushLevel& level, const WorldOptions& options, BrushWorldReport* report) {
+    const Result<std::unique_ptr<JoinedLevel>> joined = join_brushes(level);
+    if (!joined.ok()) return joined.error();
+    if (report) *report = report_of(level, *joined.value());
+    return assemble_world(WorldMaker(level, *joined.value(), options).take());
+}
+
+}  // namespace firma

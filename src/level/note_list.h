@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Notes of a reader, for people: each kind once, with its first place and how often it came.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace firma {
+
+/// A hostile file cannot make it long: kinds beyond kMostKinds are only counted.
+class NoteList {
+public:
+    static constexpr std::size_t kMostKinds = 256;
+
+    void add(std::string_view what, std::string_view place);
+
+    /// "what: place" or "what: first place, 17 in all", in order of first coming.
+    std::vector<std::string> texts() const;
+
+private:
+    struct Note {
+        std::string what, place;
+        std::uint64_t count = 0;
+    };
+    std::vector<Note> notes_;
+    std::unordered_map<std::string, std::size_t> index_;
+    std::uint64_t further_ = 0;
+};
+
+}  // namespace firma

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The grammar of .map files and of a .bsp's entities: what the file says, without any meaning.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firma/brush_level.h"
+#include "firma/vec.h"
+#include "level/note_list.h"
+#include "level/patch.h"
+
+namespace firma {
+
+/// No brush has more sides: that of the most seen has some hundred, and joining takes time that grows with their
+/// square.
+inline constexpr std::uint32_t kMostBrushSides = 1024;
+
+/// A half space as three points in the file's units, clockwise seen from outside.
+struct MapSide {
+    Vec3 points[3];
+    std::string texture;
+    std::uint32_t contents = 0, flags = 0;  ///< 0 where the file has none
+    std::uint32_t line = 0;
+};
+
+struct MapBrush {
+    std::uint32_t first_side = 0, side_count = 0;  ///< in MapFile::sides
+    std::uint32_t entity = 0;
+    std::uint32_t number = 0;  ///< within its entity, from 0, as editors count: patches and unknown ones too
+    std::uint32_t line = 0;
+};
+
+struct MapPatch {
+    Patch patch;  ///< in the file's units
+    std::string texture;
+    std::uint32_t contents = 0, flags = 0;
+    std::uint32_t entity = 0, number = 0, line = 0;
+};
+
+struct MapFile {
+    std::vector<Entity> entities;
+    std::vector<MapBrush> brushes;
+    std::vector<MapSide> sides;
+    std::vector<MapPatch> patches;
+};
+
+/// @param text   a whole file
+/// @param place  what stands before the line's number in messages: "demo.map:" or "demo.bsp: lump 0 (entities), line "
+/// @param notes  gets what was not understood
+/// @return the first thing that breaks the grammar (kMalformed), a number beyond the doubles (kOutOfRange), or a brush
+///         of too many sides or a text of more than 4 GiB (kTooLarge). Memory is in proportion to the text.
+Result<MapFile> parse_map(std::string_view text, std::string_view place, NoteList& notes);
+
+}  // namespace firma
