@@ -75,17 +75,16 @@ std::size_t bytes_alone(const World& world, const World& other) {
     std::size_t sum = sizeof mine + mine.rooms.capacity() * sizeof(mine.rooms[0]);
     if (mine.materials != theirs.materials) sum += bytes_of(mine.materials.get());
     sum += bytes_of_rooms_alone(mine, theirs);
-    UnsharedBlocks all;
+    std::vector<const Block*> my_roots, their_roots;  // a tree may be in another room of the other world
     for (std::size_t k = 0; k < std::max(mine.rooms.size(), theirs.rooms.size()); ++k) {
         const Room* my_room = k < mine.rooms.size() ? mine.rooms[k].get() : nullptr;
         const Room* their_room = k < theirs.rooms.size() ? theirs.rooms[k].get() : nullptr;
         if (my_room == their_room) continue;
         if (my_room) sum += pool_size(sizeof(Room));
-        const UnsharedBlocks found =
-            unshared_blocks(my_room ? my_room->tree.get() : nullptr, their_room ? their_room->tree.get() : nullptr);
-        all.before.insert(all.before.end(), found.before.begin(), found.before.end());
-        all.after.insert(all.after.end(), found.after.begin(), found.after.end());
+        if (my_room && my_room->tree) my_roots.push_back(my_room->tree.get());
+        if (their_room && their_room->tree) their_roots.push_back(their_room->tree.get());
     }
+    const UnsharedBlocks all = unshared_blocks(my_roots, their_roots);
     for (const Block* block : all.before) sum += bytes_of(*block);
     const std::vector<OwnerUse> kept = owners_of(all.after);
     for (const OwnerUse& use : owners_of(all.before))

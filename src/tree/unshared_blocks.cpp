@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The blocks that only one of two trees has. A block has more faces than any below it: when those of so many faces are
-// compared, all of them are at hand, whatever level they stand at.
+// The blocks that only one of two sets of trees has. A block has more faces than any below it: when those of so many
+// faces are compared, all of them are at hand, whatever level they stand at.
 #include "tree/unshared_blocks.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ private:
     std::vector<const Block*> blocks_;
 };
 
-/// Notes and opens the blocks that the other tree does not have.
+/// Notes and opens the blocks that the others do not have.
 void open(const std::vector<const Block*>& mine, const std::vector<const Block*>& others, Waiting& waiting,
           std::vector<const Block*>& unshared) {
     for (const Block* block : mine) {
@@ -49,12 +49,11 @@ void open(const std::vector<const Block*>& mine, const std::vector<const Block*>
 
 }  // namespace
 
-UnsharedBlocks unshared_blocks(const Block* before, const Block* after) {
+UnsharedBlocks unshared_blocks(std::span<const Block* const> before, std::span<const Block* const> after) {
     UnsharedBlocks found;
-    if (before == after) return found;
     Waiting old_blocks, new_blocks;
-    if (before) old_blocks.add(*before);
-    if (after) new_blocks.add(*after);
+    for (const Block* root : before) old_blocks.add(*root);
+    for (const Block* root : after) new_blocks.add(*root);
     std::vector<const Block*> olds, news;
     while (const std::uint32_t most = std::max(old_blocks.most(), new_blocks.most())) {
         old_blocks.take(most, olds);

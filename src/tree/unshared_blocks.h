@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The blocks that only one of two trees has: what an edit made, and what it let go of.
+// The blocks that only one of two worlds' trees have: what an edit made, and what it let go of.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tree/block.h"
@@ -13,7 +14,7 @@ struct UnsharedBlocks {
 };
 
 /// Opens only what differs, so for trees a few edits apart the cost follows the edits.
-/// @param before, after  null: a tree without blocks
-UnsharedBlocks unshared_blocks(const Block* before, const Block* after);
+/// @param before, after  roots, in any order; what both have may be left out
+UnsharedBlocks unshared_blocks(std::span<const Block* const> before, std::span<const Block* const> after);
 
 }  // namespace firma

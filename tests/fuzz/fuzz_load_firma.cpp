@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/save/saved_worlds.h"
@@ -66,8 +67,9 @@ void mend(File& file) {
 const File& sound_file(int which) {
     static const std::vector<File> files = [] {
         const World small = cut_room(1, 3), facets = cut_room(2, 4);
-        return std::vector<File>{pack_world(tiny_world()), pack_world(room_world()), pack_world(small),
-                                 pack_world(facets, {.exact = false}), pack_world(World())};
+        return std::vector<File>{pack_world(tiny_world()), pack_world(room_world()),
+                                 pack_world(small),        pack_world(facets, {.exact = false}),
+                                 pack_world(World()),      pack_world(two_rooms())};
     }();
     return files[std::size_t(which) % files.size()];
 }
@@ -80,6 +82,8 @@ std::size_t entry_size(SectionType type) {
             return kBinBytes;
         case kFacesSection:
             return kFaceBytes;
+        case kRoomRecordsSection:
+        case kPortalCornersSection:
         case kVerticesSection:
         case kGridPointsSection:
         case kMeetPointsSection:
@@ -190,6 +194,20 @@ World cut_on(World world, Bytes& bytes) {
     return world;
 }
 
+void use_rooms(const World& world, const Vec3& middle, int how) {
+    const Location where = locate(world, middle);
+    expect(where.kind != Location::Kind::kRoom || where.room.value < world.room_count(), "a point in a room too many");
+    for (std::uint32_t room = 0; room < world.room_count() && room < 8; ++room) {
+        room_info(world, {room});
+        neighbours(world, {room});
+        find_path(world, {room}, {0}, Doors::kAllOpen);
+        cast(world, {middle, 0.2}, {50, 3, how * 0.1}, {.room = {room}});
+    }
+    for (std::uint32_t portal = 0; portal < portal_count(world) && portal < 8; ++portal)
+        expect(!check_world(set_portal_open(world, {portal}, !portal_info(world, {portal}).open)),
+               "a door made a world that is not sound");
+}
+
 void use(const World& world, int how) {
     expect(!check_world(world), "a world was read that is not sound");
     expect(!check_solid(world), "a solid was read that is not sound");
@@ -203,12 +221,13 @@ void use(const World& world, int how) {
         Vec3 path{0.3, 0.2, 0.1};
         path[k / 2] = k % 2 ? 20000 : -20000;
         const Hit hit = cast(world, {middle, k % 2 ? 0.1 : 0}, path);
-        if (hit.touched()) world.face(hit.ref);
+        if (hit.ref.valid()) world.face(hit.ref);
         if (hit.touched() && k <= how % 6) pose.position = hit.point;
     }
     std::vector<NearFace> near;
     overlap(world, {pose.position, 1}, near);
     in_solid(world, middle);
+    use_rooms(world, middle, how);
     pose.scale = 0.4 + how % 8;
     const Cutter cutter = make_crater(CutterShape(how % 5), std::uint64_t(how));
     const CarveResult result = how & 64 ? fill(world, cutter, pose, {"new"}) : carve(world, cutter, pose, {"new"});

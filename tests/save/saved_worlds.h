@@ -12,6 +12,7 @@
 #include "save/crc32c.h"
 #include "save/sections.h"
 #include "scenes/rng.h"
+#include "tests/world/two_halves.h"
 
 namespace firma {
 
@@ -76,6 +77,18 @@ inline World tiny_world() {
     pose.position = {0, 4, 0};
     pose.scale = 0.5;
     return carve(world, make_crater(CutterShape::kWedge, 1), pose, {"crater"}).world;
+}
+
+/// Two rooms with names, a closed door between them, and a portal that is gone.
+inline World two_rooms() {
+    WorldParts parts = two_halves_parts();
+    parts.rooms[0].name = "hall";
+    parts.rooms[1].name = "a room whose name is too long to be kept within a string";
+    parts.portals[0].open = false;
+    PortalPart gone;
+    gone.rooms = {RoomId{1}, RoomId{1}};
+    parts.portals.push_back(gone);
+    return assemble_world(std::move(parts)).value();
 }
 
 // ---- files ----

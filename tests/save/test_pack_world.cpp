@@ -5,7 +5,9 @@
 #include <fstream>
 
 #include "base/hasher.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
+#include "scenes/divided_building.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/save/saved_worlds.h"
 #include "world/world_data.h"
@@ -50,6 +52,37 @@ TEST(PackWorld, LevelsOfEveryFamilyAfterCuts) {
         expect_round_trip(world);
         for (std::size_t k = 0; k < it.cuts.size() && k < 5; ++k) world = reference::make_cut(world, it.cuts[k]).world;
         expect_round_trip(world);
+    }
+}
+
+TEST(PackWorld, RoomsPortalsAndDoors) {
+    expect_round_trip(two_rooms());
+    const World read = unpacked(pack_world(two_rooms()));
+    EXPECT_EQ(room_info(read, {0}).name, "hall");
+    EXPECT_EQ(portal_info(read, {0}).name, "door");
+    EXPECT_FALSE(portal_info(read, {0}).open);
+    EXPECT_TRUE(portal_info(read, {1}).polygons.empty());
+    const scenes::DividedBuilding building(
+        {.rooms_x = 4, .rooms_y = 3, .rooms_z = 2, .outdoors = true, .closed = 0.5, .seed = 7});
+    const World world = assemble_world(building.parts()).value();
+    expect_round_trip(world);
+    const World again = unpacked(pack_world(world));
+    EXPECT_NE(again.data().room_boxes, nullptr);
+    scenes::Rng rng(3);
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 point = building.point_in_air(0, rng);
+        EXPECT_EQ(locate(again, point), locate(world, point));
+    }
+    // Without walls that bound a solid, rays cannot tell rooms: casts that are to locate ask all.
+    const World facets = unpacked(pack_world(world, {.exact = false}));
+    EXPECT_EQ(facets.room_count(), world.room_count());
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 point = building.point_in_air(0, rng);
+        EXPECT_EQ(locate(facets, point).kind, Location::Kind::kUnsure);
+        const Vec3 path = rng.direction() * 20.0;
+        const Hit hit = cast(facets, {point, 0}, path, {.room = kLocateRoom});
+        EXPECT_EQ(hit.face, cast(world, {point, 0}, path).face);
+        EXPECT_EQ(hit.rooms_passed, 0u);
     }
 }
 

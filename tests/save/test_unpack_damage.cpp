@@ -13,7 +13,8 @@ namespace {
 
 /// Of a small world with an exact part, and without.
 std::vector<std::vector<std::byte>> small_files() {
-    return {pack_world(tiny_world()), pack_world(tiny_world(), {.exact = false}), pack_world(World())};
+    return {pack_world(tiny_world()), pack_world(tiny_world(), {.exact = false}), pack_world(World()),
+            pack_world(two_rooms())};
 }
 
 TEST(UnpackDamage, EveryByteFlipped) {
@@ -109,6 +110,49 @@ TEST(UnpackDamage, ErrorsNameTheirPlace) {
               "a.firma: section BINS, entry 0: its box is none within the world");
     EXPECT_EQ(text_of(kWorldSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, 1); }),
               "a.firma: the world is broken: the count of faces is not how many there are");
+}
+
+TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
+    const auto with_u32 = [](SectionType type, std::size_t at, std::uint32_t value) {
+        std::vector<std::byte> bytes = pack_world(two_rooms());
+        for (const SectionPlace& place : section_places(bytes))
+            if (place.type == type) put_u32(bytes, place.first + at, value);
+        fix_checksums(bytes);
+        const Result<World> read = unpack_world(bytes, "a.firma");
+        return read ? "read" : read.error().text();
+    };
+    const std::size_t second_room = kRoomRecordBytes, first_portal = 4;
+    EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 2),
+              "a.firma: section RECS, entry 1: is part of a higher room");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 0),
+              "a.firma: the world is broken: room 1 is part of another, and yet not empty");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 2),
+              "a.firma: section RECS, entry 0: has flags that are not of version 1");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 1),
+              "a.firma: the world is broken: more than one room, or rock as well, reaches to infinity");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 0, 5), "a.firma: section RECS: has bytes behind its last name");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 0, ~0u), "a.firma: section RECS, entry 0: ends before its name");
+    EXPECT_EQ(with_u32(kPortalsSection, 0, ~0u), "a.firma: section PORT: ends before its portals");
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal, 2),
+              "a.firma: section PORT, entry 0: leads to a room that is not there");
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal, 1),
+              "a.firma: the world is broken: portal 0 leads from a room to itself");
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 0), "read");  // the door is open
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 3),
+              "a.firma: section PORT, entry 0: has flags that are not of version 1");
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal + 20, 0), "a.firma: section PPOL, entry 0: belongs to no portal");
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal + 20, ~0u),
+              "a.firma: section PORT, entry 0: has more polygons than there are");
+    EXPECT_EQ(with_u32(kPortalPolygonsSection, 0, 2), "a.firma: section PPOL, entry 0: does not have 3 to 64 corners");
+    EXPECT_EQ(with_u32(kPortalPolygonsSection, 0, 64),
+              "a.firma: section PPOL, entry 0: has more corners than there are");
+    EXPECT_EQ(with_u32(kPortalPolygonsSection, 0, 3), "a.firma: section PCOR, entry 3: belongs to no portal");
+    EXPECT_EQ(with_u32(kPortalCornersSection, 0, 77),
+              "a.firma: the world is broken: portal 0 has a polygon that is not convex and planar, with area");
+    EXPECT_EQ(with_u32(kWorldSection, 24, kRockOutside | kExactPart | kHasRules | kHasPortals),
+              "a.firma: section WRLD: has several rooms or portals, and no records of rooms");
+    EXPECT_EQ(with_u32(kWorldSection, 24, kRockOutside | kExactPart | kHasRules | kHasRoomRecords),
+              "a.firma: section PORT: is there without a reason");
 }
 
 TEST(UnpackDamage, SkinAndCountersAreOnesToGoOnWith) {

@@ -7,6 +7,7 @@
 
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
+#include "tests/world/two_halves.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -14,44 +15,6 @@ namespace {
 
 using scenes::BuildingPlan;
 using scenes::DividedBuilding;
-
-/// Two rooms of 4 x 4 x 4 m side by side along x, the wall between them a portal all over.
-World two_halves(bool open = true) {
-    WorldParts parts;
-    parts.materials = {"", "glass"};
-    parts.rock_outside = true;
-    parts.rooms.resize(2);
-    std::uint32_t id = 0;
-    const auto at = [](int x, int y, int z) {
-        return GridPoint{x * int(kSurfaceSteps), y * int(kSurfaceSteps), z * int(kSurfaceSteps)};
-    };
-    const auto add = [&](int room, std::array<GridPoint, 4> corners) {
-        FaceSet& set = parts.rooms[room].faces;
-        set.faces.push_back(
-            {.id = {id++}, .first_corner = std::uint32_t(set.corners.size()), .corner_count = 4, .solid = true});
-        for (const GridPoint& corner : corners) {
-            set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.vertices.push_back(corner);
-        }
-    };
-    for (int room = 0; room < 2; ++room) {
-        const int a = 4 * room, b = a + 4;
-        add(room, {at(a, 0, 0), at(b, 0, 0), at(b, 4, 0), at(a, 4, 0)});
-        add(room, {at(a, 0, 4), at(a, 4, 4), at(b, 4, 4), at(b, 0, 4)});
-        add(room, {at(a, 0, 0), at(a, 0, 4), at(b, 0, 4), at(b, 0, 0)});
-        add(room, {at(a, 4, 0), at(b, 4, 0), at(b, 4, 4), at(a, 4, 4)});
-    }
-    add(0, {at(0, 0, 0), at(0, 4, 0), at(0, 4, 4), at(0, 0, 4)});
-    add(1, {at(8, 0, 0), at(8, 0, 4), at(8, 4, 4), at(8, 4, 0)});
-    PortalPart portal;
-    portal.rooms = {RoomId{0}, RoomId{1}};
-    portal.polygons = {{at(4, 0, 0), at(4, 0, 4), at(4, 4, 4), at(4, 4, 0)}};  // seen from room 0: normal -x
-    portal.name = "door";
-    portal.material = 1;
-    portal.open = open;
-    parts.portals = {portal};
-    return assemble_world(std::move(parts)).value();
-}
 
 Location in_room(std::uint32_t room) {
     return {Location::Kind::kRoom, {room}};
