@@ -7,20 +7,62 @@
 #include <cmath>
 
 #include "cli/numbers.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
 
 namespace firma::cli {
 
-void add_world(JsonWriter& json, const World& world) {
-    if (const Box bounds = world.bounds(); bounds.empty()) {
+namespace {
+
+void add_bounds(JsonWriter& json, const Box& bounds) {
+    if (bounds.empty()) {
         json.add_null("bounds");
-    } else {
-        json.open_object("bounds");
-        json.add("low", bounds.low);
-        json.add("high", bounds.high);
+        return;
+    }
+    json.open_object("bounds");
+    json.add("low", bounds.low);
+    json.add("high", bounds.high);
+    json.close();
+}
+
+void add_rooms(JsonWriter& json, const World& world) {
+    json.open_array("rooms");
+    for (std::uint32_t k = 0; k < world.room_count(); ++k) {
+        const RoomInfo room = room_info(world, RoomId{k});
+        json.open_object();
+        json.add("id", k);
+        json.add("name", room.name);
+        json.add("exterior", room.exterior);
+        json.add("faces", room.faces);
+        add_bounds(json, room.bounds);
+        json.open_array("portals");
+        for (const PortalId portal : room.portals) json.add({}, portal.value);
+        json.close();
         json.close();
     }
-    json.add("rooms", world.room_count());
+    json.close();
+    json.open_array("portals");
+    for (std::uint32_t k = 0; k < portal_count(world); ++k) {
+        const PortalInfo portal = portal_info(world, PortalId{k});
+        json.open_object();
+        json.add("id", k);
+        json.add("name", portal.name);
+        json.open_array("rooms");
+        for (const RoomId room : portal.rooms) json.add({}, room.value);
+        json.close();
+        json.add("open", portal.open);
+        json.add("polygons", portal.polygons.size());
+        add_bounds(json, portal.bounds);
+        json.close();
+    }
+    json.close();
+}
+
+}  // namespace
+
+void add_world(JsonWriter& json, const World& world) {
+    add_bounds(json, world.bounds());
+    add_rooms(json, world);
     const TreeStatistics tree = world.statistics();
     json.open_object("tree");
     json.add("faces", tree.faces);
@@ -53,7 +95,9 @@ std::string world_text(const World& world) {
                                                bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z));
         text += info_row("size", fmt::format("{} x {} x {} m", size.x, size.y, size.z));
     }
-    text += info_row("rooms", grouped(world.room_count()));
+    const std::size_t portals = portal_count(world);
+    text += info_row("rooms", grouped(world.room_count()) +
+                                  (portals > 0 ? fmt::format(", {} portals between them", grouped(portals)) : ""));
     const SolidMeasures solid = measure_solid(world);
     text += info_row("solid", solid.facets == 0 ? "no face bounds a solid"
                                                 : fmt::format("{} faces bound {:.6g} m3 of {}, by {:.6g} m2",

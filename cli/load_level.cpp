@@ -23,9 +23,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required) {
     command.add_argument("LEVEL", arguments.path,
-                         "a Wavefront .obj, a Quake 3 .bsp (version 46), or a saved world, .firma", required);
+                         "a Wavefront .obj, a Quake .map, a Quake 3 .bsp (version 46), or a saved world, .firma",
+                         required);
     command.add_option("--scale", arguments.scale, "S",
-                       "metres a unit of the file (default: 1 for .obj, 1/32 for .bsp); not for .firma");
+                       "metres a unit of the file (default: 1 for .obj, 1/32 for .map and .bsp); not for .firma");
+    command.add_flag("--surfaces", arguments.surfaces,
+                     "of a .bsp the drawn surfaces, rather than the brushes joined into one solid");
 }
 
 ReadOptions read_options(const LevelArguments& arguments) {
@@ -46,6 +49,25 @@ bool names_saved_world(const std::string& path) {
     return has_ending(path, ".firma");
 }
 
+bool names_brushes(const LevelArguments& arguments) {
+    return has_ending(arguments.path, ".map") || (has_ending(arguments.path, ".bsp") && !arguments.surfaces);
+}
+
+namespace {
+
+void load_brushes(const LevelArguments& arguments, const WorldOptions& options, LoadedLevel& loaded) {
+    const auto start = std::chrono::steady_clock::now();
+    LoadedBrushes& brushes = loaded.brushes.emplace();
+    brushes.level = take(read_brush_level(arguments.path, read_options(arguments)));
+    loaded.level.name = arguments.path;
+    loaded.read_seconds = seconds_since(start);
+    const auto read = std::chrono::steady_clock::now();
+    loaded.world = take(make_world(brushes.level, options, &brushes.report));
+    loaded.build_seconds = seconds_since(read);
+}
+
+}  // namespace
+
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded;
     const auto start = std::chrono::steady_clock::now();
@@ -61,6 +83,12 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
         throw Failure(arguments.path, "glTF is written, not read; keep the .firma or .obj beside it");
     if (!level_format(arguments.path))
         throw Failure(arguments.path, "the name ends in none of " + level_endings() + ", .firma");
+    if (arguments.surfaces && !has_ending(arguments.path, ".bsp"))
+        throw Failure("--surfaces", "only a .bsp has drawn surfaces beside its brushes");
+    if (names_brushes(arguments)) {
+        load_brushes(arguments, options, loaded);
+        return loaded;
+    }
     loaded.level = take(read_level(arguments.path, read_options(arguments)));
     loaded.read_seconds = seconds_since(start);
     const auto read = std::chrono::steady_clock::now();

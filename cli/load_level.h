@@ -2,10 +2,12 @@
 // The level or saved world that nearly every verb begins with: its arguments, and reading it into a world.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "cli/command.h"
+#include "firma/brush_world.h"
 #include "firma/level.h"
 #include "firma/world.h"
 
@@ -13,16 +15,24 @@ namespace firma::cli {
 
 struct LevelArguments {
     std::string path;
-    std::string scale;  ///< as typed; empty for the format's own
+    std::string scale;      ///< as typed; empty for the format's own
+    bool surfaces = false;  ///< of a .bsp the drawn surfaces rather than the brushes
 };
 
-/// Adds LEVEL (required unless told otherwise) and --scale.
+/// Adds LEVEL (required unless told otherwise), --scale and --surfaces.
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required = true);
 
 ReadOptions read_options(const LevelArguments& arguments);
 
+/// What a .map or the brushes of a .bsp came to.
+struct LoadedBrushes {
+    BrushLevel level;
+    BrushWorldReport report;
+};
+
 struct LoadedLevel {
-    Level level;  ///< only its name, of a .firma file
+    Level level;  ///< only its name, of a .firma file or a level of brushes
+    std::optional<LoadedBrushes> brushes;
     World world;
     bool saved = false;  ///< whether it came from a .firma file, which has a world as it was saved, not a level
     double read_seconds = 0, build_seconds = 0;
@@ -30,6 +40,8 @@ struct LoadedLevel {
 
 /// Whether a name ends so (".glb"), capitals or not.
 bool has_ending(const std::string& path, std::string_view ending);
+/// Whether a level's brushes are read, rather than faces.
+bool names_brushes(const LevelArguments& arguments);
 /// Whether a name ends in .firma, capitals or not.
 bool names_saved_world(const std::string& path);
 

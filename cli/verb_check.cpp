@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/brush_level.h"
 #include "cli/failure.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
@@ -25,6 +26,7 @@ struct CheckArguments {
     LevelArguments level;
     bool all = false;
     bool json = false;
+    std::string pts;
 };
 
 constexpr std::size_t kShown = 20;
@@ -45,6 +47,12 @@ crossing (it crosses or touches itself or another piece), wrong_way (a solid in 
 notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, castable_only_count, castable_only
 [{what, faces, face, other (crossing: the face it meets, else null), at, to}]; lists hold the first 20 unless --all
 is given. `faces` of a piece, and solid_faces, count faces as divided.
+
+Of a level of brushes (.map, .bsp without --surfaces) the world is judged, its solid, and what became of the brushes.
+Faults: a broken world or solid; a leak, that is a way from an info_player... entity to the void. Notes: not_joined (a
+brush that is castable only), no_volume, idle_portal (a portal with one room on both sides), and what the reader says.
+--json: level, sound, brushes, faces, rooms, portals, world_fault or null, solid_fault or null, leak {entity, points
+[metres]} or null, note_count, notes [{what, brush, line, reason}], reader_notes [texts].
 
 A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
 read is checked once more. --json: level, sound, faces, world_fault or null, solid_fault or null, solid_faces,
@@ -278,6 +286,9 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
 
 int run(const CheckArguments& arguments) {
     if (names_saved_world(arguments.level.path)) return check_saved_world(load_level(arguments.level), arguments.json);
+    if (names_brushes(arguments.level))
+        return check_brushes(load_level(arguments.level), {arguments.json, arguments.all, arguments.pts});
+    if (!arguments.pts.empty()) throw Failure("--pts", "only of levels of brushes is it known where they leak");
     Findings found;
     found.mesh = take(check_mesh(arguments.level.path, read_options(arguments.level)));
     const LoadedLevel loaded = load_level(arguments.level);
@@ -296,6 +307,8 @@ Verb add_check(CLI::App& app) {
     const auto arguments = std::make_shared<CheckArguments>();
     add_level_arguments(command, arguments->level);
     command.add_flag("--all", arguments->all, "every fault and note, not only the first 20 of each");
+    command.add_option("--pts", arguments->pts, "FILE",
+                       "of brushes: where the level leaks, a line of points in the file's units");
     add_json_flag(command, arguments->json);
     command.set_footer(kFooter);
     return {command, [arguments] { return run(*arguments); }};

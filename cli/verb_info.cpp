@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/brush_level.h"
 #include "cli/describe_world.h"
 #include "cli/failure.h"
 #include "cli/json.h"
@@ -33,14 +34,20 @@ all the same, as blocks hold no more. `overlap` is the mean share of a bin's sur
 cover, 0 .. 1.
 
 --json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
-corners, materials [names], groups, ignored_entries, bounds {low, high} or null, rooms, tree {faces, blocks,
-bins, leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
+corners, materials [names], groups, ignored_entries, bounds {low, high} or null, rooms [{id, name, exterior, faces,
+bounds, portals [ids]}], portals [{id, name, rooms [ids], open, polygons, bounds}], tree {faces, blocks, bins,
+leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
 build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
 reaches to infinity: then it is that of the air.
 
+Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
+player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
+planes_moved, greatest_shift, idle_portals, bounds, rooms, portals, tree, solid, read_seconds, build_seconds. `faces`
+counts convex facets; those of `solid` bound the joined solid.
+
 Of a .firma file, which holds a world rather than a level, --json has: level, bytes, version (of the world: how many
 edits were published), edits, exact (whether exact faces or faces that bound solids are there: without, it cannot be
-carved), faces {total, solid, exact}, materials [names], bounds, rooms, tree, solid, rules {zones, hard_materials},
+carved), faces {total, solid, exact}, materials [names], bounds, rooms, portals, tree, solid, rules {zones, hard_materials},
 read_seconds.
 )";
 
@@ -164,6 +171,7 @@ int run(const InfoArguments& arguments) {
         return tell_saved_world(load_level(arguments.level), arguments.json);
     }
     const LoadedLevel loaded = load_level(arguments.level, options);
+    if (loaded.brushes) return tell_brushes(loaded, arguments.json);
     print(arguments.json ? json_text(loaded) : text_for_people(loaded));
     return 0;
 }

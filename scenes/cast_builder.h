@@ -41,7 +41,8 @@ public:
         } else {
             double sum = 0;
             for (const Vec3& corner : v) {
-                const double weight = rng.uniform() * rng.uniform();
+                double weight = rng.uniform();
+                weight *= rng.uniform();
                 at.point = at.point + corner * weight;
                 sum += weight;
             }
@@ -80,7 +81,8 @@ public:
     double magnitude(double low, double high) {
         int doublings = 0;
         while (std::ldexp(low, doublings + 1) <= high) ++doublings;
-        const double x = std::ldexp(low, int(rng.below(std::uint32_t(doublings + 1)))) * rng.uniform(1, 2);
+        double x = std::ldexp(low, int(rng.below(std::uint32_t(doublings + 1))));
+        x *= rng.uniform(1, 2);
         return x < high ? x : high;
     }
     /// x moved by up to `most` units in the last place.
@@ -94,10 +96,10 @@ public:
         radius = std::fabs(radius);  // nudged below zero
         if (floats) {
             for (int axis = 0; axis < 3; ++axis) {
-                start[axis] = double(float(start[axis]));
-                path[axis] = double(float(path[axis]));
+                start[axis] = rounded_to_float(start[axis]);
+                path[axis] = rounded_to_float(path[axis]);
             }
-            radius = double(float(radius));
+            radius = rounded_to_float(radius);
         }
         scene.casts.push_back({{start, radius}, path});
     }
@@ -125,8 +127,11 @@ public:
         const double radius = rng.chance(0.4) ? 0 : magnitude(radius_most * 1e-3, radius_most);
         const Vec3 way = rng.direction();
         const Vec3 away = rng.chance(0.5) ? rng.direction() : way * -1;
-        meet(at.point, away, radius * rng.uniform(0, 1.2), way, rng.uniform(0, reach),
-             rng.uniform(0, reach) * rng.uniform());
+        const double distance = radius * rng.uniform(0, 1.2);
+        const double before = rng.uniform(0, reach);
+        double after = rng.uniform(0, reach);
+        after *= rng.uniform();
+        meet(at.point, away, distance, way, before, after);
     }
 };
 

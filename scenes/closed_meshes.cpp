@@ -14,7 +14,10 @@ namespace {
 
 Steps random_place(Rng& rng) {
     if (rng.chance(0.5)) return {};
-    const auto far = [&] { return (rng.chance(0.5) ? 1 : -1) * std::int64_t(8150 - int(rng.below(4000))) * kMetre; };
+    const auto far = [&] {
+        const std::int64_t side = rng.chance(0.5) ? kMetre : -kMetre;
+        return side * (8150 - std::int64_t(rng.below(4000)));
+    };
     return {far(), far(), far()};
 }
 
@@ -49,7 +52,8 @@ void turned_box(ClosedMesh& mesh, Rng& rng) {
     const std::int64_t unit = 2 * kMetre / frame.length;
     const auto side = [&] { return unit + std::int64_t(rng.below(std::uint32_t(unit))); };
     const Steps place = random_place(rng);
-    add_box(mesh, place, frame.x * side(), frame.y * side(), frame.z * side(), rng.chance(0.5));
+    const Steps size{side(), side(), side()};
+    add_box(mesh, place, frame.x * size.x, frame.y * size.y, frame.z * size.z, rng.chance(0.5));
     mesh.free_radius = 0.7;
 }
 
@@ -84,7 +88,8 @@ void two_fans(ClosedMesh& mesh, Rng& rng, double top, double bottom) {
 }
 
 void bipyramid(ClosedMesh& mesh, Rng& rng) {
-    two_fans(mesh, rng, rng.uniform(1, 3), -rng.uniform(1, 3));
+    const double top = rng.uniform(1, 3), bottom = -rng.uniform(1, 3);
+    two_fans(mesh, rng, top, bottom);
     const Vec3 middle = (firma::to_metres(mesh.faces[0][0]) + firma::to_metres(mesh.faces[1][0])) * 0.5;
     mesh.inside = {middle};
     mesh.free_radius = 0;  // measured below
@@ -92,7 +97,8 @@ void bipyramid(ClosedMesh& mesh, Rng& rng) {
 
 // The lid is pushed in toward the bottom; a ring of air is left around, and air between the hubs.
 void cup(ClosedMesh& mesh, Rng& rng) {
-    two_fans(mesh, rng, -rng.uniform(0.1, 0.5), -rng.uniform(1.5, 3));
+    const double top = -rng.uniform(0.1, 0.5), bottom = -rng.uniform(1.5, 3);
+    two_fans(mesh, rng, top, bottom);
     const Vec3 middle = (firma::to_metres(mesh.faces[0][0]) + firma::to_metres(mesh.faces[1][0])) * 0.5;
     mesh.inside = {middle};
 }
@@ -112,7 +118,8 @@ void voxel_room(ClosedMesh& mesh, Rng& rng, bool jittered) {
     const int count = 4 + int(rng.below(20));
     while (int(air.size()) < count) {
         Cell next = list[rng.below(std::uint32_t(list.size()))];
-        next[rng.below(3)] += rng.chance(0.5) ? 1 : -1;
+        const int step = rng.chance(0.5) ? 1 : -1;
+        next[rng.below(3)] += step;
         if (air.insert(next).second) list.push_back(next);
     }
     const Steps place = random_place(rng);
@@ -247,13 +254,16 @@ CastQuery escaping_cast(const ClosedMesh& mesh, bool sphere, Rng& rng) {
         if (which > 0.5) target = a + (b - a) * (rng.chance(0.3) ? 0.5 : u);
         if (which > 0.8) target = target + (c - target) * rng.uniform();
         Vec3 start = mesh.inside[rng.below(std::uint32_t(mesh.inside.size()))];
-        if (rng.chance(0.8)) start = start + rng.direction() * (mesh.free_radius * rng.uniform());
+        if (rng.chance(0.8)) {
+            const Vec3 aside = rng.direction();
+            start = start + aside * (mesh.free_radius * rng.uniform());
+        }
         const bool floats = rng.chance(0.5);
         Vec3 way;
         for (int axis = 0; axis < 3; ++axis) {
             if (floats) {
-                start[axis] = double(float(start[axis]));
-                way[axis] = double(float(target[axis]) - float(start[axis]));
+                start[axis] = rounded_to_float(start[axis]);
+                way[axis] = rounded_to_float(rounded_to_float(target[axis]) - start[axis]);
             } else {
                 way[axis] = target[axis] - start[axis];
             }
@@ -264,7 +274,11 @@ CastQuery escaping_cast(const ClosedMesh& mesh, bool sphere, Rng& rng) {
         while (std::ldexp(far, power) < 4 * mesh.size) ++power;
         power += int(rng.below(8));
         way = way * std::ldexp(1.0, power);
-        const double radius = sphere ? std::ldexp(mesh.free_radius, -int(rng.below(20))) * rng.uniform() : 0;
+        double radius = 0;
+        if (sphere) {
+            radius = std::ldexp(mesh.free_radius, -int(rng.below(20)));
+            radius *= rng.uniform();
+        }
         return {{start, radius}, way};
     }
 }

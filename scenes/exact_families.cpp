@@ -75,7 +75,9 @@ FramedPolygon framed_polygon(CastBuilder& b) {
         p.frame = random_frame(b.rng, 1 + int(b.rng.below(4)));
         p.unit = b.rng.chance(0.5) ? kInput * whole(b.rng, 1, 40) : whole(b.rng, 1, 3000);
         p.origin = steps(in_world(random_steps(b.rng, b.rng.chance(0.8) ? 8 * kMetre : 8000 * kMetre), kInput));
-        p.lattice = lattice_polygon(b.rng, 12, 4 + int(b.rng.below(6)), b.rng.chance(0.3));
+        const int points = 4 + int(b.rng.below(6));
+        const bool collinear = b.rng.chance(0.3);
+        p.lattice = lattice_polygon(b.rng, 12, points, collinear);
         const GridPolygon polygon = on_plane(p.origin, p.frame.x * p.unit, p.frame.y * p.unit, p.lattice);
         if (polygon.empty()) continue;
         b.scene.polygons.push_back(polygon);
@@ -108,7 +110,8 @@ ExactContact contact_with_face(Rng& rng, const FramedPolygon& p) {
                       l = (k + 1 + rng.below(std::uint32_t(p.lattice.size() - 1))) % p.lattice.size();
     i = p.lattice[k].first + p.lattice[l].first;  // twice a point between two corners
     j = p.lattice[k].second + p.lattice[l].second;
-    const std::int64_t height = whole(rng, 0, 12) * (rng.chance(0.8) ? 1 : -1);
+    std::int64_t height = whole(rng, 0, 12);
+    if (rng.chance(0.2)) height = -height;
     const std::int64_t s = whole(rng, -5, 5), t = whole(rng, -5, 5);
     const Vec3 point = to_metres(p.origin) + p.vector(i, j, 0) * 0.5;
     return {point + p.vector(0, 0, height), p.metres(std::abs(height)), p.vector(0, 0, height == 0 ? 1 : height),
@@ -176,7 +179,9 @@ void lattice_scene(CastBuilder& b, const Steps& origin, std::int64_t unit) {
     while (int(b.scene.polygons.size()) < faces) {
         const Steps o = small(b.rng, 3), u = small(b.rng, 2), v = small(b.rng, 2);
         if (along_one_line(u, v)) continue;
-        const auto corners = lattice_polygon(b.rng, 2, 3 + int(b.rng.below(5)), b.rng.chance(0.3));
+        const int points = 3 + int(b.rng.below(5));
+        const bool collinear = b.rng.chance(0.3);
+        const auto corners = lattice_polygon(b.rng, 2, points, collinear);
         const GridPolygon polygon = on_plane(origin + o * unit, u * unit, v * unit, corners);
         if (!polygon.empty()) b.scene.polygons.push_back(polygon);
     }
@@ -184,7 +189,8 @@ void lattice_scene(CastBuilder& b, const Steps& origin, std::int64_t unit) {
     const double radii[] = {0, 0, 0, 1, 2, 3, 5, 0.5, 1.5, 7, 13};
     for (int k = 0; k < kCastsAScene; ++k) {
         const Vec3 start = to_metres(origin) + to_metres(small(b.rng, 12) * unit) * 0.5;
-        Vec3 path = to_metres(small(b.rng, 3) * unit) * power(b.rng, -1, 3);
+        Vec3 path = to_metres(small(b.rng, 3) * unit);
+        path = path * power(b.rng, -1, 3);
         if (b.rng.chance(0.2)) path = path * 100;
         b.add(start, path, radii[b.rng.below(11)] * metre);
     }
@@ -223,8 +229,10 @@ void parallel(CastBuilder& b) {
     for (int k = 0; k < kCastsAScene; ++k) {
         const FramedPolygon& p = any(b.rng, all);
         const std::int64_t height = whole(b.rng, -6, 6);
-        const Vec3 start = to_metres(p.origin) + p.vector(whole(b.rng, -16, 16), whole(b.rng, -16, 16), height);
-        Vec3 path = p.vector(whole(b.rng, -6, 6), whole(b.rng, -6, 6), 0) * power(b.rng, -3, 4);
+        const std::int64_t i = whole(b.rng, -16, 16), j = whole(b.rng, -16, 16), s = whole(b.rng, -6, 6),
+                           t = whole(b.rng, -6, 6);
+        const Vec3 start = to_metres(p.origin) + p.vector(i, j, height);
+        Vec3 path = p.vector(s, t, 0) * power(b.rng, -3, 4);
         if (b.rng.chance(0.3)) path[int(b.rng.below(3))] = b.nudged(path[0], 1);
         const double radius = b.rng.chance(0.3) ? 0 : p.metres(std::abs(height) + whole(b.rng, -1, 1));
         b.add(start, path, std::fabs(maybe_nudged(b, radius)));
@@ -248,8 +256,10 @@ void coplanar(CastBuilder& b) {
             from = p.vector(v.first - (w.first - v.first) * m, v.second - (w.second - v.second) * m, 0);
             way = p.vector(w.first - v.first, w.second - v.second, 0) * double(m + whole(b.rng, -1, 3));
         } else {
-            from = p.vector(whole(b.rng, -30, 30), whole(b.rng, -30, 30), 0);
-            way = p.vector(whole(b.rng, -30, 30), whole(b.rng, -30, 30), 0) * power(b.rng, -2, 2);
+            const std::int64_t i = whole(b.rng, -30, 30), j = whole(b.rng, -30, 30);
+            from = p.vector(i, j, 0);
+            const std::int64_t along = whole(b.rng, -30, 30), across = whole(b.rng, -30, 30);
+            way = p.vector(along, across, 0) * power(b.rng, -2, 2);
         }
         b.add(to_metres(p.origin) + from, way, radius);
     }
@@ -269,9 +279,11 @@ void exact_touch(CastBuilder& b) {
     for (int k = 0; k < kCastsAScene; ++k) {
         const ExactContact c = any_contact(b.rng, any(b.rng, all));
         const double inward = double(whole(b.rng, -1, 1));  // in, along, out
-        Vec3 path = c.along * double(whole(b.rng, 0, 2)) - c.away * (inward * power(b.rng, -6, 1));
+        Vec3 path = c.along * double(whole(b.rng, 0, 2));
+        path = path - c.away * (inward * power(b.rng, -6, 1));
         if (b.rng.chance(0.2)) path = b.rng.direction();
-        b.add(c.centre, path * power(b.rng, -8, 3), maybe_nudged(b, c.radius));
+        path = path * power(b.rng, -8, 3);
+        b.add(c.centre, path, maybe_nudged(b, c.radius));
     }
 }
 
@@ -289,7 +301,8 @@ void exact_end(CastBuilder& b) {
     const std::vector<FramedPolygon> all = framed_polygons(b, 16);
     for (int k = 0; k < kCastsAScene; ++k) {
         const ExactContact c = any_contact(b.rng, any(b.rng, all));
-        const Vec3 path = c.along * double(whole(b.rng, -2, 2)) - c.away * double(whole(b.rng, 0, 3));
+        Vec3 path = c.along * double(whole(b.rng, -2, 2));
+        path = path - c.away * double(whole(b.rng, 0, 3));
         const double far = power(b.rng, -2, 2);
         b.add(c.centre - path * far, path * far, maybe_nudged(b, c.radius));
     }
@@ -300,18 +313,20 @@ void sliding(CastBuilder& b) {
     for (int k = 0; k < kCastsAScene; ++k) {
         const FramedPolygon& p = any(b.rng, all);
         ExactContact c = contact_with_face(b.rng, p);
-        const Vec3 path = c.along * power(b.rng, -4, 3);
+        Vec3 path = c.along * power(b.rng, -4, 3);
         if (b.rng.chance(0.5)) c.centre = c.centre - path * 0.5;
-        b.add(c.centre,
-              b.rng.chance(0.2) ? path + c.away * power(b.rng, -50, -20) * (b.rng.chance(0.5) ? 1 : -1) : path,
-              maybe_nudged(b, c.radius));
+        if (b.rng.chance(0.2)) {
+            const double hair = power(b.rng, -50, -20);
+            path = path + c.away * (b.rng.chance(0.5) ? hair : -hair);
+        }
+        b.add(c.centre, path, maybe_nudged(b, c.radius));
     }
 }
 
 // A field of squares or triangles in one plane, aimed at where they meet, exactly.
 void shared_flat(CastBuilder& b) {
     const WholeFrame frame = random_frame(b.rng, 2);
-    const std::int64_t unit = (b.rng.chance(0.5) ? kMetre : kMetre / 2) / 64 * (1 + b.rng.below(3));
+    const std::int64_t base = (b.rng.chance(0.5) ? kMetre : kMetre / 2) / 64, unit = base * (1 + b.rng.below(3));
     const Steps origin = steps(in_world(random_steps(b.rng, b.rng.chance(0.7) ? 8 * kMetre : 8000 * kMetre), kInput));
     const bool split = b.rng.chance(0.5);
     const auto at = [&](std::int64_t i, std::int64_t j) { return in_world(origin + frame.at(i, j, 0) * unit); };
@@ -330,7 +345,8 @@ void shared_flat(CastBuilder& b) {
     for (int k = 0; k < kCastsAScene; ++k) {
         const std::int64_t i = whole(b.rng, -12, 12), j = b.rng.chance(0.6) ? 4 * whole(b.rng, -3, 3) : i;
         const std::int64_t radius = b.rng.chance(0.5) ? 0 : whole(b.rng, 1, 8);
-        Vec3 path = metres(whole(b.rng, -8, 8), whole(b.rng, -8, 8), -whole(b.rng, 1, 8));
+        const Steps way{whole(b.rng, -8, 8), whole(b.rng, -8, 8), -whole(b.rng, 1, 8)};
+        Vec3 path = metres(way.x, way.y, way.z);
         const Vec3 centre = to_metres(origin) + metres(i, j, radius);
         const double before = double(whole(b.rng, 0, 6)) / 2, after = double(whole(b.rng, 0, 6)) / 2;
         if (b.rng.chance(0.3)) path = path * b.rng.uniform(0.5, 2);  // no longer exact, but along the same line

@@ -22,7 +22,8 @@ void graze(CastBuilder& b, Feature feature) {
         if (feature == Feature::kEdge) away = away - e * dot(away, e);
         away = away * (1 / length(away));
         const Vec3 way = b.perpendicular_to(away);
-        const double off = b.rng.chance(0.6) ? 0 : b.magnitude(1e-16, 1e-3) * (b.rng.chance(0.5) ? 1 : -1);
+        double off = b.rng.chance(0.6) ? 0 : b.magnitude(1e-16, 1e-3);
+        if (b.rng.chance(0.5)) off = -off;
         const double before = b.rng.uniform(0, 5), after = b.rng.uniform(0, 5);
         b.add(at.point + away * b.nudged(radius, 2) - way * before, way * (before + after), radius * (1 + off));
     }
@@ -38,7 +39,9 @@ void radii(CastBuilder& b) {
         const Place at = b.any_place();
         const double radius = least * b.rng.uniform(0.5, 1.5);
         const Vec3 way = b.rng.direction(), away = b.rng.chance(0.5) ? b.normal(at.polygon) : way * -1;
-        b.meet(at.point, away, radius, way, b.rng.uniform(0, 10), b.rng.uniform(0, 10));
+        const double before = b.rng.uniform(0, 10);
+        const double after = b.rng.uniform(0, 10);
+        b.meet(at.point, away, radius, way, before, after);
     }
 }
 
@@ -50,7 +53,9 @@ void extreme_radii(CastBuilder& b) {
                               : b.rng.chance(0.2) ? b.magnitude(1e-320, 1e-20)
                                                   : b.magnitude(1e3, 1e6);
         const Vec3 way = b.rng.direction(), away = b.rng.chance(0.5) ? b.normal(at.polygon) : way * -1;
-        b.meet(at.point, away, radius, way, b.rng.uniform(0, 10), b.rng.uniform(0, 10));
+        const double before = b.rng.uniform(0, 10);
+        const double after = b.rng.uniform(0, 10);
+        b.meet(at.point, away, radius, way, before, after);
     }
 }
 
@@ -61,8 +66,10 @@ void long_paths(CastBuilder& b) {
         const Place at = b.any_place();
         const Vec3 way = b.rng.direction();
         const double radius = b.rng.chance(0.4) ? 0 : b.magnitude(1e-3, 5);
-        b.meet(at.point, b.rng.chance(0.5) ? way * -1 : b.rng.direction(), radius, way, b.rng.uniform(0, 1e4),
-               b.rng.uniform(0, 1e4));
+        const Vec3 away = b.rng.chance(0.5) ? way * -1 : b.rng.direction();
+        const double before = b.rng.uniform(0, 1e4);
+        const double after = b.rng.uniform(0, 1e4);
+        b.meet(at.point, away, radius, way, before, after);
     }
 }
 
@@ -74,7 +81,9 @@ void short_paths(CastBuilder& b) {
         const Place at = b.any_place();
         const Vec3 way = b.rng.direction(), away = b.rng.chance(0.5) ? b.normal(at.polygon) : way * -1;
         const double radius = b.rng.chance(0.4) ? 0 : b.magnitude(1e-3, 2);
-        b.meet(at.point, away, radius, way, size * b.rng.uniform(-0.3, 1.3), size * b.rng.uniform(0, 1));
+        const double before = size * b.rng.uniform(-0.3, 1.3);
+        const double after = size * b.rng.uniform(0, 1);
+        b.meet(at.point, away, radius, way, before, after);
     }
 }
 
@@ -86,11 +95,14 @@ void odd_paths(CastBuilder& b) {
     for (int k = 0; k < kCastsAScene; ++k) {
         const Place at = b.any_place();
         const double radius = b.rng.chance(0.3) ? 0 : b.magnitude(1e-3, 2);
-        const Vec3 start = at.point + b.rng.direction() * (radius * b.rng.uniform(0, 1.2));
+        const Vec3 aside = b.rng.direction();
+        const Vec3 start = at.point + aside * (radius * b.rng.uniform(0, 1.2));
         const bool all_small = b.rng.chance(0.6);
         Vec3 path;
-        for (int axis = 0; axis < 3; ++axis)
-            path[axis] = sizes[b.rng.below(all_small ? 11 : 13)] * (b.rng.chance(0.5) ? 1 : b.rng.uniform(-1, 1));
+        for (int axis = 0; axis < 3; ++axis) {
+            path[axis] = sizes[b.rng.below(all_small ? 11 : 13)];
+            if (b.rng.chance(0.5)) path[axis] *= b.rng.uniform(-1, 1);
+        }
         b.add(start, path, radius);
     }
 }
@@ -127,8 +139,10 @@ void overlapping(CastBuilder& b) {
     for (int k = 0; k < kCastsAScene; ++k) {
         const Place at = b.any_place();
         const double radius = b.magnitude(1e-3, 4);
-        b.add(at.point + b.rng.direction() * (radius * b.rng.uniform()), b.rng.direction() * b.magnitude(1e-3, 10),
-              radius);
+        const Vec3 aside = b.rng.direction();
+        const Vec3 start = at.point + aside * (radius * b.rng.uniform());
+        const Vec3 way = b.rng.direction();
+        b.add(start, way * b.magnitude(1e-3, 10), radius);
     }
 }
 
@@ -138,8 +152,10 @@ void receding(CastBuilder& b) {
         const Place at = b.any_place();
         const double radius = b.rng.chance(0.4) ? 0 : b.magnitude(1e-3, 1);
         const Vec3 n = b.normal(at.polygon), way = b.rng.direction();
-        b.meet(at.point, n, b.nudged(radius, 1), dot(way, n) < 0 ? way * -1 : way, b.rng.uniform(-0.1, 0.1),
-               b.rng.uniform(0, 5));
+        const double nudged = b.nudged(radius, 1);
+        const double before = b.rng.uniform(-0.1, 0.1);
+        const double after = b.rng.uniform(0, 5);
+        b.meet(at.point, n, nudged, dot(way, n) < 0 ? way * -1 : way, before, after);
     }
 }
 
@@ -149,7 +165,9 @@ void backface(CastBuilder& b) {
         const Place at = b.any_place();
         const double radius = b.rng.chance(0.4) ? 0 : b.magnitude(1e-3, 1);
         const Vec3 n = b.normal(at.polygon), way = b.rng.direction();
-        b.meet(at.point, n * -1, radius, dot(way, n) < 0 ? way * -1 : way, b.rng.uniform(0, 5), b.rng.uniform(0, 5));
+        const double before = b.rng.uniform(0, 5);
+        const double after = b.rng.uniform(0, 5);
+        b.meet(at.point, n * -1, radius, dot(way, n) < 0 ? way * -1 : way, before, after);
     }
 }
 
@@ -158,13 +176,17 @@ void straddling(CastBuilder& b) {
     const double side = b.rng.chance(0.5) ? 1 : -1;
     for (int k = 0; k < kCastsAScene; ++k) {
         const Place at = b.place(b.rng.chance(0.6) ? Feature::kEdge : Feature::kVertex);
-        const double radius = b.magnitude(1e-2, 2), lean = b.rng.uniform() * (b.rng.chance(0.3) ? 1e-6 : 0.9);
+        const double radius = b.magnitude(1e-2, 2), most = b.rng.chance(0.3) ? 1e-6 : 0.9,
+                     lean = b.rng.uniform(0, most);
         const Vec3 n = b.normal(at.polygon), out = b.outward(at);
         Vec3 away = out + n * (side * lean);
         away = away * (1 / length(away));
-        Vec3 way = away * -1 + b.perpendicular_to(away) * b.rng.uniform(0, 2);
+        const Vec3 across = b.perpendicular_to(away);
+        Vec3 way = across * b.rng.uniform(0, 2) - away;
         way = way * (1 / length(way));
-        b.meet(at.point, away, radius, way, radius * b.rng.uniform(), b.rng.uniform(0, 3));
+        const double before = radius * b.rng.uniform();
+        const double after = b.rng.uniform(0, 3);
+        b.meet(at.point, away, radius, way, before, after);
     }
 }
 
@@ -184,7 +206,9 @@ void shallow(CastBuilder& b) {
         const Vec3 n = b.normal(at.polygon), flat = b.perpendicular_to(n);
         Vec3 way = flat - n * b.magnitude(1e-12, 0.01);
         way = way * (1 / length(way));
-        b.meet(at.point, n, radius, way, b.rng.uniform(0, 6), b.rng.uniform(0, 6));
+        const double before = b.rng.uniform(0, 6);
+        const double after = b.rng.uniform(0, 6);
+        b.meet(at.point, n, radius, way, before, after);
     }
 }
 
@@ -194,8 +218,8 @@ void end_of_path(CastBuilder& b) {
         const Place at = b.any_place();
         const double radius = b.rng.chance(0.4) ? 0 : b.magnitude(1e-3, 2);
         const Vec3 way = b.rng.direction(), away = b.rng.chance(0.5) ? b.normal(at.polygon) : way * -1;
-        const double before = b.rng.uniform(0.1, 8),
-                     miss = b.rng.chance(0.5) ? 0 : b.magnitude(1e-16, 1e-3) * (b.rng.chance(0.5) ? 1 : -1);
+        const double before = b.rng.uniform(0.1, 8), far = b.rng.chance(0.5) ? 0 : b.magnitude(1e-16, 1e-3),
+                     miss = b.rng.chance(0.5) ? far : -far;
         b.meet(at.point, away, radius, way, before, b.nudged(miss, 1));
     }
 }
@@ -208,8 +232,9 @@ void starts_on(CastBuilder& b) {
         const Vec3 exact =
             at.feature == Feature::kVertex ? at.point : (v[at.corner] + v[(at.corner + 1) % v.size()]) * 0.5;
         const Vec3 n = b.normal(at.polygon), way = b.rng.chance(0.3) ? b.perpendicular_to(n) : b.rng.direction();
-        b.add(at.feature == Feature::kFace ? at.point : exact, way * b.magnitude(1e-9, 10),
-              b.rng.chance(0.5) ? 0 : b.magnitude(1e-3, 2));
+        const Vec3 path = way * b.magnitude(1e-9, 10);
+        const double radius = b.rng.chance(0.5) ? 0 : b.magnitude(1e-3, 2);
+        b.add(at.feature == Feature::kFace ? at.point : exact, path, radius);
     }
 }
 

@@ -31,7 +31,9 @@ void many_corners(CastBuilder& b) {
 }
 
 void collinear_corners(CastBuilder& b) {
-    b.ngons(24, 6 * kMetre, 3 * kMetre, kInput * (1 + b.rng.below(2000)), 5 + int(b.rng.below(6)), true);
+    const std::int64_t step = kInput * (1 + b.rng.below(2000));
+    const int points = 5 + int(b.rng.below(6));
+    b.ngons(24, 6 * kMetre, 3 * kMetre, step, points, true);
     b.wild_casts(2, 10);
 }
 
@@ -55,7 +57,9 @@ void height_field(CastBuilder& b) {
         Vec3 way = b.rng.direction();
         way.z = -std::fabs(way.z);
         const double radius = b.rng.chance(0.4) ? 0 : b.magnitude(0.01, 1);
-        b.meet(at.point, {0, 0, 1}, radius, way, b.rng.uniform(0, 10), b.rng.uniform(0, 10));
+        const double before = b.rng.uniform(0, 10);
+        const double after = b.rng.uniform(0, 10);
+        b.meet(at.point, {0, 0, 1}, radius, way, before, after);
     }
 }
 
@@ -63,7 +67,8 @@ void fans(CastBuilder& b) {
     const int spokes = 3 + int(b.rng.below(62));
     const WholeFrame frame = random_frame(b.rng, 3);
     const std::int64_t size = 2 * kMetre / frame.length;
-    const double height = b.rng.chance(0.3) ? 0 : b.rng.uniform(-1, 1) * (b.rng.chance(0.5) ? 1 : 1e-3);
+    double height = b.rng.chance(0.3) ? 0 : b.rng.uniform(-1, 1);
+    if (b.rng.chance(0.5)) height *= 1e-3;
     const Steps centre = random_steps(b.rng, 8 * kMetre);
     std::vector<GridPoint> rim;
     for (int k = 0; k < spokes; ++k) {  // around a square, so as not to need a sine
@@ -88,7 +93,10 @@ void fans(CastBuilder& b) {
         Vec3 way = b.rng.direction();
         if (dot(way, up) > 0) way = way * -1;
         const double radius = b.rng.chance(0.5) ? 0 : b.magnitude(1e-4, 1);
-        b.meet(target, b.rng.chance(0.5) ? way * -1 : up, radius, way, b.rng.uniform(0, 10), b.rng.uniform(0, 10));
+        const Vec3 away = b.rng.chance(0.5) ? way * -1 : up;
+        const double before = b.rng.uniform(0, 10);
+        const double after = b.rng.uniform(0, 10);
+        b.meet(target, away, radius, way, before, after);
     }
 }
 
@@ -109,7 +117,10 @@ void slivers(CastBuilder& b) {
         const Place at = b.any_place();
         const double radius = b.rng.chance(0.3) ? 0 : b.magnitude(1e-6, 1);
         const Vec3 way = b.rng.direction(), away = b.rng.chance(0.3) ? b.perpendicular_to(way) : way * -1;
-        b.meet(at.point, away, b.nudged(radius, 1), way, b.rng.uniform(0, 4), b.rng.uniform(0, 4));
+        const double nudged = b.nudged(radius, 1);
+        const double before = b.rng.uniform(0, 4);
+        const double after = b.rng.uniform(0, 4);
+        b.meet(at.point, away, nudged, way, before, after);
     }
 }
 
@@ -133,7 +144,10 @@ void knife_edges(CastBuilder& b) {
         const Vec3 way = b.rng.chance(0.5) ? out * -1 + b.rng.direction() * 0.01 : b.rng.direction();
         const double radius = b.rng.chance(0.3) ? 0 : b.magnitude(1e-5, 0.5);
         const Vec3 unit = way * (1 / length(way));
-        b.meet(at.point, b.rng.chance(0.5) ? out : unit * -1, radius, unit, b.rng.uniform(0, 3), b.rng.uniform(0, 3));
+        const Vec3 away = b.rng.chance(0.5) ? out : unit * -1;
+        const double before = b.rng.uniform(0, 3);
+        const double after = b.rng.uniform(0, 3);
+        b.meet(at.point, away, radius, unit, before, after);
     }
 }
 
@@ -156,7 +170,9 @@ void thin_boxes(CastBuilder& b) {
         const Place at = b.any_place();
         const Vec3 way = b.rng.direction();
         const double radius = b.rng.chance(0.5) ? 0 : b.magnitude(1e-6, 0.1);
-        b.meet(at.point, way * -1, radius, way, b.magnitude(0.1, 500), b.magnitude(0.1, 500));
+        const double before = b.magnitude(0.1, 500);
+        const double after = b.magnitude(0.1, 500);
+        b.meet(at.point, way * -1, radius, way, before, after);
     }
 }
 
@@ -180,7 +196,11 @@ void huge_polygons(CastBuilder& b) {
     b.triangles(12, 2000 * kMetre, 5000 * kMetre, kInput);
     b.triangles(4, 0, 8192 * kMetre, 1);
     b.ngons(8, 1000 * kMetre, 5000 * kMetre, kInput, 10);
-    for (int k = 0; k < kCastsAScene; ++k) b.wild(b.rng.chance(0.5) ? 1 : 500, b.rng.chance(0.5) ? 10 : 6000);
+    for (int k = 0; k < kCastsAScene; ++k) {
+        const double radius = b.rng.chance(0.5) ? 1 : 500;
+        const double reach = b.rng.chance(0.5) ? 10 : 6000;
+        b.wild(radius, reach);
+    }
 }
 
 void tiny_polygons(CastBuilder& b) {
@@ -189,8 +209,11 @@ void tiny_polygons(CastBuilder& b) {
     b.triangles(16, 12 * step, 3 * step, step, centre);
     b.ngons(14, 12 * step, 4 * step, step, 8, false, centre);
     const double size = double(step) / kSurfaceSteps;
-    for (int k = 0; k < kCastsAScene; ++k)
-        b.wild(size * (b.rng.chance(0.5) ? 10 : 1000), size * (b.rng.chance(0.5) ? 20 : 1e5));
+    for (int k = 0; k < kCastsAScene; ++k) {
+        const double radius = size * (b.rng.chance(0.5) ? 10 : 1000);
+        const double reach = size * (b.rng.chance(0.5) ? 20 : 1e5);
+        b.wild(radius, reach);
+    }
 }
 
 void mixed_scales(CastBuilder& b) {
@@ -199,7 +222,9 @@ void mixed_scales(CastBuilder& b) {
     b.triangles(8, kMetre / 100, 4 * kInput, 1);
     for (int k = 0; k < kCastsAScene; ++k) {
         const double size = b.magnitude(1e-4, 1e3);
-        b.wild(size * b.magnitude(1e-3, 10), size * b.magnitude(0.1, 1e3));
+        const double radius = size * b.magnitude(1e-3, 10);
+        const double reach = size * b.magnitude(0.1, 1e3);
+        b.wild(radius, reach);
     }
 }
 

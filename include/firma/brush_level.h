@@ -92,4 +92,7 @@ Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadO
 Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
                                     const ReadOptions& options = {});
 
+/// Reads a file by its ending (.map, .bsp): of a .bsp the brushes.
+Result<BrushLevel> read_brush_level(const std::string& path, const ReadOptions& options = {});
+
 }  // namespace firma

@@ -48,7 +48,7 @@ std::uint32_t FaceCutter::cutter_crossing(std::uint32_t edge, std::uint32_t face
     CutPoint crossing;
     crossing.planes[0] = it.plane[0].get();
     crossing.planes[1] = it.plane[1].get();
-    crossing.planes[2] = cut_.patch->faces[face].plane.get();
+    crossing.planes[2] = cut_.patch->faces[face].plane;
     crossing.point = ExactPoint(crossing.planes[0]->plane, crossing.planes[1]->plane, crossing.planes[2]->plane);
     crossing.edge = edge;
     crossing.face = face;
@@ -190,8 +190,7 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
             const std::uint32_t edge = uses[k].edge;
             const std::uint32_t crossing = world_crossing(edge, triangle);
             const PatchEdge& it = patch.edges[edge];
-            const bool in_face =
-                it.plane[0] == face.plane.get() || exact_parallel(it.plane[0]->plane, face.plane->plane);
+            const bool in_face = it.plane[0] == face.plane || exact_parallel(it.plane[0]->plane, face.plane->plane);
             line_.push_back({crossing, &it.plane[in_face]->plane, true});
         }
         loop_start = end;

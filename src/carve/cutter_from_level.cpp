@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A cutter from a level file: corners are welded by position, convex faces become triangles with area.
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/sort.h"
 #include "firma/cutter.h"
 #include "geometry/exact_integer.h"
 
@@ -60,7 +60,7 @@ private:
     void weld() {
         std::vector<std::uint32_t> order(level_.vertices.size());
         for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        sort_range(order, [&](std::uint32_t a, std::uint32_t b) {
             const auto by_position = level_.vertices[a] <=> level_.vertices[b];
             return by_position != 0 ? by_position < 0 : a < b;
         });

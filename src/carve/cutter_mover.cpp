@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort.h"
 #include "carve/check_shells.h"
 
 namespace firma {
@@ -21,7 +22,7 @@ void CutterMover::touched(std::vector<std::uint32_t>& vertices) {
     touching_.swap(vertices);
     if (touching_.empty())
         for (std::uint32_t v = 0; v < placed_.vertices.size(); ++v) touching_.push_back(v);
-    std::sort(touching_.begin(), touching_.end());
+    sort_range(touching_);
     touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
 }
 

@@ -2,7 +2,7 @@
 // The faces that a cut may touch, taken out of the tree.
 #include "carve/gather.h"
 
-#include "tree/visit.h"
+#include "base/fetch_ahead.h"
 
 namespace firma {
 namespace {
@@ -26,30 +26,60 @@ bool meets(const Block& block, const FaceRecord& face, const GridBox& box) {
     return true;
 }
 
-template <class Found>
-struct BoxVisitor {
-    const GridBox& box;
-    const Bounds bounds;
-    const Found& found;
+/// Calls `function(bin)` for the leaf bins that a box meets, left to right.
+template <class Function>
+void for_each_bin(const Block& block, const Bounds& bounds, const Function& function) {
+    const auto below = [&](const auto& self, std::uint32_t index) -> void {
+        const Bin& bin = block.bins[index];
+        if (!bounds.meets(bin.box)) return;
+        if (bin.is_leaf()) return function(bin);
+        self(self, index + 1);
+        self(self, bin.first);
+    };
+    below(below, 0);
+}
 
-    bool enter(const Bin& bin, double& nearest) const {
-        nearest = 0;
-        return bounds.meets(bin.box);
-    }
-    bool still(double) const { return true; }
-    bool faces(const Block& block, std::uint32_t first, std::uint32_t count) const {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            const FaceRecord& face = block.faces[slot];
-            if (face.solid && meets(block, face, box)) found(FacetPlace{&block, slot});
-        }
-        return false;
-    }
-};
+void fetch_contents_ahead(const Block& block) {
+    const auto fetch = [](const auto& array) { fetch_ahead(array.data(), array.size() * sizeof(array[0])); };
+    fetch(block.bins);
+    fetch(block.children);
+    fetch(block.faces);
+    fetch(block.vertices);
+    fetch(block.corner_vertices);
+    fetch(block.owners);
+}
 
+/// In the tree's order. Level by level, as blocks lie scattered in memory: those of a level are waited for together.
 template <class Found>
 void visit_box(const Block& root, const GridBox& box, const Found& found) {
-    BoxVisitor<Found> visitor{box, Bounds(box), found};
-    visit(root, visitor);
+    const Bounds bounds(box);
+    std::vector<const Block*> blocks{&root}, below;
+    for (bool deeper = root.holds_blocks(); deeper;) {
+        deeper = false;
+        below.clear();
+        for (const Block* block : blocks) {
+            if (!block->holds_blocks()) {
+                below.push_back(block);
+                continue;
+            }
+            for_each_bin(*block, bounds, [&](const Bin& bin) {
+                below.push_back(block->children[bin.first].get());
+                fetch_ahead(below.back(), sizeof(Block));
+            });
+        }
+        for (const Block* block : below) {
+            deeper |= block->holds_blocks();
+            fetch_contents_ahead(*block);
+        }
+        blocks.swap(below);
+    }
+    for (const Block* block : blocks)
+        for_each_bin(*block, bounds, [&](const Bin& bin) {
+            for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot) {
+                const FaceRecord& face = block->faces[slot];
+                if (face.solid && meets(*block, face, box)) found(FacetPlace{block, slot});
+            }
+        });
 }
 
 }  // namespace

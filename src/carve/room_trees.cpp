@@ -6,6 +6,7 @@
 
 #include "tree/append_faces.h"
 #include "tree/build_blocks.h"
+#include "tree/join_blocks.h"
 #include "tree/rounded_box.h"
 
 namespace firma {
@@ -26,9 +27,13 @@ Ref<const Block> join(const std::vector<Ref<const Block>>& roots, const TreeOpti
     if (roots.size() > kBlockItems) return build_anew(roots, options);
     for (const Ref<const Block>& root : roots)
         if (root->depth > kDeepestJoin) return build_anew(roots, options);
-    BlockBuilder builder;
-    builder.divide(roots);
-    return builder.join(roots);
+    std::vector<BlockItem> items;
+    for (const Ref<const Block>& root : roots) items.push_back(BlockItem::of(*root, true));
+    BlockJoiner joiner;
+    joiner.divide(items);
+    std::vector<std::uint32_t> nodes;
+    joiner.group(kBlockItems, nodes);
+    return joiner.join(items, nodes[0]);
 }
 
 }  // namespace

@@ -59,6 +59,11 @@ const CarveRules& rules_of(const World& world) {
 }  // namespace
 
 void Cut::clear() {
+    // Room for as many as a cut usually makes: growing bit by bit writes everything twice.
+    const std::size_t usual = std::min<std::size_t>(4 * patch->faces.size(), 4096);
+    crossings.reserve(usual);
+    world_crossing.reserve(usual / 2);
+    cutter_crossing.reserve(usual / 2);
     touching.clear();
     crossings.clear();
     world_crossing.clear();

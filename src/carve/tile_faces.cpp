@@ -132,8 +132,7 @@ private:
             at = -at;
         }
         // crossing[1]: to the front; crossing[0]: to the back. The new edge closes both pieces.
-        const std::uint32_t inner =
-            add_edge(crossing[0], crossing[1], patch_.faces[index].plane.get(), patch_.keep(plane));
+        const std::uint32_t inner = add_edge(crossing[0], crossing[1], patch_.faces[index].plane, patch_.keep(plane));
         close(piece[1], {inner, false});
         close(piece[0], {inner, true});
         for (const std::vector<PatchUse>& uses : piece) add_piece(index, uses);
@@ -253,7 +252,7 @@ void keep_pieces(Cut& cut) {
         }
         if (face.parent == ~0u || gone[index]) continue;
         NewFace kept;
-        kept.plane = face.plane;
+        kept.plane = Ref<const SolidPlane>(face.plane);
         kept.face = index;
         kept.first_use = std::uint32_t(cut.uses.size());
         kept.use_count = face.use_count;

@@ -85,9 +85,7 @@ private:
         by_face_.assign(patch_.faces.size() + 1, 0);
         for (const Segment& segment : cut_.segments) {
             cut_.new_edges.push_back(
-                {segment.from,
-                 segment.to,
-                 {patch_.faces[segment.face].plane.get(), cutter_.planes[segment.triangle].get()}});
+                {segment.from, segment.to, {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle].get()}});
             ++by_triangle_[segment.triangle + 1];
             ++by_face_[segment.face + 1];
         }
@@ -129,7 +127,7 @@ private:
         }
         for (std::uint32_t k = by_face_[index]; k < by_face_[index + 1]; ++k)
             pieces_.push_back({segment_edge_ + of_face_[k], true});
-        return trace_pieces({face.plane, 0, 0, 0, 0, index, ~0u});
+        return trace_pieces({Ref<const SolidPlane>(face.plane), 0, 0, 0, 0, index, ~0u});
     }
 
     Verdict trace_cutter(std::uint32_t t) {

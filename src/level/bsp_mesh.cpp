@@ -2,12 +2,12 @@
 // Makes polygons of surfaces, each kind its own way.
 #include "level/bsp_mesh.h"
 
-#include <algorithm>
 #include <array>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "base/sort.h"
 #include "level/divide_patches.h"
 #include "level/join_triangles.h"
 #include "level/tessellate_patch.h"
@@ -23,8 +23,7 @@ std::vector<std::uint32_t> first_at_position(std::span<const Vec3> positions) {
     std::vector<std::uint32_t> order(positions.size()), first(positions.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto key = [&](std::uint32_t k) { return std::tuple(positions[k].x, positions[k].y, positions[k].z); };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    sort_range(order, [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
     for (std::size_t k = 0; k < order.size(); ++k) {
         const bool again = k > 0 && key(order[k]) == key(order[k - 1]);
         first[order[k]] = again ? first[order[k - 1]] : order[k];

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace firma {
 
 EarClipper::EarClipper(std::span<const GridPoint> outline, int axis, bool flip)
@@ -20,7 +22,7 @@ EarClipper::EarClipper(std::span<const GridPoint> outline, int axis, bool flip)
         corners_[k].left = side(corners_[k].before, k, corners_[k].after) > 0;
         if (!corners_[k].left) inward_.push_back(k);
     }
-    std::sort(inward_.begin(), inward_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    sort_range(inward_, [&](std::uint32_t a, std::uint32_t b) {
         return corners_[a].u != corners_[b].u ? corners_[a].u < corners_[b].u : a < b;
     });
     for (std::uint32_t k = 0; k < count; ++k) judge(k);

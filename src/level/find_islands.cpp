@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace firma {
 namespace {
@@ -83,7 +84,7 @@ std::vector<std::uint32_t> walk_rim(std::span<const Edge> rim) {
 }
 
 std::vector<std::uint32_t> sorted_once(std::vector<std::uint32_t> corners) {
-    std::sort(corners.begin(), corners.end());
+    sort_range(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     return corners;
 }

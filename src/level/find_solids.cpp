@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/flat_map.h"
+#include "base/sort.h"
 #include "geometry/polygon_shape.h"
 #include "level/solid_pieces.h"
 
@@ -27,9 +28,9 @@ public:
                 doubled_of_.push_back({edge.low, edge.high, face, k});
             }
         }
-        std::sort(faces.begin(), faces.end());
+        sort_range(faces);
         faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-        std::sort(doubled_of_.begin(), doubled_of_.end());
+        sort_range(doubled_of_);
         doubled_.resize(pieces_.doubled.size());
         std::vector<std::pair<std::uint32_t, Ref<const SolidFace>>> stored;
         for (const std::uint32_t face : faces) stored.emplace_back(face, make(face));

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/sort.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
@@ -58,8 +59,8 @@ Outline inside_side(const Outline& outline, const Side& side, const std::vector<
     for (const std::uint32_t corner : outline)
         if (on_one_line(from, to, vertices[corner]) && place(corner) > 0 && place(corner) < std::abs(length))
             inside.push_back(corner);
-    std::sort(inside.begin(), inside.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
+    sort_range(inside,
+               [&](std::uint32_t a, std::uint32_t b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
     const auto same = [&](std::uint32_t a, std::uint32_t b) { return vertices[a] == vertices[b]; };
     inside.erase(std::unique(inside.begin(), inside.end(), same), inside.end());
     return inside;

@@ -4,9 +4,9 @@
 // an upward one and ends at the next, a downward one.
 #include "level/pair_edges.h"
 
-#include <algorithm>
 #include <numeric>
 
+#include "base/sort.h"
 #include "geometry/grid_orient.h"
 
 namespace firma {
@@ -46,7 +46,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_uses(std::span<const I
     const AroundEdge around(points, uses[0]);
     std::vector<std::uint32_t> order(uses.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    sort_range(order, [&](std::uint32_t a, std::uint32_t b) {
         if (around.same(uses[a].apex, uses[b].apex)) return a < b;
         return around.before(uses[a].apex, uses[b].apex);
     });

@@ -24,7 +24,7 @@ struct Ending {
     std::string_view text;
     LevelFormat format;
 };
-constexpr Ending kEndings[] = {{".obj", LevelFormat::kObj}, {".bsp", LevelFormat::kBsp}};
+constexpr Ending kEndings[] = {{".obj", LevelFormat::kObj}, {".map", LevelFormat::kMap}, {".bsp", LevelFormat::kBsp}};
 
 struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }

@@ -13,7 +13,7 @@ namespace firma {
 /// @return kCannotRead with the system's reason: missing, a folder, not allowed, broken off; kTooLarge beyond 4 GiB
 Result<std::string> read_file(const std::string& path);
 
-enum class LevelFormat : std::uint8_t { kObj, kBsp };
+enum class LevelFormat : std::uint8_t { kObj, kBsp, kMap };
 
 /// By what stands behind the last point of the name, capitals or not.
 /// @return kUnsupported for other endings, naming those that there are

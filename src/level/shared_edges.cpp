@@ -2,6 +2,8 @@
 // Gathers the sides of faces by edge: a counting sort by one end, a sort by the other.
 #include "level/shared_edges.h"
 
+#include "base/sort.h"
+
 namespace firma {
 
 SharedEdges::SharedEdges(const ExactMesh& mesh, const WeldedPositions& welded) : first_(welded.size() + 1) {
@@ -22,10 +24,10 @@ SharedEdges::SharedEdges(const ExactMesh& mesh, const WeldedPositions& welded) :
         sides_[free[low]++] = {high, corner, up};
     });
     for (std::size_t low = 0; low + 1 < first_.size(); ++low)
-        std::sort(sides_.begin() + first_[low], sides_.begin() + first_[low + 1],
-                  [](const FaceSide& a, const FaceSide& b) {
-                      return a.high != b.high ? a.high < b.high : a.corner < b.corner;
-                  });
+        sort_range(std::span(sides_).subspan(first_[low], first_[low + 1] - first_[low]),
+                   [](const FaceSide& a, const FaceSide& b) {
+                       return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+                   });
 }
 
 }  // namespace firma

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 
 namespace firma {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 std::vector<std::uint32_t> number_positions(const std::vector<GridPoint>& vertices, std::vector<InputPoint>& points) {
     std::vector<std::uint32_t> order(vertices.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    sort_range(order, [&](std::uint32_t a, std::uint32_t b) {
         return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
     });
     std::vector<std::uint32_t> first(vertices.size());
@@ -138,7 +139,7 @@ SolidMesh solid_mesh(const Level& level) {
             last = next;
         }
     }
-    std::sort(mesh.uses.begin(), mesh.uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    sort_range(mesh.uses, [](const EdgeUse& a, const EdgeUse& b) {
         return std::tie(a.low, a.high, a.face, a.upward) < std::tie(b.low, b.high, b.face, b.upward);
     });
     return mesh;

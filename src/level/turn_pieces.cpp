@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Closed pieces in each other: from the outermost inward, each must be turned as where it lies asks for. Solid and air
 // are told apart by how often the pieces around wind around a point of it, counted along a ray.
-#include <algorithm>
 #include <numeric>
 
+#include "base/sort.h"
 #include "level/solid_pieces.h"
 
 namespace firma {
@@ -56,8 +56,8 @@ public:
         for (std::uint32_t piece = 0; piece < pieces_.pieces.size(); ++piece)
             if (!pieces_.pieces[piece].note) order.push_back(piece);
         const auto size = [&](std::uint32_t piece) { return volume_[piece] < 0 ? -volume_[piece] : volume_[piece]; };
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return size(a) != size(b) ? size(a) > size(b) : a < b; });
+        sort_range(order,
+                   [&](std::uint32_t a, std::uint32_t b) { return size(a) != size(b) ? size(a) > size(b) : a < b; });
         find_edges();
         for (const std::uint32_t piece : order) judge(piece);
         return rock_outside_;

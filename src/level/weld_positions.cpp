@@ -2,7 +2,7 @@
 // Finds vertices that are at the same position: sorted by a hash, then by the numbers themselves.
 #include "level/weld_positions.h"
 
-#include <algorithm>
+#include "base/sort.h"
 
 namespace firma {
 namespace {
@@ -31,7 +31,7 @@ std::vector<Key> sorted_keys(const ExactMesh& mesh) {
     std::vector<Key> keys;
     for (std::uint32_t vertex = 0; vertex < mesh.exact.size(); ++vertex)
         if (used[vertex]) keys.push_back({hash_of(mesh.exact[vertex]), vertex});
-    std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    sort_range(keys, [&](const Key& a, const Key& b) {
         if (a.hash != b.hash) return a.hash < b.hash;
         const auto order = mesh.exact[a.vertex] <=> mesh.exact[b.vertex];
         return order != 0 ? order < 0 : a.vertex < b.vertex;

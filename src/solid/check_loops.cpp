@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace firma {
 namespace {
 
@@ -33,8 +35,8 @@ bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std:
         }
         begin = end;
     }
-    std::sort(edges_.begin(), edges_.end(),
-              [](const Edge& a, const Edge& b) { return a.low_u != b.low_u ? a.low_u < b.low_u : a.from < b.from; });
+    sort_range(edges_,
+               [](const Edge& a, const Edge& b) { return a.low_u != b.low_u ? a.low_u < b.low_u : a.from < b.from; });
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         const Edge& e = edges_[i];
         for (std::size_t j = i + 1; j < edges_.size() && edges_[j].low_u <= e.high_u; ++j) {

@@ -2,8 +2,7 @@
 // Merges triangles of a face into convex polygons that are exactly planar.
 #include "solid/merge_facets.h"
 
-#include <algorithm>
-
+#include "base/sort.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
@@ -49,7 +48,7 @@ void FacetMerger::find_diagonals(std::span<const GridPoint> points, const Triang
         if (coplanar(corner(side), corner(next), corner(opposite), corner(across)))
             diagonals_.push_back({square_distance(corner(side), corner(next)), side});
     }
-    std::sort(diagonals_.begin(), diagonals_.end(), [](const Diagonal& a, const Diagonal& b) {
+    sort_range(diagonals_, [](const Diagonal& a, const Diagonal& b) {
         return a.length != b.length ? a.length > b.length : a.side < b.side;
     });
 }

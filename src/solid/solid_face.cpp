@@ -2,6 +2,7 @@
 // What an exact face is, for hashes and counts of memory.
 #include "solid/solid_face.h"
 
+#include "base/fetch_ahead.h"
 #include "base/hasher.h"
 
 namespace firma {
@@ -19,6 +20,11 @@ void add_plane(Hasher& hasher, const Plane& plane) {
 }
 
 }  // namespace
+
+/// Edges lie scattered, and each counts one user less.
+SolidFace::~SolidFace() {
+    for (const SolidUse& use : uses) fetch_ahead(use.edge.get());
+}
 
 void SolidFace::add_to(Hasher& hasher) const {
     add_plane(hasher, plane->plane);

@@ -53,6 +53,7 @@ public:
     std::vector<std::uint32_t, PoolAllocator<std::uint32_t>>
         loop_ends;  ///< the first loop is the outer one, holes follow
 
+    ~SolidFace() override;
     void add_to(Hasher& hasher) const override;
     std::size_t bytes() const override;
 };

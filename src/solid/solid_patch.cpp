@@ -2,6 +2,8 @@
 // Part of a solid's boundary, taken out of blocks to be worked on.
 #include "solid/solid_patch.h"
 
+#include "base/fetch_ahead.h"
+
 namespace firma {
 namespace {
 
@@ -15,34 +17,30 @@ std::uint64_t key_of(const InputPoint& p) {
     return mix_bits(xy) + std::uint64_t(std::uint32_t(p.z)) * 0x9E3779B97F4A7C15ull;
 }
 
-void fetch(const void* memory) {
-    __builtin_prefetch(memory);
-}
-
-/// Faces, their edges and vertices lie scattered: asks for all of a kind before the first is needed, so that waits for
-/// memory overlap. Changes nothing.
-void fetch_ahead(std::span<const FacetPlace> facets) {
+/// Faces, their edges and vertices lie scattered: asks for all of a kind before the first is needed.
+void fetch_faces_ahead(std::span<const FacetPlace> facets) {
     std::vector<const SolidFace*> faces;
     faces.reserve(facets.size());
     for (const FacetPlace& facet : facets) {
         const auto* face = static_cast<const SolidFace*>(facet.block->owner_of(facet.record()));
         if (!face || (!faces.empty() && faces.back() == face)) continue;
-        fetch(face);
-        fetch(&face->uses);
+        fetch_ahead(face);
+        fetch_ahead(&face->uses);
         faces.push_back(face);
     }
     constexpr std::size_t kUsesOfALine = 4;
     for (const SolidFace* face : faces) {
-        fetch(face->plane.get());
-        for (std::size_t k = 0; k < face->uses.size(); k += kUsesOfALine) fetch(face->uses.data() + k);
+        fetch_ahead(face->plane.get());
+        fetch_ahead(face->loop_ends.data());
+        for (std::size_t k = 0; k < face->uses.size(); k += kUsesOfALine) fetch_ahead(face->uses.data() + k);
     }
     for (const SolidFace* face : faces)
-        for (const SolidUse& use : face->uses) fetch(use.edge.get());
+        for (const SolidUse& use : face->uses) fetch_ahead(use.edge.get());
     for (const SolidFace* face : faces)
         for (const SolidUse& use : face->uses) {
             const SolidVertex* vertex = &use.from();  // each is the start of some use
-            fetch(vertex);
-            fetch(&vertex->planes);
+            fetch_ahead(vertex);
+            fetch_ahead(&vertex->planes);
         }
 }
 
@@ -83,7 +81,7 @@ void SolidPatch::reserve(std::size_t face_count) {
 }
 
 void SolidPatch::add(std::span<const FacetPlace> facets) {
-    fetch_ahead(facets);
+    fetch_faces_ahead(facets);
     reserve(facets.size());
     for (const FacetPlace& facet : facets) add(facet);
 }
@@ -179,7 +177,7 @@ std::uint32_t SolidPatch::add_untouched(const FacetPlace& facet) {
     Plane plane;
     for (std::size_t k = 2; k < corners && !plane.valid(); ++k)  // the first ones may lie on a line
         plane = plane_through(corner(0), corner(k - 1), corner(k));
-    faces[index].plane = Ref<const SolidPlane>(new SolidPlane(plane));
+    faces[index].plane = keep(Ref<const SolidPlane>(new SolidPlane(plane)));
 
     const std::uint32_t first = grid_vertex(corner(0));
     std::uint32_t last = first;
@@ -198,8 +196,8 @@ std::uint32_t SolidPatch::add_stored(const FacetPlace& facet, const SolidFace& s
     const std::uint32_t index = std::uint32_t(faces.size());
     faces.emplace_back();
     faces[index].facet = facet;
-    faces[index].stored = Ref<const FaceOwner>(&stored);
-    faces[index].plane = stored.plane;
+    faces[index].stored = &stored;
+    faces[index].plane = stored.plane.get();
     faces[index].first_use = std::uint32_t(all_uses.size());
     faces[index].first_loop = std::uint32_t(loop_ends.size());
     for (const SolidUse& use : stored.uses) all_uses.push_back(stored_edge(use));
@@ -229,7 +227,7 @@ void SolidPatch::settle_planes(std::uint32_t index) {
     if (edge.plane[0]) return;
     for (const std::uint32_t face : edge.face) {
         if (face == ~0u) continue;
-        const SolidPlane* plane = faces[face].plane.get();
+        const SolidPlane* plane = faces[face].plane;
         if (!edge.plane[0])
             edge.plane[0] = plane;
         else if (!exact_parallel(edge.plane[0]->plane, plane->plane))

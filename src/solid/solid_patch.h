@@ -45,9 +45,9 @@ struct FacetPlace {
 };
 
 struct PatchFace {
-    Ref<const SolidPlane> plane;
-    Ref<const FaceOwner> stored;  ///< the SolidFace; null for one that no cut has touched
-    FacetPlace facet;             ///< one of its facets
+    const SolidPlane* plane = nullptr;
+    const FaceOwner* stored = nullptr;  ///< the SolidFace; null for one that no cut has touched
+    FacetPlace facet;                   ///< one of its facets
     std::uint32_t first_use = 0, use_count = 0;
     std::uint32_t first_loop = 0, loop_count = 0;  ///< ends in SolidPatch::loop_ends, counted from first_use
     GridBox box;                                   ///< of its corners, rounded

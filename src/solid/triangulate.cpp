@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace firma {
 namespace {
 
@@ -128,8 +130,8 @@ bool Triangulator::clip(Triangles& triangles) {
         judge(k);
         if (!nodes_[k].left) inward_.push_back({nodes_[k].at, k});
     }
-    std::sort(inward_.begin(), inward_.end(),
-              [](const Inward& a, const Inward& b) { return a.at.u != b.at.u ? a.at.u < b.at.u : a.node < b.node; });
+    sort_range(inward_,
+               [](const Inward& a, const Inward& b) { return a.at.u != b.at.u ? a.at.u < b.at.u : a.node < b.node; });
     for (std::size_t remaining = nodes_.size(); remaining > 2;) {
         const std::uint32_t ear = ears_.find();
         if (ear == kNobody) return false;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/lock.h"
+#include "base/sort.h"
 #include "store/bytes_alone.h"
 #include "store/history.h"
 
@@ -44,7 +45,7 @@ struct WorldStore::State {
     std::size_t collect() {
         // A version that was dropped, published once more and dropped again is here twice. Order shows nowhere.
         const auto address = [](const World& a) { return &a.data(); };
-        std::sort(dropped.begin(), dropped.end(), [&](const World& a, const World& b) {
+        sort_range(dropped, [&](const World& a, const World& b) {
             return std::less<const WorldData*>()(address(a), address(b));
         });
         const auto same = [&](const World& a, const World& b) { return address(a) == address(b); };

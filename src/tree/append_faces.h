@@ -2,6 +2,7 @@
 // Faces out of blocks, back into a plain set.
 #pragma once
 
+#include "base/fetch_ahead.h"
 #include "tree/block.h"
 #include "tree/face_set.h"
 
@@ -33,6 +34,7 @@ inline FaceSet::Entry entry_of(const Block& block, const FaceRecord& record) {
 /// Puts the faces of a leaf block that `stays(slot)` at the end of a set. The block keeps their owners alive.
 template <class Stays>
 void append_faces(const Block& leaf, FaceSet& set, const Stays& stays) {
+    for (const Ref<const FaceOwner>& owner : leaf.owners) fetch_ahead(owner.get());  // a new block will count as user
     const auto base = std::uint32_t(set.vertices.size());
     set.vertices.insert(set.vertices.end(), leaf.vertices.begin(), leaf.vertices.end());
     for (std::uint32_t slot = 0; slot < leaf.faces.size(); ++slot) {

@@ -70,6 +70,10 @@ struct FaceRecord {
 
 class Block : public RefCounted, public Pooled {
 public:
+    // First, beside the count of users: of most blocks an edit reads no more.
+    std::uint32_t faces_below = 0;  ///< faces here, or in all blocks below
+    std::uint16_t depth = 0;        ///< bins above the deepest leaf bin, from bins[0] on down through children
+
     PoolVector<Bin> bins;  ///< bins[0] is the root; never empty
 
     /// Items that are blocks; then there are no faces here.
@@ -80,9 +84,6 @@ public:
     PoolVector<GridPoint> vertices;             ///< each once
     PoolVector<std::uint16_t> corner_vertices;  ///< of all faces in a row
     PoolVector<Ref<const FaceOwner>> owners;    ///< each once
-
-    std::uint32_t faces_below = 0;  ///< faces here, or in all blocks below
-    std::uint16_t depth = 0;        ///< bins above the deepest leaf bin, from bins[0] on down through children
 
     bool holds_blocks() const { return !children.empty(); }
 

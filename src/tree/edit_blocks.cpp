@@ -9,6 +9,7 @@
 #include <bit>
 
 #include "base/assert.h"
+#include "base/fetch_ahead.h"
 #include "tree/append_faces.h"
 #include "tree/bin_growth.h"
 
@@ -189,23 +190,25 @@ void BlockEdit::gather_leaves() {
     std::vector<std::uint32_t> leaves;
     for (const Touched& parent : touched_) {
         leaves.clear();
-        items_.clear();
         for (std::uint32_t k = parent.first_child; k != kNone; k = touched_[k].next_sibling)
             if (!touched_[k].block->holds_blocks()) leaves.push_back(k);
         std::sort(leaves.begin(), leaves.end(), [&](std::uint32_t x, std::uint32_t y) {
             return touched_[x].item < touched_[y].item;  // not in the order they were come upon
         });
-        for (const std::uint32_t leaf : leaves) items_.emplace_back(touched_[leaf].block);
         if (leaves.size() < 2) continue;
-        builder_.divide(items_);
-        std::size_t first = 0;
-        builder_.group(items_, kLeavesTogether, ~std::size_t(0), order_, groups_);
-        for (const auto& [end, bin] : groups_) {
-            for (; first + 1 < end; ++first) {
-                touched_[leaves[order_[first]]].next_together = leaves[order_[first + 1]];
-                touched_[leaves[order_[first + 1]]].follows = true;
-            }
-            first = end;
+        items_.clear();
+        for (const std::uint32_t leaf : leaves) items_.push_back(BlockItem::of(*touched_[leaf].block, false));
+        joiner_.divide(items_);
+        joiner_.group(kLeavesTogether, nodes_);
+        for (const std::uint32_t node : nodes_) {
+            std::uint32_t last = kNone;
+            joiner_.for_each_below(node, [&](std::uint32_t item) {
+                if (last != kNone) {
+                    touched_[last].next_together = leaves[item];
+                    touched_[leaves[item]].follows = true;
+                }
+                last = leaves[item];
+            });
         }
     }
 }
@@ -243,140 +246,96 @@ void BlockEdit::rebuild_leaves(std::uint32_t index) {
     rules.max_depth = std::min(rules.max_depth, touched.depth + depth_of_rebuilt(faces_.faces.size()));
     const Ref<const Block> built = builder_.build(faces_, rules, touched.depth);
     if (!built) return;
-    if (built->holds_blocks())
-        pieces_.insert(pieces_.end(), built->children.begin(), built->children.end());
-    else
-        pieces_.push_back(built);
+    if (!built->holds_blocks()) return pieces_.push_back(keep(built));
+    for (const Ref<const Block>& block : built->children) pieces_.push_back(keep(block));
+}
+
+/// A block that the edit made.
+BlockItem BlockEdit::keep(Ref<const Block> block) {
+    made_.push_back(std::move(block));
+    return BlockItem::of(*made_.back(), true);
 }
 
 void BlockEdit::rebuild_inner(std::uint32_t index) {
     collect_items(touched_[index]);
-    if (items_.empty() && index != 0) return hand_up_leaves(touched_[index]);
+    // A block over nothing but leaf blocks leaves them to the block above, which divides those of all its touched
+    // children as a whole: otherwise blocks side by side grow into each other, edit by edit.
+    if (items_.empty() && index != 0) return void(pieces_.insert(pieces_.end(), loose_.begin(), loose_.end()));
     if (!items_.empty() && loose_.size() >= kFewestChildren) join_loose();
     items_.insert(items_.end(), loose_.begin(), loose_.end());
-    is_new_.insert(is_new_.end(), loose_new_.begin(), loose_new_.end());
-    if (items_.size() > 1) {
-        builder_.divide(items_);
-        if (merge_small_items()) builder_.divide(items_);
-    }
-    if (items_.size() < (index == 0 ? 2 : kFewestChildren))
-        pieces_.insert(pieces_.end(), items_.begin(), items_.end());
-    else
-        join_items();
+    if (items_.empty()) return;
+    divide_items();
+    join_items(index == 0 ? 2 : kFewestChildren);
 }
 
 /// The children as they are now, what took the place of touched ones and the others: leaf blocks in `loose_`, those
 /// above leaf blocks in `items_`.
 void BlockEdit::collect_items(const Touched& touched) {
     const Block& block = *touched.block;
-    std::vector<std::uint32_t>& by_item = order_;
-    by_item.assign(block.children.size(), kNone);
-    for (std::uint32_t k = touched.first_child; k != kNone; k = touched_[k].next_sibling) by_item[touched_[k].item] = k;
+    for (const Ref<const Block>& child : block.children) fetch_ahead(child.get());
+    touched_by_.assign(block.children.size(), kNone);
+    for (std::uint32_t k = touched.first_child; k != kNone; k = touched_[k].next_sibling)
+        touched_by_[touched_[k].item] = k;
     items_.clear();
-    is_new_.clear();
     loose_.clear();
-    loose_new_.clear();
-    const auto add = [&](const Ref<const Block>& item, bool is_new) {
-        (item->holds_blocks() ? items_ : loose_).push_back(item);
-        (item->holds_blocks() ? is_new_ : loose_new_).push_back(is_new);
-    };
-    for (std::size_t item = 0; item < block.children.size(); ++item) {
-        if (by_item[item] == kNone) {
-            add(block.children[item], false);
+    const auto add = [&](const BlockItem& item) { (item.of_faces ? loose_ : items_).push_back(item); };
+    for (const Bin& bin : block.bins) {
+        if (!bin.is_leaf()) continue;
+        const Block& child = *block.children[bin.first];
+        const std::uint32_t by = touched_by_[bin.first];
+        if (by == kNone) {
+            add({&child, bin.box, !child.holds_blocks(), false});
             continue;
         }
-        const Touched& child = touched_[by_item[item]];
-        for (std::uint32_t k = 0; k < child.pieces; ++k)
-            add(pieces_[child.first_piece + k], !child.loose || loose_is_new_[child.first_loose + k]);
+        for (std::uint32_t k = 0; k < touched_[by].pieces; ++k) add(pieces_[touched_[by].first_piece + k]);
     }
-}
-
-/// A block over nothing but leaf blocks leaves them to the block above, which divides those of all its touched children
-/// as a whole: otherwise blocks side by side grow into each other, edit by edit.
-void BlockEdit::hand_up_leaves(Touched& touched) {
-    touched.loose = true;
-    touched.first_loose = std::uint32_t(loose_is_new_.size());
-    loose_is_new_.insert(loose_is_new_.end(), loose_new_.begin(), loose_new_.end());
-    pieces_.insert(pieces_.end(), loose_.begin(), loose_.end());
 }
 
 /// Makes blocks of the loose leaf blocks, which become items.
 void BlockEdit::join_loose() {
     std::swap(items_, loose_);
-    std::swap(is_new_, loose_new_);
-    builder_.divide(items_);
-    if (merge_small_items()) builder_.divide(items_);
+    divide_items();
     const auto from = std::ptrdiff_t(pieces_.size());
-    join_items();
+    join_items(2);
     std::swap(items_, loose_);
-    std::swap(is_new_, loose_new_);
-    loose_.clear();
-    loose_new_.clear();
     items_.insert(items_.end(), pieces_.begin() + from, pieces_.end());
-    is_new_.resize(items_.size(), true);
     pieces_.resize(std::size_t(from));
+    loose_.clear();
 }
 
 /// Blocks side by side in the division, a new one among them, that together hold few faces become one.
-/// @return whether any did
-bool BlockEdit::merge_small_items() {
-    bool any = false;
-    for (std::size_t k = 0; k < items_.size(); ++k) any = any || (is_new_[k] && items_[k]->faces_below < kSmall);
-    if (!any) return false;
-    builder_.group(items_, ~std::size_t(0), kSmall, order_, groups_);
-    if (groups_.size() == items_.size()) return false;
-    merged_.clear();
-    std::size_t first = 0;
-    for (const auto& [end, bin] : groups_) {
-        bool has_new = false;
-        for (std::size_t k = first; k < end; ++k) has_new = has_new || is_new_[order_[k]];
-        if (end - first > 1 && has_new) {
-            clear(faces_);
-            for (std::size_t k = first; k < end; ++k) append_all_faces(*items_[order_[k]], faces_);
-            merged_.push_back(builder_.build(faces_, options_));
-        } else {
-            for (std::size_t k = first; k < end; ++k) merged_.push_back(items_[order_[k]]);
-        }
-        first = end;
-    }
-    std::swap(items_, merged_);
-    return true;
+void BlockEdit::divide_items() {
+    joiner_.divide(items_);
+    const auto is_small = [](const BlockItem& item) { return item.is_new && item.block->faces_below < kSmall; };
+    if (!std::any_of(items_.begin(), items_.end(), is_small)) return;
+    joiner_.merge(items_, kSmall, [&](std::uint32_t node) {
+        clear(faces_);
+        joiner_.for_each_below(node, [&](std::uint32_t item) { append_all_faces(*items_[item].block, faces_); });
+        return keep(builder_.build(faces_, options_));
+    });
 }
 
-/// One block over the items, divided already, or several when there are more than 64.
-void BlockEdit::join_items() {
-    if (items_.size() <= kBlockItems) {
-        if (items_.size() == 1) return pieces_.push_back(items_[0]);
-        return add_joined(builder_.join(items_), items_);
-    }
-    builder_.group(items_, kBlockItems, ~std::size_t(0), order_, groups_);
-    joined_.clear();
-    for (const BlockBuilder::Group& group : groups_) joined_.push_back(builder_.join_group(items_, group));
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < groups_.size(); ++k) {
-        const std::size_t end = groups_[k].end;
-        merged_.clear();
-        for (; first < end; ++first) merged_.push_back(items_[order_[first]]);
-        if (merged_.size() == 1) {
-            pieces_.push_back(merged_[0]);
+/// One block over the items, divided already, or several when there are more than 64; themselves when they are few.
+void BlockEdit::join_items(std::size_t fewest) {
+    joiner_.group(kBlockItems, nodes_);
+    const bool few = joiner_.count_below(0) < fewest;
+    for (const std::uint32_t node : nodes_) {
+        if (few || joiner_.count_below(node) == 1) {
+            joiner_.for_each_below(node, [&](std::uint32_t item) {
+                pieces_.push_back(items_[item]);
+                pieces_.back().is_new = true;
+            });
             continue;
         }
-        if (!joined_[k]) {  // the division at hand is lost, but all that it joins is joined
-            builder_.divide(merged_);
-            joined_[k] = builder_.join(merged_);
-        }
-        add_joined(std::move(joined_[k]), merged_);
+        Ref<const Block> joined = joiner_.join(items_, node);
+        if (joined->depth > deepest_of(joined->faces_below)) joined = from_scratch(*joined);
+        pieces_.push_back(keep(std::move(joined)));
     }
 }
 
-void BlockEdit::add_joined(Ref<const Block> joined, std::span<const Ref<const Block>> children) {
-    if (joined->depth > deepest_of(joined->faces_below)) joined = from_scratch(children);
-    pieces_.push_back(std::move(joined));
-}
-
-Ref<const Block> BlockEdit::from_scratch(std::span<const Ref<const Block>> blocks) {
+Ref<const Block> BlockEdit::from_scratch(const Block& block) {
     clear(faces_);
-    for (const Ref<const Block>& block : blocks) append_all_faces(*block, faces_);
+    append_all_faces(block, faces_);
     TreeOptions rules = options_;
     rules.max_depth = std::min(rules.max_depth, depth_of_rebuilt(faces_.faces.size()));
     return builder_.build(faces_, rules);
@@ -387,13 +346,14 @@ void BlockEdit::finish() {
     phase_ = Phase::kDone;
     items_.assign(pieces_.begin() + touched_[0].first_piece, pieces_.end());
     while (items_.size() > 1) {
-        builder_.divide(items_);
+        joiner_.divide(items_);
         const auto from = std::ptrdiff_t(pieces_.size());
-        join_items();
+        join_items(2);
         items_.assign(pieces_.begin() + from, pieces_.end());
     }
-    if (!items_.empty()) result_ = items_[0];
-    if (result_ && result_->depth > kDeepestTree) result_ = from_scratch({&result_, 1});
+    if (!items_.empty()) result_ = Ref<const Block>(items_[0].block);
+    if (result_ && result_->depth > kDeepestTree) result_ = from_scratch(*result_);
+    made_.clear();
 }
 
 }  // namespace firma

@@ -18,6 +18,7 @@
 #include "tree/block.h"
 #include "tree/build_blocks.h"
 #include "tree/face_set.h"
+#include "tree/join_blocks.h"
 
 namespace firma {
 
@@ -52,10 +53,6 @@ private:
         /// first.
         std::uint32_t next_together = kNone;
         bool follows = false;
-        /// Whether the pieces are leaf blocks that the block above is still to join, together with those of the blocks
-        /// beside this one. From `first_loose` on, loose_is_new_ says which of them are new.
-        bool loose = false;
-        std::uint32_t first_loose = 0;
     };
     static constexpr std::uint32_t kNone = ~0u;
     struct Change {
@@ -79,12 +76,11 @@ private:
     void append_changed(std::uint32_t index);
     void rebuild_inner(std::uint32_t index);
     void collect_items(const Touched& touched);
-    void hand_up_leaves(Touched& touched);
     void join_loose();
-    bool merge_small_items();
-    void join_items();
-    void add_joined(Ref<const Block> joined, std::span<const Ref<const Block>> children);
-    Ref<const Block> from_scratch(std::span<const Ref<const Block>> blocks);
+    void divide_items();
+    void join_items(std::size_t fewest);
+    Ref<const Block> from_scratch(const Block& block);
+    BlockItem keep(Ref<const Block> block);
 
     const Ref<const Block> root_;
     const TreeOptions options_;
@@ -96,17 +92,15 @@ private:
     std::vector<Touched> touched_;
     std::unordered_map<const Block*, std::uint32_t> leaves_;  ///< looked up only, never gone through
     std::vector<Change> goes_, comes_;                        ///< by leaf, once sorted
-    std::vector<Ref<const Block>> pieces_;
+    std::vector<BlockItem> pieces_;
+    std::vector<Ref<const Block>> made_;  ///< keeps alive what was made, needed in the end or not
     Ref<const Block> result_;
 
     BlockBuilder builder_;  // and scratch
+    BlockJoiner joiner_;
     FaceSet faces_;
-    std::vector<Ref<const Block>> items_, merged_, joined_;
-    std::vector<bool> is_new_, loose_is_new_;
-    std::vector<Ref<const Block>> loose_;  ///< leaf blocks of the block at hand
-    std::vector<bool> loose_new_;
-    std::vector<std::uint32_t> order_;
-    std::vector<BlockBuilder::Group> groups_;
+    std::vector<BlockItem> items_, loose_;  ///< of the block at hand; `loose_`: leaf blocks
+    std::vector<std::uint32_t> touched_by_, nodes_;
 };
 
 }  // namespace firma

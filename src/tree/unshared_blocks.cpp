@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/sort.h"
+
 namespace firma {
 namespace {
 
@@ -26,7 +28,7 @@ public:
             taken.push_back(blocks_.back());
             blocks_.pop_back();
         }
-        std::sort(taken.begin(), taken.end(), std::less<const Block*>());
+        sort_range(taken, std::less<const Block*>());
     }
 
 private:

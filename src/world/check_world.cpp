@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/sort.h"
 #include "firma/world.h"
 #include "tree/visit.h"
 #include "world/block_faces.h"
@@ -133,7 +134,7 @@ private:
 
     /// By sorting: a set of numbers that someone chose can be slow.
     void check_ids(const World& world) {
-        std::sort(ids_.begin(), ids_.end());
+        sort_range(ids_);
         const auto twice = std::adjacent_find(ids_.begin(), ids_.end());
         if (twice != ids_.end()) return report("two faces have one id", {*twice});
         if (!ids_.empty() && ids_.back() >= world.data().next_face)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Questions without motion: what a ball overlaps, and what lies nearest to a point.
-#include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "cast/nearness.h"
 #include "firma/world.h"
 #include "geometry/rounding.h"
@@ -157,7 +157,7 @@ Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& 
     if (!usable(sphere.centre) || !(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
     Collect collect{sphere.radius, found};
     visit_near(world, sphere.centre, mask, room, collect);
-    std::sort(found.begin(), found.end(), comes_before);
+    sort_range(found, comes_before);
     return found.empty() ? Status::kMiss : Status::kTouching;
 }
 

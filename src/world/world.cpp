@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "tree/statistics.h"
 #include "tree/visit.h"
 #include "world/block_faces.h"
@@ -134,7 +135,7 @@ std::vector<Face> World::faces() const {
     for_each_face(*data_, [&](const Block& root, const Block& block, const FaceRecord& face) {
         all.push_back(describe_face(root, block, face));
     });
-    std::sort(all.begin(), all.end(), [](const Face& a, const Face& b) { return a.id < b.id; });
+    sort_range(all, [](const Face& a, const Face& b) { return a.id < b.id; });
     return all;
 }
 

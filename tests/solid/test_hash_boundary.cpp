@@ -125,7 +125,7 @@ TEST(HashBoundary, UntouchedAndStoredFacesAreTheSame) {
     }
     for (std::uint32_t f = 0; f < patch.faces.size(); ++f) {
         Ref<SolidFace> made(new SolidFace);
-        made->plane = patch.faces[f].plane;
+        made->plane = Ref<const SolidPlane>(patch.faces[f].plane);
         for (const PatchUse& use : patch.uses(patch.faces[f])) made->uses.push_back({edges[use.edge], use.reversed});
         std::rotate(made->uses.begin(), made->uses.begin() + f % 4, made->uses.end());
         made->loop_ends.assign(1, 4);

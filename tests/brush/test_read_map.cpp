@@ -313,7 +313,7 @@ TEST(ReadMap, FurtherWordsOfASideAreLeft) {
 
 TEST(ReadMap, SidesWithoutAPlaneAreLeftOut) {
     const std::string line = "( 0 0 0 ) ( 1 1 1 ) ( 2 2 2 ) wall 0 0 0 1 1\n";
-    const std::string snapped = "( 0 0 0 ) ( 64 0 0 ) ( 32 0.001 0 ) wall 0 0 0 1 1\n";
+    const std::string snapped = "( 0 40 0 ) ( 64 40 0 ) ( 32 40 0.001 ) wall 0 0 0 1 1\n";
     const BrushLevel level = read(world("{\n" + line + box_sides({0, 0, 0}, {64, 32, 96}, all("wall")) + snapped +
                                         "}\n" + "{\n" + line + line + line + line + "}\n{ }\n"))
                                  .value();
@@ -332,26 +332,69 @@ TEST(ReadMap, SidesWithoutAPlaneAreLeftOut) {
               "brush 1, 2 in all");
 }
 
-// The top of a box, through points that are no whole units: one of them is 0.4 of a grid step too high.
-TEST(ReadMap, ShiftIsMeasuredAtTheFacesCorners) {
-    const double unit = 1.0 / 128;  // an input step, in units of a 32nd of a metre
-    const auto shift_of = [&](double near) {
-        std::string sides = box_sides({0, 0, 0}, {64, 32, 96}, all("wall"));
-        sides.resize(sides.rfind("( "));
-        sides.resize(sides.rfind("( "));
-        sides.resize(sides.rfind("( "));
-        sides += point({0, 0, 96}) + point({0, 32, 96}) + point({near, 0, 96 + 0.4 * unit}) + "wall 0 0 0 1 1\n";
-        return read(world("{\n" + sides + "}\n")).value();
+// Of a side: normal . p + offset, in metres.
+double height_over(const BrushSide& side, const Vec3& p) {
+    const Vec3 normal = normal_of(side);
+    return dot(normal * (1 / length(normal)), p - to_metres(side.points[0]));
+}
+
+// The top of a box by points a unit apart, one of them 0.4 of a grid step higher: the far end is 25.6 steps higher.
+TEST(ReadMap, PointsOffTheGridGiveWayToCornersOfTheFace) {
+    const double unit = 1.0 / 128;  // a grid step, in units of a 32nd of a metre
+    std::string sides = box_sides({0, 0, 0}, {64, 32, 96}, all("wall"));
+    for (int k = 0; k < 3; ++k) sides.resize(sides.rfind("( "));
+    sides += point({0, 0, 96}) + point({0, 1, 96}) + point({1, 0, 96 + 0.4 * unit}) + "wall 0 0 0 1 1\n";
+    const BrushLevel level = read(world("{\n" + sides + "}\n")).value();
+    ASSERT_EQ(level.sides.size(), 6u);
+    EXPECT_NEAR(height_over(level.sides[5], {0, 1, 3}), 0, 0.6 / 4096);
+    EXPECT_NEAR(height_over(level.sides[5], {2, 0, 3 + 25.6 / 4096}), 0, 0.6 / 4096);
+    EXPECT_GT(level.greatest_shift, 0);
+    EXPECT_LT(level.greatest_shift, 0.6 / 4096);
+    EXPECT_TRUE(level.notes.empty());
+    // The other sides are as in the file.
+    EXPECT_EQ(to_metres(level.sides[3].points[0]).y, 1);
+}
+
+// A box with its low corner at (x, 0, 0) turned by a 3-4-5 triangle and moved off the grid; points a unit apart.
+std::string turned_box(double x) {
+    const auto at = [](const Vec3& p) {
+        return point({100.1 + 0.8 * p.x - 0.6 * p.y, -37.7 + 0.6 * p.x + 0.8 * p.y, 5.3 + p.z});
     };
-    EXPECT_NEAR(shift_of(64).greatest_shift, 0.4 / 4096, 1e-9);
-    EXPECT_TRUE(shift_of(64).notes.empty());
-    // Eight times as near: the far corners are eight times as far off the plane.
-    EXPECT_NEAR(shift_of(8).greatest_shift, 8 * 0.4 / 4096, 1e-7);
-    EXPECT_TRUE(shift_of(8).notes.empty());
-    EXPECT_NEAR(shift_of(4).greatest_shift, 16 * 0.4 / 4096, 1e-6);
-    EXPECT_EQ(shift_of(4).notes,
-              (std::vector<std::string>{"plane moved by more than 1 mm onto the grid: a.map:3: entity "
-                                        "0 (worldspawn), brush 0"}));
+    const Vec3 low = {x, 0, 0}, high = {x + 32, 64, 96};
+    std::string text = "{\n";
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool top : {false, true}) {
+            Vec3 a = top ? high : low, b = a, c = a;
+            b[(axis + (top ? 2 : 1)) % 3] += 1;
+            c[(axis + (top ? 1 : 2)) % 3] += 1;
+            text += at(a) + at(b) + at(c) + "wall 0 0 0 1 1\n";
+        }
+    }
+    return text + "}\n";
+}
+
+TEST(ReadMap, TurnedNeighboursShareAPlane) {
+    const BrushLevel level = read(world(turned_box(0) + turned_box(32))).value();
+    ASSERT_EQ(level.sides.size(), 12u);
+    const auto points = [&](std::size_t k) { return level.sides[k].points; };
+    EXPECT_EQ(points(1)[0], points(6)[0]);  // high x of the one, low x of the other
+    EXPECT_EQ(points(1)[1], points(6)[2]);
+    EXPECT_EQ(points(1)[2], points(6)[1]);
+    for (const std::size_t k : {2u, 3u, 4u, 5u})  // low and high y and z: the same plane from the same side
+        for (int corner = 0; corner < 3; ++corner) EXPECT_EQ(points(k)[corner], points(k + 6)[corner]) << k;
+    EXPECT_GT(level.greatest_shift, 1e-6);
+    EXPECT_LT(level.greatest_shift, 0.0003);
+    const Vec3 centre = Vec3{100.1 + 0.8 * 32 - 0.6 * 32, -37.7 + 0.6 * 32 + 0.8 * 32, 5.3 + 48} * (1.0 / 32);
+    for (const std::size_t k : {0u, 2u, 3u, 4u, 5u, 7u}) EXPECT_LT(height_over(level.sides[k], centre), -0.9) << k;
+}
+
+TEST(ReadMap, PlanesOnTheGridWin) {
+    std::string off = box_sides({64, 0, 0}, {128, 32, 96}, all("wall"));
+    for (int k = 0; k < 3; ++k) off.resize(off.rfind("( "));
+    off += point({64.3, 0.3, 96.001}) + point({64.3, 1.3, 96.001}) + point({65.3, 0.3, 96.001}) + "wall 0 0 0 1 1\n";
+    const BrushLevel level = read(world(box() + "{\n" + off + "}\n")).value();
+    for (int corner = 0; corner < 3; ++corner) EXPECT_EQ(level.sides[11].points[corner], level.sides[5].points[corner]);
+    EXPECT_NEAR(level.greatest_shift, 0.001 / 32, 1e-9);
 }
 
 std::string patch(const std::string& texture = "curve", const std::string& size = "3 3 0 0 0") {
