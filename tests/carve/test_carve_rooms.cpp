@@ -147,6 +147,28 @@ TEST(CarveRooms, DoorsDoNotMatter) {
         }
 }
 
+/// Large walls are divided toward a cut, and with them edges that they share with walls of other rooms, at the rims of
+/// portals.
+TEST(CarveRooms, LargeWalls) {
+    scenes::Rng rng(8);
+    int joined = 0, alone = 0;
+    for (int k = 0; k < 60 && !HasFailure(); ++k) {
+        World world = assemble_world(two_halves_parts(40)).value();
+        for (int cuts = 0; cuts < 3 && room_info(world, {1}).part_of == RoomId{1}; ++cuts) {
+            Vec3 at{rng.uniform(0, 80), rng.uniform(0, 40), rng.uniform(0, 40)};
+            at[int(rng.below(3))] = 0;
+            const CarveResult result = cut(world, CutterShape::kRocky, at, 1, rng.chance(0.3));
+            ASSERT_TRUE(result.done());
+            expect_sound(result.world);
+            expect_casts_agree(result.world, at, 3, rng, 60);
+            world = result.world;
+        }
+        room_info(world, {1}).part_of == RoomId{1} ? ++alone : ++joined;
+    }
+    EXPECT_GT(joined, 5);
+    EXPECT_GT(alone, 5);
+}
+
 TEST(CarveRooms, ManyCutsInBuildings) {
     for (const bool outdoors : {false, true}) {
         const DividedBuilding building({.rooms_x = 4, .rooms_y = 4, .rooms_z = 2, .outdoors = outdoors, .seed = 11});
