@@ -168,6 +168,16 @@ def tunnel_slopes():
                     corner = z + foot
                     points += [(x, wall, corner), (x, wall + turn * across, corner), (x, wall, corner + lift)]
                 brushes.append(hull(points, "depot/rock"))
+    return brushes + tunnel_frames()
+
+
+def tunnel_frames():
+    """Props and beams of timber in the tunnel, their feet in its floor."""
+    brushes = []
+    for x, floor in ((464, -160), (592, -148), (720, -128), (848, -108), (976, -76), (1104, -44), (1200, -32)):
+        for y in ((-656, -644), (-604, -592)):
+            brushes.append(box((x, x + 12), y, (floor - 4, floor + 72), "depot/timber"))
+        brushes.append(box((x, x + 12), (-664, -584), (floor + 72, floor + 84), "depot/timber"))
     return brushes
 
 

@@ -45,39 +45,97 @@ def truck(x, y):
     return brushes
 
 
-def office_things():
-    """Desks, shelves, lockers, benches, a long table."""
+def table(x, y, z, height=24, texture="depot/wood"):
+    """A top on two solid ends, along the first axis of the pairs (low, high)."""
+    sides = [(x[0], x[0] + 4), (x[1] - 4, x[1])]
+    top = box(x, y, (z + height - 4, z + height), texture)
+    return [top] + [box(side, y, (z, z + height - 4), texture) for side in sides]
+
+
+def chair(x, y, z, back):
+    """A seat on a foot; its back stands to the north (1) or to the south (-1)."""
+    side = (y + 12, y + 16) if back > 0 else (y, y + 4)
+    return [box((x + 4, x + 12), (y + 4, y + 12), (z, z + 12), STEEL),
+            box((x, x + 16), (y, y + 16), (z + 12, z + 16), "depot/chair"),
+            box((x, x + 16), side, (z + 16, z + 32), "depot/chair")]
+
+
+def offices():
+    """The row of offices and the lockers, on the ground floor."""
     brushes = []
-    for x, y, z in ((24, 592, 0), (120, 592, 0), (226, 600, 0), (440, 624, 0), (40, 640, 128)):
-        brushes.append(box((x, x + 64), (y, y + 32), (z + 20, z + 24), "depot/wood"))
-        brushes += [box((x + k, x + k + 4), (y, y + 32), (z, z + 20), "depot/wood") for k in (0, 60)]
-    for x in range(640, 816, 16):
-        top = "depot/locker"
-        brushes.append(box((x, x + 16), (648, 672), (0, 60), top))
-    brushes.append(box((656, 800), (568, 584), (12, 16), "depot/wood"))
-    brushes += [box((x, x + 8), (568, 584), (0, 12), "depot/wood") for x in (664, 784)]
-    for x in range(288, 528, 72):
-        brushes += [box((x, x + 48), (632, 652), (z, z + 4), "depot/wood") for z in (152, 176, 200)]
-        brushes += [box(side, (632, 652), (128, 216), STEEL) for side in ((x - 4, x), (x + 48, x + 52))]
-    brushes.append(box((632, 776), (624, 672), (148, 152), "depot/wood"))
-    brushes += [box((x, x + 8), (640, 656), (128, 148), "depot/wood") for x in (648, 752)]
+    for x, y in ((24, 592), (120, 592), (226, 600), (440, 624)):
+        brushes += table((x, x + 64), (y, y + 32), 0) + chair(x + 24, y + 36, 0, 1)
+    for x in (8, 32, 56, 376, 584):
+        brushes.append(box((x, x + 16), (652, 672), (0, 48), "depot/cabinet"))
+    brushes.append(box((240, 296), (480, 488), (8, 26), "depot/radiator"))
+    brushes.append(box((464, 560), (668, 672), (40, 80), "depot/board"))
+    brushes += table((440, 536), (536, 568), 0) + chair(456, 516, 0, -1) + chair(500, 516, 0, -1)
+    for x in range(640, 816, 20):
+        brushes.append(box((x, x + 16), (648, 672), (0, 60), "depot/locker"))
+    brushes += table((656, 800), (568, 584), 0, 16)
+    brushes += [box((816, 832), (y, y + 24), (24, 32), "depot/porcelain") for y in (504, 544)]
     return brushes
 
 
-def south_things():
-    """Workbenches, pumps and pipes of the cistern, batteries, the control desk."""
-    brushes = [box((0, 32), (-272, -64), (0, 28), "depot/wood"), box((96, 224), (-192, -136), (0, 24), STEEL)]
+def upper_offices():
+    """The director's desk, the archive's shelves, a long table, boards and benches of the corridor."""
+    brushes = table((40, 112), (640, 672), 128) + chair(68, 680, 128, 1) + chair(56, 616, 128, -1) + chair(84, 616, 128, -1)
+    brushes.append(box((16, 160), (584, 696), (128, 129), "depot/carpet"))
+    brushes += [box((176, 248), (720, 736), (z, z + 4), "depot/wood") for z in (148, 172, 196)]
+    brushes += [box(side, (720, 736), (128, 204), "depot/wood") for side in ((172, 176), (248, 252))]
+    for x in range(288, 528, 72):
+        for y in (624, 696):
+            brushes += [box((x, x + 48), (y, y + 20), (z, z + 4), "depot/wood") for z in (152, 176, 200)]
+            brushes += [box(side, (y, y + 20), (128, 216), STEEL) for side in ((x - 4, x), (x + 48, x + 52))]
+    for x, y, z in ((292, 626, 156), (364, 628, 180), (440, 700, 156), (508, 698, 204), (300, 700, 132)):
+        brushes.append(box((x, x + 20), (y, y + 16), (z, z + 16), "depot/crate"))
+    brushes += table((632, 776), (632, 672), 128, 28, "depot/drawing_table")
+    for x in (648, 696, 744):
+        brushes += chair(x, 676, 128, 1)
+    brushes.append(box((828, 832), (600, 704), (160, 208), "depot/board"))
+    brushes += [box((x, x + 64), (540, 544), (160, 192), "depot/board") for x in (216, 560)]
+    brushes += table((32, 88), (528, 544), 128, 16) + table((600, 656), (528, 544), 128, 16)
+    return brushes
+
+
+def workshop():
+    """Workbenches, a lathe, a tool cabinet, a pipe along the wall."""
+    brushes = table((0, 32), (-272, -64), 0, 28) + table((32, 136), (-288, -256), 0, 28)
+    brushes += [box((8, 16), (y, y + 12), (28, 36), STEEL) for y in (-240, -136)]
+    brushes.append(box((96, 224), (-192, -136), (0, 24), STEEL))
     brushes.append(prism(0, (112, 176), octagon((-164, 36), 12, 6), "depot/machine_green"))
-    brushes += railing(0, -108, (444, 640), 0) + railing(0, -276, (444, 772), 0) + railing(1, 772, (-280, -104), 0)
-    brushes += railing(1, 444, (-272, -112), 0) + railing(0, -108, (704, 768), 0)
+    brushes.append(box((176, 216), (-184, -144), (24, 52), "depot/machine_green"))
+    brushes += [box((x, x + 32), (-288, -268), (0, 64), "depot/locker") for x in (200, 236, 272)]
+    brushes.append(prism(0, (0, 320), octagon((-44, 92), 6, 2), "depot/pipe"))
+    brushes.append(prism(2, (0, 86), octagon((308, -44), 6, 2), "depot/pipe"))
+    return brushes
+
+
+def cistern():
+    """Railings round the basin, a ladder of rungs down into it, pumps and pipes; the water itself is basin()."""
+    brushes = railing(0, -108, (444, 640), 0) + railing(0, -108, (704, 776), 0) + railing(0, -276, (440, 776), 0)
+    brushes += railing(1, 772, (-272, -112), 0) + railing(1, 444, (-272, -112), 0)
+    brushes += [box((648, 696), (-120, -112), (z, z + 4), STEEL) for z in range(-88, 0, 12)]
     brushes += [prism(0, (352, 832), octagon((y, z), 8, 4), "depot/pipe") for y, z in ((-332, 80), (-304, 88))]
-    brushes.append(prism(2, (-96, 88), octagon((424, -328), 12, 6), "depot/pipe"))
+    brushes.append(prism(2, (0, 72), octagon((424, -332), 10, 4), "depot/pipe"))
     for x in (512, 600):
         brushes.append(box((x, x + 40), (-344, -304), (0, 24), "depot/machine_green"))
-        brushes.append(prism(2, (24, 72), octagon((x + 20, -332), 6, 2), "depot/pipe"))
-    brushes += [box((x, x + 32), (-248, -216), (128, 168), "depot/machine_green") for x in range(88, 264, 48)]
-    brushes.append(prism(0, (344, 416), [(-64, 128), (-32, 128), (-32, 160), (-64, 148)], "depot/steel_panel"))
-    brushes.append(prism(0, (480, 552), [(-64, 128), (-32, 128), (-32, 160), (-64, 148)], "depot/steel_panel"))
+        brushes.append(prism(2, (24, 74), octagon((x + 20, -332), 6, 2), "depot/pipe"))
+    return brushes
+
+
+def upper_south():
+    """Batteries on a rack, and the control desks behind the windows to the hall."""
+    brushes = []
+    for x in range(88, 264, 48):
+        brushes.append(box((x, x + 32), (-248, -216), (128, 168), "depot/machine_green"))
+        brushes.append(box((x + 8, x + 24), (-256, -248), (140, 156), "depot/rubber"))
+    brushes.append(box((64, 80), (-200, -72), (176, 184), "depot/pipe"))
+    for x in (344, 480):
+        outline = [(-64, 128), (-32, 128), (-32, 156), (-64, 148)]
+        brushes.append(prism(0, (x, x + 72), outline, "depot/steel_panel"))
+        brushes += chair(x + 28, -92, 128, -1)
+    brushes += [box((x, x + 40), (-256, -232), (128, 200), "depot/cabinet") for x in (344, 388, 432, 504)]
     return brushes
 
 
@@ -99,6 +157,8 @@ def cellar_things():
     coal = [(464, 256, -160), (560, 256, -160), (464, 176, -160), (544, 192, -160), (464, 256, -108), (512, 256, -112)]
     brushes.append(hull(coal, "depot/coal"))
     brushes += [box((160, 224), (y, y + 8), (-160, -156), "depot/wood") for y in range(-448, 32, 48)]
+    brushes += table((48, 120), (336, 384), -160, 28) + [box((40, 64), (64, 72), (-160, -96), "depot/locker")]
+    brushes += [prism(2, (-160, -40), octagon((x, 160), 16, 8), "depot/stone") for x in (160, 304)]
     return brushes
 
 
@@ -133,6 +193,8 @@ def yard_things():
     brushes = cliff(dice, 1, list(range(-704, 705, 128)), 2112, -1, -32, 320, 128)
     brushes += cliff(dice, 0, list(range(1280, 2113, 104)), 704, -1, -32, 280, 120)
     brushes += cliff(dice, 0, list(range(1408, 2113, 88)), -704, 1, -32, 280, 88)
+    brushes += cliff(dice, 1, list(range(-544, -95, 64)), 1280, 1, -32, 300, 64)
+    brushes += cliff(dice, 1, [528, 616, 704], 1280, 1, -32, 300, 96)
     brushes += [boulder(dice, *place) for place in ((1900, -420, -32, 56), (1980, -300, -32, 40), (1840, -340, -32, 28),
                                                     (1500, 560, -32, 36), (1960, 420, -32, 64))]
     brushes.append(prism(2, (-32, 128), octagon((1480, -360), 80, 48), "depot/tank"))
@@ -140,6 +202,8 @@ def yard_things():
     brushes.append(box((1536, 1728), (-240, -160), (-32, 48), "depot/container_red"))
     brushes.append(box((1552, 1744), (-152, -72), (-32, 48), "depot/container_blue"))
     brushes.append(box((1560, 1720), (-224, -144), (48, 128), "depot/container_green"))
+    brushes += [box((1280, 1288), (y, y + 24), (-32, 208), "depot/facade_light") for y in (-64, 56, 368, 488)]
+    brushes.append(box((1280, 1296), (-64, 512), (208, 224), "depot/facade_light"))
     for x, y in ((1392, 400), (1720, 64), (2000, 64)):
         brushes.append(prism(2, (-32, 160), octagon((x, y), 6, 2), STEEL))
         brushes.append(box((x - 8, x + 8), (y - 8, y + 8), (160, 168), "depot/lamp"))
