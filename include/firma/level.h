@@ -63,7 +63,7 @@ struct Level {
 
 /// Options for reading. Defaults suit the format.
 struct ReadOptions {
-    double scale = 0;  ///< metres a unit; 0 takes the format's own: 1 for .obj, 1/32 for .bsp
+    double scale = 0;  ///< metres a unit; 0 takes the format's own: 1 for .obj, 1/32 for .bsp and .map
     /// Patches are divided until the surface is within this of the chords, metres.
     double patch_tolerance = 0.01;
 };
