@@ -45,6 +45,7 @@ def groups(openings):
         ("crane", building.crane()),
         ("roof frames", building.roof_frames()),
         ("roofs", building.sawtooth()),
+        ("outer stairs", building.roof_stairs()),
         ("loading dock", building.dock()),
         ("stairs", building.stairwell()),
         ("tunnel", building.tunnel_slopes()),
@@ -71,8 +72,11 @@ def entities():
     openings = plan.openings()
     yield [("mapversion", "220"), ("classname", "worldspawn"), ("message", "Depot")], world_brushes(
         plan.all_rooms(), openings)
-    portals = [plan.portal_of(opening) for opening in openings] + plan.further_portals()
-    yield [("classname", "func_group"), ("_tb_type", "_tb_layer"), ("_tb_name", "portals"), ("_tb_id", "1")], portals
+    yield [("classname", "func_group"), ("_tb_type", "_tb_layer"), ("_tb_name", "portals"), ("_tb_id", "1")], []
+    for name, brush in plan.portals():
+        yield [("classname", "func_areaportal"), ("targetname", name), ("_tb_layer", "1")], [brush]
+    for name, place in plan.room_names():
+        yield [("classname", "firma_room"), ("origin", "%d %d %d" % place), ("name", name)], []
     for number, (name, brushes) in enumerate(groups(openings), start=2):
         keys = [("classname", "func_group"), ("_tb_type", "_tb_group"), ("_tb_name", name), ("_tb_id", str(number))]
         yield keys, brushes

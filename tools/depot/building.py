@@ -116,9 +116,22 @@ def sawtooth():
     for x in (0, 304, 432, 736):
         brushes.append(prism(1, (64, 384), [(x, 352), (x + 96, 352), (x + 96, 400)], {"": "depot/roof", "+x": "depot/facade"}))
     cap = "depot/facade"
-    brushes.append(box((848, 864), (-32, 480), (352, 376), cap))
-    brushes.append(box((1264, 1280), (-32, 480), (224, 248), cap))
+    brushes += [box((848, 864), y, (352, 376), cap) for y in ((-32, 392), (440, 480))]
+    brushes.append(box((1264, 1280), (16, 480), (224, 248), cap))
     brushes.append(prism(2, (224, 448), octagon((936, 400), 32, 16), "depot/brick_dark"))
+    return brushes
+
+
+def roof_stairs():
+    """Outer flights of steps: from the yard to the dock's roof, and from there to the hall's."""
+    brushes = steps(1, -416, 12, -32, 32, (1280, 1336))
+    brushes.append(slope_rail(1, (-404, -32), (-24, 224), (1336, 1340)))
+    brushes.append(box((1280, 1340), (-32, 16), (208, 224), DECK))
+    brushes += railing(1, 1336, (-32, 16), 224) + railing(0, 12, (1280, 1332), 224)
+    brushes += steps(1, 200, 12, 224, 16, (864, 904))
+    brushes.append(slope_rail(1, (212, 392), (232, 352), (904, 908)))
+    brushes.append(box((864, 908), (392, 440), (336, 352), DECK))
+    brushes += railing(1, 904, (392, 440), 352) + railing(0, 436, (864, 900), 352)
     return brushes
 
 

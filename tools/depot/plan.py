@@ -193,13 +193,27 @@ def portal_of(opening):
     return portal(opening.axis, middle, lows, highs)
 
 
-def further_portals():
-    """Portals in openings that are no boxes of their own."""
-    return [
-        portal(1, 40, (152, 0, -168), (232, 0, -72)),          # boiler room, passage
-        portal(1, -464, (152, 0, -168), (232, 0, -72)),        # passage, cave
-        portal(0, 440, (0, -680, -168), (0, -568, -64)),       # cave, tunnel
-        portal(0, 1264, (0, -680, -40), (0, -568, 64)),        # tunnel, yard
-        portal(1, 484, (1744, 0, -40), (1800, 0, 48)),         # hut, yard: its door
-        portal(0, 1702, (0, 504, -8), (0, 584, 48)),           # hut, yard: its window
+def portals():
+    """Names and brushes of all portals: across the openings, and in those that are no boxes of their own."""
+    named = [(opening.name, portal_of(opening)) for opening in openings()]
+    return named + [
+        ("boiler_passage", portal(1, 40, (152, 0, -168), (232, 0, -72))),
+        ("passage_cave", portal(1, -464, (152, 0, -168), (232, 0, -72))),
+        ("cave_tunnel", portal(0, 440, (0, -680, -168), (0, -568, -64))),
+        ("tunnel_yard", portal(0, 1264, (0, -680, -40), (0, -568, 64))),
+        ("hut_yard", portal(1, 484, (1744, 0, -40), (1800, 0, 48))),
+        ("hut_window", portal(0, 1702, (0, 504, -8), (0, 584, 48))),
     ]
+
+
+def room_names():
+    """Each room's name, and a place in its air where nothing stands."""
+    places = {
+        "hall": (580, 224, 64), "dock": (960, 300, 64), "office_west": (100, 540, 64), "office_middle": (300, 540, 64),
+        "office_east": (560, 600, 64), "lockers": (728, 616, 64), "workshop": (160, -96, 64), "cistern": (800, -64, 64),
+        "corridor": (500, 512, 160), "director": (200, 600, 160), "archive": (408, 592, 160), "plan_room": (696, 592, 160),
+        "battery_room": (176, -180, 160), "control_room": (448, -160, 160), "stairwell": (-128, 128, 64),
+        "boiler_room": (64, 300, -100), "fuel_store": (520, 100, -100), "passage": (192, -200, -100),
+        "cave": (256, -560, -100), "tunnel": (900, -624, -40), "yard": (1700, -500, 96),
+    }
+    return [(room.name, places[room.name]) for room in all_rooms()] + [("hut", (1740, 540, 16))]
