@@ -19,6 +19,7 @@ FLOORS = [
     ['src/join'],
     ['src/world'],
     ['src/level', 'src/carve', 'src/save', 'src/store', 'src/body'],
+    ['src/brush'],
     ['src/debug'],
     ['scenes'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],

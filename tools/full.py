@@ -20,8 +20,9 @@ BUILD = os.path.join('build', 'test', 'bin')
 FUZZ = os.path.join('build', 'fuzz', 'bin')
 THREAD = os.path.join('build', 'thread', 'bin')
 
-# What casts and carving are made of. Of the public headers those of files, histories and other languages do not count.
-APART = ('firma.h', 'firma_c.h', 'mesh.h', 'save.h', 'world_store.h')
+# What casts and carving are made of. Of the public headers those of files, brushes, histories and other languages do not
+# count.
+APART = ('brush_level.h', 'brush_world.h', 'find_leak.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'world_store.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
 CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt', 'CMakePresets.json']
@@ -34,6 +35,11 @@ def reference(*names):
 
 READ_SOURCES = HEADERS + ['src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
+BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush', 'src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp']
+
+
+def fuzzer(name, *headers):
+    return [f'tests/fuzz/fuzz_{name}.cpp', 'tests/fuzz/CMakeLists.txt'] + [f'tests/fuzz/{header}.h' for header in headers]
 
 
 class Claim:
@@ -104,20 +110,20 @@ CLAIMS = [
           1_000, 'cuts', CARVE_SOURCES + ['src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
-          CAST_SOURCES + ['src/solid', 'src/carve', 'src/level', 'tests/fuzz'], 'fuzz', fuzz('carve'), 'fuzz_carve'),
+          CAST_SOURCES + ['src/solid', 'src/carve', 'src/level'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_obj'), 'fuzz_read_obj'),
+          READ_SOURCES + fuzzer('read_obj', 'expect_sound_obj', 'expect_sound_level'), 'fuzz', fuzz('read_obj'), 'fuzz_read_obj'),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('obj_mesh'), 'fuzz_obj_mesh'),
+          READ_SOURCES + fuzzer('obj_mesh', 'bytes', 'expect_sound_obj', 'expect_sound_level'), 'fuzz', fuzz('obj_mesh'), 'fuzz_obj_mesh'),
     Claim('fuzz_read_bsp', 'seconds of fuzzing the .bsp reader and check, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + ['tests/fuzz'], 'fuzz', fuzz('read_bsp'), 'fuzz_read_bsp'),
+          READ_SOURCES + fuzzer('read_bsp', 'expect_sound_level'), 'fuzz', fuzz('read_bsp'), 'fuzz_read_bsp'),
     Claim('fuzz_read_map', 'seconds of fuzzing the .map reader, no crash, hang or broken level of brushes', 600, 300, 'seconds',
-          READ_SOURCES + ['src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp', 'tests/fuzz'], 'fuzz', fuzz('read_map'), 'fuzz_read_map'),
+          BRUSH_SOURCES + fuzzer('read_map', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_map'), 'fuzz_read_map'),
     Claim('fuzz_bsp_brushes', 'seconds of fuzzing the reader of .bsp brushes, no crash, hang or broken level of brushes', 600, 300, 'seconds',
-          READ_SOURCES + ['src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp', 'tests/fuzz'], 'fuzz', fuzz('read_bsp_brushes'),
+          BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
-          'seconds', CARVE_SOURCES + ['src/save', 'tests/fuzz', 'tests/save/saved_worlds.h'], 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
+          'seconds', CARVE_SOURCES + ['src/save', 'tests/save/saved_worlds.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
 ]
 
 

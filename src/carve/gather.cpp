@@ -88,14 +88,6 @@ void gather_facets(const Block& root, const GridBox& box, std::vector<FacetPlace
     visit_box(root, box, [&](const FacetPlace& place) { facets.push_back(place); });
 }
 
-void gather_face(const Block& root, const FacetPlace& face, std::vector<FacetPlace>& facets) {
-    const FaceOwner* owner = face.block->owner_of(face.record());
-    if (!owner) return facets.push_back(face);
-    visit_box(root, owner->box, [&](const FacetPlace& place) {
-        if (place.block->owner_of(place.record()) == owner) facets.push_back(place);
-    });
-}
-
 GridBox grown(const GridBox& box, std::int32_t steps) {
     GridBox result;
     for (int axis = 0; axis < 3; ++axis) {

@@ -15,6 +15,7 @@
 #include "carve/tile_faces.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
+#include "firma/rooms.h"
 
 namespace firma {
 namespace {
@@ -41,6 +42,13 @@ std::string number(double value) {
         if (point) break;
     }
     return text;
+}
+
+World with_doors_open(const World& world) {
+    if (!world.data().closed) return world;
+    auto data = std::make_shared<WorldData>(world.data());
+    data->closed.reset();
+    return World(std::move(data));
 }
 
 const CarveRules& rules_of(const World& world) {
@@ -75,6 +83,7 @@ void Cut::clear() {
 Subtraction::Subtraction(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options,
                          CarveKind kind)
     : world_(world),
+      doors_open_(with_doors_open(world)),
       cutter_(cutter),
       pose_(pose),
       options_(options),
@@ -166,10 +175,6 @@ double* Subtraction::clock_of(Phase phase) {
     return nullptr;
 }
 
-const Block* Subtraction::tree_of_room() const {
-    return world_.data().rooms.empty() ? nullptr : world_.data().rooms[0]->tree.get();
-}
-
 Subtraction::Phase Subtraction::refuse(ErrorCode code, std::string reason) {
     result_.status = CarveStatus::kRefused;
     result_.error = {code, cutter_.valid() && !cutter_.name().empty() ? "cutter " + cutter_.name() : "cutter",
@@ -243,7 +248,11 @@ Subtraction::Phase Subtraction::gather() {
     facets_.clear();
     // The cutter may be moved aside later: by so many steps of the input grid.
     const GridBox reach = grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput);
-    if (tree_of_room()) gather_facets(*tree_of_room(), reach, facets_);
+    rooms_of_facets_.clear();
+    for (const RoomTree& tree : trees_near(world_.data(), reach)) {
+        gather_facets(*tree.root, reach, facets_);
+        rooms_of_facets_.resize(facets_.size(), tree.room);
+    }
     patch_.add(facets_);
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > rules_.most_faces_looked_at)
@@ -257,7 +266,7 @@ Subtraction::Phase Subtraction::tile() {
     // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
     // divided into facets, whose corners are rounded.
     const GridBox reach = grown(solid_cutter_.box, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2);
-    if (tree_of_room()) tile_faces(*tree_of_room(), reach, patch_);
+    tile_faces(world_.data(), reach, patch_);
     return start_cut();
 }
 
@@ -335,7 +344,7 @@ Subtraction::Phase Subtraction::label() {
     const auto locate = [&](std::uint32_t vertex) {
         const Vec3 point = to_metres(solid_cutter_.points[vertex].rounded());
         // Facets lie within a few steps of the exact faces: nearer than that they cannot tell.
-        if (closest(world_, point, 16 / kSurfaceSteps)) return Where::kUnknown;
+        if (closest(doors_open_, point, 16 / kSurfaceSteps)) return Where::kUnknown;
         const std::optional<bool> inside = in_solid(world_, point);
         return !inside ? Where::kUnknown : *inside ? Where::kInside : Where::kOutside;
     };
@@ -392,7 +401,7 @@ Subtraction::Phase Subtraction::make_next_faces() {
 }
 
 /// All facets of the faces that go. Those near the cutter were gathered already; a face may have others farther away.
-std::vector<FacetPlace> Subtraction::facets_gone() const {
+std::vector<FacetPlace> Subtraction::facets_gone() {
     std::vector<std::uint32_t> found(patch_.faces.size(), 0);
     for (const FacetPlace& facet : facets_) ++found[patch_.find(facet)];
     std::vector<bool> goes(patch_.faces.size(), false);
@@ -403,16 +412,35 @@ std::vector<FacetPlace> Subtraction::facets_gone() const {
         if (found[index] == (face.stored ? face.stored->facets : 1))
             goes[index] = true;
         else
-            gather_face(*tree_of_room(), face.facet, gone);
+            gather_face(world_.data(), face.facet, gone, [&](std::uint32_t room) { rooms_.touch(room); });
     }
-    for (const FacetPlace& facet : facets_)
-        if (goes[patch_.find(facet)]) gone.push_back(facet);
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+        if (!goes[patch_.find(facets_[k])]) continue;
+        gone.push_back(facets_[k]);
+        rooms_.touch(rooms_of_facets_[k]);
+    }
     return gone;
+}
+
+/// Where faces come, once it is known which go. A cut that touches no face lies in the rock: a room of its own. What is
+/// filled in without touching any stands free in the air of one.
+void Subtraction::find_room() {
+    if (!world_.data().room_records) return rooms_.touch(0);
+    const bool touches_faces = rooms_.any();
+    if (touches_faces || cut_.fill) rooms_.touch_portals(solid_cutter_.box);
+    if (touches_faces || !cut_.fill) return;
+    for (const ExactPoint& point : solid_cutter_.points) {
+        const Location where = locate(world_, to_metres(point.rounded()));
+        if (where.kind == Location::Kind::kRoom) return rooms_.touch(where.room.value);
+    }
+    rooms_.touch(0);  // too flat for any of its corners to be clear of it: closed by itself, it is sound anywhere
 }
 
 Subtraction::Phase Subtraction::remove_facets() {
     const WorldData& data = world_.data();
+    rooms_ = RoomJoin(data);
     const std::vector<FacetPlace> gone = facets_gone();
+    find_room();
     CarveReport& report = result_.report;
     const std::size_t come = come_.faces.size();
     if (data.face_count - gone.size() + come > rules_.most_faces)
@@ -425,7 +453,7 @@ Subtraction::Phase Subtraction::remove_facets() {
     report.volume = volume_taken(cut_);
     std::uint32_t id = data.next_face;
     for (FaceSet::Entry& face : come_.faces) face.id = {id++};
-    block_edit_ = std::make_unique<BlockEdit>(data.rooms[0]->tree, data.tree_options);
+    block_edit_ = std::make_unique<BlockEdit>(rooms_.tree(), data.tree_options);
     for (const FacetPlace& place : gone) block_edit_->remove(place.block, place.slot);
     block_edit_->add(std::move(come_));
     return Phase::kTree;
@@ -438,9 +466,7 @@ Subtraction::Phase Subtraction::edit_tree() {
 Subtraction::Phase Subtraction::publish() {
     const CarveReport& report = result_.report;
     auto data = next_version(world_.data());
-    Ref<Room> room(new Room);
-    room->tree = block_edit_->result();
-    data->rooms[0] = Ref<const Room>(room.get());
+    rooms_.publish(*data, block_edit_->result());
     ++data->edits;
     data->face_count += report.faces_new - report.faces_gone;
     data->next_face += std::uint32_t(report.faces_new);

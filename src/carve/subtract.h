@@ -9,6 +9,7 @@
 #include "carve/cut_state.h"
 #include "carve/cutter_mover.h"
 #include "carve/make_faces.h"
+#include "carve/room_trees.h"
 #include "firma/carve.h"
 #include "tree/edit_blocks.h"
 #include "world/world_data.h"
@@ -71,11 +72,12 @@ private:
     const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
-    std::vector<FacetPlace> facets_gone() const;
+    std::vector<FacetPlace> facets_gone();
+    void find_room();
     double* clock_of(Phase phase);
-    const Block* tree_of_room() const;
 
     const World world_;
+    const World doors_open_;  ///< the same with all portals open: what is asked about the solid
     const Cutter cutter_;
     const Pose pose_;
     const CarveOptions options_;
@@ -86,7 +88,9 @@ private:
     CutterMover mover_;
     CutterSolid solid_cutter_;
     SolidPatch patch_;
-    std::vector<FacetPlace> facets_;  ///< gathered
+    std::vector<FacetPlace> facets_;              ///< gathered
+    std::vector<std::uint32_t> rooms_of_facets_;  ///< of each of them
+    RoomJoin rooms_{world_.data()};               ///< that the edit touches
     Cut cut_;
     PairBudget budget_;  ///< of all tries together
     FaceCutter face_cutter_;

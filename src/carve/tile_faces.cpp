@@ -22,7 +22,7 @@ std::pair<int, double> longest_axis(const GridBox& box) {
 
 class Tiler {
 public:
-    Tiler(const Block& root, const GridBox& box, SolidPatch& patch) : root_(root), box_(box), patch_(patch) {}
+    Tiler(const WorldData& data, const GridBox& box, SolidPatch& patch) : data_(data), box_(box), patch_(patch) {}
 
     void tile() {
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face)
@@ -200,7 +200,8 @@ private:
             const PatchEdge& edge = patch_.edges[split_[k]];
             GridBox at;
             at.add(patch_.vertices[patch_.edges[edge.half[0]].vertex[1]].point.rounded());
-            gather_facets(root_, grown(at, 2), found);
+            const GridBox around = grown(at, 2);
+            for (const RoomTree& tree : trees_near(data_, around)) gather_facets(*tree.root, around, found);
         }
         for (const FacetPlace& place : found) patch_.add(place);
     }
@@ -222,7 +223,7 @@ private:
         patch_.faces[index].replaced = true;
     }
 
-    const Block& root_;
+    const WorldData& data_;
     const GridBox& box_;
     SolidPatch& patch_;
     bool split_any_ = false;
@@ -234,8 +235,8 @@ private:
 
 }  // namespace
 
-void tile_faces(const Block& root, const GridBox& box, SolidPatch& patch) {
-    Tiler(root, box, patch).tile();
+void tile_faces(const WorldData& data, const GridBox& box, SolidPatch& patch) {
+    Tiler(data, box, patch).tile();
 }
 
 void keep_pieces(Cut& cut) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "carve/cut_state.h"
+#include "world/world_data.h"
 
 namespace firma {
 
@@ -13,9 +14,9 @@ inline constexpr double kLargestTile = 8;
 /// and neighbours whose edges are split by it, become `replaced`; pieces name their `parent`. A face with holes, or one
 /// that a plane would cut into more than two, is left whole.
 ///
-/// @param root  where neighbours are looked for
+/// @param data  the world, where neighbours are looked for
 /// @param box   of the cutter
-void tile_faces(const Block& root, const GridBox& box, SolidPatch& patch);
+void tile_faces(const WorldData& data, const GridBox& box, SolidPatch& patch);
 
 /// Adds to a traced cut what tiling alone makes: replaced faces go, and pieces that the cut left whole come.
 void keep_pieces(Cut& cut);

@@ -227,7 +227,6 @@ private:
             return "has corners that are not there";
         if (face.owner != kNoOwner && face.owner >= block.owners.size()) return "has an exact face that is not there";
         if (face.owner != kNoOwner && !face.solid) return "bounds no solid, and yet has an exact face";
-        if (face.solid && room_ != 0) return "bounds a solid in another room than the first";
         return nullptr;
     }
 

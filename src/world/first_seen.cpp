@@ -93,11 +93,18 @@ Location in_room(RoomId room) {
 }
 
 void look_along(const WorldData& data, SeePortals portals, FirstSeen& first) {
-    const auto meets = [&](const BoxD& box) { return first.enter(box); };
-    for_each_room_where(data, meets, [&](std::uint32_t room, const Block& tree) {
+    const auto look = [&](std::uint32_t room, const Block& tree) {
         first.room = room;
         visit(tree, first);
-    });
+        return false;
+    };
+    if (data.rooms.size() == 1) {
+        if (data.rooms[0]->tree) look(0, *data.rooms[0]->tree);
+    } else {
+        for_each_room_nearest_first(
+            data, [&](const auto& box, double& nearest) { return first.boxes.enters(box, first.latest, nearest); },
+            [&](double nearest) { return nearest <= first.latest; }, look);
+    }
     if (portals == SeePortals::kNo || !data.portals) return;
     data.portals->boxes().for_each_where([&](const GridBox& box) { return first.enter(in_metres(box)); },
                                          [&](std::uint32_t number) {

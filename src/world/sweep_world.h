@@ -116,18 +116,17 @@ public:
 
     /// Through the trees of all rooms.
     void ask_all() {
-        const auto look = [&](std::uint32_t room, const Block& tree) {
-            if (!ended_) look_into(room, tree);
-        };
-        if (data_.rooms.size() == 1 && data_.rooms[0]->tree) {
-            look(0, *data_.rooms[0]->tree);
+        if (data_.rooms.size() == 1) {
+            if (const Block* tree = data_.rooms[0]->tree.get()) look_into(0, *tree);
         } else {
             const SweepBox boxes(sweep_);
-            const auto meets = [&](const BoxD& box) {
-                double nearest;
-                return boxes.enters(box, found_.latest, nearest);
-            };
-            for_each_room_where(data_, meets, look);
+            for_each_room_nearest_first(
+                data_, [&](const auto& box, double& nearest) { return boxes.enters(box, found_.latest, nearest); },
+                [&](double nearest) { return nearest <= found_.latest; },
+                [&](std::uint32_t room, const Block& tree) {
+                    look_into(room, tree);
+                    return ended_;
+                });
         }
         if (data_.closed) meet_closed_portals();
     }

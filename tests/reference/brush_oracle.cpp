@@ -82,7 +82,7 @@ Polygon hull(Polygon points, std::size_t axis) {
 Body clip(const Body& body, const HalfSpace& by, bool keep_front) {
     Body kept;
     Polygon on_plane;
-    bool any = false;
+    bool any = false, any_off = false;
     for (const Polygon& polygon : body) {
         std::vector<Rational> at;
         for (const Corner& corner : polygon) at.push_back(keep_front ? -by.at(corner) : by.at(corner));
@@ -92,6 +92,7 @@ Body clip(const Body& body, const HalfSpace& by, bool keep_front) {
             if (at[k] <= 0) part.push_back(polygon[k]);
             if (at[k] == 0) on_plane.push_back(polygon[k]);
             any = any || at[k] < 0;
+            any_off = any_off || at[k] > 0;
             if (at[k] * at[next] >= 0) continue;
             const Rational share = at[k] / (at[k] - at[next]);
             Corner crossing;
@@ -103,6 +104,7 @@ Body clip(const Body& body, const HalfSpace& by, bool keep_front) {
         if (part.size() >= 3) kept.push_back(std::move(part));
     }
     if (!any) return {};
+    if (!any_off) return body;  // a face that lies in the plane is there already
     std::size_t axis = 0;
     while (by.normal[axis] == 0) ++axis;
     if (Polygon cap = hull(std::move(on_plane), axis); !cap.empty()) kept.push_back(std::move(cap));

@@ -130,7 +130,7 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
               "a.firma: section RECS, entry 0: has flags that are not of version 1");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 1),
               "a.firma: the world is broken: more than one room, or rock as well, reaches to infinity");
-    EXPECT_EQ(with_u32(kRoomRecordsSection, 0, 5), "a.firma: section RECS: has bytes behind its last name");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 0, 3), "a.firma: section RECS: has bytes behind its last name");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 0, ~0u), "a.firma: section RECS, entry 0: ends before its name");
     EXPECT_EQ(with_u32(kPortalsSection, 0, ~0u), "a.firma: section PORT: ends before its portals");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal, 2),

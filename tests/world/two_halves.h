@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two rooms of 4 x 4 x 4 m side by side along x, in rock; where they meet, a portal all over.
+// Two cubes of air side by side along x, in rock; where they meet, a portal all over.
 #pragma once
 
 #include <array>
@@ -9,14 +9,16 @@
 namespace firma {
 
 /// Faces 0 to 4 are of room 0, 5 to 9 of room 1: floor, ceiling, the walls at y = 0 and 4, the far wall.
-inline WorldParts two_halves_parts() {
+/// @param size  of each cube, metres
+inline WorldParts two_halves_parts(int size = 4) {
     WorldParts parts;
     parts.materials = {"", "glass"};
     parts.rock_outside = true;
     parts.rooms.resize(2);
     std::uint32_t id = 0;
-    const auto at = [](int x, int y, int z) {
-        return GridPoint{x * int(kSurfaceSteps), y * int(kSurfaceSteps), z * int(kSurfaceSteps)};
+    const auto at = [&](int x, int y, int z) {  // in quarters of a cube
+        const int step = size * int(kSurfaceSteps) / 4;
+        return GridPoint{x * step, y * step, z * step};
     };
     const auto add = [&](int room, std::array<GridPoint, 4> corners) {
         FaceSet& set = parts.rooms[std::size_t(room)].faces;

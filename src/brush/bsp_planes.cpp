@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds which planes are one and the same, seen from either side, and makes each exact.
-#include "level/bsp_planes.h"
+#include "brush/bsp_planes.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The words of a .map.
-#include "level/map_tokens.h"
+#include "brush/map_tokens.h"
 
 #include <cstring>
 

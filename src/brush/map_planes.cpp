@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Chooses points of the grid for the sides of a .map.
-#include "level/map_planes.h"
+#include "brush/map_planes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "brush/fit_plane.h"
+#include "brush/plane_families.h"
+#include "brush/winding.h"
 #include "geometry/grid_orient.h"
-#include "level/fit_plane.h"
-#include "level/plane_families.h"
-#include "level/winding.h"
 
 namespace firma {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cuts a large square down to a brush's face.
-#include "level/winding.h"
+#include "brush/winding.h"
 
 #include <cmath>
 #include <utility>

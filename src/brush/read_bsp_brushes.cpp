@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "brush/brush_builder.h"
+#include "brush/brush_kinds.h"
+#include "brush/bsp_planes.h"
+#include "brush/parse_map.h"
 #include "firma/brush_level.h"
-#include "level/brush_builder.h"
-#include "level/brush_kinds.h"
 #include "level/bsp_file.h"
-#include "level/bsp_planes.h"
 #include "level/judge_input.h"
 #include "level/message.h"
-#include "level/parse_map.h"
 
 namespace firma {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "brush/fit_plane.h"
 #include "level/bsp_file.h"
-#include "level/fit_plane.h"
 
 namespace firma {
 

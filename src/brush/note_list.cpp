@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Notes of a reader.
-#include "level/note_list.h"
+#include "brush/note_list.h"
 
 namespace firma {
 

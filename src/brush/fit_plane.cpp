@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chooses three points of the grid for a plane.
-#include "level/fit_plane.h"
+#include "brush/fit_plane.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Puts brushes together into a BrushLevel.
-#include "level/brush_builder.h"
+#include "brush/brush_builder.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "level/brush_kinds.h"
+#include "brush/brush_kinds.h"
 
 namespace firma {
 namespace {

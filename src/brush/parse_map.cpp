@@ -10,14 +10,14 @@
 //   further = contents flags value, or what other games put there
 //   patch  = "{" texture "(" width height contents flags value ")" "(" width * column ")" "}"
 //   column = "(" height * ( "(" x y z s t ")" ) ")"
-#include "level/parse_map.h"
+#include "brush/parse_map.h"
 
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "level/map_tokens.h"
+#include "brush/map_tokens.h"
 #include "level/message.h"
 #include "level/parse_number.h"
 

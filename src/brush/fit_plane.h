@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "brush/winding.h"
 #include "firma/grid.h"
-#include "level/winding.h"
 
 namespace firma {
 

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "level/winding.h"
+#include "brush/winding.h"
 
 namespace firma {
 

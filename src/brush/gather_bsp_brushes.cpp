@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "level/bsp_planes.h"
+#include "brush/bsp_planes.h"
+#include "brush/parse_map.h"
 #include "level/message.h"
-#include "level/parse_map.h"
 
 namespace firma {
 namespace {

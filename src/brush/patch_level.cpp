@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tessellates patches into a Level.
-#include "level/patch_level.h"
+#include "brush/patch_level.h"
 
 #include <array>
 #include <optional>

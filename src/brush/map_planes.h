@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "brush/parse_map.h"
 #include "firma/grid.h"
-#include "level/parse_map.h"
 
 namespace firma {
 

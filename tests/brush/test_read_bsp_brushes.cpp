@@ -8,7 +8,7 @@
 #include "firma/brush_level.h"
 #include "firma/masks.h"
 #include "geometry/exact_plane.h"
-#include "level/brush_kinds.h"
+#include "brush/brush_kinds.h"
 #include "scenes/rng.h"
 #include "tests/level/bsp_writer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Families of planes in cells of normal and distance.
-#include "level/plane_families.h"
+#include "brush/plane_families.h"
 
 #include <algorithm>
 #include <cmath>

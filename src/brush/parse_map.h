@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "brush/note_list.h"
 #include "firma/brush_level.h"
 #include "firma/vec.h"
-#include "level/note_list.h"
 #include "level/patch.h"
 
 namespace firma {

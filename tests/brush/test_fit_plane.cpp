@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "level/fit_plane.h"
+#include "brush/fit_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/exact_plane.h"
-#include "level/plane_families.h"
+#include "brush/plane_families.h"
 #include "scenes/rng.h"
 
 namespace firma {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tables of names and flags.
-#include "level/brush_kinds.h"
+#include "brush/brush_kinds.h"
 
 #include <string>
 

@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "brush/note_list.h"
+#include "brush/patch_level.h"
 #include "firma/brush_level.h"
-#include "level/note_list.h"
-#include "level/patch_level.h"
 
 namespace firma {
 
