@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "brush/name_rooms.h"
 #include "firma/brush_world.h"
 #include "join/join_brushes.h"
-#include "level/name_rooms.h"
 #include "world/assemble_world.h"
 
 namespace firma {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Looks each of the entities up in the finished world.
-#include "level/name_rooms.h"
+#include "brush/name_rooms.h"
 
 #include <algorithm>
 #include <optional>
