@@ -14,6 +14,7 @@ struct DivideOptions {
     std::size_t most_cells = 8'000'000;  ///< else in larger ones
     double narrow = 0.7;       ///< a place is narrow when its clearance is below this share of that on either side
     double smallest_room = 8;  ///< cubic metres: less becomes part of a neighbour
+    double smallest_clearance = 0.5;  ///< metres: as does what has no place at least this far from all walls
 };
 
 /// Divides the air that the level's hull encloses at its narrow places: adds brushes of kPortal to the level, as if its

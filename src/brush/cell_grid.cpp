@@ -14,29 +14,60 @@ namespace {
 /// Off whatever round numbers authors use, so that no cell's rim lies in a wall's face.
 constexpr double kOff = 480.0 / 4096;
 
-void fill_row(const World& world, const Vec3& start, double length, std::vector<Hit>& hits, CellGrid& grid,
-              std::size_t first) {
-    CastOptions options;
-    options.mask = kStopsSight;  // glass and clips are in the air
-    options.sides = Sides::kBoth;
-    cast_all(world, {start, 0}, {length, 0, 0}, hits, options);
-    bool solid = false;
-    double from = 0;
-    const auto fill = [&](double to) {
-        if (solid) return;
-        const auto begin = std::int64_t(std::ceil(from / grid.cell - 0.5)),
-                   end = std::int64_t(std::floor(to / grid.cell + 0.5));
-        for (std::int64_t k = std::max<std::int64_t>(begin, 0); k < std::min<std::int64_t>(end, grid.count[0]); ++k)
-            grid.air[first + std::size_t(k)] = 1;
-    };
-    for (const Hit& hit : hits) {
-        const bool enters = hit.face_normal.x < 0;
-        if (enters == solid) continue;  // a face of something that is no solid, or an edge met twice
-        fill(hit.fraction * length);
-        from = hit.fraction * length;
-        solid = enters;
+/// Along one row of cells.
+class RowReader {
+public:
+    RowReader(const World& world, CellGrid& grid) : world_(world), grid_(grid) {
+        options_.mask = kStopsSight;  // glass and clips are in the air
+        options_.sides = Sides::kBoth;
     }
-    fill(length + grid.cell);
+
+    /// @param first  cell of the row, whose others are `stride` apart along `axis`
+    void read(int axis, std::array<std::int32_t, 3> cell) {
+        const std::int32_t count = grid_.count[std::size_t(axis)];
+        const std::size_t first = grid_.index(cell[0], cell[1], cell[2]), stride = grid_.stride(axis);
+        Vec3 start, path{0, 0, 0};
+        for (int k = 0; k < 3; ++k) start[k] = grid_.low[k] + (cell[std::size_t(k)] + 0.5) * grid_.cell;
+        start[axis] = grid_.low[axis];
+        path[axis] = count * grid_.cell;
+        cast_all(world_, {start, 0}, path, hits_, options_);
+        std::size_t next = 0;
+        bool solid = false, way = false;
+        for (std::int32_t k = 0; k < count; ++k) {
+            const double middle = (k + 0.5) / count;
+            for (; next < hits_.size() && hits_[next].fraction < middle; ++next) {
+                solid = hits_[next].face_normal[axis] < 0;
+                way = false;
+            }
+            const std::size_t at = first + std::size_t(k) * stride;
+            if (axis == 0)
+                grid_.air[at] = !solid;
+            else if (solid)
+                grid_.air[at] = 0;  // a middle that lies on a face, or nearly
+            if (way && !solid) grid_.ways[at] |= std::uint8_t(1 << axis);
+            way = !solid;
+        }
+    }
+
+private:
+    const World& world_;
+    CellGrid& grid_;
+    CastOptions options_;
+    std::vector<Hit> hits_;
+};
+
+void read_rows(const World& world, CellGrid& grid) {
+    RowReader reader(world, grid);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto u = std::size_t((axis + 1) % 3), v = std::size_t((axis + 2) % 3);
+        std::array<std::int32_t, 3> cell{0, 0, 0};
+        for (cell[v] = 0; cell[v] < grid.count[v]; ++cell[v])
+            for (cell[u] = 0; cell[u] < grid.count[u]; ++cell[u]) reader.read(axis, cell);
+    }
+    for (std::size_t at = 0; at < grid.size(); ++at)
+        for (int axis = 0; axis < 3; ++axis)
+            if (grid.passes(at, axis) && !(grid.air[at] && grid.air[at - grid.stride(axis)]))
+                grid.ways[at] &= std::uint8_t(~(1 << axis));
 }
 
 /// Takes off the air that reaches the rim.
@@ -54,19 +85,17 @@ void drop_exterior(CellGrid& grid) {
                 const bool rim = x == 0 || y == 0 || z == 0 || x == nx - 1 || y == ny - 1 || z == nz - 1;
                 if (rim) take(grid.index(x, y, z));
             }
-    while (!waiting.empty()) {  // nothing at the rim is left, so neighbours are there
+    while (!waiting.empty()) {
         const std::size_t at = waiting.back();
         waiting.pop_back();
-        const std::int64_t x = std::int64_t(at % std::size_t(nx));
-        const std::int64_t y = std::int64_t(at / std::size_t(nx) % std::size_t(ny));
-        const std::int64_t z = std::int64_t(at / (std::size_t(nx) * std::size_t(ny)));
-        if (x > 0) take(at - 1);
-        if (x + 1 < nx) take(at + 1);
-        if (y > 0) take(at - grid.stride(1));
-        if (y + 1 < ny) take(at + grid.stride(1));
-        if (z > 0) take(at - grid.stride(2));
-        if (z + 1 < nz) take(at + grid.stride(2));
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::size_t up = at + grid.stride(axis);
+            if (grid.passes(at, axis)) take(at - grid.stride(axis));
+            if (up < grid.size() && grid.passes(up, axis)) take(up);
+        }
     }
+    for (std::size_t at = 0; at < grid.size(); ++at)
+        if (!grid.air[at]) grid.ways[at] = 0;
 }
 
 /// Two passes, each from the neighbours that come before.
@@ -75,6 +104,12 @@ void measure_clearance(CellGrid& grid) {
     constexpr std::uint16_t kFar = 60000;
     const auto [nx, ny, nz] = grid.count;
     for (std::size_t k = 0; k < grid.size(); ++k) grid.clearance[k] = grid.air[k] ? kFar : 0;
+    constexpr std::uint16_t kBesideThinWall = 2;
+    for (std::size_t k = 0; k < grid.size(); ++k)
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!grid.air[k] || !grid.air[k - grid.stride(axis)] || grid.passes(k, axis)) continue;
+            grid.clearance[k] = grid.clearance[k - grid.stride(axis)] = kBesideThinWall;
+        }
     for (const bool back : {false, true})
         for (std::int32_t k = 1; k + 1 < nz; ++k)
             for (std::int32_t j = 1; j + 1 < ny; ++j)
@@ -110,12 +145,8 @@ CellGrid make_cell_grid(const World& world, double cell, std::size_t most_cells)
         grid.count[std::size_t(axis)] = std::int32_t(std::ceil(size[axis] / grid.cell)) + 4;
     }
     grid.air.assign(std::size_t(grid.count[0]) * std::size_t(grid.count[1]) * std::size_t(grid.count[2]), 0);
-    std::vector<Hit> hits;
-    for (std::int32_t z = 0; z < grid.count[2]; ++z)
-        for (std::int32_t y = 0; y < grid.count[1]; ++y) {
-            const Vec3 start{grid.low.x, grid.low.y + (y + 0.5) * grid.cell, grid.low.z + (z + 0.5) * grid.cell};
-            fill_row(world, start, grid.count[0] * grid.cell, hits, grid, grid.index(0, y, z));
-        }
+    grid.ways.assign(grid.size(), 0);
+    read_rows(world, grid);
     drop_exterior(grid);
     measure_clearance(grid);
     return grid;

@@ -341,21 +341,31 @@ private:
     void find_portals() {
         JoinedLevel& made = *made_;
         const std::size_t faces = made.faces.size();
+        std::vector<std::uint32_t> idle, used;
         for (std::uint32_t k = 0; k < made.portal_pieces.size(); ++k) {
             const std::uint32_t front = made.rooms.of_side[faces + 2 * k], back = made.rooms.of_side[faces + 2 * k + 1];
             const std::uint32_t source = made.portal_pieces[k].source;
-            if (front == back) {
-                if (made.idle_portals.empty() || made.idle_portals.back() != source)
-                    made.idle_portals.push_back(source);
-                continue;
-            }
+            (front == back ? idle : used).push_back(source);
+            if (front == back) continue;
             const auto same = [&](const JoinPortal& portal) {
-                return portal.source == source && portal.room[0] == front && portal.room[1] == back;
+                return portal.room[0] == front && portal.room[1] == back && are_one(portal.source, source);
             };
             auto it = std::find_if(made.portals.begin(), made.portals.end(), same);
             if (it == made.portals.end()) it = made.portals.insert(it, {source, {}, {front, back}});
             it->polygons.push_back(k);
         }
+        for (const std::uint32_t source : idle)  // of one that divides two rooms, parts elsewhere do not matter
+            if (std::find(used.begin(), used.end(), source) == used.end() &&
+                (made.idle_portals.empty() || made.idle_portals.back() != source))
+                made.idle_portals.push_back(source);
+    }
+
+    /// Whether two sides are of one portal: or of brushes of one entity, in one plane.
+    bool are_one(std::uint32_t a, std::uint32_t b) const {
+        if (a == b) return true;
+        const std::uint32_t entity = level_.brushes[brush_of_side_[a]].entity;
+        return entity != 0 && entity == level_.brushes[brush_of_side_[b]].entity &&
+               mover_.of_side(a) == mover_.of_side(b);
     }
 
     const BrushLevel& level_;
