@@ -42,7 +42,7 @@ public:
         if (count > (portals_.count() - 4) / kPortalBytes) return fault("ends before its portals");
         const std::size_t fixed = std::size_t(4 + count * kPortalBytes);
         Texts names({portals_.at(fixed), portals_.count() - fixed});
-        std::vector<PortalPart> parts(std::size_t{count});
+        std::vector<PortalPart> parts(static_cast<std::size_t>(count));
         std::vector<std::uint8_t> closed;
         for (at_ = 0; at_ < count; ++at_) {
             const std::byte* at = portals_.at(std::size_t(4 + at_ * kPortalBytes));
