@@ -36,7 +36,8 @@ struct BrushWorldReport {
 /// two brushes in one plane that look the same way, and overlap, that of the brush that comes first stays; neighbours
 /// in one plane with one material become one face where that is convex. The air is divided by the portals into rooms,
 /// the last of which is the exterior; pockets that nothing leads to are rooms of their own. What is no solid (glass,
-/// clips, liquids, patches) is castable, with its mask, in the room that it lies in.
+/// clips, liquids, patches) is castable, with its mask, in the room that it lies in. Rooms have the names of point
+/// entities `firma_room` in them, portals the `targetname` of the entity that their brush belongs to.
 ///
 /// A face's source is the index of its brush's side; that of a surface counts on from there.
 ///
