@@ -39,6 +39,9 @@ struct BrushWorldReport {
 /// clips, liquids, patches) is castable, with its mask, in the room that it lies in. Rooms have the names of point
 /// entities `firma_room` in them, portals the `targetname` of the entity that their brush belongs to.
 ///
+/// What is painted with the sky refuses cuts (its materials' hardness is 1, but for materials that the options' rules
+/// name): a hole in it would look into the void.
+///
 /// A face's source is the index of its brush's side; that of a surface counts on from there.
 ///
 /// @param report  filled, when given
