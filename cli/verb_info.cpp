@@ -40,6 +40,9 @@ leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, vo
 build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
 reaches to infinity: then it is that of the air.
 
+Of glTF --json has in addition: gltf {nodes, portals [{name, polygons}], notes [texts]}; `faces` count triangles in the file,
+those of portals left out. Portals of a mesh do not divide it into rooms yet.
+
 Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
 planes_moved, greatest_shift, idle_portals, bounds, rooms, portals, tree, solid, read_seconds, build_seconds. `faces`
@@ -101,6 +104,23 @@ std::vector<std::string> material_names(const Level& level) {
     return names;
 }
 
+void add_gltf(JsonWriter& json, const LoadedGltf& gltf) {
+    json.open_object("gltf");
+    json.add("nodes", gltf.nodes);
+    json.open_array("portals");
+    for (const GltfPortal& portal : gltf.portals) {
+        json.open_object();
+        json.add("name", portal.name);
+        json.add("polygons", portal.polygons.size());
+        json.close();
+    }
+    json.close();
+    json.open_array("notes");
+    for (const std::string& note : gltf.notes) json.add({}, note);
+    json.close();
+    json.close();
+}
+
 std::string json_text(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     const KindCounts kinds = count_kinds(level);
@@ -124,6 +144,7 @@ std::string json_text(const LoadedLevel& loaded) {
     json.close();
     json.add("groups", level.groups.size());
     json.add("ignored_entries", level.ignored_entries);
+    if (loaded.gltf) add_gltf(json, *loaded.gltf);
     add_world(json, loaded.world);
     json.add("read_seconds", loaded.read_seconds);
     json.add("build_seconds", loaded.build_seconds);
@@ -157,6 +178,12 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
     row("materials", grouped(material_names(level).size()));
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));
+    if (loaded.gltf) {
+        row("nodes", grouped(loaded.gltf->nodes));
+        if (const std::size_t portals = loaded.gltf->portals.size(); portals > 0)
+            row("portals in file", grouped(portals) + ", which do not divide the mesh into rooms yet");
+        for (const std::string& note : loaded.gltf->notes) row("note", note);
+    }
     text += world_text(loaded.world);
     row("time",
         fmt::format("{} to read, {} to build", seconds_text(loaded.read_seconds), seconds_text(loaded.build_seconds)));

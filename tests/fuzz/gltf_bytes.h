@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// glTF files for a fuzzer: the bytes themselves, or a .glb whose container and JSON are in order, so that what lies
+// behind them is reached.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+
+#include "tests/fuzz/bytes.h"
+
+namespace firma::fuzz {
+
+inline std::string u32_bytes(std::size_t number) {
+    std::string bytes;
+    for (int k = 0; k < 4; ++k) bytes += char(number >> (8 * k) & 0xFF);
+    return bytes;
+}
+
+inline std::string glb_of(std::string json, std::string bin) {
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    bin.resize((bin.size() + 3) / 4 * 4);
+    const std::string chunks =
+        u32_bytes(json.size()) + "JSON" + json + u32_bytes(bin.size()) + std::string("BIN\0", 4) + bin;
+    return "glTF" + u32_bytes(2) + u32_bytes(chunks.size() + 12) + chunks;
+}
+
+/// A document of all that the reader reads, numbers by the bytes: mostly small, now and then what hurts.
+class GltfMaker {
+public:
+    explicit GltfMaker(Bytes& bytes) : bytes_(bytes) {}
+
+    std::string glb() {
+        std::string json = R"({"asset":{"version":"2.0"})";
+        json += list("bufferViews", [&] { return view(); });
+        json += list("accessors", [&] { return accessor(); });
+        json += list("meshes", [&] { return R"({"primitives":[)" + several([&] { return primitive(); }) + "]}"; });
+        json += list("materials", [&] { return choice({R"({"name":"a"})", R"({"doubleSided":true})", "{}"}); });
+        json += list("nodes", [&] { return node(); });
+        if (one_in(4)) json += R"(,"scenes":[{"nodes":)" + indices() + R"(}],"scene":)" + (one_in(8) ? "1" : "0");
+        std::string bin;
+        for (int k = bytes_.next(); k > 0; --k) bin += char(bytes_.next());
+        json += R"(,"buffers":[{"byteLength":)" + (one_in(16) ? number() : std::to_string(bin.size())) + "}]}";
+        return glb_of(json, bin);
+    }
+
+private:
+    bool one_in(int n) { return bytes_.next() % n == n - 1; }
+
+    std::string choice(std::initializer_list<const char*> texts) {
+        return texts.begin()[std::size_t(bytes_.next()) % texts.size()];
+    }
+
+    template <class Make>
+    std::string several(Make make) {
+        std::string text;
+        for (int k = bytes_.next() % 4; k >= 0; --k) text += (text.empty() ? "" : ",") + make();
+        return text;
+    }
+    template <class Make>
+    std::string list(const char* name, Make make) {
+        return std::string(",\"") + name + "\":[" + several(make) + "]";
+    }
+
+    std::string index() { return one_in(32) ? number() : std::to_string(bytes_.next() % 4); }
+    std::string indices() {
+        return "[" + several([&] { return index(); }) + "]";
+    }
+    std::string number() {
+        return choice({"-1", "3", "2147483647", "2147483648", "4294967296", "9007199254740992", "1e18", "0.5", "1e308",
+                       "-1e308", "1e-320", "null", "true", "[]", "{}", "\"\""});
+    }
+    std::string small() { return one_in(32) ? number() : std::to_string(bytes_.next()); }
+    std::string real() { return one_in(32) ? number() : std::to_string(double(bytes_.next() - 128) / 16); }
+    std::string reals(int count) {
+        std::string text;
+        for (int k = 0; k < count; ++k) text += (k ? "," : "") + real();
+        return "[" + text + "]";
+    }
+
+    std::string view() {
+        return R"({"buffer":)" + (one_in(32) ? index() : "0") + R"(,"byteOffset":)" +
+               std::to_string(bytes_.next() % 32) + R"(,"byteLength":)" + small() +
+               (one_in(4) ? R"(,"byteStride":)" + choice({"4", "8", "12", "16"}) : "") + "}";
+    }
+    std::string component() { return choice({"5126", "5123", "5121", "5125", "5120", "5122", "5124", "5130", "0"}); }
+    std::string accessor() {
+        std::string text = R"({"componentType":)" + component() + R"(,"type":)" +
+                           choice({"\"VEC3\"", "\"SCALAR\"", "\"VEC3\"", "\"VEC2\""}) + R"(,"count":)" + small();
+        if (!one_in(8)) text += R"(,"bufferView":)" + index();
+        if (one_in(4)) text += R"(,"byteOffset":)" + small();
+        if (one_in(4)) text += R"(,"normalized":true)";
+        if (one_in(4))
+            text += R"(,"sparse":{"count":)" + index() + R"(,"indices":{"bufferView":)" + index() +
+                    R"(,"componentType":)" + component() + R"(},"values":{"bufferView":)" + index() + "}}";
+        return text + "}";
+    }
+    std::string primitive() {
+        std::string text = R"({"attributes":{"POSITION":)" + index();
+        if (one_in(2)) text += R"(,"NORMAL":)" + index();
+        text += "}";
+        if (one_in(2)) text += R"(,"indices":)" + index();
+        if (one_in(2)) text += R"(,"mode":)" + std::to_string(bytes_.next() % 8);
+        if (one_in(4)) text += R"(,"material":)" + index();
+        return text + "}";
+    }
+    std::string node() {
+        std::string text = "{" + choice({R"("name":"portal")", R"("name":"a")", R"("extras":{"mask":"walk"})",
+                                         R"("extras":{"portal":1,"mask":7})"});
+        if (!one_in(4)) text += R"(,"mesh":)" + index();
+        if (one_in(8)) text += R"(,"children":)" + indices();
+        if (one_in(8)) text += R"(,"matrix":)" + reals(16);
+        if (one_in(4)) text += R"(,"rotation":)" + reals(4);
+        if (one_in(4)) text += R"(,"scale":)" + reals(3);
+        if (one_in(4)) text += R"(,"translation":)" + reals(3);
+        return text + "}";
+    }
+
+    Bytes& bytes_;
+};
+
+/// By the first byte: M, a made document; J, JSON up to a zero and a buffer, in a container; else a file as it is.
+inline std::string gltf_bytes(const std::uint8_t* data, std::size_t size) {
+    const std::string file(reinterpret_cast<const char*>(data), size);
+    if (file.starts_with('M')) {
+        Bytes bytes(data + 1, size - 1);
+        return GltfMaker(bytes).glb();
+    }
+    if (file.starts_with('J')) {
+        const std::size_t end = std::min(file.find('\0'), file.size());
+        return glb_of(file.substr(1, end - 1), end < file.size() ? file.substr(end + 1) : "");
+    }
+    return file;
+}
+
+}  // namespace firma::fuzz
