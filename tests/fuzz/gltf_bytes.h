@@ -26,27 +26,42 @@ inline std::string glb_of(std::string json, std::string bin) {
     return "glTF" + u32_bytes(2) + u32_bytes(chunks.size() + 12) + chunks;
 }
 
-/// A document of all that the reader reads, numbers by the bytes: mostly small, now and then what hurts.
+/// A document of all that the reader reads: 30 positions, indices of them, normals that are all alike; with them, now
+/// and then, what hurts. Numbers by the bytes.
 class GltfMaker {
 public:
     explicit GltfMaker(Bytes& bytes) : bytes_(bytes) {}
 
     std::string glb() {
-        std::string json = R"({"asset":{"version":"2.0"})";
-        json += list("bufferViews", [&] { return view(); });
-        json += list("accessors", [&] { return accessor(); });
+        std::string bin;
+        for (int k = 0; k < 3 * kPositions; ++k) add_float(bin);
+        const int triangles = 1 + bytes_.next() % 20;
+        for (int k = 0; k < 3 * triangles; ++k) bin += char(bytes_.next() % (one_in(64) ? 256 : kPositions));
+
+        std::string json = R"({"asset":{"version":"2.0"},"bufferViews":[{"buffer":0,"byteLength":360},)"
+                           R"({"buffer":0,"byteOffset":360,"byteLength":)" +
+                           std::to_string(3 * triangles) + "}," + several([&] { return view(); }) + "]";
+        json += R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":30},{"bufferView":1,)"
+                R"("componentType":5121,"type":"SCALAR","count":)" +
+                std::to_string(3 * triangles) + R"(},{"componentType":5126,"type":"VEC3","count":30},)" +
+                several([&] { return accessor(); }) + "]";
         json += list("meshes", [&] { return R"({"primitives":[)" + several([&] { return primitive(); }) + "]}"; });
         json += list("materials", [&] { return choice({R"({"name":"a"})", R"({"doubleSided":true})", "{}"}); });
-        json += list("nodes", [&] { return node(); });
-        if (one_in(4)) json += R"(,"scenes":[{"nodes":)" + indices() + R"(}],"scene":)" + (one_in(8) ? "1" : "0");
-        std::string bin;
-        for (int k = bytes_.next(); k > 0; --k) bin += char(bytes_.next());
-        json += R"(,"buffers":[{"byteLength":)" + (one_in(16) ? number() : std::to_string(bin.size())) + "}]}";
+        json += R"(,"nodes":[)" + node(0) + "," + several([&] { return node(1); }) + "]";
+        if (one_in(8)) json += R"(,"scenes":[{"nodes":)" + indices() + R"(}],"scene":)" + (one_in(8) ? "1" : "0");
+        json += R"(,"buffers":[{"byteLength":)" + (one_in(64) ? number() : std::to_string(bin.size())) + "}]}";
         return glb_of(json, bin);
     }
 
 private:
     bool one_in(int n) { return bytes_.next() % n == n - 1; }
+
+    static constexpr int kPositions = 30;
+
+    void add_float(std::string& to) {
+        const float number = one_in(128) ? float(bytes_.any_double()) : float(bytes_.next() % 16 - 8) / 2;
+        to.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
 
     std::string choice(std::initializer_list<const char*> texts) {
         return texts.begin()[std::size_t(bytes_.next()) % texts.size()];
@@ -63,7 +78,9 @@ private:
         return std::string(",\"") + name + "\":[" + several(make) + "]";
     }
 
-    std::string index() { return one_in(32) ? number() : std::to_string(bytes_.next() % 4); }
+    std::string index() { return one_in(255) ? number() : std::to_string(bytes_.next() % 4); }
+    /// Of an accessor: the one that fits, or any.
+    std::string accessor_or(const char* good) { return one_in(16) ? std::to_string(bytes_.next() % 6) : good; }
     std::string indices() {
         return "[" + several([&] { return index(); }) + "]";
     }
@@ -71,8 +88,8 @@ private:
         return choice({"-1", "3", "2147483647", "2147483648", "4294967296", "9007199254740992", "1e18", "0.5", "1e308",
                        "-1e308", "1e-320", "null", "true", "[]", "{}", "\"\""});
     }
-    std::string small() { return one_in(32) ? number() : std::to_string(bytes_.next()); }
-    std::string real() { return one_in(32) ? number() : std::to_string(double(bytes_.next() - 128) / 16); }
+    std::string small() { return one_in(255) ? number() : std::to_string(bytes_.next()); }
+    std::string real() { return one_in(255) ? number() : std::to_string(double(bytes_.next() - 128) / 16); }
     std::string reals(int count) {
         std::string text;
         for (int k = 0; k < count; ++k) text += (k ? "," : "") + real();
@@ -84,7 +101,9 @@ private:
                std::to_string(bytes_.next() % 32) + R"(,"byteLength":)" + small() +
                (one_in(4) ? R"(,"byteStride":)" + choice({"4", "8", "12", "16"}) : "") + "}";
     }
-    std::string component() { return choice({"5126", "5123", "5121", "5125", "5120", "5122", "5124", "5130", "0"}); }
+    std::string component() {
+        return one_in(64) ? choice({"5124", "5130", "0"}) : choice({"5126", "5123", "5121", "5125", "5120", "5122"});
+    }
     std::string accessor() {
         std::string text = R"({"componentType":)" + component() + R"(,"type":)" +
                            choice({"\"VEC3\"", "\"SCALAR\"", "\"VEC3\"", "\"VEC2\""}) + R"(,"count":)" + small();
@@ -97,24 +116,33 @@ private:
         return text + "}";
     }
     std::string primitive() {
-        std::string text = R"({"attributes":{"POSITION":)" + index();
-        if (one_in(2)) text += R"(,"NORMAL":)" + index();
+        std::string text = R"({"attributes":{"POSITION":)" + accessor_or("0");
+        if (one_in(2)) text += R"(,"NORMAL":)" + accessor_or("2");
         text += "}";
-        if (one_in(2)) text += R"(,"indices":)" + index();
-        if (one_in(2)) text += R"(,"mode":)" + std::to_string(bytes_.next() % 8);
-        if (one_in(4)) text += R"(,"material":)" + index();
+        if (!one_in(8)) text += R"(,"indices":)" + accessor_or("1");
+        if (one_in(2)) text += R"(,"mode":)" + std::to_string(one_in(32) ? 7 : bytes_.next() % 7);
+        if (one_in(4)) text += R"(,"material":)" + (one_in(16) ? index() : "0");
         return text + "}";
     }
-    std::string node() {
+    /// @param first  0: it may have others as children
+    std::string node(int first) {
         std::string text = "{" + choice({R"("name":"portal")", R"("name":"a")", R"("extras":{"mask":"walk"})",
                                          R"("extras":{"portal":1,"mask":7})"});
-        if (!one_in(4)) text += R"(,"mesh":)" + index();
-        if (one_in(8)) text += R"(,"children":)" + indices();
-        if (one_in(8)) text += R"(,"matrix":)" + reals(16);
+        if (first == 0 || !one_in(4)) text += R"(,"mesh":)" + (one_in(16) ? index() : "0");
+        if (one_in(4) && first == 0) text += R"(,"children":)" + choice({"[1]", "[1]", "[1,2]", "[0]", "[9]"});
+        if (one_in(8)) return text + R"(,"matrix":)" + (one_in(4) ? reals(16) : matrix()) + "}";
         if (one_in(4)) text += R"(,"rotation":)" + reals(4);
         if (one_in(4)) text += R"(,"scale":)" + reals(3);
         if (one_in(4)) text += R"(,"translation":)" + reals(3);
         return text + "}";
+    }
+    std::string matrix() {
+        std::string text;
+        for (int k = 0; k < 4; ++k) {
+            for (int row = 0; row < 3; ++row) text += real() + ",";
+            text += k < 3 ? "0," : "1";
+        }
+        return "[" + text + "]";
     }
 
     Bytes& bytes_;
