@@ -80,10 +80,18 @@ void load_brushes(const LevelArguments& arguments, const WorldOptions& options, 
     loaded.build_seconds = seconds_since(read);
 }
 
-void load_gltf(const LevelArguments& arguments, LoadedLevel& loaded) {
+void load_gltf(const LevelArguments& arguments, const WorldOptions& options, LoadedLevel& loaded) {
+    const auto start = std::chrono::steady_clock::now();
     GltfLevel read = take(read_gltf(arguments.path, gltf_options(arguments)));
+    loaded.read_seconds = seconds_since(start);
+    LoadedGltf& gltf = loaded.gltf.emplace();
+    const auto built = std::chrono::steady_clock::now();
+    loaded.world = take(make_world(read, options, &gltf.rooms));
+    loaded.build_seconds = seconds_since(built);
+    gltf.nodes = read.nodes.size();
+    gltf.portals = std::move(read.portals);
+    gltf.notes = std::move(read.notes);
     loaded.level = std::move(read.level);
-    loaded.gltf = {read.nodes.size(), std::move(read.portals), std::move(read.notes)};
 }
 
 }  // namespace
@@ -109,10 +117,10 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
         return loaded;
     }
     if (gltf) {
-        load_gltf(arguments, loaded);
-    } else {
-        loaded.level = take(read_level(arguments.path, read_options(arguments)));
+        load_gltf(arguments, options, loaded);
+        return loaded;
     }
+    loaded.level = take(read_level(arguments.path, read_options(arguments)));
     loaded.read_seconds = seconds_since(start);
     const auto read = std::chrono::steady_clock::now();
     loaded.world = take(make_world(loaded.level, options));

@@ -38,6 +38,7 @@ struct LoadedBrushes {
 struct LoadedGltf {
     std::size_t nodes = 0;
     std::vector<GltfPortal> portals;
+    GltfRooms rooms;
     std::vector<std::string> notes;
 };
 

@@ -45,23 +45,40 @@ class Gltf(CliTest):
         self.assertEqual((info['materials'], info['groups']), (['rock'], 2))
         self.assertEqual(info['bounds'], {'low': [0, -5, 0], 'high': [4, 0, 3]})     # y up became z up
         self.assertEqual(info['solid'], {'faces': 12, 'volume': -60, 'area': 94})
-        self.assertEqual(info['gltf'], {'nodes': 1, 'portals': [], 'notes': []})
+        self.assertEqual(info['gltf'], {'nodes': 1, 'portals': [], 'undivided': None, 'notes': []})
         self.assertEqual(self.firma_json('info', 'room.gltf', '--scale', '2')['bounds']['high'], [8, 0, 6])
         self.assertNotIn('portals', self.firma('info', 'room.gltf'))
         self.assertNotIn('gltf', self.firma_json('info', FIRST))
 
-    def test_portals_are_told(self):
-        nodes = [{'mesh': 0}, {'mesh': 0, 'name': 'Portal 1', 'scale': [0.5, 0.5, 0.5]}]
+    def test_portals_make_rooms(self):
+        nodes = [{'mesh': 0}, {'mesh': 1, 'name': 'Portal 1', 'translation': [1, 0, 0]}]
         document, _ = room((4, 4, 4), nodes)
+        square = {'componentType': 5121, 'count': 6, 'type': 'SCALAR', 'bufferView': 2}
+        data = bytes([0, 2, 6, 0, 6, 4])
+        document['buffers'].append({'byteLength': 6, 'uri': 'data:;base64,' + base64.b64encode(data).decode()})
+        document['bufferViews'].append({'buffer': 1, 'byteLength': 6})
+        document['accessors'].append(square)
+        document['meshes'].append({'primitives': [{'attributes': {'POSITION': 0}, 'indices': 2}]})
         document['animations'] = [{}]
         self.write('room.gltf', json.dumps(document))
         told = self.firma_json('info', 'room.gltf')
-        self.assertEqual(told['gltf']['portals'], [{'name': 'Portal 1', 'polygons': 6}])
+        self.assertEqual(told['gltf']['portals'], [{'name': 'Portal 1', 'polygons': 1, 'idle': False}])
         self.assertEqual(told['gltf']['notes'], ['1 animations are left out'])
-        self.assertEqual((told['faces']['in_file'], len(told['rooms'])), (12, 1))
-        text = self.firma('info', 'room.gltf')
-        self.assertIn('1, which do not divide the mesh into rooms yet', text)
-        self.assertIn('1 animations are left out', text)
+        self.assertEqual((told['faces']['in_file'], len(told['rooms'])), (12, 2))
+        self.assertEqual([portal['name'] for portal in told['portals']], ['Portal 1'])
+        self.assertIn('1 animations are left out', self.firma('info', 'room.gltf'))
+        self.assertTrue(self.firma_json('check', 'room.gltf')['sound'])
+        nodes[1]['translation'] = [40, 0, 0]                                     # in the rock
+        self.write('room.gltf', json.dumps(document))
+        self.assertEqual(len(self.firma_json('info', 'room.gltf')['rooms']), 1)
+        nodes[1].update({'translation': [2, 1, -1], 'scale': [1, 0.5, 0.5]})        # in the air alone
+        self.write('room.gltf', json.dumps(document))
+        told = self.firma_json('info', 'room.gltf')
+        self.assertEqual((len(told['rooms']), told['gltf']['portals'][0]['idle']), (1, True))
+        self.assertIn('1 of them in whole or part with one room', self.firma('info', 'room.gltf'))
+        document['meshes'][0]['primitives'][0]['indices'] = 2                    # nothing closed
+        self.write('room.gltf', json.dumps(document))
+        self.assertEqual(self.firma_json('info', 'room.gltf')['gltf']['undivided'], 'none of its faces bounds a solid')
 
     def test_check(self):
         self.write_room('room.gltf', (4, 4, 4))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a .gltf or .glb, and files made of them: an error with a place, or a sound level with sound portals.
+// Any bytes as a .gltf or .glb, and files made of them: an error with a place, or a sound level with sound
+// portals, and a sound world of it.
 #include <cstdint>
 #include <string>
 
@@ -36,6 +37,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 fuzz::expect(check_polygon(corners) == PolygonFault::kNone, "polygons are convex, planar, with area");
             }
         }
+        const Result<World> world = make_world(gltf);
+        fuzz::expect(world.ok(), "every level makes a world");
+        fuzz::expect(!check_world(world.value()), "a sound one, in rooms or not");
         const MeshCheck check = check_gltf(gltf);
         if (check.closed())
             fuzz::expect(fuzz::area_vector(gltf.level) == std::array<fuzz::Wide, 3>{}, "a closed mesh is closed");

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "tests/fuzz/bytes.h"
 
@@ -148,12 +149,62 @@ private:
     Bytes& bytes_;
 };
 
-/// By the first byte: M, a made document; J, JSON up to a zero and a buffer, in a container; else a file as it is.
+/// Boxes, with fronts in- or outside, and portals, quads and triangles, at small whole numbers: much touches and
+/// crosses.
+inline std::string rooms_glb(Bytes& bytes) {
+    std::string bin;
+    const auto add_float = [&](float number) { bin.append(reinterpret_cast<const char*>(&number), sizeof number); };
+    for (int k = 0; k < 8; ++k)
+        for (int axis = 0; axis < 3; ++axis) add_float(float(k >> axis & 1));
+    const char outward[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                            2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    for (std::size_t k = 0; k < 36; ++k) bin += outward[k];
+    for (std::size_t k = 0; k < 36; k += 3) bin += {outward[k + 1], outward[k], outward[k + 2]};
+    bin += std::string("\0\2\6\0\6\4", 6) + std::string("\0\3\5\0\5\7", 6);  // a square; two triangles askew
+    std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(bin.size()) +
+                       R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + std::to_string(bin.size()) +
+                       R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":8})";
+    std::string meshes;
+    for (const auto& [offset, count] : {std::pair{96, 36}, {132, 36}, {168, 6}, {174, 6}}) {
+        json += R"(,{"bufferView":0,"componentType":5121,"type":"SCALAR","byteOffset":)" + std::to_string(offset) +
+                R"(,"count":)" + std::to_string(count) + "}";
+        meshes += std::string(meshes.empty() ? "" : ",") + R"({"primitives":[{"attributes":{"POSITION":0},"indices":)" +
+                  std::to_string(1 + (offset - 96) / 36 + (offset == 174)) + "}]}";
+    }
+    json += R"(],"meshes":[)" + meshes + R"(],"nodes":[)";
+    const int nodes = 1 + bytes.next() % 6;
+    for (int k = 0; k < nodes; ++k) {
+        const int mesh = k == 0 ? bytes.next() % 2 : bytes.next() % 4;
+        json += std::string(k ? "," : "") + R"({"mesh":)" + std::to_string(mesh) + R"(,"name":")" +
+                (mesh > 1 && bytes.next() % 8 ? "portal" : "wall") + '"';
+        for (const char* member : {"translation", "scale"}) {
+            json += std::string(",\"") + member + "\":[";
+            for (int axis = 0; axis < 3; ++axis) {
+                const int number = bytes.next();
+                json += std::to_string(number % 8 + (number >= 240 ? 0.1 : 0) - (member[0] == 't' ? 2 : -1)) +
+                        (axis < 2 ? "," : "]");
+            }
+        }
+        const int turn = bytes.next() % 8;
+        if (turn == 1) json += R"(,"rotation":[0,1,0,1])";
+        if (turn == 2) json += R"(,"rotation":[0,0,1,1])";
+        if (turn == 3) json += R"(,"rotation":[1,2,3,4])";
+        json += "}";
+    }
+    return glb_of(json + "]}", bin);
+}
+
+/// By the first byte: M, a made document; R, rooms; J, JSON up to a zero and a buffer, in a container; else a file as
+/// it is.
 inline std::string gltf_bytes(const std::uint8_t* data, std::size_t size) {
     const std::string file(reinterpret_cast<const char*>(data), size);
     if (file.starts_with('M')) {
         Bytes bytes(data + 1, size - 1);
         return GltfMaker(bytes).glb();
+    }
+    if (file.starts_with('R')) {
+        Bytes bytes(data + 1, size - 1);
+        return rooms_glb(bytes);
     }
     if (file.starts_with('J')) {
         const std::size_t end = std::min(file.find('\0'), file.size());
