@@ -193,7 +193,7 @@ def yard_things():
     brushes = cliff(dice, 1, list(range(-704, 705, 128)), 2112, -1, -32, 320, 128)
     brushes += cliff(dice, 0, list(range(1280, 2113, 104)), 704, -1, -32, 280, 120)
     brushes += cliff(dice, 0, list(range(1408, 2113, 88)), -704, 1, -32, 280, 88)
-    brushes += cliff(dice, 1, [-560, -520, -480], 1280, 1, -32, 300, 64)
+    brushes += cliff(dice, 1, [-560, -520, -480], 1280, 1, -32, 120, 64)
     brushes += cliff(dice, 1, [528, 616, 704], 1280, 1, -32, 300, 96)
     brushes += [boulder(dice, *place) for place in ((1900, -420, -32, 56), (1980, -300, -32, 40), (1840, -340, -32, 28),
                                                     (1500, 560, -32, 36), (1960, 420, -32, 64))]
