@@ -89,6 +89,11 @@ int swprintf(wchar_t*, std::size_t, const wchar_t*, ...) {
     return -1;
 }
 
+/// What a thread keeps is given back when it ends; there is one, and it never does.
+int __cxa_thread_atexit(void (*)(void*), void*, void*) {
+    return 0;
+}
+
 /// Memory for arguments and answers: 16-byte aligned; null for none.
 void* firma_wasm_take(std::size_t bytes) {
     return std::malloc(bytes ? bytes : 1);
