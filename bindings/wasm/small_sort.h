@@ -3,10 +3,10 @@
 //
 // libc++ sorts by some five thousand bytes for every type and order, which were a fifth of the module. What stands here
 // is a better match for pointers than its own way of doing so (release 19: __algorithm/sort.h), and some four hundred
-// bytes: insertion for few elements, which most sorts of a cut have, else heap sort. Sorts whose equal elements could be
-// told apart are nowhere in this library, as results have to be the same with every standard library; so they are with
-// this one. If a later libc++ does not look here, the module is as right as before, and larger.
-// Source: J. W. J. Williams, Algorithm 232: Heapsort, 1964; R. W. Floyd, Algorithm 245: Treesort 3, 1964.
+// bytes: insertion for few elements, which most sorts of a cut have, else heap sort. Sorts whose equal elements could
+// be told apart are nowhere in this library, as results have to be the same with every standard library; so they are
+// with this one. If a later libc++ does not look here, the module is as right as before, and larger. Source: J. W. J.
+// Williams, Algorithm 232: Heapsort, 1964; R. W. Floyd, Algorithm 245: Treesort 3, 1964.
 #pragma once
 
 #include <__config>
