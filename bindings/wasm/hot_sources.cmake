@@ -4,3 +4,9 @@ file(GLOB FIRMA_HOT_SOURCES CONFIGURE_DEPENDS src/cast/*.cpp src/geometry/*.cpp 
 set_source_files_properties(${FIRMA_HOT_SOURCES} PROPERTIES COMPILE_OPTIONS -O3)
 file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/carve/*.cpp src/solid/*.cpp src/tree/*.cpp)
 set_source_files_properties(${FIRMA_WARM_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
+
+# For all of it: linked as one program, which makes it smaller; a small sort instead of libc++'s; and instructions that
+# every engine with SIMD has.
+target_compile_options(firma PUBLIC $<BUILD_INTERFACE:-flto;-mbulk-memory;-mnontrapping-fptoint;-msign-ext>
+                                    "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/bindings/wasm/small_sort.h>>")
+target_link_options(firma PUBLIC $<BUILD_INTERFACE:-flto>)
