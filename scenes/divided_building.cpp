@@ -234,7 +234,7 @@ std::optional<int> DividedBuilding::room_at(const Vec3& point) const {
 
 bool DividedBuilding::is_free(const Vec3& point, double clearance) const {
     const double reach = plan_.jitter + clearance + 1e-3;
-    Cell low, high;
+    Cell low{}, high{};
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] = int(std::floor(point[axis] - reach));
         high[axis] = int(std::floor(point[axis] + reach));
