@@ -8,3 +8,6 @@ pictures=docs/pictures
 
 "$firma" draw levels/first.obj --blasts $pictures/crater.csv --view --before-after \
     --eye 24.2,31.6,2.4 --look 20.2,36.4,1.6 -o $pictures/crater.png
+
+"$firma" draw levels/depot.map --view --eye 10.5,13.2,5.9 --look 17,2,2 -o $pictures/depot_hall.png
+"$firma" draw levels/depot.map --view --eye 60,-18,14 --look 36,6,5 -o $pictures/depot_yard.png

@@ -60,6 +60,7 @@ constexpr NameRule kNames[] = {
     {kName, "donotenter", known(BrushKind::kData)},
     {kName, "clusterportal", known(BrushKind::kData)},
     {kName, "antiportal", known(BrushKind::kData)},
+    {kName, "anchor", known(BrushKind::kData)},
 
     {kPrefix, "*", known(BrushKind::kLiquid)},
     {kPrefix, "!", known(BrushKind::kLiquid)},
@@ -92,6 +93,7 @@ constexpr ClassRule kClasses[] = {
     {"func_static", false, EntityRule::kStatic},
     {"func_wall", false, EntityRule::kStatic},
     {"func_areaportal", false, EntityRule::kPortal},
+    {"firma_anchor", false, EntityRule::kMarks},
 };
 
 std::string normal_form(std::string_view name) {

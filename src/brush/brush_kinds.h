@@ -50,7 +50,8 @@ enum class EntityRule : std::uint8_t {
     kStatic,  ///< part of the world
     kDetail,  ///< part of the world, marked as detail
     kPortal,  ///< portals, whatever their textures
-    kMoves,   ///< doors, plats, triggers: kept as data
+    kMarks,   ///< volumes of ours that mark something: kept as data, as their author means it
+    kMoves,   ///< doors, plats, triggers: kept as data, with a note
 };
 EntityRule entity_rule(std::string_view classname);
 

@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "brush/name_rooms.h"
 #include "firma/brush_world.h"
+#include "firma/masks.h"
 #include "join/join_brushes.h"
 #include "world/assemble_world.h"
 
 namespace firma {
 namespace {
+
+/// The brush that a side is of.
+std::uint32_t brush_of(const BrushLevel& level, std::uint32_t side) {
+    const auto after = std::upper_bound(level.brushes.begin(), level.brushes.end(), side,
+                                        [](std::uint32_t s, const Brush& b) { return s < b.first_side; });
+    return std::uint32_t(after - level.brushes.begin() - 1);
+}
 
 class WorldMaker {
 public:
@@ -20,6 +29,7 @@ public:
         parts_.rooms.back().exterior = true;
         parts_.rooms.back().name = "exterior";
         add_materials();
+        harden_sky();
         add_faces();
         add_loose();
         add_portals();
@@ -37,6 +47,17 @@ private:
             const auto [it, is_new] = known.emplace(name, std::uint32_t(parts_.materials.size()));
             if (is_new) parts_.materials.push_back(name);
             surface_material_.push_back(it->second);
+        }
+    }
+
+    /// A hole in the sky would look into the void.
+    void harden_sky() {
+        std::vector<double>& hardness = parts_.options.rules.hardness;
+        const std::size_t given = hardness.size();
+        for (const JoinPiece& face : joined_.faces) {
+            if (!(face.mask & kIsSky) || face.material < given) continue;
+            if (hardness.size() <= face.material) hardness.resize(face.material + 1, 0);
+            hardness[face.material] = 1;
         }
     }
 
@@ -86,6 +107,8 @@ private:
             PortalPart part;
             part.rooms = {RoomId{portal.room[0]}, RoomId{portal.room[1]}};
             part.material = level_.sides[portal.source].material;
+            const std::uint32_t entity = level_.brushes[brush_of(level_, portal.source)].entity;
+            if (entity < level_.entities.size()) part.name = level_.entities[entity].value("targetname");
             for (const std::uint32_t piece : portal.polygons) {
                 const std::size_t polygon = faces + piece;
                 for (std::uint32_t f = joined_.facets.first[polygon]; f < joined_.facets.first[polygon + 1]; ++f)
@@ -113,10 +136,8 @@ BrushWorldReport report_of(const BrushLevel& level, const JoinedLevel& joined) {
             {left.no_volume ? BrushNote::What::kNoVolume : BrushNote::What::kNotJoined, left.brush, left.reason});
     }
     for (const std::uint32_t source : joined.idle_portals) {
-        const auto after = std::upper_bound(level.brushes.begin(), level.brushes.end(), source,
-                                            [](std::uint32_t side, const Brush& b) { return side < b.first_side; });
-        report.notes.push_back({BrushNote::What::kIdlePortal, std::uint32_t(after - level.brushes.begin() - 1),
-                                "there is one room on both sides of it"});
+        report.notes.push_back(
+            {BrushNote::What::kIdlePortal, brush_of(level, source), "there is one room on both sides of it"});
     }
     std::sort(report.notes.begin(), report.notes.end(), [](const BrushNote& a, const BrushNote& b) {
         return a.what != b.what ? a.what < b.what : a.brush < b.brush;
@@ -135,7 +156,9 @@ Result<World> make_world(const BrushLevel& level, const WorldOptions& options, B
     const Result<std::unique_ptr<JoinedLevel>> joined = join_brushes(level);
     if (!joined.ok()) return joined.error();
     if (report) *report = report_of(level, *joined.value());
-    return assemble_world(WorldMaker(level, *joined.value(), options).take());
+    Result<World> world = assemble_world(WorldMaker(level, *joined.value(), options).take());
+    if (!world.ok()) return world;
+    return name_rooms(world.value(), level);
 }
 
 }  // namespace firma

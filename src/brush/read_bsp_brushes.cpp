@@ -157,6 +157,10 @@ private:
             brush.detail = true;
             return;
         }
+        if (owner.rule == EntityRule::kMarks) {
+            brush.kind = BrushKind::kData;
+            return;
+        }
         const std::string what = owner.named ? quote(builder_.level.entities[owner.entity].value("classname"))
                                              : std::string("models that no entity names");
         builder_.notes.add("brushes of " + what + " are kept as data", at);

@@ -129,6 +129,8 @@ private:
                 return own;
             case EntityRule::kPortal:
                 return BrushKind::kPortal;
+            case EntityRule::kMarks:
+                return BrushKind::kData;
             case EntityRule::kMoves:
                 break;
         }
@@ -145,7 +147,7 @@ private:
         surface.place = place(from.line, from.entity, from.number);
         surface.texture = from.texture;
         surface.line = from.line;
-        if (rules_[from.entity] == EntityRule::kMoves) {
+        if (rules_[from.entity] == EntityRule::kMoves || rules_[from.entity] == EntityRule::kMarks) {
             builder_.notes.add("patches of " + quoted_class(from.entity) + " are left out", surface.place);
             return;
         }

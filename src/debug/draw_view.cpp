@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "debug/svg_text.h"
+#include "firma/masks.h"
 
 namespace firma::debug {
 namespace {
@@ -24,6 +25,8 @@ constexpr double kUpright = 1e-12;   // squared sine of a view to upward, below 
 constexpr double kShadow = 0.66;     // light that is left in shadow
 constexpr double kEdgeShade = 0.5;   // light that is left on an edge
 constexpr std::uint32_t kNothing = ~0u;
+constexpr Vec3 kSkyColour = {0.70, 0.80, 0.90}, kWaterColour = {0.45, 0.62, 0.72};
+constexpr std::uint32_t kSeen = kStopsSight | kStopsLiquid;
 
 Vec3 unit(const Vec3& v) {
     return v * (1 / length(v));
@@ -106,7 +109,9 @@ Span covered(const std::vector<PagePoint>& outline, double y, int width) {
     return {int(first), int(end)};
 }
 
+/// Clips are not seen, and glass is looked through.
 bool seen_from(const Vec3& eye, const Face& face) {
+    if ((face.mask & kSeen) == 0) return false;
     const double side = dot(face.normal, eye - face.corners[0]);
     return face.two_sided ? side != 0 : side > 0;
 }
@@ -152,6 +157,7 @@ Vec3 lamp_of(const World& world, const Frame& frame, const Camera& camera) {
     const Vec3 path = way_to_lamp(frame, camera);
     CastOptions both;
     both.sides = Sides::kBoth;
+    both.mask = kStopsSight;
     const Hit hit = cast(world, {frame.eye, 0.0}, path, both);
     return frame.eye + path * (hit.touched() ? 0.8 * hit.fraction : 1.0);
 }
@@ -163,7 +169,9 @@ double light_on(const Vec3& normal, const Vec3& to_lamp, int up) {
 }
 
 bool in_shadow(const World& world, const Vec3& point, const Vec3& lamp) {
-    return cast_any(world, {point, 0.0}, lamp - point) != Status::kMiss;
+    CastOptions opaque;
+    opaque.mask = kStopsSight;
+    return cast_any(world, {point, 0.0}, lamp - point, opaque) != Status::kMiss;
 }
 
 /// Whether the surface turns or ends between two samples side by side.
@@ -181,6 +189,11 @@ bool is_edge(const Buffer& buffer, std::span<const Face> faces, const Frame& fra
     return std::fabs(plane - buffer.nearness[there]) > kJump * buffer.nearness[there];
 }
 
+/// Faces of formats that know no contents have every bit.
+bool is_sky(const Face& face) {
+    return (face.mask & kIsSky) != 0 && face.mask != ~0u;
+}
+
 /// Red, green and blue of one sample, 0 .. 1.
 Vec3 colour_of(const World& world, std::span<const Face> faces, const Buffer& buffer, const Frame& frame,
                const Vec3& lamp, int up, int x, int y) {
@@ -190,7 +203,10 @@ Vec3 colour_of(const World& world, std::span<const Face> faces, const Buffer& bu
     const Vec3 ray = frame.ray(x, y);
     const Vec3 normal = dot(face.normal, ray) < 0 ? face.normal : -face.normal;
     const Vec3 point = frame.eye + ray * (1 / buffer.nearness[at]) + normal * kLift;
-    const Vec3 base = face.source_edit != 0 ? Vec3{0.80, 0.55, 0.33} : Vec3{0.80, 0.81, 0.80};
+    if (is_sky(face)) return kSkyColour;
+    const Vec3 base = face.source_edit != 0            ? Vec3{0.80, 0.55, 0.33}
+                      : (face.mask & kStopsSight) == 0 ? kWaterColour
+                                                       : Vec3{0.80, 0.81, 0.80};
     Vec3 middle;
     for (const Vec3& corner : face.corners) middle = middle + corner * (1.0 / double(face.corners.size()));
     const Vec3 toward = face.source_edit != 0 ? unit(lamp - middle) : unit(frame.up - frame.right);

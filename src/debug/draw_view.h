@@ -19,7 +19,8 @@ struct Camera {
 };
 
 /// Faces that an edit made are brown, others grey; edges stand where the surface turns or ends. Faces are seen from
-/// their fronts, two-sided ones from both sides; where nothing is, it is black.
+/// their fronts, two-sided ones from both sides; where nothing is, it is black. Sky and the surface of liquids are
+/// blue, glass and clips are looked through.
 Picture draw_view(const World& world, const Camera& camera);
 
 /// How much of a picture new faces (Face::source_edit) would take, 0 .. 1, less what is nearer than two metres: for

@@ -6,6 +6,8 @@
 
 #include "debug/draw_view.h"
 #include "debug/picture.h"
+#include "firma/brush_level.h"
+#include "firma/brush_world.h"
 #include "firma/firma.h"
 
 namespace firma::debug {
@@ -104,6 +106,25 @@ TEST(Picture, FlatColoursMakeSmallFiles) {
     EXPECT_TRUE(bytes.starts_with("\x89PNG\r\n\x1a\n"));
     EXPECT_LT(bytes.size(), 640u * 480u * 3u / 100u);
     EXPECT_NE(bytes, png_bytes(Picture(640, 480, {10, 200, 31})));
+}
+
+// Blue where the sky or water is, grey elsewhere.
+bool is_blue_at_the_middle(const World& world, const Vec3& eye, const Vec3& target) {
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    camera.width = camera.height = 9;
+    const Picture picture = draw_view(world, camera);
+    const Colour colour = picture.at(4, 4);
+    return colour[2] > colour[0] + 20;
+}
+
+TEST(DrawView, LooksThroughGlassAndClipsAndPaintsSkyAndWater) {
+    const World world = make_world(read_brush_level(FIRMA_ROOT "/levels/depot.map").value()).value();
+    EXPECT_TRUE(is_blue_at_the_middle(world, {6.5, 7, 5}, {6.5, 7, 9.9})) << "through the pane of the skylight";
+    EXPECT_TRUE(is_blue_at_the_middle(world, {38, 7, 9}, {44, 7, 16.5})) << "through the clip at the roof's edge";
+    EXPECT_TRUE(is_blue_at_the_middle(world, {16, -6, 2}, {16, -6.1, -1})) << "the basin";
+    EXPECT_FALSE(is_blue_at_the_middle(world, {18.5, 6, 2}, {18.5, 6.1, 0})) << "the hall's floor";
 }
 
 }  // namespace
