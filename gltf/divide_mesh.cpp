@@ -12,7 +12,7 @@
 namespace firma::gltf {
 namespace {
 
-constexpr std::size_t kMostParts = std::size_t(1) << 16;  // of portals; each cut may double those of a bad one
+constexpr std::size_t kMostParts = std::size_t(1) << 14;  // of portals; each cut may double those of a bad one
 
 class Divider {
 public:
@@ -78,7 +78,7 @@ private:
                 std::vector<InputPoint> corners;
                 for (const GridPoint& point : polygon) corners.push_back(to_input(point));
                 std::vector<ConvexPiece> parts{piece_of_corners(tables(), corners)};
-                if (!cut_by_faces(parts)) return false;
+                if (!cut_by_faces(parts) || !cut_by_portals(parts)) return false;
                 for (ConvexPiece& part : parts)
                     if (in_air(part)) made_->portals.push_back({std::move(part), k, k, 0});
                 if (made_->portals.size() > kMostParts) return false;
@@ -111,6 +111,29 @@ private:
                 if (parts.size() > kMostParts) return false;
             }
         }
+        return true;
+    }
+
+    /// Leaves out what lies on parts of portals that there are.
+    bool cut_by_portals(std::vector<ConvexPiece>& parts) {
+        for (const JoinPiece& portal : made_->portals) {
+            const GridBox box = box_of(portal);
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                if (!same_plane(portal.piece.plane, parts[k].plane) || !boxes_meet(box, parts[k].box(tables().points)))
+                    continue;
+                for (const PieceSide& side : portal.piece.sides) cut(parts, k, side.plane);
+                if (parts.size() > kMostParts) return false;
+            }
+            std::erase_if(parts, [&](const ConvexPiece& part) { return lies_on(part, portal.piece); });
+        }
+        return true;
+    }
+
+    bool lies_on(const ConvexPiece& part, const ConvexPiece& other) const {
+        if (!same_plane(part.plane, other.plane)) return false;
+        for (const PieceSide& side : other.sides)
+            for (const PieceSide& corner : part.sides)
+                if (made_->tables.points.side(side.plane, corner.corner) > 0) return false;
         return true;
     }
 

@@ -129,6 +129,28 @@ TEST(GltfRooms, CrossingPortalsMakeFour) {
     EXPECT_EQ(path->size(), 2u);
 }
 
+TEST(GltfRooms, OfPortalsInOnePlaceTheFirstCounts) {
+    const std::string hall = node(1, {0, 0, 0}, {8, 4, 4});
+    const Made twice =
+        make({hall, node(2, {4, 0, 0}, {1, 4, 4}, "portal A"), node(2, {4, 0, 0}, {1, 4, 4}, "portal B")});
+    EXPECT_EQ(twice.world.room_count(), 2u);
+    ASSERT_EQ(portal_count(twice.world), 1u);
+    EXPECT_EQ(portal_info(twice.world, PortalId{0}).name, "portal A");
+    const Made partly =
+        make({hall, node(2, {4, 0, 0}, {1, 3, 4}, "portal A"), node(2, {4, 2, 0}, {1, 9, 4}, "portal B")});
+    EXPECT_EQ(partly.world.room_count(), 2u);
+    ASSERT_EQ(portal_count(partly.world), 2u);
+    EXPECT_EQ(area_of(portal_info(partly.world, PortalId{0})), 12);
+    EXPECT_EQ(area_of(portal_info(partly.world, PortalId{1})), 4);
+    // From behind it is the same place.
+    const std::string turned =
+        R"({"mesh":2,"name":"portal B","translation":[4,2,4],"rotation":[0,1,0,0],"scale":[1,2,4]})";
+    const Made back = make({hall, node(2, {4, 0, 0}, {1, 3, 4}, "portal A"), turned});
+    EXPECT_EQ(back.world.room_count(), 2u);
+    ASSERT_EQ(portal_count(back.world), 2u);
+    EXPECT_EQ(area_of(portal_info(back.world, PortalId{1})), 4);
+}
+
 TEST(GltfRooms, TheExteriorIsARoom) {
     // A hollow block: rock between two boxes.
     const Made made = make({node(0, {-1, -1, -1}, {10, 6, 6}), node(1, {0, 0, 0}, {8, 4, 4}),
