@@ -27,12 +27,13 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions save store openarena peers node
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions levels save store openarena peers node
 for name in "$@"; do
     echo "--- $name"
     case $name in
         pieces) pieces ;;
         openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
+        levels) tools/unpack_openarena.sh && build/bench/bin/bench_levels --csv "$results" ;;
         peers) bench/peers/run.sh ;;
         node) bench/node/run.sh --csv "$results" ;;
         carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB

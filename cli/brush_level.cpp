@@ -174,7 +174,7 @@ const char* note_sentence(BrushNote::What what) {
         case BrushNote::What::kNoVolume:
             return "left out";
         case BrushNote::What::kIdlePortal:
-            return "a portal, or a part of one, that divides nothing";
+            return "a portal that divides nothing";
     }
     return "";
 }

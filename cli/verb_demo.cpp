@@ -48,8 +48,8 @@ constexpr std::size_t kMostTwinFaces = 40000000;  // faces the twin looks at in 
 constexpr std::size_t kDrawn = 100;
 
 constexpr const char* kFooter =
-    R"(Without LEVEL it takes levels/first.obj, here or in the folder that Firma was built from. The picture goes to
-build/demo.svg where there is a levels/first.obj, else to firma_demo.svg; -o names another.
+    R"(Without LEVEL it takes levels/depot.map, here or in the folder that Firma was built from. The picture goes to
+build/demo.svg where there is a levels/depot.map, else to firma_demo.svg; -o names another.
 
 The casts are seeded: half of them particles, half spheres of up to 0.5 m, paths from a thousandth of the level's
 diagonal to all of it. A sample is checked against a twin without a tree, which asks the pair function of every
@@ -58,7 +58,7 @@ face; they must agree to the last bit.
 Then craters are carved where casts meet the level (200, or --craters; 0.4 to 1.6 m, made from the seed), with the
 same casts spread between them, checked again after the last. Out of a closed level no ray may escape, after any
 of them: 100 are cast after each. The picture shows the level after them; beside it, in FILE_view.png, stands the
-view that shows them well, before and after. Levels without closed solids (.bsp) have nothing to carve.
+view that shows them well, before and after. Levels without closed solids have nothing to carve.
 
 --json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
 casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, craters {count,
@@ -301,7 +301,7 @@ std::string json_text(const LoadedLevel& loaded, const Results& results, const s
 }
 
 std::string default_level() {
-    const std::string here = "levels/first.obj";
+    const std::string here = "levels/depot.map";
     std::error_code none;
     return std::filesystem::exists(here, none) ? here : std::string(FIRMA_ROOT) + "/" + here;
 }
@@ -309,7 +309,7 @@ std::string default_level() {
 /// build/demo.svg in the folder of the project, else a file right here.
 std::string default_picture() {
     std::error_code none;
-    return std::filesystem::exists("levels/first.obj", none) ? "build/demo.svg" : "firma_demo.svg";
+    return std::filesystem::exists("levels/depot.map", none) ? "build/demo.svg" : "firma_demo.svg";
 }
 
 void make_folder_of(const std::string& path) {

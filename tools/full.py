@@ -41,6 +41,9 @@ BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush', 'src
 def fuzzer(name, *headers):
     return [f'tests/fuzz/fuzz_{name}.cpp', 'tests/fuzz/CMakeLists.txt'] + [f'tests/fuzz/{header}.h' for header in headers]
 
+JOIN_SOURCES = CARVE_SOURCES + ['include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush', 'tests/join',
+                                'tests/full/full_levels.cpp']
+
 
 class Claim:
     """`target`: what of its preset it needs built; everything unless given."""
@@ -85,6 +88,13 @@ def same_everywhere(seed, count):
     return ['tools/same_everywhere.sh', '1000', '100000']
 
 
+def levels(what):
+    def command(seed, count):
+        subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
+        return [f'{BUILD}/full_levels', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2', '--maps', 'build/openarena']
+    return command
+
+
 def store(seed, count):
     return [f'{THREAD}/full_store', '--count', str(count), '--seed', str(seed)]
 
@@ -109,6 +119,14 @@ CLAIMS = [
     Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
           1_000, 'cuts', CARVE_SOURCES + ['src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),
+    Claim('join_piles', 'random piles of brushes joined: closed, of the right volume, points and ways in the right rooms', 2_000, 500, 'piles',
+          JOIN_SOURCES + reference('brush_oracle'), 'test', levels('piles'), 'full_levels'),
+    Claim('room_casts', 'casts by room that equal casts of all faces, a million on each of ten levels', 10_000_000, 1_000_000, 'casts',
+          JOIN_SOURCES + ['levels/depot.map'], 'test', levels('casts'), 'full_levels'),
+    Claim('room_rays', 'rays from closed rooms of ten levels, none escapes', 10_000_000, 1_000_000, 'rays',
+          JOIN_SOURCES + ['levels/depot.map'], 'test', levels('rays'), 'full_levels'),
+    Claim('level_cuts', 'craters in the depot and five maps of OpenArena, each judged', 3_000, 600, 'cuts',
+          JOIN_SOURCES + ['levels/depot.map'], 'test', levels('cuts'), 'full_levels'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
           CAST_SOURCES + ['src/solid', 'src/carve', 'src/level'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',

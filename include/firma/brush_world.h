@@ -16,7 +16,7 @@ struct BrushNote {
     enum class What : std::uint8_t {
         kNotJoined,   ///< a brush of solid: castable only, or nothing at all where it has no volume
         kNoVolume,    ///< a brush whose planes leave no volume, or do not close it: met by nothing
-        kIdlePortal,  ///< a portal, or a part of one, with one room on both sides: the air goes around it
+        kIdlePortal,  ///< a portal with one room on both sides, wherever it is in the air: the air goes around it
     };
     What what = What::kNotJoined;
     std::uint32_t brush = 0;  ///< index into BrushLevel::brushes
@@ -38,6 +38,9 @@ struct BrushWorldReport {
 /// the last of which is the exterior; pockets that nothing leads to are rooms of their own. What is no solid (glass,
 /// clips, liquids, patches) is castable, with its mask, in the room that it lies in. Rooms have the names of point
 /// entities `firma_room` in them, portals the `targetname` of the entity that their brush belongs to.
+///
+/// What is painted with the sky refuses cuts (its materials' hardness is 1, but for materials that the options' rules
+/// name): a hole in it would look into the void.
 ///
 /// A face's source is the index of its brush's side; that of a surface counts on from there.
 ///

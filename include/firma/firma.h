@@ -14,6 +14,7 @@
 #include "firma/mesh.h"
 #include "firma/polygon.h"
 #include "firma/result.h"
+#include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
 #include "firma/tolerance.h"

@@ -5,6 +5,7 @@
 
 #include "brush/name_rooms.h"
 #include "firma/brush_world.h"
+#include "firma/masks.h"
 #include "join/join_brushes.h"
 #include "world/assemble_world.h"
 
@@ -28,6 +29,7 @@ public:
         parts_.rooms.back().exterior = true;
         parts_.rooms.back().name = "exterior";
         add_materials();
+        harden_sky();
         add_faces();
         add_loose();
         add_portals();
@@ -45,6 +47,17 @@ private:
             const auto [it, is_new] = known.try_emplace(std::string(name), std::uint32_t(parts_.materials.size()));
             if (is_new) parts_.materials.push_back(name);
             surface_material_.push_back(it->second);
+        }
+    }
+
+    /// A hole in the sky would look into the void.
+    void harden_sky() {
+        std::vector<double>& hardness = parts_.options.rules.hardness;
+        const std::size_t given = hardness.size();
+        for (const JoinPiece& face : joined_.faces) {
+            if (!(face.mask & kIsSky) || face.material < given) continue;
+            if (hardness.size() <= face.material) hardness.resize(face.material + 1, 0);
+            hardness[face.material] = 1;
         }
     }
 

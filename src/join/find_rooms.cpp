@@ -25,6 +25,9 @@ constexpr double kTooNear = 1e-6;
 /// A line that meets a facet at a smaller sine than this says little.
 constexpr double kTooFlat = 0.01;
 
+/// Metres in front of a polygon, where one looks for the room that it is met from: it may lie on a portal.
+constexpr double kBeforeFace = 0.001;
+
 /// Six times the volume between a facet and the origin, in cubic surface steps: at most 2^99 a triangle.
 Int128 cone_of(std::span<const GridPoint> corners) {
     Int128 sum = 0;
@@ -38,11 +41,16 @@ Int128 cone_of(std::span<const GridPoint> corners) {
     return sum;
 }
 
-/// Of a facet's corners, rounded: somewhere inside it.
-Vec3 middle_of(std::span<const GridPoint> corners) {
+/// Of a facet's corners: somewhere inside it, for each try somewhere else.
+Vec3 inside(std::span<const GridPoint> corners, std::size_t attempt) {
     Vec3 sum{0, 0, 0};
-    for (const GridPoint& corner : corners) sum = sum + to_metres(corner);
-    return sum * (1.0 / double(corners.size()));
+    double weights = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const double weight = k == attempt % corners.size() ? 1 + double(attempt) / 2 : 1;
+        sum = sum + to_metres(corners[k]) * weight;
+        weights += weight;
+    }
+    return sum * (1 / weights);
 }
 
 struct Touch {
@@ -163,14 +171,15 @@ bool RoomFinder::follow(std::span<const Crossing> crossings, const Join& join) c
 bool RoomFinder::hang(std::uint32_t polygon, DisjointSets& sides) const {
     std::vector<Crossing> crossings;
     const auto nothing = [](std::uint32_t, std::uint32_t) {};
-    for (const Vec3& way : kWays)
-        for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
-            double at;
-            if (!cross_level(middle_of(facets_.corners[k]), way, crossings, at)) continue;
-            if (!follow(crossings, nothing)) continue;
-            follow(crossings, [&](std::uint32_t a, std::uint32_t b) { sides.join(a, b); });
-            return true;
-        }
+    for (std::size_t attempt = 0; attempt < 4; ++attempt)
+        for (const Vec3& way : kWays)
+            for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
+                double at;
+                if (!cross_level(inside(facets_.corners[k], attempt), way, crossings, at)) continue;
+                if (!follow(crossings, nothing)) continue;
+                follow(crossings, [&](std::uint32_t a, std::uint32_t b) { sides.join(a, b); });
+                return true;
+            }
     return false;
 }
 
@@ -181,26 +190,32 @@ JoinRooms RoomFinder::find(DisjointSets seen_together) const {
 
     // A shell whose fronts look outward hangs in the air of another, or in the exterior's.
     std::vector<Int128> volume(sides);
-    std::vector<std::uint32_t> largest(sides, ~0u);
-    std::vector<double> size(sides);
+    std::vector<std::vector<std::pair<double, std::uint32_t>>> largest(
+        sides);  // polygons, by what is left of their size
+    constexpr std::size_t kTried = 8;
     for (std::uint32_t side = 0; side < sides; ++side) {
         const std::uint32_t polygon = side < faces_ ? side : std::uint32_t(faces_ + (side - faces_) / 2);
         const bool back = side >= faces_ && ((side - faces_) & 1);
         const std::uint32_t shell = seen_together.find(side);
+        GridBox box;
         for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
             const Int128 cone = cone_of(facets_.corners[k]);
             volume[shell] += back ? -cone : cone;
-            GridBox box;
             for (const GridPoint& corner : facets_.corners[k]) box.add(corner);
-            if (largest[shell] != ~0u && box.half_area() <= size[shell]) continue;
-            largest[shell] = polygon;
-            size[shell] = box.half_area();
         }
+        if (facets_.count(polygon) == 0) continue;
+        std::vector<std::pair<double, std::uint32_t>>& list = largest[shell];
+        list.push_back({-box.half_area(), polygon});
+        std::sort(list.begin(), list.end());
+        if (list.size() > kTried) list.pop_back();
     }
     JoinRooms rooms;
-    for (std::uint32_t side = 0; side < sides; ++side)
-        if (seen_together.find(side) == side && largest[side] != ~0u && volume[side] >= 0)
-            rooms.lost += !hang(largest[side], all);
+    for (std::uint32_t side = 0; side < sides; ++side) {
+        if (largest[side].empty() || volume[side] < 0) continue;
+        bool hung = false;
+        for (const auto& [size, polygon] : largest[side]) hung = hung || hang(polygon, all);
+        rooms.lost += !hung;
+    }
 
     std::vector<std::uint32_t> number(sides + 1, ~0u);
     const std::uint32_t outside = all.find(std::uint32_t(sides));
@@ -211,6 +226,18 @@ JoinRooms RoomFinder::find(DisjointSets seen_together) const {
     number[outside] = rooms.count++;
     for (std::uint32_t side = 0; side < sides; ++side) rooms.of_side.push_back(number[all.find(side)]);
     return rooms;
+}
+
+std::uint32_t RoomFinder::room_of(const JoinRooms& rooms, std::span<const GridPoint> corners) const {
+    std::vector<Vec3> metres;
+    for (const GridPoint& corner : corners) metres.push_back(to_metres(corner));
+    const Vec3 normal = make_shape(metres).unit_normal();
+    for (const double off : {kBeforeFace, 0.0, -kBeforeFace})
+        for (std::size_t attempt = 0; attempt < 4; ++attempt) {
+            const std::uint32_t room = room_at(rooms, inside(corners, attempt) + normal * off);
+            if (room < rooms.count) return room;
+        }
+    return rooms.exterior();
 }
 
 std::uint32_t RoomFinder::room_at(const JoinRooms& rooms, const Vec3& point) const {

@@ -29,6 +29,9 @@ public:
     /// each other on a line through air bounds the same air.
     JoinRooms find(DisjointSets seen_together) const;
 
+    /// The room that the front of a polygon in the air looks into; the exterior where nothing tells.
+    std::uint32_t room_of(const JoinRooms& rooms, std::span<const GridPoint> corners) const;
+
     /// The room that a point lies in; kSolid in solid, kUnsure where no line told.
     std::uint32_t room_at(const JoinRooms& rooms, const Vec3& point) const;
     static constexpr std::uint32_t kSolid = ~0u, kUnsure = ~0u - 1;

@@ -283,7 +283,13 @@ private:
         for (LooseFacet& facet : make_loose_facets(tables(), pieces)) made_->loose.push_back(std::move(facet));
     }
 
-    /// Surfaces stay as the file has them, but for those that reach through a portal.
+    static bool same_outline(const ConvexPiece& a, const ConvexPiece& b) {
+        return std::equal(a.sides.begin(), a.sides.end(), b.sides.begin(), b.sides.end(),
+                          [](const PieceSide& x, const PieceSide& y) { return x.corner == y.corner; });
+    }
+
+    /// Surfaces stay as the file has them, but for those that reach through a portal or into the solid: no face lies in
+    /// two rooms.
     void cut_surfaces() {
         const Level& surfaces = level_.surfaces;
         std::vector<JoinPiece> pieces;
@@ -303,12 +309,17 @@ private:
                 corners.push_back(to_input(corner));
                 box.add(corner);
             }
-            if (!portal_tree_.for_each_meeting(box, [](std::uint32_t) { return true; })) {
+            pieces_.assign(1, piece_of_corners(tables(), corners));
+            const ConvexPiece whole = pieces_[0];
+            hide_in_solids(box, kNoBrush);
+            pieces.clear();
+            for (ConvexPiece& piece : pieces_)
+                pieces.push_back({std::move(piece), facet.source, face.material, face.mask});
+            divide_at_portals(pieces);
+            if (pieces.size() == 1 && same_outline(pieces[0].piece, whole)) {
                 made_->loose.push_back(std::move(facet));
                 continue;
             }
-            pieces.assign(1, {piece_of_corners(tables(), corners), facet.source, face.material, face.mask});
-            divide_at_portals(pieces);
             for (LooseFacet& part : make_loose_facets(tables(), pieces)) {
                 part.two_sided = face.two_sided;
                 made_->loose.push_back(std::move(part));
@@ -316,14 +327,10 @@ private:
         }
     }
 
-    /// Each loose facet is put where its middle lies.
+    /// Each loose facet is put where it lies.
     void place_loose(const RoomFinder& finder) {
         for (LooseFacet& facet : made_->loose) {
-            Vec3 middle{0, 0, 0};
-            for (const GridPoint& corner : facet.corners) middle = middle + to_metres(corner);
-            middle = middle * (1.0 / double(facet.corners.size()));
-            const std::uint32_t room = finder.room_at(made_->rooms, middle);
-            facet.room = room < made_->rooms.count ? room : made_->rooms.exterior();
+            facet.room = finder.room_of(made_->rooms, facet.corners);
         }
     }
 
@@ -341,21 +348,31 @@ private:
     void find_portals() {
         JoinedLevel& made = *made_;
         const std::size_t faces = made.faces.size();
+        std::vector<std::uint32_t> idle, used;
         for (std::uint32_t k = 0; k < made.portal_pieces.size(); ++k) {
             const std::uint32_t front = made.rooms.of_side[faces + 2 * k], back = made.rooms.of_side[faces + 2 * k + 1];
             const std::uint32_t source = made.portal_pieces[k].source;
-            if (front == back) {
-                if (made.idle_portals.empty() || made.idle_portals.back() != source)
-                    made.idle_portals.push_back(source);
-                continue;
-            }
+            (front == back ? idle : used).push_back(source);
+            if (front == back) continue;
             const auto same = [&](const JoinPortal& portal) {
-                return portal.source == source && portal.room[0] == front && portal.room[1] == back;
+                return portal.room[0] == front && portal.room[1] == back && are_one(portal.source, source);
             };
             auto it = std::find_if(made.portals.begin(), made.portals.end(), same);
             if (it == made.portals.end()) it = made.portals.insert(it, {source, {}, {front, back}});
             it->polygons.push_back(k);
         }
+        for (const std::uint32_t source : idle)  // of one that divides two rooms, parts elsewhere do not matter
+            if (std::find(used.begin(), used.end(), source) == used.end() &&
+                (made.idle_portals.empty() || made.idle_portals.back() != source))
+                made.idle_portals.push_back(source);
+    }
+
+    /// Whether two sides are of one portal: or of brushes of one entity, in one plane.
+    bool are_one(std::uint32_t a, std::uint32_t b) const {
+        if (a == b) return true;
+        const std::uint32_t entity = level_.brushes[brush_of_side_[a]].entity;
+        return entity != 0 && entity == level_.brushes[brush_of_side_[b]].entity &&
+               mover_.of_side(a) == mover_.of_side(b);
     }
 
     const BrushLevel& level_;

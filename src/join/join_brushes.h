@@ -40,7 +40,7 @@ struct JoinedLevel {
     JoinFacets facets;                     ///< likewise
     JoinRooms rooms;
     std::vector<JoinPortal> portals;
-    std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals, or parts of some, with one room on both sides
+    std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals with one room on both sides
     std::vector<LeftOut> left_out;
     std::size_t planes_moved = 0;   ///< so that no face is too thin for the grid: each by less than a millimetre
     std::vector<LooseFacet> loose;  ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;

@@ -187,6 +187,21 @@ class Draw(CliTest):
         self.refuse(*draw, self.write('word.csv', ''.join(rows).replace('hit', 'hot', 1)), says='word.csv:2')
 
 
+# A box of 4 x 4 x 1 m, as TrenchBroom begins a map.
+BOX_MAP = '''{
+"classname" "worldspawn"
+{
+( -64 -64 -16 ) ( -64 -63 -16 ) ( -64 -64 -15 ) stone 0 0 0 1 1
+( -64 -64 -16 ) ( -64 -64 -15 ) ( -63 -64 -16 ) stone 0 0 0 1 1
+( -64 -64 -16 ) ( -63 -64 -16 ) ( -64 -63 -16 ) stone 0 0 0 1 1
+( 64 64 16 ) ( 64 65 16 ) ( 65 64 16 ) stone 0 0 0 1 1
+( 64 64 16 ) ( 65 64 16 ) ( 64 64 17 ) stone 0 0 0 1 1
+( 64 64 16 ) ( 64 64 17 ) ( 64 65 16 ) stone 0 0 0 1 1
+}
+}
+'''
+
+
 class Demo(CliTest):
     def test_demo(self):
         report = self.firma_json('demo', FIRST, '--casts', '20000', '-o', 'new/folder/demo.svg')
@@ -215,7 +230,7 @@ class Demo(CliTest):
 
     def test_default_level(self):
         os.mkdir(self.path('levels'))
-        self.write('levels/first.obj', box(4, 4, 4))
+        self.write('levels/depot.map', BOX_MAP)
         report = self.firma_json('demo', '--casts', '100')
         self.assertEqual((report['faces'], report['out']), (6, 'build/demo.svg'))
         self.assertTrue(os.path.exists(self.path('build/demo.svg')))

@@ -2,6 +2,7 @@
 // Worlds as bytes and back: the same world, the same bytes, the same edits from there on.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "base/hasher.h"
@@ -215,6 +216,45 @@ TEST(PackWorld, VersionOneStaysReadable) {
     // As long as version 1 is the one written.
     EXPECT_TRUE(pack_world(golden.value()) == pack_world(unpacked(std::as_bytes(std::span(bytes)))));
     EXPECT_EQ(pack_world(golden.value()).size(), bytes.size());
+}
+
+/// Rooms inside and out, doors of both kinds, a cavity, and rooms that craters made one.
+World rooms_and_craters() {
+    const scenes::DividedBuilding building(
+        {.rooms_x = 2, .rooms_y = 1, .rooms_z = 1, .jitter = 0, .outdoors = true, .closed = 0.5, .seed = 3});
+    World world = assemble_world(building.parts()).value();
+    scenes::Rng rng(12);
+    for (int k = 0; k < 5; ++k) {
+        Pose pose;
+        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = rng.uniform(0, axis == 0 ? 11 : 5);
+        pose.scale = k == 4 ? 0.2 : 0.6;
+        if (k == 4) pose.position = {5.5, 2.5, 0.5};
+        world = carve(world, make_crater(CutterShape::kWedge, rng.next()), pose, {"crater"}).world;
+    }
+    return set_portal_open(world, {2}, !portal_info(world, {2}).open);
+}
+
+/// The same for every compiler, and readable by every later Firma.
+TEST(PackWorld, RoomsOfVersionOneStayReadable) {
+    const World world = rooms_and_craters();
+    EXPECT_FALSE(check_world(world));
+    EXPECT_EQ(hash_world(world), 12115271097692654948u) << hash_world(world);
+    const std::string path = FIRMA_ROOT "/tests/data/golden_rooms_v1.firma";
+    const Result<World> golden = load_world(path);
+    ASSERT_TRUE(golden.ok()) << golden.error().text();
+    EXPECT_EQ(hash_world(golden.value()), hash_world(world));
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::vector<std::byte> packed = pack_world(world);
+    EXPECT_TRUE(std::ranges::equal(packed, std::as_bytes(std::span(bytes))));
+    std::size_t joined = 0, gone = 0;
+    for (std::uint32_t room = 0; room < world.room_count(); ++room)
+        joined += room_info(world, {room}).part_of != RoomId{room};
+    for (std::uint32_t portal = 0; portal < portal_count(world); ++portal)
+        gone += portal_info(world, {portal}).polygons.empty();
+    EXPECT_GT(joined, 0u);
+    EXPECT_GT(gone, 0u);
+    EXPECT_LT(joined + 4, world.room_count());
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "firma/memory.h"
+#include "firma/rooms.h"
+#include "scenes/divided_building.h"
 #include "tests/store/cratered.h"
 #include "world/world_data.h"
 
@@ -245,6 +247,79 @@ TEST(CastTouchesNothing, AHundredThousandCastsWriteNothingAndAllocateNothing) {
     EXPECT_GT(asked.all, 10'000u);
     EXPECT_GT(asked.near, 10'000u);
     EXPECT_GT(asked.nearest, 5'000u);
+}
+
+/// Some hundred rooms with craters, a third of their doors closed. Never ends either.
+const World& the_rooms() {
+    static const World& world = *new World([] {
+        the_world();  // sets the sources of memory
+        into_arena = true;
+        World made =
+            assemble_world(
+                scenes::DividedBuilding({.rooms_x = 6, .rooms_y = 6, .rooms_z = 2, .closed = 0.3, .seed = 9}).parts())
+                .value();
+        for (int k = 0; k < 10; ++k) {
+            Pose pose;
+            pose.position = {2 + 2.5 * k, 2 + 2.0 * k, 1};
+            pose.scale = 0.7;
+            made = carve(made, make_crater(CutterShape::kRocky, std::uint64_t(k)), pose).world;
+        }
+        into_arena = false;
+        return made;
+    }());
+    return world;
+}
+
+Asked ask_by_room(const World& world, const std::vector<Question>& all, std::vector<Hit>& hits,
+                  std::vector<NearFace>& found) {
+    Asked asked;
+    std::array<RoomId, 40> passed;
+    for (const Question& it : all) {
+        const Location where = locate(world, it.sphere.centre);
+        const bool in_room = where.kind == Location::Kind::kRoom;
+        const CastOptions by_room{.room = in_room ? where.room : kAnyRoom, .passed = passed};
+        const Hit hit = cast(world, it.sphere, it.path, by_room);
+        asked.touched += hit.touched();
+        asked.edges += hit.rooms_passed > 2;
+        asked.any += cast(world, it.sphere, it.path, {.room = kLocateRoom}).touched();
+        cast(world, it.sphere, it.path);
+        cast_any(world, it.sphere, it.path, by_room);
+        cast_all(world, it.sphere, it.path, hits, by_room);
+        asked.all += hits.size();
+        overlap(world, {it.sphere.centre, 1}, found, ~0u, by_room.room);
+        asked.near += found.size();
+        asked.nearest += closest(world, it.sphere.centre, 2, ~0u, by_room.room).has_value();
+    }
+    return asked;
+}
+
+TEST(CastTouchesNothing, NorDoThoseFromRoomToRoom) {
+    const World& world = the_rooms();
+    EXPECT_NE(world.data().room_boxes, nullptr);
+    EXPECT_NE(world.data().closed, nullptr);
+    EXPECT_TRUE(handle_arena.holds(world.data().portals.get()));
+    std::vector<Question> all = questions(10'000);
+    for (Question& it : all) it.sphere.centre = it.sphere.centre * 1.2 + Vec3{1, 1, 1};
+    std::vector<Hit> hits;
+    std::vector<NearFace> found;
+    const Asked before = ask_by_room(world, all, hits, found);
+    const long handles = world.handles();
+    Asked asked;
+    std::size_t allocated = 0;
+    {
+        const ReadOnly guard;
+        const std::size_t start = allocations;
+        asked = ask_by_room(world, all, hits, found);
+        allocated = allocations - start;
+    }
+    EXPECT_EQ(allocated, 0u);
+    EXPECT_EQ(world.handles(), handles);
+    EXPECT_EQ(asked.touched, before.touched);
+    EXPECT_EQ(asked.all, before.all);
+    EXPECT_GT(asked.touched, 3'000u);
+    EXPECT_EQ(asked.any, asked.touched);
+    EXPECT_GT(asked.edges, 100u) << "these pass through portals";
+    EXPECT_GT(asked.near, 3'000u);
 }
 
 // That the above can fail: each of these is what a careless cast might do.

@@ -144,6 +144,60 @@ TEST(CastsByRoom, FromOnAPortal) {
     }
 }
 
+/// The faces of a box of air, corners in whole steps of 1/8 m.
+void add_air_box(FaceSet& set, std::uint32_t first_id, const GridPoint& low, const GridPoint& high) {
+    constexpr std::int32_t kStep = std::int32_t(kSurfaceSteps / 8);
+    const auto first = std::uint32_t(set.vertices.size());
+    for (int k = 0; k < 8; ++k)
+        set.vertices.push_back(
+            {(k & 1 ? high.x : low.x) * kStep, (k & 2 ? high.y : low.y) * kStep, (k & 4 ? high.z : low.z) * kStep});
+    constexpr std::uint32_t kSides[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                            {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+    for (const auto& side : kSides) {
+        set.faces.push_back(
+            {.id = {first_id++}, .first_corner = std::uint32_t(set.corners.size()), .corner_count = 4, .solid = true});
+        for (const std::uint32_t corner : side) set.corners.push_back(first + corner);
+    }
+}
+
+/// Starts that are not clear of the walls: the rule of docs/rooms.md.
+TEST(CastsByRoom, ThroughAThinWall) {
+    WorldParts parts;
+    parts.rock_outside = true;
+    parts.rooms.resize(2);
+    add_air_box(parts.rooms[0].faces, 0, {0, 0, 0}, {32, 32, 32});   // 0 to 4 m
+    add_air_box(parts.rooms[1].faces, 6, {33, 0, 0}, {64, 24, 32});  // behind a wall of 1/8 m; only 3 m along y
+    const World world = assemble_world(std::move(parts)).value();
+    ASSERT_EQ(check_world(world), std::nullopt);
+    const Vec3 path{0, 1.5, 0};  // along the wall, into which the ball reaches, and through it
+    const Sphere ball{{3.875, 2, 2}, 0.5};
+    const Hit all = cast(world, ball, path);
+    EXPECT_EQ(all.room, RoomId{1});
+    EXPECT_EQ(all.face, FaceId{9});
+    EXPECT_LT(all.fraction, 1);
+    for (const RoomId room : {RoomId{0}, kLocateRoom}) {
+        const Hit hit = cast(world, ball, path, {.room = room});  // its own room only
+        EXPECT_EQ(hit.face, FaceId{3});
+        EXPECT_EQ(hit.fraction, 1);
+        EXPECT_EQ(hit.rooms_passed, 1u);
+    }
+    // Into the wall: the overlap gets deeper at once, whoever is asked.
+    for (const RoomId room : {RoomId{0}, kLocateRoom, kAnyRoom}) {
+        const Hit hit = cast(world, ball, {1, 0, 0}, {.room = room});
+        EXPECT_EQ(hit.status, Status::kTouching);
+        EXPECT_EQ(hit.face, FaceId{5});
+    }
+    // From within the wall nothing says which room is meant: all are asked.
+    const Sphere inside{{4.0625, 2, 2}, 0.5};
+    expect_same(cast(world, inside, path, {.room = kLocateRoom}), cast(world, inside, path));
+    EXPECT_EQ(cast(world, inside, path, {.room = kLocateRoom}).rooms_passed, 0u);
+    EXPECT_EQ(cast(world, inside, path * 1.25, {.room = {0}}).face, FaceId{3});  // believed
+    // On a face likewise.
+    const Sphere on_face{{4, 2, 2}, 0.5};
+    expect_same(cast(world, on_face, path, {.room = kLocateRoom}), cast(world, on_face, path));
+    EXPECT_EQ(cast(world, on_face, path, {.room = kLocateRoom}).rooms_passed, 0u);
+}
+
 /// More rooms than a walk from room to room has marks for, and more waiting than it has places.
 TEST(CastsByRoom, MoreRoomsThanPlaces) {
     WorldParts parts;
