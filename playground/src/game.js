@@ -50,6 +50,7 @@ export class Game {
     step(dt, keys = {}) {
         this.probe.measure(() => this.player.step(dt, keys));
         this.moved = this.probe.group;
+        this.rooms.locate(this.player.eye());
         if (this.player.feet[2] < this.floor - 20) this.respawn(); // through a hole in a level that is not closed
     }
 

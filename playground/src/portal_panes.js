@@ -38,7 +38,7 @@ export class PortalPanes {
         this.all = all;
         for (const child of this.group.children) child.geometry.dispose();
         this.group.clear();
-        for (const [open, colour, opacity] of [[true, kOpen, 0.13], [false, kClosed, 0.55]]) {
+        for (const [open, colour, opacity] of [[true, kOpen, 0.25], [false, kClosed, 0.55]]) {
             const shown = portals.filter((portal) => portal.open === open && (all || !open) && portal.polygons.length > 0);
             if (shown.length === 0) continue;
             const triangles = [];

@@ -4,6 +4,7 @@ import { cross, dot, subtract } from './vector.js';
 
 export class Rooms {
     constructor(world) {
+        this.here = null; // the room that was located last
         this.learn(world);
     }
 
@@ -13,7 +14,7 @@ export class Rooms {
         const { roomCount, portalCount } = world.facts();
         this.portals = Array.from({ length: portalCount }, (_, k) => world.portal(k));
         this.rooms = Array.from({ length: roomCount }, (_, k) => world.room(k));
-        this.here = null;
+        this.here = this.rooms[this.here]?.partOf ?? null;
     }
 
     /** The room that a point is in; on a face, or in the rock, the last one that was known. */
