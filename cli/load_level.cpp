@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
@@ -22,11 +23,14 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required) {
-    command.add_argument("LEVEL", arguments.path,
-                         "a Wavefront .obj, a Quake .map, a Quake 3 .bsp (version 46), or a saved world, .firma",
-                         required);
-    command.add_option("--scale", arguments.scale, "S",
-                       "metres a unit of the file (default: 1 for .obj, 1/32 for .map and .bsp); not for .firma");
+    command.add_argument(
+        "LEVEL", arguments.path,
+        "a Wavefront .obj, a glTF 2.0 .gltf or .glb, a Quake .map, a Quake 3 .bsp (version 46), or a saved "
+        "world, .firma",
+        required);
+    command.add_option(
+        "--scale", arguments.scale, "S",
+        "metres a unit of the file (default: 1 for .obj and glTF, 1/32 for .map and .bsp); not for .firma");
     command.add_flag("--surfaces", arguments.surfaces,
                      "of a .bsp the drawn surfaces, rather than the brushes joined into one solid");
 }
@@ -39,6 +43,12 @@ ReadOptions read_options(const LevelArguments& arguments) {
     return options;
 }
 
+GltfOptions gltf_options(const LevelArguments& arguments) {
+    GltfOptions options;
+    if (const double scale = read_options(arguments).scale; scale > 0) options.scale = scale;
+    return options;
+}
+
 bool has_ending(const std::string& path, std::string_view ending) {
     if (path.size() < ending.size()) return false;
     const auto alike = [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); };
@@ -47,6 +57,10 @@ bool has_ending(const std::string& path, std::string_view ending) {
 
 bool names_saved_world(const std::string& path) {
     return has_ending(path, ".firma");
+}
+
+bool names_gltf(const std::string& path) {
+    return has_ending(path, ".glb") || has_ending(path, ".gltf");
 }
 
 bool names_brushes(const LevelArguments& arguments) {
@@ -66,6 +80,20 @@ void load_brushes(const LevelArguments& arguments, const WorldOptions& options, 
     loaded.build_seconds = seconds_since(read);
 }
 
+void load_gltf(const LevelArguments& arguments, const WorldOptions& options, LoadedLevel& loaded) {
+    const auto start = std::chrono::steady_clock::now();
+    GltfLevel read = take(read_gltf(arguments.path, gltf_options(arguments)));
+    loaded.read_seconds = seconds_since(start);
+    LoadedGltf& gltf = loaded.gltf.emplace();
+    const auto built = std::chrono::steady_clock::now();
+    loaded.world = take(make_world(read, options, &gltf.rooms));
+    loaded.build_seconds = seconds_since(built);
+    gltf.nodes = read.nodes.size();
+    gltf.portals = std::move(read.portals);
+    gltf.notes = std::move(read.notes);
+    loaded.level = std::move(read.level);
+}
+
 }  // namespace
 
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
@@ -79,14 +107,17 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
         loaded.read_seconds = seconds_since(start);
         return loaded;
     }
-    if (has_ending(arguments.path, ".glb") || has_ending(arguments.path, ".gltf"))
-        throw Failure(arguments.path, "glTF is written, not read; keep the .firma or .obj beside it");
-    if (!level_format(arguments.path))
-        throw Failure(arguments.path, "the name ends in none of " + level_endings() + ", .firma");
+    const bool gltf = names_gltf(arguments.path);
+    if (!gltf && !level_format(arguments.path))
+        throw Failure(arguments.path, "the name ends in none of " + level_endings() + ", .gltf, .glb, .firma");
     if (arguments.surfaces && !has_ending(arguments.path, ".bsp"))
         throw Failure("--surfaces", "only a .bsp has drawn surfaces beside its brushes");
     if (names_brushes(arguments)) {
         load_brushes(arguments, options, loaded);
+        return loaded;
+    }
+    if (gltf) {
+        load_gltf(arguments, options, loaded);
         return loaded;
     }
     loaded.level = take(read_level(arguments.path, read_options(arguments)));

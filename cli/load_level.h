@@ -5,10 +5,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/command.h"
 #include "firma/brush_world.h"
 #include "firma/level.h"
+#include "firma/read_gltf.h"
 #include "firma/world.h"
 
 namespace firma::cli {
@@ -23,6 +25,8 @@ struct LevelArguments {
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required = true);
 
 ReadOptions read_options(const LevelArguments& arguments);
+/// The same for glTF, where y points up and becomes z.
+GltfOptions gltf_options(const LevelArguments& arguments);
 
 /// What a .map or the brushes of a .bsp came to.
 struct LoadedBrushes {
@@ -30,9 +34,18 @@ struct LoadedBrushes {
     BrushWorldReport report;
 };
 
+/// What a .gltf or .glb has beside its faces.
+struct LoadedGltf {
+    std::size_t nodes = 0;
+    std::vector<GltfPortal> portals;
+    GltfRooms rooms;
+    std::vector<std::string> notes;
+};
+
 struct LoadedLevel {
     Level level;  ///< only its name, of a .firma file or a level of brushes
     std::optional<LoadedBrushes> brushes;
+    std::optional<LoadedGltf> gltf;
     World world;
     bool saved = false;  ///< whether it came from a .firma file, which has a world as it was saved, not a level
     double read_seconds = 0, build_seconds = 0;
@@ -42,6 +55,8 @@ struct LoadedLevel {
 bool has_ending(const std::string& path, std::string_view ending);
 /// Whether a level's brushes are read, rather than faces.
 bool names_brushes(const LevelArguments& arguments);
+/// Whether a name ends in .gltf or .glb, capitals or not.
+bool names_gltf(const std::string& path);
 /// Whether a name ends in .firma, capitals or not.
 bool names_saved_world(const std::string& path);
 

@@ -48,6 +48,9 @@ notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, 
 [{what, faces, face, other (crossing: the face it meets, else null), at, to}]; lists hold the first 20 unless --all
 is given. `faces` of a piece, and solid_faces, count faces as divided.
 
+glTF is judged as it was snapped to the grid, since nodes place its vertices by rounded products; a face is a triangle,
+numbered by node, primitive and triangle, without a line.
+
 Of a level of brushes (.map, .bsp without --surfaces) the world is judged, its solid, and what became of the brushes.
 Faults: a broken world or solid; a leak, that is a way from an info_player... entity to the void. Notes: not_joined (a
 brush that is castable only), no_volume, idle_portal (a portal with one room on both sides), and what the reader says.
@@ -284,13 +287,18 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
     return json.text();
 }
 
+MeshCheck mesh_check(const LevelArguments& level) {
+    if (names_gltf(level.path)) return check_gltf(take(read_gltf(level.path, gltf_options(level))));
+    return take(check_mesh(level.path, read_options(level)));
+}
+
 int run(const CheckArguments& arguments) {
     if (names_saved_world(arguments.level.path)) return check_saved_world(load_level(arguments.level), arguments.json);
     if (names_brushes(arguments.level))
         return check_brushes(load_level(arguments.level), {arguments.json, arguments.all, arguments.pts});
     if (!arguments.pts.empty()) throw Failure("--pts", "only of levels of brushes is it known where they leak");
     Findings found;
-    found.mesh = take(check_mesh(arguments.level.path, read_options(arguments.level)));
+    found.mesh = mesh_check(arguments.level);
     const LoadedLevel loaded = load_level(arguments.level);
     found.world_fault = check_world(loaded.world);
     found.solidity = level_solidity(loaded.level);

@@ -30,8 +30,8 @@ namespace {
 
 struct DrawArguments {
     LevelArguments level;
-    std::string queries, casts, blasts, out, up, at, most_casts, eye, look, zoom;
-    bool view = false, before_after = false, json = false;
+    std::string queries, casts, blasts, out, up, at, below, most_casts, eye, look, zoom;
+    bool view = false, before_after = false, rooms = false, plain = false, json = false;
 };
 
 constexpr const char* kFooter =
@@ -41,6 +41,11 @@ is looked into through its ceiling. Faces too small to be seen are left out, and
   --up z (default): plan x to the right, y up the page; section x and z, cut at y
   --up x:           plan y to the right, z up the page; section y and x, cut at z
   --up y:           plan z to the right, x up the page; section z and y, cut at x
+
+A plan of a level of two rooms or more, beside the exterior, gives each room a colour of its own and writes its
+number, and its name where that has room; green lines and panes are portals, red ones closed. --plain draws it
+without them; --rooms does the same for a level of one room, and for views. Plans leave the hull's outside away,
+unless most of the level lies out there, and clip brushes always.
 
 --queries and --casts are the files that `firma cast` reads and writes. Hits are blue, misses orange and broken,
 touches at the start red; a sphere shows as circles at its start and at the contact. With --queries alone the
@@ -54,7 +59,8 @@ shows the level without the blasts on the left, with them on the right.
   firma draw levels/first.obj --blasts blasts.csv --view --before-after -o crater.png
 
 --json: level, cut_axis, cut_at, faces_in_plan, faces_in_section, faces_cut, faces_left_out, casts, casts_drawn,
-blasts, new_faces, bytes, out. With --view: level, eye, look, blasts, new_faces, bytes, out.
+blasts, new_faces, shows_rooms, rooms_labelled, portals_drawn, bytes, out. With --view: level, eye, look, blasts,
+new_faces, bytes, out.
 )";
 
 constexpr int kViewWidth = 640, kViewHeight = 480;
@@ -102,8 +108,8 @@ debug::Camera camera_of(const DrawArguments& arguments, const World& before, con
 void draw_view(const DrawArguments& arguments, const World& before, const World& after, std::size_t blasts) {
     const debug::Camera camera = camera_of(arguments, before, after);
     AtomicFile out(arguments.out);
-    debug::Picture picture = debug::draw_view(after, camera);
-    if (arguments.before_after) picture = side_by_side(debug::draw_view(before, camera), picture);
+    debug::Picture picture = debug::draw_view(after, camera, arguments.rooms);
+    if (arguments.before_after) picture = side_by_side(debug::draw_view(before, camera, arguments.rooms), picture);
     const std::string bytes = png_bytes(picture);
     out.write(bytes);
     out.commit();
@@ -132,8 +138,10 @@ void draw_plan(const DrawArguments& arguments, const World& world, std::size_t b
     options.title = short_name(arguments.level.path);
     options.up = axis_option("--up", arguments.up);
     if (!arguments.at.empty()) options.at = number_option("--at", arguments.at);
+    if (!arguments.below.empty()) options.below = number_option("--below", arguments.below);
     if (!arguments.most_casts.empty())
         options.most_casts = count_option("--most-casts", arguments.most_casts, 0, 100000);
+    if (arguments.rooms || arguments.plain) options.rooms = arguments.rooms;
     const std::vector<debug::DrawnCast> casts = gather_casts(arguments, world);
 
     AtomicFile out(arguments.out);
@@ -154,13 +162,19 @@ void draw_plan(const DrawArguments& arguments, const World& world, std::size_t b
         json.add("casts_drawn", plan.casts_drawn);
         json.add("blasts", blasts);
         json.add("new_faces", plan.new_faces);
+        json.add("shows_rooms", plan.shows_rooms);
+        json.add("rooms_labelled", plan.rooms_labelled);
+        json.add("portals_drawn", plan.portals_drawn);
         json.add("bytes", plan.svg.size());
         json.add("out", arguments.out);
         json.close();
         print(json.text());
     } else if (may_print_beside(arguments.out)) {
-        print(fmt::format("{}: {} faces in the plan, {} in the section, {} of {} casts; {}\n", arguments.out,
-                          grouped(plan.faces_in_plan), grouped(plan.faces_in_section), grouped(plan.casts_drawn),
+        const std::string rooms = plan.shows_rooms ? fmt::format(", {} rooms, {} portals", grouped(plan.rooms_labelled),
+                                                                 grouped(plan.portals_drawn))
+                                                   : "";
+        print(fmt::format("{}: {} faces in the plan, {} in the section{}, {} of {} casts; {}\n", arguments.out,
+                          grouped(plan.faces_in_plan), grouped(plan.faces_in_section), rooms, grouped(plan.casts_drawn),
                           grouped(casts.size()), bytes_text(plan.svg.size())));
     }
 }
@@ -173,9 +187,11 @@ int run(const DrawArguments& arguments) {
              {std::pair("--eye", !arguments.eye.empty()), std::pair("--look", !arguments.look.empty()),
               std::pair("--zoom", !arguments.zoom.empty()), std::pair("--before-after", arguments.before_after)})
             if (given) throw Failure(option, "needs --view: the plan has no such thing");
-    } else if (!arguments.queries.empty() || !arguments.at.empty() || !arguments.most_casts.empty()) {
+    } else if (!arguments.queries.empty() || !arguments.at.empty() || !arguments.below.empty() ||
+               !arguments.most_casts.empty()) {
         throw Failure("--view", "shows neither casts nor a section");
     }
+    if (arguments.rooms && arguments.plain) throw Failure("--plain", "and --rooms exclude each other");
     axis_option("--up", arguments.up);
     refuse_json_beside(arguments.json, arguments.out);
     for (const std::string& input : {arguments.level.path, arguments.queries, arguments.casts, arguments.blasts})
@@ -203,12 +219,15 @@ Verb add_draw(CLI::App& app) {
     add_out_option(command, arguments->out, "SVG to write; with --view a PNG", true);
     command.add_option("--up", arguments->up, "AXIS", "the axis that points up: x, y or z (default z)");
     command.add_option("--at", arguments->at, "M", "where the section cuts, metres (default: where it shows most)");
+    command.add_option("--below", arguments->below, "M", "the plan leaves away what lies above, metres: a storey, say");
     command.add_option("--most-casts", arguments->most_casts, "N", "casts drawn at most, evenly taken (default 200)");
     command.add_flag("--view", arguments->view, "draw a view in perspective, as PNG");
     command.add_option("--eye", arguments->eye, "X,Y,Z", "with --view: where it looks from, metres");
     command.add_option("--look", arguments->look, "X,Y,Z", "with --view: the point in the middle of the picture");
     command.add_option("--zoom", arguments->zoom, "Z", "with --view: 1 (default) sees 90 degrees, 2 half as much");
     command.add_flag("--before-after", arguments->before_after, "with --view: the level before the blasts beside it");
+    command.add_flag("--rooms", arguments->rooms, "each room in a colour of its own, and the portals");
+    command.add_flag("--plain", arguments->plain, "no rooms and portals: a plan shows several rooms otherwise");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};

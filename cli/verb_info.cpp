@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -39,6 +40,10 @@ bounds, portals [ids]}], portals [{id, name, rooms [ids], open, polygons, bounds
 leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
 build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
 reaches to infinity: then it is that of the air.
+
+Of glTF --json has in addition: gltf {nodes, portals [{name, polygons, idle}], undivided or null, notes [texts]}; faces in
+the file are its triangles, without those of portals. An idle portal, or a part of it, has one room on both sides;
+`undivided` is why there is one room though the file has portals.
 
 Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
@@ -101,6 +106,30 @@ std::vector<std::string> material_names(const Level& level) {
     return names;
 }
 
+void add_gltf(JsonWriter& json, const LoadedGltf& gltf) {
+    json.open_object("gltf");
+    json.add("nodes", gltf.nodes);
+    json.open_array("portals");
+    for (std::uint32_t k = 0; k < gltf.portals.size(); ++k) {
+        const std::vector<std::uint32_t>& idle = gltf.rooms.idle;
+        json.open_object();
+        json.add("name", gltf.portals[k].name);
+        json.add("polygons", gltf.portals[k].polygons.size());
+        json.add("idle", std::find(idle.begin(), idle.end(), k) != idle.end());
+        json.close();
+    }
+    json.close();
+    if (gltf.rooms.undivided.empty()) {
+        json.add_null("undivided");
+    } else {
+        json.add("undivided", gltf.rooms.undivided);
+    }
+    json.open_array("notes");
+    for (const std::string& note : gltf.notes) json.add({}, note);
+    json.close();
+    json.close();
+}
+
 std::string json_text(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     const KindCounts kinds = count_kinds(level);
@@ -124,6 +153,7 @@ std::string json_text(const LoadedLevel& loaded) {
     json.close();
     json.add("groups", level.groups.size());
     json.add("ignored_entries", level.ignored_entries);
+    if (loaded.gltf) add_gltf(json, *loaded.gltf);
     add_world(json, loaded.world);
     json.add("read_seconds", loaded.read_seconds);
     json.add("build_seconds", loaded.build_seconds);
@@ -144,6 +174,12 @@ std::string kinds_text(const KindCounts& kinds) {
     return text.empty() ? "none" : text;
 }
 
+std::string use_of(const LoadedGltf& gltf) {
+    if (!gltf.rooms.undivided.empty()) return ", of no use: " + gltf.rooms.undivided;
+    if (gltf.rooms.idle.empty()) return "";
+    return fmt::format(", {} of them in whole or part with one room on both sides", grouped(gltf.rooms.idle.size()));
+}
+
 std::string text_for_people(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     std::string text;
@@ -157,6 +193,12 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
     row("materials", grouped(material_names(level).size()));
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));
+    if (loaded.gltf) {
+        row("nodes", grouped(loaded.gltf->nodes));
+        if (const std::size_t portals = loaded.gltf->portals.size(); portals > 0)
+            row("portals in file", grouped(portals) + use_of(*loaded.gltf));
+        for (const std::string& note : loaded.gltf->notes) row("note", note);
+    }
     text += world_text(loaded.world);
     row("time",
         fmt::format("{} to read, {} to build", seconds_text(loaded.read_seconds), seconds_text(loaded.build_seconds)));

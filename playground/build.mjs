@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bundles the playground into build/playground: index.html, one script, firma.wasm, the level. Runs on nodejs 18 and 20.
+// Bundles the playground into build/playground: index.html, one script, firma.wasm, the levels. Runs on nodejs 18 and 20.
 //
 //     node build.mjs [FOLDER]        after `cmake --build --preset wasm`, which makes the module
 import { cpSync, existsSync, mkdirSync } from 'node:fs';
@@ -31,5 +31,5 @@ await build({
 });
 cpSync(path.join(here, 'index.html'), path.join(target, 'index.html'));
 cpSync(wasm, path.join(target, 'firma.wasm'));
-cpSync(path.join(root, 'levels/first.obj'), path.join(target, 'first.obj'));
+for (const level of ['depot.map', 'first.obj']) cpSync(path.join(root, 'levels', level), path.join(target, level));
 console.log(`firma: playground in ${path.relative(process.cwd(), target) || '.'}`);

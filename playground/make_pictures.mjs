@@ -9,8 +9,8 @@ const viewport = { width: 860, height: 484 };
 const session = await open();
 
 /** A page without its help, somebody standing there. */
-async function stand(x, y, z) {
-    const { page } = await load(session, '', viewport);
+async function stand(x, y, z, level = 'first.obj') {
+    const { page } = await load(session, `?level=${level}`, viewport);
     await page.evaluate(() => {
         document.body.classList.add('without-help', 'locked');
     });
@@ -51,5 +51,14 @@ await fire(page, [[-0.55, 0.06], [-0.72, 0.12], [-0.9, 0.02], [-0.4, 0.2], [-0.6
 await call(page, 'step', 1 / 60, {});
 await call(page, 'look', -0.7, 0.04);
 await shoot(page, 'playground_cliff', 10, folder);
+
+// The depot's hall, its portals shown.
+page = await stand(18.75, 9.4, 0.01, 'depot.map');
+await call(page, 'togglePortals');
+await fire(page, [[3.05, 0.35], [3.3, -0.1]]);
+await call(page, 'step', 1 / 60, {});
+await call(page, 'look', 2.75, 0.12);
+await shoot(page, 'playground_depot', 10, folder);
+await page.close();
 
 await session.close();

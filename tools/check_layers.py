@@ -22,6 +22,7 @@ FLOORS = [
     ['src/brush'],
     ['src/debug'],
     ['scenes'],
+    ['gltf'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],
 ]
 SEARCHED = ['include', 'src', '', 'bench', 'tests']  # where the compiler looks for a quoted include

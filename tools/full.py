@@ -143,6 +143,9 @@ CLAIMS = [
     Claim('fuzz_bsp_brushes', 'seconds of fuzzing the reader of .bsp brushes, no crash, hang or broken level of brushes', 600, 300, 'seconds',
           BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
+    Claim('fuzz_read_gltf', 'seconds of fuzzing the glTF reader and its rooms, no crash, hang or broken world', 600, 300, 'seconds',
+          READ_SOURCES + ['include/firma/read_gltf.h', 'gltf', 'src/geometry', 'src/join', 'src/solid', 'src/tree', 'src/world']
+          + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'fuzz', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
           'seconds', CARVE_SOURCES + ['src/save', 'tests/save/saved_worlds.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
 ]

@@ -59,6 +59,7 @@ void firma_cast_options_defaults(firma_cast_options* options) {
     *options = {};
     options->size = sizeof(firma_cast_options);
     options->mask = ~0u;
+    options->room = FIRMA_ANY_ROOM;
     options->skin = -1;
 }
 
@@ -70,6 +71,8 @@ firma_code firma_cast(firma_world world, const firma_cast_input* input, const fi
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         CastOptions chosen;
         if (const firma_code code = read_options(options, chosen, function)) return code;
+        static_assert(sizeof(RoomId) == sizeof(std::uint32_t));
+        if (options) chosen.passed = {reinterpret_cast<RoomId*>(options->passed), options->passed_capacity};
         CastCounts seen;
         if (counts) chosen.counts = &seen;
         put_hit(cast(object->world, sphere_of(*input), vec(input->path), chosen), *hit);
@@ -102,7 +105,7 @@ firma_code firma_cast_all(firma_world world, const firma_cast_input* input, cons
         std::vector<Hit> found;
         if (cast_all(object->world, sphere_of(*input), vec(input->path), found, chosen) == Status::kInvalid)
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                        "a number is not finite or too large, or the radius negative");
+                        "a number is not finite or too large, the radius negative, or there is no such room");
         put_some(found, hits, capacity, count, put_hit);
         return FIRMA_OK;
     });

@@ -9,6 +9,13 @@ std::uint32_t id_of(FaceId face) {
     return face.valid() ? face.value : FIRMA_NO_FACE;
 }
 
+std::uint32_t id_of(PortalId portal) {
+    return portal.valid() ? portal.value : FIRMA_NO_PORTAL;
+}
+
+static_assert(FIRMA_NO_PORTAL == PortalId{}.value && FIRMA_ANY_ROOM == kAnyRoom.value &&
+              FIRMA_LOCATE_ROOM == kLocateRoom.value);
+
 }  // namespace
 
 firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read,
@@ -36,7 +43,9 @@ firma_code read_options(const firma_cast_options* given, CastOptions& cast, cons
     if (!sized(given)) return bad_call(function, kWrongSize);
     if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
     if (!std::isfinite(given->skin)) return fail(FIRMA_ERROR_INVALID, function, "the skin is not finite");
+    if (!given->passed && given->passed_capacity) return bad_call(function, "a count without its array");
     cast.mask = given->mask;
+    cast.room = {given->room};
     cast.sides = given->sides ? Sides::kBoth : Sides::kFront;
     cast.skin = given->skin;
     return FIRMA_OK;
@@ -73,6 +82,10 @@ void put_hit(const Hit& hit, firma_hit& out) {
     out.material = hit.material;
     out.room = hit.room.value;
     out.rooms_passed = hit.rooms_passed;
+    static_assert(sizeof out.passed == kRoomsInHit * sizeof(std::uint32_t));
+    for (std::size_t k = 0; k < kRoomsInHit; ++k) out.passed[k] = hit.passed[k].value;
+    out.portal = id_of(hit.portal);
+    out.reserved = 0;
 }
 
 void put_near(const NearFace& near, firma_near& out) {
@@ -84,6 +97,8 @@ void put_near(const NearFace& near, firma_near& out) {
     out.material = near.material;
     out.feature = std::uint32_t(near.feature);
     out.feature_index = near.feature_index;
+    out.portal = id_of(near.portal);
+    out.reserved = 0;
 }
 
 void put_report(const CarveResult& result, firma_carve_report& out) {

@@ -5,6 +5,7 @@
 
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "firma/brush_world.h"
 #include "firma/save.h"
 
 namespace firma::c {
@@ -38,6 +39,11 @@ firma_code load(const char* path, const firma_world_options* options, firma_worl
     WorldOptions made;
     ReadOptions read;
     if (const firma_code code = read_options(options, made, read, function)) return code;
+    if (std::string_view(path).ends_with(".map")) {
+        const Result<BrushLevel> brushes = read_brush_level(path, read);
+        if (!brushes) return fail(brushes.error());
+        return give_world(make_world(brushes.value(), made), world, function);
+    }
     const Result<Level> level = read_level(path, read);
     if (!level) return fail(level.error());
     return give_world(make_world(level.value(), made), world, function);

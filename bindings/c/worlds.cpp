@@ -6,8 +6,10 @@
 
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "firma/brush_world.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
 #include "world/world_data.h"
 
@@ -18,7 +20,8 @@ firma_code give_world(World world, firma_world* out, const char* function) {
     return give(std::make_unique<WorldObject>(std::move(world)), out, function);
 }
 
-firma_code make(const Result<Level>& level, const WorldOptions& options, firma_world* out, const char* function) {
+template <class AnyLevel>
+firma_code make(const Result<AnyLevel>& level, const WorldOptions& options, firma_world* out, const char* function) {
     if (!level) return fail(level.error());
     Result<World> world = make_world(level.value(), options);
     if (!world) return fail(world.error());
@@ -153,6 +156,17 @@ firma_code firma_world_from_bsp(const void* data, size_t length, const char* nam
     });
 }
 
+firma_code firma_world_from_map(const char* text, size_t length, const char* name, const firma_world_options* options,
+                                firma_world* world) {
+    return guarded(__func__, [&, function = __func__] {
+        if ((!text && length) || !world) return bad_call(function, kNull);
+        WorldOptions made;
+        ReadOptions read;
+        if (const firma_code code = read_options(options, made, read, function)) return code;
+        return make(read_map({text, length}, text_of(name), read), made, world, function);
+    });
+}
+
 firma_code firma_world_copy(firma_world world, firma_world* copy) {
     return guarded(__func__, [&, function = __func__] {
         if (!copy) return bad_call(function, kNull);
@@ -175,6 +189,7 @@ firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts) {
         facts->version = w.version();
         facts->face_count = w.face_count();
         facts->room_count = w.room_count();
+        facts->portal_count = portal_count(w);
         put(bounds.low, facts->low);
         put(bounds.high, facts->high);
         facts->skin = w.tolerance().skin;

@@ -72,6 +72,11 @@ export interface Firma {
     worldFromObj(file: string | Bytes, options?: WorldOptions): World;
     /** A Quake III .bsp file. */
     worldFromBsp(file: Bytes, options?: WorldOptions): World;
+    /**
+     * A Quake .map file, as a string or its bytes: brushes become one solid, the air rooms, divided by the portals that
+     * its author placed.
+     */
+    worldFromMap(file: string | Bytes, options?: WorldOptions): World;
     worldFromMesh(mesh: Mesh, options?: WorldOptions): World;
     /** What World.pack() gave, or a .firma file. `name` is for messages. @throws {FirmaError} MALFORMED, UNSUPPORTED */
     unpackWorld(file: Bytes, name?: string): World;
@@ -104,7 +109,7 @@ export interface WorldOptions {
     name?: string;
     /** How far movers stay from surfaces, metres; 0.001 unless given. */
     skin?: number;
-    /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp). */
+    /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp and .map). */
     scale?: number;
     /** Whether bins are split by surface area, not in half. */
     surfaceArea?: boolean;
@@ -138,7 +143,10 @@ export interface WorldFacts {
     /** 0 as read; every edit adds one. */
     version: number;
     faceCount: number;
+    /** Those that edits joined to others counted. */
     roomCount: number;
+    /** Those that edits left without polygons counted. */
+    portalCount: number;
     /** Bounds of all faces; low > high when there are none. */
     low: Vector3;
     high: Vector3;
@@ -177,6 +185,8 @@ export const FACE_TWO_SIDED: 1;
 export const FACE_SOLID: 2;
 /** What ids of faces in a HitBatch are where there is none. */
 export const NO_FACE: 0xffffffff;
+/** What portals in a HitBatch are where there is none. */
+export const NO_PORTAL: 0xffffffff;
 
 export interface Face {
     id: number;
@@ -204,6 +214,51 @@ export interface CastOptions {
     bothSides?: boolean;
     /** Metres; the world's unless given. */
     skin?: number;
+    /**
+     * The room that the start lies in, and the cast goes on through portals; or 'locate': it finds out; 'any' (the
+     * default): all rooms are asked. From the air, clear of all faces, the answer is the same. A room that is not there
+     * is a bad number.
+     */
+    room?: number | 'any' | 'locate';
+}
+
+/** Where a point is; 'unsure' on a face. `room` is null unless it is in one. */
+export interface Location {
+    where: 'room' | 'solid' | 'unsure';
+    room: number | null;
+}
+
+/** A volume of air, bounded by faces and portals. Rooms and portals keep their numbers through edits. */
+export interface Room {
+    /** '' where the level gives none. */
+    name: string;
+    /** Bounds of its faces and portals; low > high when there are none. */
+    low: Vector3;
+    high: Vector3;
+    faceCount: number;
+    /** Reaches to infinity. */
+    exterior: boolean;
+    /** Itself; of a room that an edit joined to another: that one, and it is empty. */
+    partOf: number;
+    /** Ascending. */
+    portals: number[];
+}
+
+/** Where the air of one room passes into that of another. */
+export interface Portal {
+    name: string;
+    low: Vector3;
+    high: Vector3;
+    rooms: [number, number];
+    material: number;
+    /** What it stops while it is closed. */
+    mask: number;
+    open: boolean;
+    /**
+     * Convex, three numbers a corner, counter-clockwise seen from rooms[0]. None: an edit joined its rooms, or filled
+     * it, and it leads nowhere.
+     */
+    polygons: Float64Array[];
 }
 
 /** What casts looked at. */
@@ -240,21 +295,29 @@ export interface Hit {
     feature: Feature;
     /** Corner of the vertex, or of the edge's first corner. */
     featureIndex: number;
+    /** Null also where a closed portal was met. */
     face: number | null;
     /** Across the edge that was met. */
     otherFace: number | null;
     source: number;
     sourceEdit: number;
     material: number;
+    /** Of the contact. */
     room: number;
+    /** How many rooms the cast reached, the first included; 0 when all rooms of a world of several were asked. */
     roomsPassed: number;
+    /** The first of them, eight at most, in the order in which they are reached. */
+    passed: number[];
+    /** The closed portal that was met. */
+    portal: number | null;
     /** Of the world that was asked. */
     version: number;
 }
 
 /**
  * The answers of castBatch(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
- * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE for null.
+ * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE and NO_PORTAL
+ * for null; `passed` has eight places for each.
  */
 export class HitBatch {
     /** An empty one, to be given as `out`. */
@@ -278,17 +341,20 @@ export class HitBatch {
     readonly material: Uint32Array;
     readonly room: Uint32Array;
     readonly roomsPassed: Uint32Array;
+    readonly passed: Uint32Array;
+    readonly portal: Uint32Array;
     /** Answer k as cast() gives it; null when there is no such answer. */
     hit(k: number): Hit | null;
 }
 
-/** A face near a point. */
+/** A face or a closed portal near a point: one of `face` and `portal` is null. */
 export interface Near {
     /** The nearest of the face. */
     point: Vector3;
     /** Metres. */
     distance: number;
-    face: number;
+    face: number | null;
+    portal: number | null;
     source: number;
     sourceEdit: number;
     material: number;
@@ -406,7 +472,7 @@ export interface World extends Handle {
      *     call that fails leaves the answers of before
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
-    /** Faces that a closed ball touches, by id. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     overlap(centre: Vector, radius: number, mask?: number): Near[];
     /**
      * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
@@ -415,6 +481,21 @@ export interface World extends Handle {
     closest(point: Vector, reach?: number, mask?: number): Near | null;
     /** Null where that cannot be said (on a face). @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     inSolid(point: Vector): boolean | null;
+
+    /** The room that a point is in. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    locate(point: Vector): Location;
+    /** @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below */
+    room(room: number): Room;
+    portal(portal: number): Portal;
+    /** The same world with a door opened or closed, one version on. */
+    setPortalOpen(portal: number, open: boolean): World;
+    /** The rooms that portals, open or closed, join to a room, ascending. */
+    neighbours(room: number): number[];
+    /**
+     * The portals on the way between two rooms that passes the fewest; null when there is none.
+     * @param options `allOpen`: closed ones lead on, too
+     */
+    path(from: number, to: number, options?: { allOpen?: boolean }): number[] | null;
 
     /** One edit. A pose with bad numbers, too, is refused in the report, not thrown. */
     carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveResult;

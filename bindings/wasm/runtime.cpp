@@ -3,10 +3,14 @@
 // time, for edits in slices and for reports.
 //
 // A failed allocation or assertion ends in a trap: JavaScript sees an exception, and the module must not be used again.
+#include <cstdarg>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <new>
+
+#include "bindings/wasm/print_number.h"
 
 extern "C" {
 /// Microseconds since whenever.
@@ -84,9 +88,32 @@ int __imported_wasi_snapshot_preview1_fd_close(int) {
     return 8;
 }
 
+/// Only std::to_string(double) calls it, with "%f", and number_text() with "%.*g": print_number.h.
+int snprintf(char* out, std::size_t size, const char* format, ...) {
+    std::va_list list;
+    va_start(list, format);
+    const bool fixed = format[1] == 'f';
+    const int digits = fixed ? 6 : va_arg(list, int);
+    const double value = va_arg(list, double);
+    va_end(list);
+    char text[firma::kLongestNumber];
+    const std::size_t length = std::size_t(firma::print_number(value, digits, fixed, text));
+    if (size > 0) {
+        const std::size_t kept = length < size ? length : size - 1;
+        std::memcpy(out, text, kept);
+        out[kept] = '\0';
+    }
+    return int(length);
+}
+
 /// Nobody calls it; without it std::to_wstring would bring in all of stdio.
 int swprintf(wchar_t*, std::size_t, const wchar_t*, ...) {
     return -1;
+}
+
+/// What a thread keeps is given back when it ends; there is one, and it never does.
+int __cxa_thread_atexit(void (*)(void*), void*, void*) {
+    return 0;
 }
 
 /// Memory for arguments and answers: 16-byte aligned; null for none.

@@ -114,6 +114,10 @@ typedef struct firma_bytes {
 /* ---- worlds ----------------------------------------------------------------------------------------------------- */
 
 #define FIRMA_NO_FACE UINT32_MAX
+#define FIRMA_NO_PORTAL UINT32_MAX
+/* In place of a room: all of them, or the one that a cast's start lies in, which the cast finds out. */
+#define FIRMA_ANY_ROOM UINT32_MAX
+#define FIRMA_LOCATE_ROOM (UINT32_MAX - 1)
 
 /* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
 typedef struct firma_world_options {
@@ -123,7 +127,7 @@ typedef struct firma_world_options {
     int32_t faces_per_bin; /* >= 1 */
     double min_bin_volume; /* cubic metres */
     double skin;           /* metres: how far movers stay from surfaces */
-    double scale;          /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp) */
+    double scale;          /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
 } firma_world_options;
 
 FIRMA_API void firma_world_options_defaults(firma_world_options* options);
@@ -152,7 +156,10 @@ FIRMA_API firma_code firma_world_from_obj(const char* text, size_t length, const
                                           const firma_world_options* options, firma_world* world);
 FIRMA_API firma_code firma_world_from_bsp(const void* data, size_t length, const char* name,
                                           const firma_world_options* options, firma_world* world);
-/* A file by its ending: .obj, .bsp, or .firma (`options` must then be null: the file has its own). */
+/* A Quake .map: its brushes become one solid, its air rooms, divided by its portals. docs/rooms.md, docs/formats.md. */
+FIRMA_API firma_code firma_world_from_map(const char* text, size_t length, const char* name,
+                                          const firma_world_options* options, firma_world* world);
+/* A file by its ending: .obj, .bsp, .map, or .firma (`options` must then be null: the file has its own). */
 FIRMA_API firma_code firma_world_load(const char* path, const firma_world_options* options, firma_world* world);
 
 /* A .firma file, written aside, flushed and renamed. `exact` 0 leaves the exact part out: the world read back can be
@@ -169,7 +176,8 @@ FIRMA_API firma_code firma_world_release(firma_world world);
 typedef struct firma_world_facts {
     uint64_t version; /* 0 as read; every edit adds one */
     uint64_t face_count;
-    uint64_t room_count;
+    uint64_t room_count;    /* those that edits joined to others counted */
+    uint64_t portal_count;  /* those without polygons counted */
     double low[3], high[3]; /* bounds of all faces; low > high when there are none */
     double skin;
     uint32_t material_count;
@@ -244,6 +252,59 @@ FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma
 FIRMA_API firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view);
 FIRMA_API firma_code firma_faces_release(firma_faces faces);
 
+/* ---- rooms ------------------------------------------------------------------------------------------------------ */
+
+/* Rooms are volumes of air, bounded by faces and by portals, through which their air passes into other rooms. A level
+ * that knows no rooms makes a world of one. Rooms and portals keep their numbers through edits: docs/rooms.md. */
+
+/* Where a point is; FIRMA_UNSURE on a face. */
+typedef enum firma_where { FIRMA_ROOM = 0, FIRMA_SOLID = 1, FIRMA_UNSURE = 2 } firma_where;
+
+/* `where` gets a firma_where, `room` the room, with FIRMA_ROOM, or FIRMA_ANY_ROOM. Takes no memory.
+ * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good. */
+FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3], uint32_t* where, uint32_t* room);
+
+/* What pointers show is good as long as the handle of the world. */
+typedef struct firma_room {
+    double low[3], high[3]; /* of its faces and portals; low > high when there are none */
+    uint64_t face_count;
+    const char* name;        /* UTF-8; "" where the level gives none */
+    const uint32_t* portals; /* ascending */
+    size_t portal_count;
+    uint32_t exterior; /* 1: reaches to infinity */
+    uint32_t part_of;  /* itself; of a room that an edit joined to another: that one, and it is empty */
+} firma_room;
+
+/* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
+FIRMA_API firma_code firma_world_room(firma_world world, uint32_t room, firma_room* info);
+
+typedef struct firma_portal {
+    double low[3], high[3]; /* low > high when it has no polygons */
+    const char* name;       /* UTF-8; "" where the level gives none */
+    uint32_t rooms[2];
+    uint32_t material;
+    uint32_t mask;          /* what it stops while closed */
+    uint32_t open;          /* 0 or 1 */
+    uint32_t polygon_count; /* 0: an edit joined its rooms, or filled it, and it leads nowhere */
+} firma_portal;
+
+FIRMA_API firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* info);
+/* Its polygons as a list of faces: convex, counter-clockwise seen from rooms[0]; `source` is the portal, `id`
+ * FIRMA_NO_FACE. */
+FIRMA_API firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma_faces* polygons);
+/* Opens (1) or closes (0) it: one version on, or, when it is so already, another handle to the same world. */
+FIRMA_API firma_code firma_world_set_portal_open(firma_world world, uint32_t portal, uint32_t open, firma_world* after);
+
+/* The rooms that portals, open or closed, join to a room, ascending. `count` gets how many; the first `capacity` of
+ * them are written (`rooms` may be null when that is 0). */
+FIRMA_API firma_code firma_world_neighbours(firma_world world, uint32_t room, uint32_t* rooms, size_t capacity,
+                                            size_t* count);
+/* The way between two rooms by the fewest portals: through open ones, or, with `all_open` 1, through closed ones, too.
+ * `found` gets 0 when there is none; `count` how many portals it passes (none within one room), of which the first
+ * `capacity` are written (`portals` may be null when that is 0). */
+FIRMA_API firma_code firma_world_path(firma_world world, uint32_t from, uint32_t to, uint32_t all_open,
+                                      uint32_t* portals, size_t capacity, size_t* count, uint32_t* found);
+
 /* ---- casts ------------------------------------------------------------------------------------------------------ */
 
 typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_TOUCHING = 2, FIRMA_INVALID = 3 } firma_status;
@@ -256,13 +317,17 @@ typedef struct firma_cast_input {
     double path[3];
 } firma_cast_input;
 
-/* A null pointer takes the defaults: all bits, one-sided, the world's skin. */
+/* A null pointer takes the defaults: all bits, one-sided, all rooms, the world's skin. */
 typedef struct firma_cast_options {
-    uint32_t size;     /* sizeof(firma_cast_options) */
-    uint32_t mask;     /* faces that share a bit are met */
-    uint32_t sides;    /* 0: the front, where the face does not say both; 1: both sides of all */
-    uint32_t reserved; /* 0 */
-    double skin;       /* metres; negative takes the world's */
+    uint32_t size;    /* sizeof(firma_cast_options) */
+    uint32_t mask;    /* faces that share a bit are met */
+    uint32_t sides;   /* 0: the front, where the face does not say both; 1: both sides of all */
+    uint32_t room;    /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
+                         FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
+    double skin;      /* metres; negative takes the world's */
+    uint32_t* passed; /* gets the rooms that firma_cast() passes, the first `passed_capacity` of them; may be null when
+                         that is 0. Of no use to the other calls */
+    size_t passed_capacity;
 } firma_cast_options;
 
 FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
@@ -278,10 +343,14 @@ typedef struct firma_hit {
     uint32_t status;        /* firma_status; FIRMA_INVALID: a number of the input is no good, nothing was asked */
     uint32_t feature;       /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
-    uint32_t face;          /* FIRMA_NO_FACE for a miss */
+    uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
     uint32_t other_face;    /* across the edge met, or FIRMA_NO_FACE */
     uint32_t source, source_edit, material; /* as in firma_face */
-    uint32_t room, rooms_passed;
+    uint32_t room;                          /* of the contact */
+    uint32_t rooms_passed; /* how many, the first included; 0 when all rooms of a world of several were asked */
+    uint32_t passed[8];    /* the first of them, in the order in which they are reached */
+    uint32_t portal;       /* the closed one met, or FIRMA_NO_PORTAL */
+    uint32_t reserved;
 } firma_hit;
 
 /* What casts looked at; added to. */
@@ -295,8 +364,8 @@ FIRMA_API firma_code firma_cast(firma_world world, const firma_cast_input* input
 /* Whether there is any touch: firma_status. */
 FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     uint32_t* status);
-/* Every face met along the whole path, by fraction, then id. `count` gets how many there are; the first `capacity` of
- * them are written (`hits` may be null when that is 0). */
+/* Every face and closed portal met along the whole path, by fraction, then id. `count` gets how many there are; the
+ * first `capacity` of them are written (`hits` may be null when that is 0). */
 FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     firma_hit* hits, size_t capacity, size_t* count);
 /* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. */
@@ -306,12 +375,14 @@ FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input*
 typedef struct firma_near {
     double point[3];
     double distance;
-    uint32_t face, source, source_edit, material;
+    uint32_t face, source, source_edit, material; /* FIRMA_NO_FACE: it is a closed portal */
     uint32_t feature, feature_index;
+    uint32_t portal; /* or FIRMA_NO_PORTAL */
+    uint32_t reserved;
 } firma_near;
 
-/* Faces that a closed ball touches, in order of id; as for firma_cast_all(). FIRMA_ERROR_OUT_OF_RANGE for numbers that
- * are no good. */
+/* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all().
+ * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good. */
 FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask,
                                    firma_near* found, size_t capacity, size_t* count);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.

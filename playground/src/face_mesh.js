@@ -8,11 +8,15 @@ import * as THREE from 'three';
 const kFirstCapacity = 16384; // triangles
 
 export class FaceMesh {
-    /** @param painter  colours: paint(faces, k, x, y, z, out) puts red, green, blue of 0..255 and a kind into `out` */
-    constructor(material, painter) {
+    /**
+     * @param painter  colours: paint(faces, k, x, y, z, out) puts red, green, blue of 0..255 and a kind into `out`
+     * @param clearMaterial  draws what one sees through, over the rest, from the same buffers
+     */
+    constructor(material, painter, clearMaterial) {
         this.painter = painter;
         this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
-        this.mesh.frustumCulled = false;
+        this.clearMesh = new THREE.Mesh(this.mesh.geometry, clearMaterial);
+        this.mesh.frustumCulled = this.clearMesh.frustumCulled = false;
         this.runs = new Map(); // face id -> first triangle and how many
         this.free = new Map(); // how many -> first triangles
         this.used = 0; // triangles in use or free
@@ -106,6 +110,6 @@ export class FaceMesh {
         geometry.setAttribute('normal', this.normal);
         geometry.setAttribute('surface', this.colour);
         geometry.setDrawRange(0, this.used * 3);
-        this.mesh.geometry = geometry;
+        this.mesh.geometry = this.clearMesh.geometry = geometry;
     }
 }

@@ -3,32 +3,39 @@
 import { FaceMesh } from './face_mesh.js';
 import { Launcher } from './launcher.js';
 import { Painter } from './painter.js';
+import { PortalPanes } from './portal_panes.js';
 import { Player } from './player.js';
 import { Probe } from './probe.js';
+import { Rooms } from './rooms.js';
 import { Samples } from './samples.js';
 import { findSpawn } from './spawn.js';
-import { makeSurfaceMaterial } from './surface_material.js';
+import { makeSurfaceMaterials } from './surface_material.js';
 import { direction } from './vector.js';
 
 const kFrames = 90;
+const kArm = 5; // metres: how far a door may be that one opens
 const summary = (samples) => ({ last: samples.last, least: samples.least(), median: samples.median(), count: samples.count });
 
 export class Game {
-    constructor(firma, world, levelName, stage) {
+    /** @param start  where the level's author has players start, or null: see readStart() */
+    constructor(firma, world, levelName, stage, start = null) {
         this.stage = stage;
         this.probe = new Probe(world);
         this.player = new Player(this.probe);
         this.launcher = new Launcher(firma, world, this.probe, (diff, after) => this.#redraw(diff, after));
         this.painter = new Painter(this.launcher.materials, (edit, point) => this.launcher.depth(edit, point));
-        this.faces = new FaceMesh(makeSurfaceMaterial(), this.painter);
+        const materials = makeSurfaceMaterials();
+        this.faces = new FaceMesh(materials.solid, this.painter, materials.clear);
         this.faces.add(world.faces());
-        stage.scene.add(this.faces.mesh);
+        this.rooms = new Rooms(world);
+        this.panes = new PortalPanes();
+        stage.scene.add(this.faces.mesh, this.faces.clearMesh, this.panes.group);
         this.floor = world.facts().low[2];
         this.frameMs = new Samples(kFrames);
         this.workMs = new Samples(kFrames);
         this.moved = { counts: { bins: 0, boxes: 0, faces: 0, precise: 0 }, casts: 0 };
         this.aimed = null;
-        this.spawn = findSpawn(this.player, world, levelName);
+        this.spawn = findSpawn(this.player, world, levelName, start);
         this.respawn();
         this.launcher.warmUp(this.spawn.feet);
         for (let k = 0; k < 500; ++k) this.player.sweep([0.07, 0, 0]); // casts likewise: 1,500, some milliseconds
@@ -43,20 +50,36 @@ export class Game {
     step(dt, keys = {}) {
         this.probe.measure(() => this.player.step(dt, keys));
         this.moved = this.probe.group;
+        this.rooms.locate(this.player.eye());
         if (this.player.feet[2] < this.floor - 20) this.respawn(); // through a hole in a level that is not closed
     }
 
     /** What is looked at. */
     aim() {
-        const target = this.launcher.aim(this.player.eye(), this.#direction());
+        const eye = this.player.eye();
+        const target = this.launcher.aim(eye, this.#direction(), this.rooms.locate(eye) ?? 'any');
         this.aimed = { ...target, counts: this.probe.group.counts };
         return this.aimed;
     }
 
     fire() {
-        const shot = this.launcher.fire(this.player.eye(), this.#direction());
+        const eye = this.player.eye();
+        const shot = this.launcher.fire(eye, this.#direction(), this.rooms.locate(eye) ?? 'any');
         if (shot.target.met) this.stage.explode(this.player.eye(), shot.target.hit.point, shot.target.hit.normal);
         return shot;
+    }
+
+    /** Shows the portals, or no longer. */
+    togglePortals() {
+        this.panes.show(this.rooms.portals, !this.panes.all);
+    }
+
+    /** Opens or closes the portal that is looked at, when it is near; says whether there was one. */
+    turnPortal() {
+        const found = this.rooms.portalAlong(this.player.eye(), this.#direction(), kArm);
+        if (!found || (this.aimed?.met && this.aimed.distance < found.distance - 1e-6)) return false;
+        this.launcher.turnPortal(found.portal);
+        return this.#freed(true);
     }
 
     undo() {
@@ -89,8 +112,10 @@ export class Game {
             faces: facts.faceCount,
             drawnFaces: this.faces.faceCount,
             drawnTriangles: this.faces.triangles,
-            room: aimed && aimed.met ? aimed.hit.room : null,
-            aim: aimed && { met: aimed.met, distance: aimed.distance, material: aimed.material, counts: { ...aimed.counts } },
+            room: this.rooms.here === null ? null : { id: this.rooms.here, name: this.rooms.name(this.rooms.here) },
+            rooms: this.rooms.rooms.length,
+            portals: { all: this.rooms.portals.length, open: this.rooms.portals.filter((portal) => portal.open).length, shown: this.panes.all },
+            aim: aimed && { met: aimed.met, distance: aimed.distance, material: aimed.material, rooms: aimed.hit.passed.map((room) => this.rooms.name(room)), counts: { ...aimed.counts } },
             move: { casts: this.moved.casts, counts: { ...this.moved.counts } },
             shot: launcher.last && { ...launcher.last, target: undefined },
             history: (({ bytes, versions }) => ({ bytes: Number(bytes), versions: Number(versions) }))(launcher.store.facts()),
@@ -112,6 +137,8 @@ export class Game {
 
     #redraw(diff, after) {
         this.painter.learn(after.facts().materials);
+        this.rooms.learn(after);
+        this.panes.show(this.rooms.portals);
         this.faces.remove(diff.gone);
         this.faces.add(diff.come);
     }

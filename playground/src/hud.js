@@ -18,6 +18,7 @@ export function describeShot(shot) {
         case 'nothing': return `nothing is taken away: no closed solid there (${cut})`;
         case 'refused': return `refused: ${shot.reason} (${cut})`;
         case 'undone': case 'redone': return shot.status;
+        case 'opened': case 'closed': return `portal ${shot.status}`;
         case 'sky': return 'that is the sky';
         default: return 'nothing in reach';
     }
@@ -35,9 +36,10 @@ export class Hud {
         this.shown = now;
         const at = s.position.map((x) => number(x, 2)).join(', ');
         const set = (name, text) => (this.lines[name].textContent = text);
-        set('place', `at ${at}   ${s.room === null ? '' : `room ${s.room}   `}version ${s.version}   ` +
+        set('place', `at ${at}   ${s.room === null ? '' : `room ${s.room.name}${s.room.name === `${s.room.id}` ? '' : ` (${s.room.id})`}   `}version ${s.version}   ` +
             `${grouped(s.faces)} faces   history ${number(s.history.bytes / 1024, 0)} KiB in ${s.history.versions} versions`);
         set('aim', s.aim ? `looking: ${s.aim.met ? `${s.aim.material || 'rock'} at ${number(s.aim.distance, 2)} m` : 'nothing'}` +
+            `${s.aim.rooms.length > 1 ? `, through ${s.aim.rooms.join(', ')}` : ''}` +
             `; the cast looked at ${counts(s.aim.counts)}` : '');
         set('move', `moving: ${s.move.casts} casts looked at ${counts(s.move.counts)}`);
         set('times', `frame ${number(s.times.frameMs.median, 1)} ms (ours ${number(s.times.workMs.median, 2)})   ` +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires: a cast along the view, a crater where it meets something, a new version of the world; and back.
+import { kStopsSight } from './masks.js';
 import { Samples } from './samples.js';
 import { dot, subtract } from './vector.js';
 
@@ -34,17 +35,20 @@ export class Launcher {
         }
     }
 
-    /** What lies along a view: the hit, with its distance and the name of its material. */
-    aim(eye, direction) {
-        const hit = this.probe.measure(() => this.probe.cast(eye, 0, direction.map((x) => x * kReach)));
+    /**
+     * What lies along a view: the hit, with its distance and the name of its material. Through glass, which no shot breaks.
+     * @param room  the one the eye is in; 'any' where that is not known
+     */
+    aim(eye, direction, room = 'any') {
+        const hit = this.probe.measure(() => this.probe.cast(eye, 0, direction.map((x) => x * kReach), kStopsSight, room));
         const met = hit.status === 'hit' || hit.status === 'touching';
-        return { hit, met, distance: met ? hit.fraction * kReach : Infinity, material: met ? this.materials[hit.material] : '' };
+        return { hit, met, distance: met ? hit.fraction * kReach : Infinity, material: met ? (hit.portal !== null ? 'closed portal' : this.materials[hit.material]) : '' };
     }
 
-    fire(eye, direction) {
-        const target = this.aim(eye, direction);
+    fire(eye, direction, room) {
+        const target = this.aim(eye, direction, room);
         if (!target.met) return (this.last = { status: 'missed', target });
-        if (target.material === 'sky') return (this.last = { status: 'sky', target });
+        if (/sky/.test(target.material)) return (this.last = { status: 'sky', target });
         const seed = ++this.shots;
         const cutter = this.firma.crater('rocky', seed);
         const pose = { position: target.hit.point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
@@ -71,6 +75,15 @@ export class Launcher {
 
     redo() {
         return this.#travel('redone', (facts) => facts.current < facts.newest, () => this.store.redo());
+    }
+
+    /** Opens or closes a portal: an edit like others. */
+    turnPortal(portal) {
+        const { open } = this.world.portal(portal);
+        const after = this.world.setPortalOpen(portal, !open);
+        this.store.publish(this.world, after);
+        this.last = { status: open ? 'closed' : 'opened' };
+        this.#change(after);
     }
 
     /** How deep a point lies in the crater of an edit: 0 at the surface that was hit, 1 at a crater's radius. */

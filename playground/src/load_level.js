@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 // The level that the address names, as a world.
-const kDefault = 'first.obj';
+import { readStart } from './spawn.js';
+
+/** The levels that come with the page; the first is loaded unless the address names another. */
+export const kLevels = ['depot.map', 'first.obj'];
 
 /** The name after ?level=, if it is one of a file beside the page; else throws. */
 export function levelName(search) {
-    const name = new URLSearchParams(search).get('level') ?? kDefault;
-    if (!/^[\w][\w .+-]*\.(obj|bsp|firma)$/i.test(name)) throw new Error(`${name}: a level is an .obj, .bsp or .firma file beside this page`);
+    const name = new URLSearchParams(search).get('level') ?? kLevels[0];
+    if (!/^[\w][\w .+-]*\.(obj|map|bsp|firma)$/i.test(name)) throw new Error(`${name}: a level is an .obj, .map, .bsp or .firma file beside this page`);
     return name;
 }
 
-export async function loadWorld(firma, name) {
+/** The world, and where its author has players start, or null. */
+export async function loadLevel(firma, name) {
     const answer = await fetch(new URL(encodeURIComponent(name), document.baseURI));
     if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     switch (name.toLowerCase().split('.').pop()) {
-        case 'bsp': return firma.worldFromBsp(bytes, { name });
-        case 'firma': return firma.unpackWorld(bytes, name);
-        default: return firma.worldFromObj(bytes, { name });
+        case 'map': return { world: firma.worldFromMap(bytes, { name }), start: readStart(new TextDecoder().decode(bytes)) };
+        case 'bsp': return { world: firma.worldFromBsp(bytes, { name }), start: null };
+        case 'firma': return { world: firma.unpackWorld(bytes, name), start: null };
+        default: return { world: firma.worldFromObj(bytes, { name }), start: null };
     }
 }

@@ -4,7 +4,8 @@ import { loadFirma } from 'firma';
 import { Game } from './game.js';
 import { describeShot, Hud } from './hud.js';
 import { Input } from './input.js';
-import { levelName, loadWorld } from './load_level.js';
+import { kLevels, levelName, loadLevel } from './load_level.js';
+import { kStopsWalk } from './masks.js';
 import { Stage } from './stage.js';
 
 const kLongestFrame = 0.1; // seconds: after a pause time does not jump
@@ -37,6 +38,8 @@ function offerHooks(game, loop, draw) {
         undo: () => game.undo(),
         redo: () => game.redo(),
         respawn: () => game.respawn(),
+        togglePortals: () => game.togglePortals(),
+        turnPortal: () => game.turnPortal(),
         /** Draws now, `dt` seconds later for what fades. */
         draw: (dt = 0) => draw(dt),
         hash: () => game.launcher.world.hash().toString(16),
@@ -47,7 +50,7 @@ function offerHooks(game, loop, draw) {
             const centres = [0.35, 0.85, 1.35].map((z) => [feet[0], feet[1], feet[2] + z]);
             const world = game.launcher.world;
             return {
-                distance: Math.min(...centres.map((centre) => world.closest(centre, 10)?.distance ?? 10)),
+                distance: Math.min(...centres.map((centre) => world.closest(centre, 10, kStopsWalk)?.distance ?? 10)),
                 inSolid: centres.some((centre) => world.inSolid(centre) === true),
             };
         },
@@ -72,10 +75,10 @@ async function start() {
     try {
         const name = levelName(location.search);
         const [firma] = await Promise.all([loadFirma(new URL('firma.wasm', document.baseURI))]);
-        const world = await loadWorld(firma, name);
+        const { world, start: from } = await loadLevel(firma, name);
         const canvas = document.querySelector('canvas');
         const stage = new Stage(canvas);
-        const game = new Game(firma, world, name, stage);
+        const game = new Game(firma, world, name, stage, from);
         const hud = new Hud(document.querySelector('#hud'));
         document.querySelector('#title').textContent = `Firma ${firma.version} \u00b7 ${name}`;
 
@@ -87,6 +90,9 @@ async function start() {
             undo: () => game.undo(),
             redo: () => game.redo(),
             respawn: () => game.respawn(),
+            portals: () => game.togglePortals(),
+            door: () => game.turnPortal(),
+            level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
             help: () => document.body.classList.toggle('without-help'),
         });
 

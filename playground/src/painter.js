@@ -1,22 +1,44 @@
 // SPDX-License-Identifier: MIT
 // The colour of a face, and what its surface is like, from its material's name and where it came from.
+import { kStopsLiquid, kStopsShots, kStopsSight } from './masks.js';
 
 /** Kinds of surface that the shader knows: see surface_material.js. */
-export const kKinds = { plain: 0, panels: 1, rock: 2, ground: 3, sky: 4 };
+export const kKinds = { plain: 0, panels: 1, rock: 2, ground: 3, sky: 4, glass: 5, water: 6, hidden: 7 };
+/** From this one on they are not solid to the eye. */
+export const kFirstClear = kKinds.glass;
 
 /** The first pattern that a material's name fits gives its colour and its kind. */
 const kLooks = [
     [/sky/, [0xa9, 0xc7, 0xe8], 'sky'],
+    [/water|liquid/, [0x4f, 0x86, 0x96], 'water'],
+    [/glass/, [0xbf, 0xdc, 0xe2], 'glass'],
     [/rubble|crater/, [0xb4, 0x82, 0x58], 'rock'],
     [/rock|stone|cliff|tunnel/, [0x8a, 0x7c, 0x6c], 'rock'],
+    [/asphalt|rubber|coal|board/, [0x4d, 0x4f, 0x52], 'ground'],
+    [/gravel/, [0x93, 0x8c, 0x7e], 'ground'],
     [/ground|grass|dirt|sand|terrain/, [0x7d, 0x86, 0x58], 'ground'],
-    [/bridge|metal|iron|grate/, [0x6f, 0x86, 0x9c], 'panels'],
+    [/brick_dark/, [0x86, 0x62, 0x55], 'panels'],
+    [/brick/, [0xa8, 0x7a, 0x66], 'panels'],
+    [/blue/, [0x5d, 0x80, 0xa6], 'panels'],
+    [/green/, [0x7f, 0x96, 0x78], 'panels'],
+    [/red|drum/, [0xa6, 0x4f, 0x43], 'panels'],
+    [/yellow|hazard/, [0xc9, 0xa2, 0x3c], 'plain'],
+    [/rust/, [0x8f, 0x5f, 0x45], 'panels'],
+    [/wood|timber|crate|chair|table|door/, [0x97, 0x77, 0x52], 'plain'],
+    [/lamp/, [0xf4, 0xec, 0xd0], 'plain'],
+    [/plaster|porcelain|white|light/, [0xbd, 0xb8, 0xaa], 'plain'],
+    [/tiles|linoleum|carpet/, [0x93, 0x97, 0x94], 'panels'],
+    [/bridge|metal|iron|grate|steel|deck|machine|tank|pipe|locker|cabinet|radiator/, [0x6f, 0x86, 0x9c], 'panels'],
+    [/concrete|facade/, [0x97, 0x95, 0x8f], 'panels'],
     [/pillar|column/, [0xb3, 0xa3, 0x8b], 'plain'],
     [/stair|step/, [0xa5, 0x96, 0x82], 'plain'],
     [/ceil|roof/, [0x8c, 0x92, 0x99], 'plain'],
     [/floor/, [0x87, 0x83, 0x7b], 'panels'],
     [/./, [0xa9, 0xaa, 0xa4], 'panels'],
 ];
+
+/** Only who walks meets it. */
+const isClip = (mask) => (mask & (kStopsShots | kStopsSight | kStopsLiquid)) === 0;
 
 /** A number in [0, 1) that two integers give. */
 function chance(a, b) {
@@ -57,6 +79,6 @@ export class Painter {
         out[0] = Math.min(255, colour[0] * light * (1 + warm));
         out[1] = Math.min(255, colour[1] * light);
         out[2] = Math.min(255, colour[2] * light * (1 - warm));
-        out[3] = kind;
+        out[3] = faces.masks && isClip(faces.masks[k]) ? kKinds.hidden : kind;
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who walks: three spheres, one above the other, moved by sphere casts that slide along what they meet.
+import { kStopsWalk } from './masks.js';
 import { add, along, cross, dot, flatten, length, times } from './vector.js';
 
 export const kRadius = 0.35; // metres
@@ -65,7 +66,7 @@ export class Player {
     isFree(feet, world = this.probe.world) {
         return kCentres.every((height) => {
             const centre = [feet[0], feet[1], feet[2] + height];
-            return world.inSolid(centre) !== true && world.overlap(centre, kRadius).length === 0;
+            return world.inSolid(centre) !== true && world.overlap(centre, kRadius, kStopsWalk).length === 0;
         });
     }
 
@@ -73,7 +74,7 @@ export class Player {
     sweep(path) {
         let first = null;
         for (const height of kCentres) {
-            const hit = this.probe.cast([this.feet[0], this.feet[1], this.feet[2] + height], kRadius, path);
+            const hit = this.probe.cast([this.feet[0], this.feet[1], this.feet[2] + height], kRadius, path, kStopsWalk);
             if (hit.status === 'miss' || hit.status === 'invalid') continue;
             if (!first || hit.safeFraction < first.safeFraction) first = hit;
         }
@@ -104,7 +105,7 @@ export class Player {
         if (z < kSteepest || hit.feature === 'face') return false;
         const size = Math.hypot(x, y);
         const above = [hit.point[0] - (0.02 * x) / size, hit.point[1] - (0.02 * y) / size, hit.point[2] + 0.05];
-        const floor = this.probe.cast(above, 0, [0, 0, -0.1]);
+        const floor = this.probe.cast(above, 0, [0, 0, -0.1], kStopsWalk);
         return floor.status === 'hit' && floor.normal[2] >= kWalkable;
     }
 

@@ -27,8 +27,9 @@ export class Probe {
         return result;
     }
 
-    cast(centre, radius, path) {
+    /** @param mask  what it is stopped by: masks.js; @param room  where it starts, if that is known */
+    cast(centre, radius, path, mask, room) {
         this.group.casts += 1;
-        return this.world.cast({ centre, radius, path }, { counts: this.group.counts });
+        return this.world.cast({ centre, radius, path }, { mask, room, counts: this.group.counts });
     }
 }

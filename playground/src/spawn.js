@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where to begin in a level: a known place, or a free one with a floor below and a long view.
 import { kCentres, kRadius } from './player.js';
+import { kStopsWalk } from './masks.js';
 import { direction } from './vector.js';
 
 /** Feet, yaw, pitch for levels we know. */
@@ -8,10 +9,22 @@ const kKnown = {
     'first.obj': { feet: [42.5, 25.75, 0.01], yaw: Math.PI, pitch: 0.05 }, // in the hall, along the bridge
 };
 
+/**
+ * Where a .map says that players start: { point, yaw } in metres and radians, or null. Numbers are units of the file, 1/32 m.
+ */
+export function readStart(text) {
+    const blocks = text.split(/^\{/m);
+    const entity = blocks.find((block) => /^"classname"\s+"info_player_(?:start|deathmatch)"/m.test(block));
+    const value = (key) => new RegExp(`^"${key}"\\s+"([^"]*)"`, 'm').exec(entity)?.[1];
+    const point = entity && value('origin')?.trim().split(/\s+/).map((unit) => Number(unit) / 32);
+    if (point?.length !== 3 || !point.every(Number.isFinite)) return null;
+    return { point, yaw: ((Number(value('angle')) || 0) * Math.PI) / 180 };
+}
+
 /** Feet on the floor below a point, or null: nothing there, or no room to stand. */
 function standBelow(player, world, point) {
     if (world.inSolid(point) === true) return null;
-    const hit = world.cast({ centre: point, radius: kRadius, path: [0, 0, -60] });
+    const hit = world.cast({ centre: point, radius: kRadius, path: [0, 0, -60] }, { mask: kStopsWalk });
     if (hit.status !== 'hit' || hit.normal[2] < 0.7) return null;
     const feet = [point[0], point[1], point[2] - 60 * hit.safeFraction - kCentres[0] + 0.001];
     return player.isFree(feet, world) ? feet : null;
@@ -30,8 +43,10 @@ function view(world, feet) {
     return best;
 }
 
-/** Feet, yaw and pitch to begin with. Looks at points of a growing lattice over the world's bounds. */
-export function findSpawn(player, world, levelName) {
+/** Feet, yaw and pitch to begin with. @param start  what readStart() found; else looks at points of a growing lattice */
+export function findSpawn(player, world, levelName, start = null) {
+    const below = start && standBelow(player, world, start.point);
+    if (below) return { feet: below, yaw: start.yaw, pitch: 0 };
     const known = kKnown[levelName];
     if (known && player.isFree(known.feet, world)) return known;
     const { low, high } = world.facts();

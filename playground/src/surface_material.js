@@ -2,6 +2,7 @@
 // The material of all faces: lit by three's Lambert shader, with a grain worked out from the place, as faces have no
 // coordinates for pictures. What each kind is: painter.js, kKinds.
 import * as THREE from 'three';
+import { kFirstClear, kKinds } from './painter.js';
 
 const kVertexHead = `
 attribute vec4 surface;
@@ -15,6 +16,13 @@ vPlace = position;
 vFlat = normal;
 vSurface = surface;
 `;
+
+// Faces of the other pass are drawn as points outside of the picture.
+const kVertexEnd = (keeps) => `
+if (!(${keeps})) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+`;
+const kKind = 'floor(surface.a * 255.0 + 0.5)';
+
 
 const kFragmentHead = `
 varying vec3 vPlace;
@@ -53,6 +61,7 @@ float grain(vec3 place, vec3 flatNormal, float kind) {
     if (kind < 1.5) return (0.92 + 0.07 * fine + 0.06 * broad) * joints(place, flatNormal);
     if (kind < 2.5) return 0.7 + 0.16 * fine + 0.2 * broad + 0.2 * noiseAt(place * 19.0);
     if (kind < 3.5) return 0.74 + 0.22 * fine + 0.24 * noiseAt(place * 0.35);
+    if (kind > 5.5) return 0.9 + 0.2 * broad;
     return 1.0;
 }
 `;
@@ -64,20 +73,32 @@ diffuseColor.rgb *= paint * paint * (0.305306 * paint + 0.682171) + 0.012523 * p
 diffuseColor.rgb *= grain(vPlace, vFlat, kind);
 `;
 
-// The sky shines by itself.
+// The sky shines by itself; glass lets through more than water.
 const kFragmentSky = `
-if (kind > 3.5) outgoingLight = diffuseColor.rgb * (0.75 + 0.25 * smoothstep(0.0, 9.0, vPlace.z));
+if (kind > 4.5) diffuseColor.a = kind > 5.5 ? 0.72 : 0.22;
+if (kind > 3.5 && kind < 4.5) outgoingLight = diffuseColor.rgb * (0.75 + 0.25 * smoothstep(0.0, 9.0, vPlace.z));
 #include <opaque_fragment>
 `;
 
-export function makeSurfaceMaterial() {
-    const material = new THREE.MeshLambertMaterial();
+/** @param keeps  of the kinds, which are drawn: a condition of the shading language */
+function makeMaterial(keeps, options) {
+    const material = new THREE.MeshLambertMaterial(options);
+    material.customProgramCacheKey = () => keeps;
     material.onBeforeCompile = (shader) => {
         shader.vertexShader = (kVertexHead + shader.vertexShader).replace('#include <begin_vertex>',
-            '#include <begin_vertex>\n' + kVertexBody);
+            '#include <begin_vertex>\n' + kVertexBody).replace('#include <project_vertex>', '#include <project_vertex>\n' + kVertexEnd(keeps));
         shader.fragmentShader = (kFragmentHead + shader.fragmentShader)
             .replace('#include <color_fragment>', '#include <color_fragment>\n' + kFragmentColour)
             .replace('#include <opaque_fragment>', kFragmentSky);
     };
     return material;
+}
+
+/** `solid` for what hides all behind it, `clear` for glass and water, which are seen from both sides. */
+export function makeSurfaceMaterials() {
+    return {
+        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, {}),
+        clear: makeMaterial(`${kKind} >= ${kFirstClear}.0 && ${kKind} < ${kKinds.hidden}.0`,
+            { transparent: true, depthWrite: false, side: THREE.DoubleSide }),
+    };
 }

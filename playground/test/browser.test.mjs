@@ -76,7 +76,7 @@ const drawnWrong = (page) =>
     });
 
 test('loads and draws', async () => {
-    const { page, errors, error } = await load(session);
+    const { page, errors, error } = await load(session, '?level=first.obj');
     assert.equal(error, null);
     const s = await state(page);
     assert.equal(s.faces, 5944);
@@ -97,7 +97,7 @@ test('loads and draws', async () => {
 });
 
 test('walks into a wall and stops', async () => {
-    const { page, errors } = await load(session);
+    const { page, errors } = await load(session, '?level=first.obj');
     await walkTo(page, 42.5, 32.5);
     await call(page, 'look', 0, 0); // the wall at x = 44
     for (let k = 0; k < 12; ++k) {
@@ -117,7 +117,7 @@ test('walks into a wall and stops', async () => {
 });
 
 test('fires until there is a hole, walks through it, undoes it', async () => {
-    const { page, errors } = await load(session);
+    const { page, errors } = await load(session, '?level=first.obj');
     const first = await call(page, 'hash');
     await walkTo(page, 12.5, 25.75); // through the door into the room with the thin wall
     await walkTo(page, 12.8, 27.6);
@@ -174,7 +174,7 @@ test('fires until there is a hole, walks through it, undoes it', async () => {
 });
 
 test('many craters: what is drawn stays what is there', async () => {
-    const { page, errors } = await load(session);
+    const { page, errors } = await load(session, '?level=first.obj');
     const first = await call(page, 'hash');
     await walkTo(page, 36, 25.75);
     for (let k = 0; k < 80; ++k) {
@@ -197,7 +197,7 @@ test('many craters: what is drawn stays what is there', async () => {
 });
 
 test('keys and the mouse', async () => {
-    const { page, errors } = await load(session);
+    const { page, errors } = await load(session, '?level=first.obj');
     const until = (condition, value) => page.waitForFunction(condition, value);
     await page.evaluate(() => window.firmaPlayground.resume());
     const x = (await state(page)).position[0];
@@ -238,13 +238,62 @@ test('another level, and none', async () => {
     const outside = await load(session, '?level=..%2Ffirst.obj');
     assert.match(outside.error, /a level is/);
     await outside.page.close();
-    const named = await load(session, '?level=first.obj');
-    assert.equal(named.error, null);
-    await named.page.close();
+    const { page, error } = await load(session, '?level=first.obj');
+    assert.equal(error, null);
+    await page.evaluate(() => window.firmaPlayground.resume());
+    await Promise.all([page.waitForNavigation(), page.keyboard.press('l')]); // the other one
+    await page.waitForFunction(() => window.firmaPlayground?.done);
+    assert.match(await page.textContent('#title'), /depot\.map/);
+    await page.close();
+});
+
+test('the depot: rooms by name, portals shown, a door closed', async () => {
+    const { page, errors, error } = await load(session);
+    assert.equal(error, null);
+    assert.match(await page.textContent('#title'), /depot\.map/);
+    let s = await state(page);
+    assert.equal(s.room.name, 'hall');
+    assert.ok(s.rooms > 12 && s.portals.open === s.portals.all && s.portals.all > 12);
+    assert.deepEqual(await drawnWrong(page), []);
+    await assertClear(page);
+    assert.match(await page.textContent('#hud'), /room hall \(\d+\)/);
+    await shoot(page, '9_depot');
+
+    await call(page, 'togglePortals');
+    const shownPanes = () => page.evaluate(() => window.firmaPlayground.game.panes.group.children.length);
+    assert.equal(await shownPanes(), 2); // panes and rims of open ones
+    for (const [x, y] of [[18.75, 9.4], [25, 9.4], [25, 10.5]]) await walkTo(page, x, y);
+    await call(page, 'look', 0, 0); // through the gate to the dock
+    await shoot(page, '10_portals');
+    await call(page, 'togglePortals');
+    assert.equal(await shownPanes(), 0);
+    assert.match(await page.textContent('#hud'), /through hall, dock/);
+
+    assert.equal(await call(page, 'turnPortal'), true);
+    assert.equal((await state(page)).portals.open, s.portals.all - 1);
+    assert.equal(await shownPanes(), 2); // the closed one
+    await call(page, 'step', 1.5, { forward: true });
+    s = await state(page);
+    assert.equal(s.room.name, 'hall');
+    await shoot(page, '11_closed');
+    assert.equal(await call(page, 'undo'), true);
+    await call(page, 'step', 1, { forward: true });
+    await call(page, 'draw');
+    s = await state(page);
+    assert.equal(s.room.name, 'dock');
+    await assertClear(page);
+
+    await call(page, 'look', 1.2, -0.2);
+    assert.equal((await call(page, 'fire')).status, 'done');
+    assert.deepEqual(await drawnWrong(page), []);
+    await call(page, 'check');
+    await shoot(page, '12_dock');
+    assert.deepEqual(errors, []);
+    await page.close();
 });
 
 test('times', async () => {
-    const { page } = await load(session);
+    const { page } = await load(session, '?level=first.obj');
     const measured = await page.evaluate(() => {
         const { game } = window.firmaPlayground;
         const eye = game.player.eye();

@@ -5,6 +5,7 @@ import test from 'node:test';
 import { FaceMesh } from '../src/face_mesh.js';
 import { levelName } from '../src/load_level.js';
 import { kKinds, Painter } from '../src/painter.js';
+import { rimOf } from '../src/portal_panes.js';
 import { Samples } from '../src/samples.js';
 
 let seed = 1;
@@ -130,9 +131,28 @@ test('samples', () => {
 });
 
 test('levels are files beside the page', () => {
-    assert.equal(levelName(''), 'first.obj');
+    assert.equal(levelName(''), 'depot.map');
+    assert.equal(levelName('?level=first.obj'), 'first.obj');
     assert.equal(levelName('?level=My%20map_2.bsp'), 'My map_2.bsp');
     assert.equal(levelName('?level=a.FIRMA&x=1'), 'a.FIRMA');
     for (const bad of ['../first.obj', 'a/b.obj', '/etc/passwd', 'http://example.com/a.obj', 'first.txt', '', '.obj', 'a.obj/', 'a\\b.obj', '//x/a.obj'])
         assert.throws(() => levelName(`?level=${encodeURIComponent(bad)}`), /a level is/, bad);
+});
+
+test('what one sees through, and what nobody sees', () => {
+    const painter = new Painter(['depot/glass', 'depot/liquids/water', 'wall'], () => 0);
+    const faces = { materials: [0, 1, 2, 2], masks: [3, 8, 1, 7], sourceEdits: [0, 0, 0, 0], sources: [0, 1, 2, 3] };
+    const kinds = faces.materials.map((_, k) => {
+        const out = new Uint8Array(4);
+        painter.paint(faces, k, 0, 0, 0, out);
+        return out[3];
+    });
+    assert.deepEqual(kinds, [kKinds.glass, kKinds.water, kKinds.hidden, kKinds.panels]);
+});
+
+test('the rim of a portal of several polygons has none of the edges between them', () => {
+    const polygons = [[0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0]].map((one) => Float64Array.from(one));
+    const rim = rimOf(polygons);
+    assert.equal(rim.length, 6 * 6);
+    for (let k = 0; k < rim.length; k += 6) assert.ok(!(rim[k] === 1 && rim[k + 3] === 1), 'the edge at x = 1 is within');
 });

@@ -8,7 +8,8 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Launcher } from '../src/launcher.js';
 import { kCentres, kRadius, Player } from '../src/player.js';
 import { Probe } from '../src/probe.js';
-import { findSpawn } from '../src/spawn.js';
+import { Rooms } from '../src/rooms.js';
+import { findSpawn, readStart } from '../src/spawn.js';
 import { direction } from '../src/vector.js';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -176,4 +177,49 @@ test('no handle is left behind', () => {
     game.launcher.world.release();
     game.launcher.store.release();
     assert.equal(firma.liveHandles(), before);
+});
+
+test('the depot: begins where its author says, rooms on the way, through a closed portal nobody goes', () => {
+    const text = readFileSync(path.join(root, 'levels/depot.map'), 'utf8');
+    const start = readStart(text);
+    assert.deepEqual(start, { point: [18.75, 7, 1], yaw: Math.PI });
+    const world = firma.worldFromMap(text, { name: 'depot.map' });
+    const probe = new Probe(world);
+    const player = new Player(probe);
+    const launcher = new Launcher(firma, world, probe, (diff, after) => rooms.learn(after));
+    const rooms = new Rooms(world);
+    const spawn = findSpawn(player, world, 'depot.map', start);
+    player.place(spawn.feet);
+    player.step(0.5, {});
+    assert.ok(player.grounded && Math.hypot(player.feet[0] - 18.75, player.feet[1] - 7) < 0.01);
+    const game = { player, probe };
+    const here = () => rooms.name(rooms.locate(player.eye()));
+    assert.equal(here(), 'hall');
+    assert.ok(walkTo(game, 18.75, 9.4) && walkTo(game, 25, 9.4) && walkTo(game, 25, 10.5) && walkTo(game, 29.5, 10.5));
+    assert.equal(here(), 'dock');
+    const gate = rooms.portalAlong(player.eye(), [-1, 0, 0], 5);
+    assert.match(rooms.portals[gate.portal].name, /^hall_dock/);
+    assert.ok(Math.abs(gate.distance - (29.5 - 26.5)) < 0.6, `${gate.distance}`);
+    assert.equal(rooms.portalAlong(player.eye(), [-1, 0, 0], 1), null);
+    launcher.turnPortal(gate.portal);
+    assert.equal(rooms.portals[gate.portal].open, false);
+    assert.equal(walkTo(game, 25, 10.5, 3), false);
+    assert.equal(here(), 'dock');
+    const seen = launcher.aim(player.eye(), [-1, 0, 0], rooms.here);
+    assert.deepEqual([seen.material, seen.hit.portal], ['closed portal', gate.portal]);
+    assert.ok(launcher.undo());
+    assert.ok(walkTo(game, 25, 10.5, 3));
+    assert.equal(here(), 'hall');
+    assert.deepEqual(launcher.aim(player.eye(), [1, 0, 0], rooms.here).hit.passed.map((room) => rooms.name(room)).slice(0, 2), ['hall', 'dock']);
+    launcher.world.release();
+    launcher.store.release();
+});
+
+test('where a .map has players start', () => {
+    const entity = (...keys) => `{\n${keys.map(([key, value]) => `"${key}" "${value}"\n`).join('')}}\n`;
+    const worldspawn = entity(['classname', 'worldspawn'], ['origin', '1 2 3']);
+    assert.deepEqual(readStart(worldspawn + entity(['origin', '32 -64 16'], ['classname', 'info_player_start'], ['angle', '90'])), { point: [1, -2, 0.5], yaw: Math.PI / 2 });
+    assert.deepEqual(readStart(entity(['classname', 'info_player_deathmatch'], ['origin', ' 32  0 0 '])), { point: [1, 0, 0], yaw: 0 });
+    for (const text of ['', worldspawn, entity(['classname', 'info_player_start']), entity(['classname', 'info_player_start'], ['origin', '1 2']), entity(['classname', 'info_player_start'], ['origin', '1 2 x'])])
+        assert.equal(readStart(text), null);
 });

@@ -3,9 +3,11 @@
 #include "debug/draw_faces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string>
 #include <vector>
+
+#include "debug/room_colours.h"
 
 namespace firma::debug {
 
@@ -31,7 +33,7 @@ struct Shape {
     double area = 0;      ///< square pixels
     double nearness = 0;  ///< metres
     int band = 0, shade = 0;
-    bool is_new = false;  ///< made by an edit
+    std::uint32_t tint = 0;
 };
 
 const Face* find(std::span<const Face> faces, FaceId id) {
@@ -95,7 +97,7 @@ double area_of(const std::vector<PagePoint>& outline) {
     return std::fabs(twice) / 2;
 }
 
-Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& corners) {
+Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& corners, std::uint32_t tint) {
     Shape shape;
     double sum = 0;
     for (const Corner& corner : corners) {
@@ -106,7 +108,7 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
     shape.area = area_of(shape.outline);
     shape.nearness = sum / double(corners.size());
     shape.shade = std::clamp(int((1 - std::fabs(facing(view, face))) * kShades), 0, kShades - 1);
-    shape.is_new = face.source_edit != 0;
+    shape.tint = tint;
     return shape;
 }
 
@@ -114,12 +116,13 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
 std::vector<Shape> collect_shapes(const View& view, std::span<const Face> faces, const FaceLook& look,
                                   FacesDrawn& counts) {
     std::vector<Shape> shapes;
-    for (const Face& face : faces) {
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const Face& face = faces[k];
         if (!seen(view, face)) continue;
         std::vector<Corner> corners = corners_of(view, faces, face);
         if (look.cut) corners = beyond_cut(view, corners, *look.cut);
         if (corners.size() < 3) continue;
-        Shape shape = shape_of(view, face, corners);
+        Shape shape = shape_of(view, face, corners, look.tint_of[k]);
         if (shape.area >= kLeastArea) {
             shapes.push_back(std::move(shape));
         } else {
@@ -156,25 +159,10 @@ void set_bands(std::vector<Shape>& shapes) {
     }
 }
 
-std::array<int, 3> rgb(const std::string& colour) {
-    std::array<int, 3> parts{};
-    for (std::size_t k = 0; k < 3; ++k) parts[k] = std::stoi(colour.substr(1 + 2 * k, 2), nullptr, 16);
-    return parts;
-}
-
 /// The tint of a band, darker where faces are steep.
-std::string colour_of(const FaceLook& look, int band, int shade, bool is_new) {
-    constexpr char kHex[] = "0123456789abcdef";
-    const std::array<int, 3> far = rgb(is_new ? look.new_far : look.far_colour);
-    const std::array<int, 3> near = rgb(is_new ? look.new_near : look.near_colour);
+std::string colour_of(const Tint& tint, int band, int shade) {
     const double share = double(band) / (kBands - 1), light = 1 - 0.07 * shade;
-    std::string colour = "#";
-    for (std::size_t k = 0; k < 3; ++k) {
-        const int part = int((far[k] + (near[k] - far[k]) * share) * light);
-        colour += kHex[part / 16];
-        colour += kHex[part % 16];
-    }
-    return colour;
+    return hex_colour(mixed(tint.far, tint.near, share) * light);
 }
 
 void draw_fills(SvgText& svg, const std::vector<const Shape*>& shapes, const std::string& colour) {
@@ -226,15 +214,15 @@ FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> face
     std::vector<Shape> shapes = collect_shapes(view, faces, look, counts);
     keep_to_budget(shapes, look.most_bytes, counts);
     set_bands(shapes);
-    constexpr int kKinds = 2 * kShades;  // of the level's file, then new ones
-    std::array<std::array<std::vector<const Shape*>, kKinds>, kBands> bands;
+    const std::size_t kinds = kShades * look.tints.size();
+    std::vector<std::vector<const Shape*>> groups(kBands * kinds);
     for (const Shape& shape : shapes)
-        bands[std::size_t(shape.band)][std::size_t(shape.shade + (shape.is_new ? kShades : 0))].push_back(&shape);
+        groups[std::size_t(shape.band) * kinds + shape.tint * kShades + std::size_t(shape.shade)].push_back(&shape);
     for (int band = 0; band < kBands; ++band) {
-        const auto& kinds = bands[std::size_t(band)];
-        for (int kind = 0; kind < kKinds; ++kind)
-            draw_fills(svg, kinds[std::size_t(kind)], colour_of(look, band, kind % kShades, kind >= kShades));
-        for (const std::vector<const Shape*>& kind : kinds) draw_edges(svg, kind);
+        const std::span group(&groups[std::size_t(band) * kinds], kinds);
+        for (std::size_t kind = 0; kind < kinds; ++kind)
+            draw_fills(svg, group[kind], colour_of(look.tints[kind / kShades], band, int(kind % kShades)));
+        for (const std::vector<const Shape*>& kind : group) draw_edges(svg, kind);
     }
     return counts;
 }

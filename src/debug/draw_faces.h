@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "debug/svg_text.h"
 #include "debug/view.h"
@@ -13,11 +14,16 @@
 
 namespace firma::debug {
 
+/// Red, green and blue, 0 .. 1, of what is far and near.
+struct Tint {
+    Vec3 far, near;
+};
+
 struct FaceLook {
-    std::string far_colour, near_colour;  ///< "#rrggbb" of the two ends of the tint
-    std::string new_far, new_near;        ///< the same for faces that an edit made (Face::source_edit)
-    std::optional<double> cut;            ///< metres along the view's depth axis: what lies nearer is cut away
-    std::size_t most_bytes = 1 << 20;     ///< of SVG, about; the smallest faces are left out beyond that
+    std::vector<Tint> tints;             ///< at least one
+    std::vector<std::uint32_t> tint_of;  ///< of each face, an index of tints
+    std::optional<double> cut;           ///< metres along the view's depth axis: what lies nearer is cut away
+    std::size_t most_bytes = 1 << 20;    ///< of SVG, about; the smallest faces are left out beyond that
 };
 
 struct FacesDrawn {
@@ -27,7 +33,7 @@ struct FacesDrawn {
 
 /// Draws the faces whose fronts the viewer sees (both sides of two-sided ones).
 ///
-/// @param faces  of the whole world in order of id, as World::faces() gives them
+/// @param faces  in order of id, as World::faces() gives them; neighbours that are not among them are not seen
 FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> faces, const FaceLook& look);
 
 /// How much of a view's width, in columns of two pixels, lies in the cut that draw_cut_lines() would draw.

@@ -8,6 +8,10 @@
 
 #include "debug/draw_faces.h"
 #include "debug/draw_frame.h"
+#include "debug/draw_rooms.h"
+#include "debug/plan_legend.h"
+#include "debug/plan_raster.h"
+#include "debug/room_colours.h"
 #include "debug/view.h"
 
 namespace firma::debug {
@@ -21,15 +25,7 @@ constexpr double kMostWidth = 900, kMostPlanHeight = 900, kMostSectionHeight = 4
 constexpr double kMargin = 0.03;     // of the level's size, around it
 constexpr double kCastMargin = 0.4;  // likewise, where casts lead outside
 constexpr double kSlab = 0.05;       // of the level's depth: casts this near to the cut are drawn in the section
-constexpr const char* kPlanLow = "#b4c3cd";
-constexpr const char* kPlanHigh = "#fbf6e9";
-constexpr const char* kSectionFar = "#f3f5f6";
-constexpr const char* kSectionNear = "#cdd8dd";
-// Faces that an edit made.
-constexpr const char* kNewPlanLow = "#c98a4b";
-constexpr const char* kNewPlanHigh = "#f3c283";
-constexpr const char* kNewSectionFar = "#f6dcc0";
-constexpr const char* kNewSectionNear = "#dfa871";
+constexpr double kNewShade = 0.72;   // of a room's colour, on faces that an edit made
 
 constexpr const char* kStyles =
     "text{font-family:'DejaVu Sans',Arial,sans-serif;font-size:12px;fill:#222}"
@@ -120,111 +116,50 @@ void draw_where(SvgText& svg, const View& plan, double at) {
     svg.label({right - 20, y - 4}, "A", "class=\"mark\" text-anchor=\"end\"");
 }
 
-/// Writes the legend from the top down.
-class Legend {
-public:
-    Legend(SvgText& svg, double left, double top) : svg_(svg), left_(left), y_(top) {}
-
-    void heading(std::string_view text) {
-        y_ += 8;
-        svg_.label({left_, y_}, text, "class=\"head\"");
-        y_ += 22;
-    }
-    void words(std::string_view text) {
-        svg_.label({left_, y_}, text, "class=\"small\"");
-        y_ += 16;
-        after_words_ = true;
-    }
-    /// A sample 44 pixels wide, whose markup is drawn about (0, 0), and what it stands for.
-    void sample(std::string_view markup, std::string_view text) {
-        if (after_words_) y_ += 5;
-        after_words_ = false;
-        svg_.raw("<g transform=\"translate(")
-            .number(left_ + 22)
-            .raw(" ")
-            .number(y_ - 4)
-            .raw(")\">")
-            .raw(markup)
-            .raw("</g>\n");
-        svg_.label({left_ + 56, y_}, text);
-        y_ += 20;
-    }
-    double y() const { return y_; }
-
-private:
-    SvgText& svg_;
-    double left_, y_;
-    bool after_words_ = false;
+/// Of plan and section, and which of them each face has.
+struct PlanTints {
+    std::vector<Tint> plan, section;
+    std::vector<std::uint32_t> of;
 };
 
-std::string tint(const char* low, const char* high, const char* name) {
-    return std::string("<linearGradient id=\"") + name + "\"><stop offset=\"0\" stop-color=\"" + low +
-           "\"/><stop offset=\"1\" stop-color=\"" + high +
-           "\"/></linearGradient><rect x=\"-22\" y=\"-6\" width=\"44\" height=\"12\" fill=\"url(#" + name +
-           ")\" stroke=\"#78909c\" stroke-width=\".6\"/>";
+/// By what made a face: the level, or an edit.
+PlanTints plain_tints(std::span<const Face> faces) {
+    PlanTints tints{{kPlanTint, kNewPlanTint}, {kSectionTint, kNewSectionTint}, {}};
+    for (const Face& face : faces) tints.of.push_back(face.source_edit != 0);
+    return tints;
 }
 
-struct CastCount {
-    std::size_t all = 0, hit = 0, touching = 0, miss = 0;
-};
-
-void draw_cast_legend(Legend& legend, const CastCount& count, const Plan& plan, std::size_t in_section, double slab) {
-    if (count.all == 0) return;
-    legend.heading("Casts");
-    legend.sample(
-        "<path class=\"way hit\" d=\"M-20,0 12,0\"/><circle class=\"start hit\" cx=\"-20\" r=\"1.6\"/>"
-        "<path class=\"normal\" d=\"M14,0 2,-7\"/><circle class=\"contact hit\" cx=\"14\" r=\"2.4\"/>",
-        "hit (" + grouped_number(count.hit) + ")");
-    legend.words("open dot: start; full dot: contact point;");
-    legend.words("black: contact normal");
-    legend.sample(
-        "<path class=\"way miss\" d=\"M-20,0 18,0\"/><circle class=\"start miss\" cx=\"-20\" r=\"1.6\"/>"
-        "<circle class=\"end miss\" cx=\"18\" r=\"1.6\"/>",
-        "miss (" + grouped_number(count.miss) + ")");
-    legend.sample("<circle class=\"contact touching\" r=\"2.4\"/><path class=\"normal\" d=\"M0,0 10,-7\"/>",
-                  "touching at the start (" + grouped_number(count.touching) + ")");
-    legend.sample("<circle class=\"ball hit begin\" cx=\"-11\" r=\"7\"/><circle class=\"ball hit\" cx=\"10\" r=\"7\"/>",
-                  "sphere at start, at contact");
-    legend.words(grouped_number(plan.casts_drawn) + " of " + grouped_number(count.all) + " casts drawn in the plan,");
-    legend.words(grouped_number(in_section) + " in the section: those that come");
-    legend.words("within " + short_number(slab, 2) + " m of the cut");
-}
-
-CastCount count_casts(std::span<const DrawnCast> casts) {
-    CastCount count;
-    for (const DrawnCast& cast : casts) {
-        ++count.all;
-        count.hit += cast.status == Status::kHit;
-        count.touching += cast.status == Status::kTouching;
-        count.miss += cast.status == Status::kMiss;
+/// By room and by what made a face.
+PlanTints room_tints(const World& world, std::span<const Face> faces, std::span<const RoomId> rooms) {
+    PlanTints tints;
+    for (std::uint32_t room = 0; room < world.room_count(); ++room) {
+        const Vec3 colour = room_colour({room}, room_info(world, {room}).exterior);
+        for (const double shade : {1.0, kNewShade}) {
+            tints.plan.push_back(plan_tint(colour * shade));
+            tints.section.push_back(section_tint(colour * shade));
+        }
     }
-    return count;
+    for (std::size_t k = 0; k < faces.size(); ++k) tints.of.push_back(2 * rooms[k].value + (faces[k].source_edit != 0));
+    return tints;
 }
 
-void draw_legend(SvgText& svg, const Page& page, const Plan& plan, const CastCount& casts, std::size_t in_section,
-                 double slab) {
-    const double left = page.width - kLegend;
-    Legend legend(svg, left, kTop + 4);
-    legend.heading("Legend");
-    const std::string up = kAxisNames[page.plan.depth], across = kAxisNames[page.section.depth];
-    legend.sample(tint(kPlanLow, kPlanHigh, "low-high"), "plan: low to high " + up);
-    legend.sample(tint(kSectionFar, kSectionNear, "far-near"), "section: far to near");
-    if (plan.new_faces > 0) {
-        legend.sample(tint(kNewPlanLow, kNewPlanHigh, "new-low-high"), "plan: made by an edit");
-        legend.sample(tint(kNewSectionFar, kNewSectionNear, "new-far-near"), "section: made by an edit");
-    }
-    legend.sample("<path class=\"edge\" d=\"M-20,0 20,0\"/>", "edge of a face");
-    legend.sample("<path class=\"cut\" d=\"M-20,0 20,0\"/>", "cut through a face");
-    if (plan.new_faces > 0)
-        legend.sample("<path class=\"cut new\" d=\"M-20,0 20,0\"/>", "cut through one an edit made");
-    legend.sample("<path class=\"where\" d=\"M-22,0 22,0\"/>", "where the section cuts");
-    draw_cast_legend(legend, casts, plan, in_section, slab);
-    legend.heading("Drawn");
-    legend.words(grouped_number(plan.faces_in_plan) + " faces in the plan, " + grouped_number(plan.faces_in_section));
-    legend.words("in the section: those that face the viewer");
-    if (plan.faces_left_out > 0) legend.words("left out as too small: " + grouped_number(plan.faces_left_out));
-    legend.heading("Scale");
-    draw_scale_bar(svg, page.plan, {left, legend.y() - 8});
+Box box_of(std::span<const Face> faces) {
+    Box box;
+    for (const Face& face : faces)
+        for (const Vec3& corner : face.corners) box.add(corner);
+    return box;
+}
+
+std::string plan_heading(const PlanOptions& options) {
+    const std::string axis = kAxisNames[options.up];
+    return (options.below ? "Plan: cut at " + axis + " = " + short_number(*options.below, 3) + " m, seen along -"
+                          : "Plan: seen along -") +
+           axis;
+}
+
+std::string section_heading(const Plan& plan, const View& section) {
+    return std::string("Section A-A: cut at ") + kAxisNames[section.depth] + " = " + short_number(plan.at, 3) +
+           " m, seen along +" + kAxisNames[section.depth];
 }
 
 void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOptions& options) {
@@ -238,7 +173,12 @@ void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOpt
         .number(page.height)
         .raw("\">\n<title>")
         .words(options.title);
-    svg.raw("</title>\n<style>").raw(kStyles).raw(frame_styles()).raw(cast_styles()).raw("</style>\n");
+    svg.raw("</title>\n<style>")
+        .raw(kStyles)
+        .raw(frame_styles())
+        .raw(cast_styles())
+        .raw(room_styles())
+        .raw("</style>\n");
     svg.raw("<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
     svg.label({kLeft, 30}, options.title.empty() ? "A world" : options.title, "class=\"title\"");
     const Vec3 size = world.face_count() > 0 ? world.bounds().high - world.bounds().low : Vec3{};
@@ -249,38 +189,51 @@ void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOpt
 }  // namespace
 
 Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanOptions& options) {
+    const std::vector<Face> faces = faces_to_show(world);
+    const std::vector<RoomId> rooms = rooms_of_faces(world, faces);
     const std::vector<DrawnCast> some = chosen(casts, options.most_casts);
-    const Page page = lay_out(region_of(world.bounds(), some), options.up);
-    const std::vector<Face> faces = world.faces();
+    const Box bounds = box_of(faces);
+    Page page = lay_out(region_of(bounds, some), options.up);
     Plan plan;
+    plan.shows_rooms = options.rooms.value_or(count_inner_rooms(world) > 1);
     plan.new_faces =
         std::size_t(std::count_if(faces.begin(), faces.end(), [](const Face& face) { return face.source_edit != 0; }));
     plan.cut_axis = page.section.depth;
-    const Box bounds = world.bounds();
     plan.at = options.at ? *options.at : best_cut(faces, bounds, page.section);
     const double slab = bounds.empty() ? 0 : kSlab * (bounds.high[plan.cut_axis] - bounds.low[plan.cut_axis]);
+    const PlanTints tints = plan.shows_rooms ? room_tints(world, faces, rooms) : plain_tints(faces);
 
     SvgText svg;
-    draw_head(svg, page, world, options);
-    const FacesDrawn in_plan =
-        draw_faces(svg, page.plan, faces, {kPlanLow, kPlanHigh, kNewPlanLow, kNewPlanHigh, {}, 1 << 20});
+    const FacesDrawn in_plan = draw_faces(svg, page.plan, faces, {tints.plan, tints.of, options.below, 1 << 20});
+    if (options.below) draw_cut_lines(svg, page.plan, faces, *options.below);
+    if (plan.shows_rooms) {
+        const PlanRaster raster = make_raster(page.plan, faces, options.below);
+        plan.portals_drawn = draw_portals(svg, page.plan, world, raster, options.below);
+        plan.rooms_labelled = label_rooms(svg, world, raster, rooms);
+    }
     draw_where(svg, page.plan, plan.at);
     plan.casts_drawn = draw_casts(svg, page.plan, some);
-    draw_frame(svg, page.plan, std::string("Plan: seen along -") + kAxisNames[options.up]);
+    draw_frame(svg, page.plan, plan_heading(options));
 
-    const FacesDrawn in_section = draw_faces(
-        svg, page.section, faces, {kSectionFar, kSectionNear, kNewSectionFar, kNewSectionNear, plan.at, 1 << 20});
+    const FacesDrawn in_section = draw_faces(svg, page.section, faces, {tints.section, tints.of, plan.at, 1 << 20});
     plan.faces_cut = draw_cut_lines(svg, page.section, faces, plan.at);
+    if (plan.shows_rooms) {
+        const PlanRaster raster = make_raster(page.section, faces, plan.at);
+        draw_portals(svg, page.section, world, raster, plan.at);
+        label_rooms(svg, world, raster, rooms);
+    }
     const std::size_t casts_in_section = draw_casts(svg, page.section, some, Slab{plan.at, slab});
-    draw_frame(svg, page.section,
-               std::string("Section A-A: cut at ") + kAxisNames[plan.cut_axis] + " = " + short_number(plan.at, 3) +
-                   " m, seen along +" + kAxisNames[plan.cut_axis]);
+    draw_frame(svg, page.section, section_heading(plan, page.section));
     plan.faces_in_plan = in_plan.drawn;
     plan.faces_in_section = in_section.drawn;
     plan.faces_left_out = in_plan.left_out + in_section.left_out;
-    draw_legend(svg, page, plan, count_casts(casts), casts_in_section, slab);
-    svg.raw("</svg>\n");
-    plan.svg = svg.text();
+    const double end = draw_legend(svg, {page.width - kLegend, kTop + 4},
+                                   {world, plan, page.plan, rooms, casts, casts_in_section, slab});
+    page.height = std::max(page.height, end + kBottom / 2);
+
+    SvgText head;
+    draw_head(head, page, world, options);
+    plan.svg = head.text() + svg.text() + "</svg>\n";
     return plan;
 }
 

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "debug/room_colours.h"
 #include "debug/svg_text.h"
 #include "firma/masks.h"
+#include "firma/rooms.h"
 
 namespace firma::debug {
 namespace {
@@ -26,10 +29,23 @@ constexpr double kShadow = 0.66;     // light that is left in shadow
 constexpr double kEdgeShade = 0.5;   // light that is left on an edge
 constexpr std::uint32_t kNothing = ~0u;
 constexpr Vec3 kSkyColour = {0.70, 0.80, 0.90}, kWaterColour = {0.45, 0.62, 0.72};
+constexpr Vec3 kOpenColour = {0.10, 0.80, 0.66}, kClosedColour = {0.85, 0.14, 0.12};
+constexpr double kPane = 0.22, kClosedPane = 0.5;  // share of a pane's colour in what is seen through it
+constexpr double kRoomWhite = 0.25;                // in a room's colour
+constexpr double kNewShade = 0.72;                 // of a room's colour, on faces that an edit made
+constexpr std::uint8_t kMostPanes = 6;             // in front of one another, that are told apart
 constexpr std::uint32_t kSeen = kStopsSight | kStopsLiquid;
 
 Vec3 unit(const Vec3& v) {
     return v * (1 / length(v));
+}
+
+/// Along the normal of a polygon, twice its area long.
+Vec3 area_normal(std::span<const Vec3> corners) {
+    Vec3 sum;
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+        sum = sum + cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
+    return sum;
 }
 
 /// The camera's own axes, right-handed.
@@ -116,7 +132,9 @@ bool seen_from(const Vec3& eye, const Face& face) {
     return face.two_sided ? side != 0 : side > 0;
 }
 
-void paint(const Frame& frame, const Face& face, std::uint32_t index, Buffer& buffer) {
+/// Calls put(sample, nearness) for each sample that a face covers.
+template <class Put>
+void paint(const Frame& frame, const Face& face, const Buffer& buffer, const Put& put) {
     std::vector<PagePoint> outline;
     double top = INFINITY, bottom = -INFINITY;
     for (const Vec3& corner : before_eye(frame, face)) {
@@ -132,19 +150,67 @@ void paint(const Frame& frame, const Face& face, std::uint32_t index, Buffer& bu
         const Span span = covered(outline, y + 0.5, buffer.width);
         for (int x = span.first; x < span.end; ++x) {
             const double nearness = dot(face.normal, frame.ray(x, y)) / away;  // of the plane: one over the distance
-            const std::size_t at = buffer.at(x, y);
-            if (!(nearness > buffer.nearness[at]) || nearness > 1.001 / kNear) continue;
-            buffer.nearness[at] = nearness;
-            buffer.face[at] = index;
+            if (nearness <= 1.001 / kNear) put(buffer.at(x, y), nearness);
         }
     }
 }
 
 Buffer paint_all(const Frame& frame, std::span<const Face> faces) {
     Buffer buffer(int(frame.width), int(frame.height));
-    for (std::size_t k = 0; k < faces.size(); ++k)
-        if (seen_from(frame.eye, faces[k])) paint(frame, faces[k], std::uint32_t(k), buffer);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        if (!seen_from(frame.eye, faces[k])) continue;
+        paint(frame, faces[k], buffer, [&](std::size_t at, double nearness) {
+            if (!(nearness > buffer.nearness[at])) return;
+            buffer.nearness[at] = nearness;
+            buffer.face[at] = std::uint32_t(k);
+        });
+    }
     return buffer;
+}
+
+/// What each sample sees of portals, before the faces: how many panes, and which is the nearest.
+struct Panes {
+    std::vector<std::uint8_t> open, closed;
+    std::vector<std::uint32_t> nearest;  ///< a portal, or kNothing
+    std::vector<double> nearness;
+};
+
+Panes paint_portals(const World& world, const Frame& frame, const Buffer& buffer) {
+    const std::size_t samples = buffer.face.size();
+    Panes panes{std::vector<std::uint8_t>(samples), std::vector<std::uint8_t>(samples),
+                std::vector<std::uint32_t>(samples, kNothing), std::vector<double>(samples)};
+    for (std::uint32_t id = 0; id < portal_count(world); ++id) {
+        const PortalInfo portal = portal_info(world, {id});
+        for (const std::vector<Vec3>& polygon : portal.polygons) {
+            Face pane;
+            pane.corners = polygon;
+            pane.normal = unit(area_normal(polygon));
+            pane.two_sided = true;
+            if (!seen_from(frame.eye, pane)) continue;
+            paint(frame, pane, buffer, [&](std::size_t at, double nearness) {
+                if (nearness < buffer.nearness[at]) return;
+                std::uint8_t& count = (portal.open ? panes.open : panes.closed)[at];
+                if (count < kMostPanes) ++count;
+                if (nearness <= panes.nearness[at]) return;
+                panes.nearness[at] = nearness;
+                panes.nearest[at] = id;
+            });
+        }
+    }
+    return panes;
+}
+
+/// A colour behind panes, and their rims.
+Vec3 behind(const Panes& panes, const Buffer& buffer, int x, int y, Vec3 colour) {
+    const std::size_t at = buffer.at(x, y);
+    for (int k = 0; k < panes.open[at]; ++k) colour = mixed(colour, kOpenColour, kPane);
+    for (int k = 0; k < panes.closed[at]; ++k) colour = mixed(colour, kClosedColour, kClosedPane);
+    const auto differs = [&](int other_x, int other_y) {
+        return other_x < buffer.width && other_y < buffer.height &&
+               panes.nearest[buffer.at(other_x, other_y)] != panes.nearest[at];
+    };
+    if (!differs(x + 1, y) && !differs(x, y + 1) && !differs(x + 2, y) && !differs(x, y + 2)) return colour;
+    return panes.closed[at] > 0 ? kClosedColour * 0.6 : kOpenColour * 0.6;
 }
 
 /// Toward the lamp from the eye: up and to the left, so that rims throw shadows into what lies behind them.
@@ -194,43 +260,78 @@ bool is_sky(const Face& face) {
     return (face.mask & kIsSky) != 0 && face.mask != ~0u;
 }
 
+/// What a face is painted with.
+Vec3 paint_of(const Face& face) {
+    if (is_sky(face)) return kSkyColour;
+    if (face.source_edit != 0) return {0.80, 0.55, 0.33};
+    return (face.mask & kStopsSight) == 0 ? kWaterColour : Vec3{0.80, 0.81, 0.80};
+}
+
+/// With each in the colour of its room.
+std::vector<Vec3> paints_of(const World& world, std::span<const Face> faces, bool rooms) {
+    std::vector<Vec3> paints;
+    for (const Face& face : faces) paints.push_back(paint_of(face));
+    if (!rooms) return paints;
+    const std::vector<RoomId> room = rooms_of_faces(world, faces);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        if (is_sky(faces[k])) continue;
+        const Vec3 colour = mixed(room_colour(room[k], room_info(world, room[k]).exterior), kWhite, kRoomWhite);
+        paints[k] = colour * (faces[k].source_edit != 0 ? kNewShade : 1.0);
+    }
+    return paints;
+}
+
+struct Scene {
+    const World& world;
+    const Camera& camera;
+    const Frame& frame;
+    std::span<const Face> faces;
+    std::vector<Vec3> paints;  ///< of each face
+    const Buffer& buffer;
+    Vec3 lamp;
+};
+
 /// Red, green and blue of one sample, 0 .. 1.
-Vec3 colour_of(const World& world, std::span<const Face> faces, const Buffer& buffer, const Frame& frame,
-               const Vec3& lamp, int up, int x, int y) {
+Vec3 colour_of(const Scene& scene, int x, int y) {
+    const Buffer& buffer = scene.buffer;
+    const Frame& frame = scene.frame;
     const std::size_t at = buffer.at(x, y);
     if (buffer.face[at] == kNothing) return {};
-    const Face& face = faces[buffer.face[at]];
+    const Face& face = scene.faces[buffer.face[at]];
+    const Vec3& paint = scene.paints[buffer.face[at]];
+    if (is_sky(face)) return paint;
     const Vec3 ray = frame.ray(x, y);
     const Vec3 normal = dot(face.normal, ray) < 0 ? face.normal : -face.normal;
     const Vec3 point = frame.eye + ray * (1 / buffer.nearness[at]) + normal * kLift;
-    if (is_sky(face)) return kSkyColour;
-    const Vec3 base = face.source_edit != 0            ? Vec3{0.80, 0.55, 0.33}
-                      : (face.mask & kStopsSight) == 0 ? kWaterColour
-                                                       : Vec3{0.80, 0.81, 0.80};
     Vec3 middle;
     for (const Vec3& corner : face.corners) middle = middle + corner * (1.0 / double(face.corners.size()));
-    const Vec3 toward = face.source_edit != 0 ? unit(lamp - middle) : unit(frame.up - frame.right);
-    double light = light_on(normal, toward, up);
-    if (in_shadow(world, point, lamp)) light *= kShadow;
-    if (is_edge(buffer, faces, frame, x, y, x + 1, y) || is_edge(buffer, faces, frame, x, y, x, y + 1))
+    const Vec3 toward = face.source_edit != 0 ? unit(scene.lamp - middle) : unit(frame.up - frame.right);
+    double light = light_on(normal, toward, scene.camera.up);
+    if (in_shadow(scene.world, point, scene.lamp)) light *= kShadow;
+    if (is_edge(buffer, scene.faces, frame, x, y, x + 1, y) || is_edge(buffer, scene.faces, frame, x, y, x, y + 1))
         light *= kEdgeShade;
-    return base * std::min(light, 1.2);
+    return paint * std::min(light, 1.2);
 }
 
 }  // namespace
 
-Picture draw_view(const World& world, const Camera& camera) {
+Picture draw_view(const World& world, const Camera& camera, bool rooms) {
     const std::vector<Face> faces = world.faces();
     const Frame frame(camera, kSamples);
     const Buffer buffer = paint_all(frame, faces);
-    const Vec3 lamp = lamp_of(world, frame, camera);
+    const Scene scene{
+        world, camera, frame, faces, paints_of(world, faces, rooms), buffer, lamp_of(world, frame, camera)};
+    std::optional<Panes> panes;
+    if (rooms) panes = paint_portals(world, frame, buffer);
     Picture picture(camera.width, camera.height, {0, 0, 0});
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
             Vec3 sum;
-            for (int k = 0; k < kSamples * kSamples; ++k)
-                sum = sum + colour_of(world, faces, buffer, frame, lamp, camera.up, x * kSamples + k % kSamples,
-                                      y * kSamples + k / kSamples);
+            for (int k = 0; k < kSamples * kSamples; ++k) {
+                const int column = x * kSamples + k % kSamples, row = y * kSamples + k / kSamples;
+                const Vec3 colour = colour_of(scene, column, row);
+                sum = sum + (panes ? behind(*panes, buffer, column, row, colour) : colour);
+            }
             for (int part = 0; part < 3; ++part)
                 picture.at(x, y)[std::size_t(part)] =
                     std::uint8_t(std::clamp(255 * sum[part] / (kSamples * kSamples), 0.0, 255.0));

@@ -21,7 +21,10 @@ struct Camera {
 /// Faces that an edit made are brown, others grey; edges stand where the surface turns or ends. Faces are seen from
 /// their fronts, two-sided ones from both sides; where nothing is, it is black. Sky and the surface of liquids are
 /// blue, glass and clips are looked through.
-Picture draw_view(const World& world, const Camera& camera);
+///
+/// @param rooms  instead, faces have the colours of their rooms (room_colours.h), darker where an edit made them, and
+///               portals are seen as panes: open ones greenish, closed ones red
+Picture draw_view(const World& world, const Camera& camera, bool rooms = false);
 
 /// How much of a picture new faces (Face::source_edit) would take, 0 .. 1, less what is nearer than two metres: for
 /// choosing where to look from.

@@ -14,12 +14,19 @@ namespace {
 
 constexpr std::uint64_t kPrime = (std::uint64_t(1) << 61) - 1;
 
+/// 2^61 is 1 modulo the prime, so the pieces of 61 bits add up: a division of 128 bits is a call of a library.
+std::uint64_t reduced(Unsigned128 value) {
+    std::uint64_t sum =
+        std::uint64_t(value & kPrime) + std::uint64_t(value >> 61 & kPrime) + std::uint64_t(value >> 122);
+    sum = (sum & kPrime) + (sum >> 61);
+    return sum >= kPrime ? sum - kPrime : sum;
+}
 std::uint64_t modulo(Int128 value) {
-    const Int128 rest = value % Int128(kPrime);
-    return std::uint64_t(rest < 0 ? rest + Int128(kPrime) : rest);
+    const std::uint64_t rest = reduced(value < 0 ? -Unsigned128(value) : Unsigned128(value));
+    return value < 0 && rest != 0 ? kPrime - rest : rest;
 }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-    return std::uint64_t(Unsigned128(a) * b % kPrime);
+    return reduced(Unsigned128(a) * b);
 }
 std::uint64_t minus(std::uint64_t a, std::uint64_t b) {
     return a >= b ? a - b : a + kPrime - b;

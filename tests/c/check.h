@@ -47,6 +47,7 @@ void test_casts(void);
 void test_carving(void);
 void test_stores(void);
 void test_files(const char* folder);
+void test_rooms(const char* folder);
 void test_handles(void);
 
 #endif

@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
     test_carving();
     test_stores();
     test_files(argc > 1 ? argv[1] : ".");
+    test_rooms(argc > 1 ? argv[1] : ".");
     test_handles();
     CHECK(firma_live_handles() == 0);
     if (failures == 0) printf("the C API: all holds\n");

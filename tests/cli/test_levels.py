@@ -4,7 +4,7 @@ import os
 import unittest
 import xml.etree.ElementTree
 
-from harness import FIRST, CliTest, box, obj
+from harness import FIRST, ROOT, CliTest, box, obj
 
 # Half a box: the sixth face is missing, and the fifth is wound the wrong way.
 CORNERS = [(4 * (k & 1), 4 * (k >> 1 & 1), 4 * (k >> 2 & 1)) for k in range(8)]
@@ -167,6 +167,31 @@ class Draw(CliTest):
         self.refuse('draw', 'a<b>&.obj', '--up', 'w', '-o', 'x.svg', says='--up')
         self.refuse('draw', 'a<b>&.obj', '--at', 'nan', '-o', 'x.svg', says='--at')
         self.refuse('draw', 'a<b>&.obj', '--most-casts', '-1', '-o', 'x.svg', says='--most-casts')
+
+    def test_rooms(self):
+        depot = os.path.join(ROOT, 'levels', 'depot.map')
+        report = self.firma_json('draw', depot, '-o', 'rooms.svg')
+        self.assertTrue(report['shows_rooms'])
+        self.assertGreater(report['rooms_labelled'], 10)
+        self.assertGreater(report['portals_drawn'], 20)
+        texts = self.texts('rooms.svg')
+        for text in ['Rooms', 'yard', '1 yard', 'portal below a floor']:
+            self.assertIn(text, texts)
+        self.assertIn(', 35 portals,', self.firma('draw', depot, '-o', 'rooms.svg'))
+        plain = self.firma_json('draw', depot, '--plain', '-o', 'plain.svg')
+        self.assertEqual((plain['shows_rooms'], plain['rooms_labelled'], plain['portals_drawn']), (False, 0, 0))
+        self.assertNotIn('Rooms', self.texts('plain.svg'))
+        self.firma('draw', depot, '--below', '3', '-o', 'ground.svg')
+        self.assertIn('Plan: cut at z = 3 m, seen along -z', self.texts('ground.svg'))
+        one = self.firma_json('draw', 'a<b>&.obj', '--rooms', '-o', 'one.svg')
+        self.assertEqual((one['shows_rooms'], one['rooms_labelled']), (True, 1))
+        view = ['draw', depot, '--view', '--eye', '8,16,5.7', '--look', '4,15,5.5', '-o']
+        self.firma(*view, 'grey.png')
+        self.firma(*view, 'rooms.png', '--rooms')
+        self.assertNotEqual(self.read('grey.png'), self.read('rooms.png'))
+        self.refuse('draw', depot, '--rooms', '--plain', '-o', 'x.svg', says='--plain')
+        self.refuse('draw', depot, '--below', 'nan', '-o', 'x.svg', says='--below')
+        self.refuse(*view, 'x.png', '--below', '3', says='--view')
 
     def test_wild_casts(self):
         """Far, huge and endless ones make a page of ordinary size."""

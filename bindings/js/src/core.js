@@ -18,6 +18,8 @@ const FIXED = {
     near: layout.NEAR.sizeof,
     worldOptions: layout.WORLD_OPTIONS.sizeof,
     worldFacts: layout.WORLD_FACTS.sizeof,
+    room: layout.ROOM.sizeof,
+    portal: layout.PORTAL.sizeof,
     mesh: layout.MESH.sizeof,
     rules: layout.RULES.sizeof,
     facesView: layout.FACES_VIEW.sizeof,

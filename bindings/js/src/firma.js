@@ -118,6 +118,11 @@ export class Firma {
         return this.#worldFrom('firma_world_from_bsp', bytes(data, place, 'the file'), options, place);
     }
 
+    worldFromMap(data, options) {
+        const place = 'worldFromMap';
+        return this.#worldFrom('firma_world_from_map', bytes(data, place, 'the file', true), options, place);
+    }
+
     worldFromMesh(mesh, options) {
         const core = this.#core;
         const place = 'worldFromMesh';

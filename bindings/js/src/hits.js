@@ -2,7 +2,8 @@
 // Questions as the module takes them, and its answers as JavaScript has them.
 import { badCall } from './errors.js';
 import { CAST_OPTIONS, CAST_COUNTS, FEATURE_NAMES, HIT, NEAR, STATUS_NAMES } from './layout.js';
-import { flag, mask, number, object, vector } from './arguments.js';
+import { flag, mask, number, object, vector, word } from './arguments.js';
+import { NO_PORTAL } from './rooms.js';
 
 /** What `face` and `otherFace` of a batch are where there is none. */
 export const NO_FACE = 0xffffffff;
@@ -10,6 +11,14 @@ export const NO_FACE = 0xffffffff;
 const F64 = (offset) => offset >>> 3;
 const U32 = (offset) => offset >>> 2;
 const noFace = (id) => (id === NO_FACE ? null : id);
+const noPortal = (id) => (id === NO_PORTAL ? null : id);
+/** Rooms that a hit lists at most. */
+const PASSED = (HIT.portal - HIT.passed) / 4;
+const ROOMS = new Map([
+    [undefined, 0xffffffff],
+    ['any', 0xffffffff],
+    ['locate', 0xfffffffe],
+]);
 
 /** { centre, radius, path } to the fixed input. */
 export function putInput(core, input, place) {
@@ -37,12 +46,15 @@ export function putCastOptions(core, options, place) {
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
     const skin = options.skin === undefined ? -1 : number(options.skin, place, 'skin');
+    const room = ROOMS.get(options.room) ?? word(options.room, place, "room, where not 'any' or 'locate',");
     const at = core.at.castOptions;
     core.setU32(at + CAST_OPTIONS.size, CAST_OPTIONS.sizeof);
     core.setU32(at + CAST_OPTIONS.mask, bits);
     core.setU32(at + CAST_OPTIONS.sides, sides);
-    core.setU32(at + CAST_OPTIONS.reserved, 0);
+    core.setU32(at + CAST_OPTIONS.room, room);
     core.setF64(at + CAST_OPTIONS.skin, skin);
+    core.setU32(at + CAST_OPTIONS.passed, 0);
+    core.setU32(at + CAST_OPTIONS.passedCapacity, 0);
     return at;
 }
 
@@ -67,6 +79,8 @@ export function getHit(core, at) {
     const f64 = core.f64;
     const u32 = core.u32;
     const three = (k) => [f64[k], f64[k + 1], f64[k + 2]];
+    const roomsPassed = u32[w + U32(HIT.roomsPassed)];
+    const passed = w + U32(HIT.passed);
     return {
         status: STATUS_NAMES[u32[w + U32(HIT.status)]],
         fraction: f64[d + F64(HIT.fraction)],
@@ -83,7 +97,9 @@ export function getHit(core, at) {
         sourceEdit: u32[w + U32(HIT.sourceEdit)],
         material: u32[w + U32(HIT.material)],
         room: u32[w + U32(HIT.room)],
-        roomsPassed: u32[w + U32(HIT.roomsPassed)],
+        roomsPassed,
+        passed: Array.from(u32.subarray(passed, passed + Math.min(roomsPassed, PASSED))),
+        portal: noPortal(u32[w + U32(HIT.portal)]),
         version: core.getCount(at + HIT.version),
     };
 }
@@ -92,7 +108,8 @@ export function getNear(core, at) {
     return {
         point: core.getVector(at + NEAR.point),
         distance: core.getF64(at + NEAR.distance),
-        face: core.getU32(at + NEAR.face),
+        face: noFace(core.getU32(at + NEAR.face)),
+        portal: noPortal(core.getU32(at + NEAR.portal)),
         source: core.getU32(at + NEAR.source),
         sourceEdit: core.getU32(at + NEAR.sourceEdit),
         material: core.getU32(at + NEAR.material),
@@ -102,7 +119,7 @@ export function getNear(core, at) {
 }
 
 const BYTES = ['status', 'feature'];
-const WORDS = ['featureIndex', 'face', 'otherFace', 'source', 'sourceEdit', 'material', 'room', 'roomsPassed'];
+const WORDS = ['featureIndex', 'face', 'otherFace', 'source', 'sourceEdit', 'material', 'room', 'roomsPassed', 'portal'];
 const DOUBLES = ['fraction', 'safeFraction'];
 const VECTORS = ['centre', 'point', 'normal', 'faceNormal'];
 
@@ -125,6 +142,7 @@ export class HitBatch {
             if (batch.#capacity < count) {
                 for (const name of BYTES) batch[name] = new Uint8Array(count);
                 for (const name of WORDS) batch[name] = new Uint32Array(count);
+                batch.passed = new Uint32Array(PASSED * count);
                 for (const name of DOUBLES) batch[name] = new Float64Array(count);
                 for (const name of VECTORS) batch[name] = new Float64Array(3 * count);
                 batch.#capacity = count;
@@ -155,6 +173,8 @@ export class HitBatch {
             material: this.material[k],
             room: this.room[k],
             roomsPassed: this.roomsPassed[k],
+            passed: Array.from(this.passed.subarray(PASSED * k, PASSED * k + Math.min(this.roomsPassed[k], PASSED))),
+            portal: noPortal(this.portal[k]),
             version: this.version,
         };
     }
@@ -164,6 +184,7 @@ export class HitBatch {
 export function getHits(core, at, count, batch, begin) {
     const { f64, u32 } = core;
     const { status, feature, featureIndex, face, otherFace, source, sourceEdit, material, room, roomsPassed } = batch;
+    const { passed, portal } = batch;
     const { fraction, safeFraction, centre, point, normal, faceNormal } = batch;
     for (let k = 0; k < count; ++k) {
         const to = begin + k;
@@ -178,7 +199,10 @@ export function getHits(core, at, count, batch, begin) {
         sourceEdit[to] = u32[w + U32(HIT.sourceEdit)];
         material[to] = u32[w + U32(HIT.material)];
         room[to] = u32[w + U32(HIT.room)];
-        roomsPassed[to] = u32[w + U32(HIT.roomsPassed)];
+        const rooms = u32[w + U32(HIT.roomsPassed)];
+        roomsPassed[to] = rooms;
+        for (let p = 0; p < rooms && p < PASSED; ++p) passed[PASSED * to + p] = u32[w + U32(HIT.passed) + p];
+        portal[to] = u32[w + U32(HIT.portal)];
         fraction[to] = f64[d + F64(HIT.fraction)];
         safeFraction[to] = f64[d + F64(HIT.safeFraction)];
         for (let axis = 0; axis < 3; ++axis) {

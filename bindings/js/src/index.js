@@ -3,4 +3,5 @@
 export { loadFirma } from './load.js';
 export { FirmaError } from './errors.js';
 export { HitBatch, NO_FACE } from './hits.js';
+export { NO_PORTAL } from './rooms.js';
 export { FACE_SOLID, FACE_TWO_SIDED } from './layout.js';

@@ -23,6 +23,13 @@ export const CODE_NAMES = Object.freeze([
     'INTERNAL',
 ]);
 
+/** By the numbers of firma_where. */
+export const WHERE_NAMES = Object.freeze([
+    'room',
+    'solid',
+    'unsure',
+]);
+
 /** By the numbers of firma_status. */
 export const STATUS_NAMES = Object.freeze([
     'miss',
@@ -101,15 +108,16 @@ export const MESH = Object.freeze({
 
 /** firma_world_facts */
 export const WORLD_FACTS = Object.freeze({
-    sizeof: 88,
+    sizeof: 96,
     version: 0,
     faceCount: 8,
     roomCount: 16,
-    low: 24,
-    high: 48,
-    skin: 72,
-    materialCount: 80,
-    edits: 84,
+    portalCount: 24,
+    low: 32,
+    high: 56,
+    skin: 80,
+    materialCount: 88,
+    edits: 92,
 });
 
 /** firma_zone */
@@ -162,6 +170,32 @@ export const FACES_VIEW = Object.freeze({
     cornerCount: 12,
 });
 
+/** firma_room */
+export const ROOM = Object.freeze({
+    sizeof: 80,
+    low: 0,
+    high: 24,
+    faceCount: 48,
+    name: 56,
+    portals: 60,
+    portalCount: 64,
+    exterior: 68,
+    partOf: 72,
+});
+
+/** firma_portal */
+export const PORTAL = Object.freeze({
+    sizeof: 80,
+    low: 0,
+    high: 24,
+    name: 48,
+    rooms: 52,
+    material: 60,
+    mask: 64,
+    open: 68,
+    polygonCount: 72,
+});
+
 /** firma_cast_input */
 export const CAST_INPUT = Object.freeze({
     sizeof: 56,
@@ -172,17 +206,19 @@ export const CAST_INPUT = Object.freeze({
 
 /** firma_cast_options */
 export const CAST_OPTIONS = Object.freeze({
-    sizeof: 24,
+    sizeof: 32,
     size: 0,
     mask: 4,
     sides: 8,
-    reserved: 12,
+    room: 12,
     skin: 16,
+    passed: 24,
+    passedCapacity: 28,
 });
 
 /** firma_hit */
 export const HIT = Object.freeze({
-    sizeof: 160,
+    sizeof: 200,
     fraction: 0,
     safeFraction: 8,
     centre: 16,
@@ -200,6 +236,9 @@ export const HIT = Object.freeze({
     material: 148,
     room: 152,
     roomsPassed: 156,
+    passed: 160,
+    portal: 192,
+    reserved: 196,
 });
 
 /** firma_cast_counts */
@@ -213,7 +252,7 @@ export const CAST_COUNTS = Object.freeze({
 
 /** firma_near */
 export const NEAR = Object.freeze({
-    sizeof: 56,
+    sizeof: 64,
     point: 0,
     distance: 24,
     face: 32,
@@ -222,6 +261,8 @@ export const NEAR = Object.freeze({
     material: 44,
     feature: 48,
     featureIndex: 52,
+    portal: 56,
+    reserved: 60,
 });
 
 /** firma_pose */

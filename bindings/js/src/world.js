@@ -18,6 +18,7 @@ import {
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { takeDiff, takeFaces } from './faces.js';
+import { getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
 import { putRules } from './rules.js';
 
 /** All of a list whose length is not known before: asks again when there is no room for all. */
@@ -52,6 +53,7 @@ export class World extends Handle {
             version: core.getCount(at + WORLD_FACTS.version),
             faceCount: core.getCount(at + WORLD_FACTS.faceCount),
             roomCount: core.getCount(at + WORLD_FACTS.roomCount),
+            portalCount: core.getCount(at + WORLD_FACTS.portalCount),
             low: core.getVector(at + WORLD_FACTS.low),
             high: core.getVector(at + WORLD_FACTS.high),
             skin: core.getF64(at + WORLD_FACTS.skin),
@@ -143,7 +145,7 @@ export class World extends Handle {
         if (status === 3)
             throw new FirmaError(
                 'OUT_OF_RANGE',
-                'castAny: a number is not finite or too large, or the radius negative',
+                'castAny: a number is not finite or too large, the radius negative, or there is no such room',
             );
         return status !== 0;
     }
@@ -211,6 +213,39 @@ export class World extends Handle {
         core.setVector(core.at.input, vector(point, 3, 'inSolid', 'point'));
         core.run('firma_in_solid', this[ID], core.at.input, core.at.out);
         return [false, true, null][core.getU32(core.at.out)];
+    }
+
+    locate(point) {
+        return locate(this[CORE], this[ID], point);
+    }
+
+    room(room) {
+        return getRoom(this[CORE], this[ID], room);
+    }
+
+    portal(portal) {
+        return getPortal(this[CORE], this[ID], portal);
+    }
+
+    setPortalOpen(portal, open) {
+        const core = this[CORE];
+        word(portal, 'setPortalOpen', 'the portal');
+        if (typeof open !== 'boolean') throw badCall('setPortalOpen', 'open must be true or false');
+        return new World(core, makeHandle(core, 'firma_world_set_portal_open', this[ID], portal, open ? 1 : 0));
+    }
+
+    neighbours(room) {
+        return getNeighbours(this[CORE], this[ID], room, this.#roomCount());
+    }
+
+    path(from, to, options) {
+        return getPath(this[CORE], this[ID], from, to, options, this.#roomCount());
+    }
+
+    #roomCount() {
+        const core = this[CORE];
+        core.run('firma_world_get_facts', this[ID], core.at.worldFacts);
+        return core.getCount(core.at.worldFacts + WORLD_FACTS.roomCount);
     }
 
     carve(cutter, pose, options) {

@@ -30,6 +30,8 @@ test('a hit has all that the C API says', () => {
             sourceEdit: 0,
             room: 0,
             roomsPassed: 1,
+            passed: [0],
+            portal: null,
             version: 0,
         });
         assert.ok(safeFraction < 0.5 && safeFraction > 0.499);

@@ -63,6 +63,7 @@ const makers = [
         mask: pick(oddNumbers),
         bothSides: pick([true, false, 2]),
         skin: pick(oddNumbers),
+        room: pick([undefined, 'any', 'locate', 0, 5, ...oddNumbers]),
         counts: pick([{}, 5, undefined]),
     }),
     () => ({

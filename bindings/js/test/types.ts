@@ -7,14 +7,18 @@ import {
     HitBatch,
     loadFirma,
     NO_FACE,
+    NO_PORTAL,
     type CarveReport,
     type CastCounts,
     type Diff,
     type Face,
     type Faces,
     type Hit,
+    type Location,
     type Mesh,
     type Near,
+    type Portal,
+    type Room,
     type StoreFacts,
     type World,
     type WorldFacts,
@@ -41,6 +45,7 @@ const world: World = firma.worldFromObj('v 0 0 0', {
 });
 firma.worldFromObj(new Uint8Array(1));
 firma.worldFromBsp(new ArrayBuffer(1), {});
+firma.worldFromMap('{}', { scale: 1 }).release();
 const mesh: Mesh = {
     positions: [0, 0, 0],
     corners: Uint32Array.of(0, 1, 2),
@@ -83,6 +88,18 @@ const none: boolean = batch.face[0] === NO_FACE;
 const near: Near[] = world.overlap([1, 2, 3], 1, 1);
 const closest: Near | null = world.closest([1, 2, 3], 5, 1);
 const solid: boolean | null = world.inSolid([1, 2, 3]);
+
+const place: Location = world.locate([1, 2, 3]);
+if (place.room !== null) world.cast(input, { room: place.room }).passed.includes(place.room);
+world.castAny(input, { room: 'locate' });
+// @ts-expect-error no such word
+world.castAny(input, { room: 'here' });
+const room: Room = world.room(0);
+const portal: Portal = world.portal(room.portals[0] ?? NO_PORTAL);
+const rim: Float64Array | undefined = portal.polygons[0];
+const door: World = world.setPortalOpen(0, false);
+const path: number[] | null = door.path(0, portal.rooms[1], { allOpen: true });
+const beside: number[] = world.neighbours(0);
 
 const cutter = firma.crater('rocky', 5n);
 firma.cutterFromMesh([0, 0, 0], [0, 1, 2], 'name');

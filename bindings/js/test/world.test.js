@@ -30,6 +30,7 @@ test('facts, check, measure, memory', () => {
                 version: 0,
                 faceCount: 5944,
                 roomCount: 1,
+            portalCount: 0,
                 low: [2, -10, -1.285888671875],
                 high: [79, 48, 9.5],
                 skin: 0.001,

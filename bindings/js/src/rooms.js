@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Rooms and portals as JavaScript has them.
+import { takeFaces } from './faces.js';
+import { makeHandle } from './handle.js';
+import { PORTAL, ROOM, WHERE_NAMES } from './layout.js';
+import { flag, object, vector, word } from './arguments.js';
+
+/** What `portal` of a batch is where there is none. */
+export const NO_PORTAL = 0xffffffff;
+
+/** { where, room } of a point. */
+export function locate(core, id, point) {
+    const { input, out } = core.at;
+    core.setVector(input, vector(point, 3, 'locate', 'point'));
+    core.run('firma_world_locate', id, input, out, out + 4);
+    const where = WHERE_NAMES[core.getU32(out)];
+    return { where, room: where === 'room' ? core.getU32(out + 4) : null };
+}
+
+export function getRoom(core, id, room) {
+    const at = core.at.room;
+    core.run('firma_world_room', id, word(room, 'room', 'the room'), at);
+    const portals = core.getU32(at + ROOM.portals) >>> 2;
+    return {
+        name: core.text(core.getU32(at + ROOM.name)),
+        low: core.getVector(at + ROOM.low),
+        high: core.getVector(at + ROOM.high),
+        faceCount: core.getCount(at + ROOM.faceCount),
+        exterior: core.getU32(at + ROOM.exterior) !== 0,
+        partOf: core.getU32(at + ROOM.partOf),
+        portals: Array.from(core.u32.subarray(portals, portals + core.getU32(at + ROOM.portalCount))),
+    };
+}
+
+export function getPortal(core, id, portal) {
+    const at = core.at.portal;
+    core.run('firma_world_portal', id, word(portal, 'portal', 'the portal'), at);
+    const info = {
+        name: core.text(core.getU32(at + PORTAL.name)),
+        low: core.getVector(at + PORTAL.low),
+        high: core.getVector(at + PORTAL.high),
+        rooms: [core.getU32(at + PORTAL.rooms), core.getU32(at + PORTAL.rooms + 4)],
+        material: core.getU32(at + PORTAL.material),
+        mask: core.getU32(at + PORTAL.mask),
+        open: core.getU32(at + PORTAL.open) !== 0,
+    };
+    const faces = takeFaces(core, makeHandle(core, 'firma_world_portal_polygons', id, portal));
+    info.polygons = Array.from(faces.firstCorners, (first, k) =>
+        faces.corners.slice(3 * first, 3 * (first + faces.cornerCounts[k])),
+    );
+    return info;
+}
+
+/** Numbers that a call writes, as many as it says there are: ask(at, capacity, count). */
+function getWords(core, most, ask) {
+    return core.borrow((lent) => {
+        const at = lent.take(4 * most);
+        ask(at, most, core.at.out);
+        return Array.from(core.u32.subarray(at >>> 2, (at >>> 2) + core.getU32(core.at.out)));
+    });
+}
+
+/** @param most  how many rooms there are */
+export function getNeighbours(core, id, room, most) {
+    word(room, 'neighbours', 'the room');
+    return getWords(core, most, (at, capacity, count) => {
+        core.run('firma_world_neighbours', id, room, at, capacity, count);
+    });
+}
+
+/** @param most  how many rooms there are: the shortest way passes each once */
+export function getPath(core, id, from, to, options, most) {
+    word(from, 'path', 'the first room');
+    word(to, 'path', 'the last room');
+    const allOpen = flag(object(options, 'path', 'the options').allOpen, 'path', 'allOpen');
+    const found = core.at.out + 8;
+    const portals = getWords(core, most, (at, capacity, count) => {
+        core.run('firma_world_path', id, from, to, allOpen, at, capacity, count, found);
+    });
+    return core.getU32(found) === 0 ? null : portals;
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// Levels of brushes, their rooms and portals, doors, and casts by room.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { HitBatch, NO_PORTAL } from '../src/index.js';
+import { firma, levelBytes, releasing, throwsCode } from './helpers.js';
+
+const depot = readFileSync(new URL('../../../levels/depot.map', import.meta.url));
+
+/** A brush in units of the file: six sides, clockwise seen from outside; the one at low x with its own texture. */
+function box(low, high, texture, lowX = texture) {
+    const at = (...bits) => `( ${bits.map((bit, axis) => (bit ? high : low)[axis]).join(' ')} )`;
+    const sides = [
+        [at(0, 0, 0), at(0, 1, 0), at(0, 0, 1), lowX],
+        [at(1, 0, 0), at(1, 0, 1), at(1, 1, 0), texture],
+        [at(0, 0, 0), at(0, 0, 1), at(1, 0, 0), texture],
+        [at(0, 1, 0), at(1, 1, 0), at(0, 1, 1), texture],
+        [at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), texture],
+        [at(0, 0, 1), at(0, 1, 1), at(1, 0, 1), texture],
+    ];
+    return `{\n${sides.map((side) => `${side.join(' ')} 0 0 0 1 1\n`).join('')}}\n`;
+}
+
+/** Two rooms of 4 m along x within walls of half a metre, a portal between them at x = 4. */
+const twoRooms =
+    `{\n"classname" "worldspawn"\n${box([-16, -16, -16], [0, 144, 144], 'wall')}${box([256, -16, -16], [272, 144, 144], 'wall')}` +
+    `${box([0, -16, -16], [256, 0, 144], 'wall')}${box([0, 128, -16], [256, 144, 144], 'wall')}` +
+    `${box([0, 0, -16], [256, 128, 0], 'floor')}${box([0, 0, 128], [256, 128, 144], 'roof')}}\n` +
+    `{\n"classname" "func_areaportal"\n"targetname" "gate"\n${box([128, -8, -8], [130, 136, 136], 'skip', 'portal')}}\n` +
+    '{\n"classname" "firma_room"\n"name" "größe"\n"origin" "32 64 64"\n}\n';
+const withRooms = (work) => releasing([firma.worldFromMap(twoRooms, { name: 'two.map' })], work);
+const roomAt = (world, x) => world.locate([x, 2, 2]).room;
+
+test('a .map from a string and from bytes', () => {
+    withRooms((world) => {
+        const facts = world.facts();
+        assert.deepEqual([facts.roomCount, facts.portalCount], [3, 1]);
+        assert.deepEqual(facts.materials.filter((name) => ['wall', 'floor', 'roof'].includes(name)).length, 3);
+        world.check();
+        assert.equal(world.measure().volume, 9 * 5 * 5 - 8 * 4 * 4);
+        releasing([firma.worldFromMap(new TextEncoder().encode(twoRooms))], (again) =>
+            assert.equal(again.hash(), world.hash()),
+        );
+        releasing([firma.worldFromMap(twoRooms, { scale: 1 })], (large) => assert.equal(large.facts().high[0], 272));
+    });
+    throwsCode('MALFORMED', () => firma.worldFromMap('{\n{ ( 1 2', { name: 'torn.map' }), /torn\.map:2/);
+    throwsCode('BAD_CALL', () => firma.worldFromMap(5));
+});
+
+test('where a point is', () => {
+    withRooms((world) => {
+        assert.equal(new Set([1, 7, 99].map((x) => roomAt(world, x))).size, 3);
+        assert.deepEqual(world.locate([-0.25, 2, 2]), { where: 'solid', room: null });
+        assert.deepEqual(world.locate([2, 2, 0]), { where: 'unsure', room: null });
+        throwsCode('OUT_OF_RANGE', () => world.locate([0, NaN, 0]));
+        throwsCode('BAD_CALL', () => world.locate([0, 0]));
+    });
+});
+
+test('rooms and portals, and what leads where', () => {
+    withRooms((world) => {
+        const [west, east, outside] = [1, 7, 99].map((x) => roomAt(world, x));
+        assert.deepEqual(world.room(west), {
+            name: 'größe',
+            low: [0, 0, 0],
+            high: [4, 4, 4],
+            faceCount: 5,
+            exterior: false,
+            partOf: west,
+            portals: [0],
+        });
+        assert.equal(world.room(outside).exterior, true);
+        const { polygons, mask, material, ...portal } = world.portal(0);
+        const rooms = [...portal.rooms];
+        assert.deepEqual(portal, { name: 'gate', low: [4, 0, 0], high: [4, 4, 4], rooms, open: true });
+        assert.deepEqual(rooms.sort(), [west, east].sort());
+        assert.ok(mask !== 0 && material < world.facts().materials.length);
+        let area = 0;
+        for (const corners of polygons)
+            for (let k = 3; k + 3 < corners.length; k += 3) {
+                const [a, b, c] = [0, k, k + 3].map((at) => corners.subarray(at, at + 3));
+                area += ((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])) / 2;
+            }
+        assert.equal(Math.abs(area), 16);
+        assert.equal(Math.sign(area), portal.rooms[0] === west ? -1 : 1); // counter-clockwise seen from rooms[0]
+
+        assert.deepEqual(world.neighbours(west), [east]);
+        assert.deepEqual(world.neighbours(outside), []);
+        assert.deepEqual(world.path(west, east), [0]);
+        assert.deepEqual(world.path(west, west), []);
+        assert.equal(world.path(west, outside, { allOpen: true }), null);
+        for (const call of [() => world.room(3), () => world.portal(1), () => world.neighbours(3), () => world.path(0, 3)])
+            throwsCode('INVALID', call, /no (room|portal) \d/);
+        for (const call of [() => world.room(-1), () => world.portal(), () => world.path(0), () => world.neighbours(0.5)])
+            throwsCode('BAD_CALL', call);
+        throwsCode('BAD_CALL', () => world.path(0, 1, { allOpen: 1 }));
+    });
+});
+
+test('a closed door is a wall', () => {
+    withRooms((open) => {
+        const [west, east] = [1, 7].map((x) => roomAt(open, x));
+        releasing([open.setPortalOpen(0, false)], (closed) => {
+            assert.equal(closed.facts().version, 1);
+            assert.equal(closed.portal(0).open, false);
+            assert.equal(closed.path(west, east), null);
+            assert.deepEqual(closed.path(west, east, { allOpen: true }), [0]);
+            const hit = closed.cast({ centre: [1, 2, 2], radius: 0.5, path: [6, 0, 0] });
+            assert.deepEqual([hit.status, hit.portal, hit.face, hit.fraction], ['hit', 0, null, 2.5 / 6]);
+            const near = closed.closest([3.5, 2, 2], 1);
+            assert.deepEqual([near.portal, near.face, near.distance], [0, null, 0.5]);
+            assert.deepEqual(closed.overlap([3.5, 2, 2], 1).map((one) => one.portal), [0]);
+            assert.equal(open.closest([3.5, 2, 2], 1), null);
+            releasing([closed.setPortalOpen(0, true)], (again) => assert.equal(again.closest([3.5, 2, 2], 1), null));
+        });
+        throwsCode('BAD_CALL', () => open.setPortalOpen(0, 1));
+        throwsCode('INVALID', () => open.setPortalOpen(5, true));
+    });
+});
+
+test('casts by room', () => {
+    withRooms((world) => {
+        const [west, east] = [1, 7].map((x) => roomAt(world, x));
+        const through = { centre: [1, 2, 2], radius: 0.5, path: [10, 0, 0] };
+        const any = world.cast(through);
+        assert.deepEqual([any.roomsPassed, any.passed, any.portal, any.room], [0, [], null, east]);
+        for (const room of [west, 'locate']) {
+            const hit = world.cast(through, { room });
+            assert.deepEqual({ ...hit, roomsPassed: 0, passed: [] }, any);
+            assert.deepEqual(hit.passed, [west, east]);
+            assert.equal(world.castAny(through, { room }), true);
+            assert.equal(world.castAll(through, { room })[0].face, any.face);
+            const batch = world.castBatch([...through.centre, 0.5, ...through.path], { room }, new HitBatch());
+            assert.deepEqual(batch.hit(0), hit);
+            assert.equal(batch.portal[0], NO_PORTAL);
+        }
+        assert.deepEqual(world.cast(through, { room: 'any' }), any);
+        assert.equal(world.cast(through, { room: 17 }).status, 'invalid');
+        throwsCode('OUT_OF_RANGE', () => world.castAny(through, { room: 17 }), /no such room/);
+        for (const room of [-1, 'toString', null, 1.5]) throwsCode('BAD_CALL', () => world.cast(through, { room }));
+    });
+});
+
+test('the depot: rooms by name, ways, a cut that joins two of them', () => {
+    releasing([firma.worldFromMap(depot, { name: 'depot.map' })], (world) => {
+        const { roomCount, portalCount } = world.facts();
+        assert.ok(roomCount > 12 && portalCount > 12);
+        const rooms = Array.from({ length: roomCount }, (_, k) => world.room(k));
+        const named = (name) => rooms.findIndex((room) => room.name === name);
+        const [hall, boilers] = [named('hall'), named('boiler_room')];
+        assert.ok(hall >= 0 && boilers >= 0);
+        assert.equal(rooms.filter((room) => room.exterior).length, 1);
+        const way = world.path(hall, boilers);
+        let room = hall;
+        for (const k of way) {
+            const { rooms: pair } = world.portal(k);
+            assert.ok(pair.includes(room));
+            room = pair[0] === room ? pair[1] : pair[0];
+        }
+        assert.equal(room, boilers);
+        const portal = world.portal(way[0]);
+        const middle = portal.low.map((x, axis) => (x + portal.high[axis]) / 2);
+        releasing([firma.crater('rocky', 1)], (cutter) => {
+            const { world: after, report } = world.carve(cutter, { position: [middle[0], middle[1], portal.low[2]] });
+            releasing([after], () => {
+                assert.equal(report.status, 'done');
+                assert.equal(after.portal(way[0]).polygons.length, 0); // the air of both is one
+                const [low, high] = [...portal.rooms].sort((a, b) => a - b);
+                assert.equal(after.room(high).partOf, low);
+                after.check();
+            });
+        });
+    });
+});
+
+test('a level without rooms has one', () => {
+    releasing([firma.worldFromObj(levelBytes)], (world) => {
+        assert.deepEqual([world.facts().roomCount, world.facts().portalCount], [1, 0]);
+        assert.equal(world.room(0).faceCount, world.facts().faceCount);
+        assert.deepEqual(world.neighbours(0), []);
+        throwsCode('INVALID', () => world.portal(0));
+    });
+});

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Where a node stands.
+// Source: Khronos Group, glTF 2.0 Specification, 2021, section 3.5.3.
+#include "gltf/placement.h"
+
+namespace firma::gltf {
+namespace {
+
+/// Of any quaternion but zero, by its length: entries of quarter turns come out as 0, 1 and -1 exactly, whatever
+/// rounding their sine and cosine had, so what write_glb() turned comes back to the bit.
+std::optional<Placement> rotation(const std::vector<double>& q) {
+    const double x = q[0], y = q[1], z = q[2], w = q[3];
+    const double xx = x * x, yy = y * y, zz = z * z, ww = w * w;
+    const double n = xx + yy + zz + ww;
+    if (!(n > 0) || !std::isfinite(n)) return std::nullopt;
+    Placement turn;
+    turn.column[0] = {(ww + xx - yy - zz) / n, 2 * (x * y + w * z) / n, 2 * (x * z - w * y) / n};
+    turn.column[1] = {2 * (x * y - w * z) / n, (ww - xx + yy - zz) / n, 2 * (y * z + w * x) / n};
+    turn.column[2] = {2 * (x * z + w * y) / n, 2 * (y * z - w * x) / n, (ww - xx - yy + zz) / n};
+    return turn;
+}
+
+}  // namespace
+
+Placement operator*(const Placement& outer, const Placement& inner) {
+    Placement both;
+    for (std::size_t k = 0; k < 3; ++k) both.column[k] = outer.turned(inner.column[k]);
+    both.column[3] = outer.turned(inner.column[3]) + outer.column[3];
+    return both;
+}
+
+Placement placement_of_file(int up, double scale) {
+    Placement file;
+    if (up == 2) {  // x, y, z -> x, -z, y
+        file.column = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}, Vec3{}};
+    } else if (up == 0) {  // x, y, z -> y, -x, z
+        file.column = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{}};
+    }
+    for (Vec3& column : file.column) column = column * scale;
+    return file;
+}
+
+std::optional<Placement> placement_of(const tinygltf::Node& node) {
+    Placement own;
+    if (!node.matrix.empty()) {
+        const std::vector<double>& m = node.matrix;  // column by column
+        if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) return std::nullopt;
+        for (std::size_t k = 0; k < 4; ++k) own.column[k] = {m[4 * k], m[4 * k + 1], m[4 * k + 2]};
+        return own;
+    }
+    if (!node.rotation.empty()) {
+        const std::optional<Placement> turn = rotation(node.rotation);
+        if (!turn) return std::nullopt;
+        own = *turn;
+    }
+    if (!node.scale.empty())
+        for (std::size_t k = 0; k < 3; ++k) own.column[k] = own.column[k] * node.scale[k];
+    if (!node.translation.empty()) own.column[3] = {node.translation[0], node.translation[1], node.translation[2]};
+    return own;
+}
+
+}  // namespace firma::gltf

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The nodes of a glTF file's scene, each with what it has from its parents.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "firma/result.h"
+#include "gltf/gltf_file.h"
+#include "gltf/placement.h"
+
+namespace firma::gltf {
+
+struct SceneNode {
+    std::uint32_t index = 0;
+    Placement placement;  ///< to the level's metres
+    bool portal = false;
+    std::uint32_t mask = ~0u;
+    std::uint32_t named = 0;  ///< the node itself, or the nearest above that has a name
+};
+
+/// Of the default scene, else the first, else all nodes; a parent before its children, in the file's order.
+/// @param notes  as meaning_of()'s
+/// @return kMalformed for a scene or node that is not there, a node reached twice (as in a loop), a transform that is
+///         not affine
+Result<std::vector<SceneNode>> scene_nodes(const GltfFile& file, const Placement& root, std::set<std::string>& notes);
+
+}  // namespace firma::gltf

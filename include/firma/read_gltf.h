@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Reads glTF 2.0 into a level. In a library of its own, firma_gltf, as it leans on tinygltf.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "firma/check_mesh.h"
+#include "firma/grid.h"
+#include "firma/level.h"
+#include "firma/result.h"
+#include "firma/vec.h"
+#include "firma/world.h"
+
+namespace firma {
+
+struct GltfOptions {
+    double scale = 1;  ///< metres a unit of the file, > 0
+    /// Axis of the level that glTF's y, which points up, becomes: 0 .. 2. What write_glb() turned to y comes back.
+    int up = 2;
+    /// Of all triangles of all instances; meshes may be placed many times by a small file.
+    std::uint64_t most_triangles = std::uint64_t(1) << 26;
+};
+
+/// A node of the scene, in the order of the file's tree: parents before children.
+struct GltfNode {
+    std::uint32_t index = 0;  ///< in the file
+    std::string name;         ///< UTF-8, may be empty
+    Vec3 origin;              ///< where it stands, metres, in the level's axes
+    /// Members of `extras`: texts as they are, anything else as JSON.
+    std::vector<std::pair<std::string, std::string>> extras;
+
+    /// The text of an extra, or "".
+    std::string_view value(std::string_view key) const {
+        for (const auto& [name_of, text] : extras)
+            if (name_of == key) return text;
+        return {};
+    }
+};
+
+/// What a node says is a portal: convex, exactly planar polygons of 3 to 64 corners, counter-clockwise seen from the
+/// front of the file's triangles. They are not faces of the level.
+struct GltfPortal {
+    std::string name;        ///< the node's
+    std::uint32_t node = 0;  ///< index in the file
+    std::vector<std::vector<GridPoint>> polygons;
+};
+
+struct GltfLevel {
+    /// Sources are triangles, numbered from 0 in order of node, primitive and triangle, those of portals left out; a
+    /// face of several has the number of the first. Groups are names of nodes.
+    Level level;
+    std::vector<GltfPortal> portals;
+    std::vector<GltfNode> nodes;     ///< all of the scene, with meshes or without
+    std::vector<std::string> notes;  ///< what was left out or not understood: a sentence for each kind of thing
+    std::vector<Vec3> note_places;   ///< for each of Level::notes the first corner of the triangles in question, metres
+};
+
+/// Reads a .gltf or .glb: the triangles of all meshes that stand in the default scene. docs/formats.md says what is
+/// kept, dropped, refused.
+///
+/// @param bytes   the whole file, either form
+/// @param name    for messages
+/// @param folder  where files that it names lie; empty: a file that names any is refused
+/// @return the level, or the first error with its place: what breaks glTF or its JSON, an index, offset or size beyond
+///         what it is an index of, a vertex that is not finite or outside the world, a required extension that changes
+///         what is read, nodes in a loop, too many triangles, no triangle at all
+Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::string name, const GltfOptions& options = {},
+                            const std::string& folder = {});
+
+/// The same of a file; buffers may lie in files beside it or below.
+Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options = {});
+
+/// Checks the level as it was snapped, not the file's own floats: nodes place a vertex by products that are rounded, so
+/// that corners that were meant to meet differ in their last bits. Faults and positions are exact on the grid, sources
+/// as the level has them; notes are those of the level: dropped and divided.
+MeshCheck check_gltf(const GltfLevel& gltf);
+
+struct GltfRooms {
+    std::vector<std::uint32_t> idle;  ///< indices into GltfLevel::portals: with one room on both sides, or parts of it
+    std::string undivided;            ///< why there is one room, though there are portals; empty where they divide it
+};
+
+/// The level as a world, its air divided into rooms by the file's portals: what of them lies in the air. Faces that
+/// bound closed solids are cut where portals meet them, and stay carvable; others are put where their middles lie.
+/// Without portals, and where they cannot be used, it is make_world(gltf.level, options).
+/// @param report  may be null
+Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options = {}, GltfRooms* report = nullptr);
+
+}  // namespace firma

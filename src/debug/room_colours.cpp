@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Rooms in pictures: see the header.
+#include "debug/room_colours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "firma/masks.h"
+#include "tree/visit.h"
+#include "world/world_data.h"
+
+namespace firma::debug {
+namespace {
+
+constexpr Vec3 kExterior{0.62, 0.64, 0.66};
+// Neighbours in this list are far apart; none is grey, and none the brown of what edits make.
+constexpr std::array<Vec3, 11> kHues = {{{0.31, 0.47, 0.66},
+                                         {0.95, 0.56, 0.17},
+                                         {0.35, 0.63, 0.31},
+                                         {0.88, 0.34, 0.35},
+                                         {0.46, 0.72, 0.70},
+                                         {0.69, 0.48, 0.63},
+                                         {0.93, 0.79, 0.28},
+                                         {0.25, 0.65, 0.85},
+                                         {0.98, 0.58, 0.66},
+                                         {0.62, 0.80, 0.35},
+                                         {0.48, 0.40, 0.80}}};
+
+bool is_exterior(const World& world, RoomId room) {
+    const auto& records = world.data().room_records;
+    return records && (*records)[room.value].exterior;
+}
+
+/// Only who walks meets it.
+bool is_clip(const Face& face) {
+    return (face.mask & (kStopsSight | kStopsShots | kStopsLiquid)) == 0;
+}
+
+}  // namespace
+
+std::vector<RoomId> rooms_of_faces(const World& world, std::span<const Face> faces) {
+    std::vector<RoomId> rooms(faces.size());
+    const WorldData& data = world.data();
+    for (std::uint32_t room = 0; room < data.rooms.size(); ++room) {
+        const Block* tree = data.rooms[room]->tree.get();
+        if (!tree) continue;
+        for_each_face_block(*tree, [&](const Block& block) {
+            for (const FaceRecord& record : block.faces) {
+                const auto found = std::lower_bound(faces.begin(), faces.end(), record.id,
+                                                    [](const Face& f, FaceId id) { return f.id < id; });
+                if (found != faces.end() && found->id == record.id) rooms[std::size_t(found - faces.begin())] = {room};
+            }
+        });
+    }
+    return rooms;
+}
+
+Vec3 room_colour(RoomId room, bool exterior) {
+    if (exterior) return kExterior;
+    const Vec3 hue = kHues[room.value % kHues.size()];
+    switch (room.value / kHues.size() % 3) {
+        case 1:
+            return mixed(hue, kWhite, 0.35);
+        case 2:
+            return hue * 0.75;
+        default:
+            return hue;
+    }
+}
+
+std::string hex_colour(const Vec3& colour) {
+    constexpr char kHex[] = "0123456789abcdef";
+    std::string text = "#";
+    for (int part = 0; part < 3; ++part) {
+        const int value = int(std::clamp(colour[part], 0.0, 1.0) * 255 + 0.5);
+        text += kHex[value / 16];
+        text += kHex[value % 16];
+    }
+    return text;
+}
+
+std::string room_label(const World& world, RoomId room) {
+    const auto& records = world.data().room_records;
+    const std::string name = records ? (*records)[room.value].name : std::string();
+    return std::to_string(room.value) + (name.empty() ? "" : " " + name);
+}
+
+std::size_t count_inner_rooms(const World& world) {
+    std::size_t count = 0;
+    for (std::uint32_t room = 0; room < world.room_count(); ++room)
+        count += world.data().rooms[room]->tree.get() != nullptr && !is_exterior(world, {room});
+    return count;
+}
+
+std::vector<Face> faces_to_show(const World& world) {
+    std::vector<Face> faces = world.faces();
+    const std::vector<RoomId> rooms = rooms_of_faces(world, faces);
+    const auto outside =
+        std::size_t(std::count_if(rooms.begin(), rooms.end(), [&](RoomId room) { return is_exterior(world, room); }));
+    const bool whole = 2 * outside > faces.size();
+    std::vector<Face> shown;
+    for (std::size_t k = 0; k < faces.size(); ++k)
+        if ((whole || !is_exterior(world, rooms[k])) && !is_clip(faces[k])) shown.push_back(std::move(faces[k]));
+    return shown;
+}
+
+}  // namespace firma::debug
