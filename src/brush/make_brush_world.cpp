@@ -42,7 +42,8 @@ private:
     void add_materials() {
         parts_.materials = level_.materials;
         std::unordered_map<std::string, std::uint32_t> known;
-        for (std::uint32_t k = 0; k < parts_.materials.size(); ++k) known.try_emplace(std::string(parts_.materials[k]), k);
+        for (std::uint32_t k = 0; k < parts_.materials.size(); ++k)
+            known.try_emplace(std::string(parts_.materials[k]), k);
         for (const std::string& name : level_.surfaces.materials) {
             const auto [it, is_new] = known.try_emplace(std::string(name), std::uint32_t(parts_.materials.size()));
             if (is_new) parts_.materials.push_back(name);

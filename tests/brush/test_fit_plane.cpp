@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/exact_plane.h"
 #include "brush/plane_families.h"
+#include "geometry/exact_plane.h"
 #include "scenes/rng.h"
 
 namespace firma {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "brush/brush_kinds.h"
 #include "firma/brush_level.h"
 #include "firma/masks.h"
 #include "geometry/exact_plane.h"
-#include "brush/brush_kinds.h"
 #include "scenes/rng.h"
 #include "tests/level/bsp_writer.h"
 
