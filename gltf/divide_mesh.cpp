@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "firma/rooms.h"
-#include "gltf/room_sides.h"
+#include "join/portal_cutter.h"
 #include "tree/box_tree.h"
 
 namespace firma::gltf {
@@ -17,14 +17,14 @@ constexpr std::size_t kMostParts = std::size_t(1) << 14;  // of portals; each cu
 class Divider {
 public:
     Divider(const GltfLevel& gltf, const LevelSolids& solids, const World& plain)
-        : gltf_(gltf), solids_(solids), plain_(plain), made_(std::make_unique<DividedMesh>()) {}
+        : gltf_(gltf), solids_(solids), plain_(plain), made_(std::make_unique<DividedMesh>()), cutter_(made_->tables) {}
 
     std::unique_ptr<DividedMesh> divide() {
         make_faces();
         if (!cut_portals()) return failed("its portals are cut into too many parts");
-        divide_at_portals(made_->portals);
-        divide_at_portals(made_->faces);
-        merge_pieces(tables(), made_->portals, [&](std::uint32_t from, std::uint32_t to) { return meets(from, to); });
+        cutter_.divide_at_portals(made_->portals);
+        cutter_.divide_at_portals(made_->faces);
+        cutter_.merge_between_portals(made_->portals);
 
         std::vector<ConvexPiece> portals;
         for (const JoinPiece& portal : made_->portals) portals.push_back(portal.piece);
@@ -37,9 +37,9 @@ public:
         made_->facets = make_join_facets(tables(), planes, made_->arrangement);
         if (!made_->facets.unsound.empty()) return failed("a portal cuts a face too thin for the grid");
 
-        const RoomSides sides(made_->faces.size(), portals.size(), made_->facets, solids_.rock_outside);
-        made_->room_of_side = sides.rooms(made_->arrangement.seen_together, made_->room_count);
-        add_loose(sides);
+        const RoomFinder finder(made_->faces.size(), portals.size(), made_->facets, solids_.rock_outside);
+        made_->rooms = finder.find(made_->arrangement.seen_together);
+        add_loose(finder);
         return std::move(made_);
     }
 
@@ -83,12 +83,7 @@ private:
                     if (in_air(part)) made_->portals.push_back({std::move(part), k, k, 0});
                 if (made_->portals.size() > kMostParts) return false;
             }
-        std::vector<GridBox> boxes;
-        for (const JoinPiece& portal : made_->portals) {
-            portal_planes_.push_back(portal.piece.plane);
-            boxes.push_back(box_of(portal));
-        }
-        portal_tree_ = BoxTree(boxes);
+        cutter_.set_portals(made_->portals);
         return true;
     }
 
@@ -154,52 +149,15 @@ private:
         return locate(plain_, middle).kind == Location::Kind::kRoom;
     }
 
-    /// Divides what reaches through a portal, or past one nearby, by its plane.
-    void divide_at_portals(std::vector<JoinPiece>& pieces) {
-        ConvexPiece behind, front;
-        for (std::size_t k = 0; k < pieces.size(); ++k) {
-            near_.clear();
-            portal_tree_.for_each_meeting(box_of(pieces[k]), [&](std::uint32_t portal) {
-                near_.push_back(portal);
-                return false;
-            });
-            std::sort(near_.begin(), near_.end());
-            for (const std::uint32_t portal : near_) {
-                if (same_plane(pieces[k].piece.plane, portal_planes_[portal])) continue;
-                firma::divide(tables(), pieces[k].piece, portal_planes_[portal], behind, front);
-                if (behind.sides.empty() || front.sides.empty()) continue;
-                JoinPiece other = pieces[k];
-                other.piece = front;
-                pieces[k].piece = behind;
-                pieces.push_back(std::move(other));
-            }
-        }
-    }
-
-    /// Whether portals of two planes meet in a side: it has to stay.
-    bool meets(std::uint32_t from, std::uint32_t to) const {
-        const PointTable& points = made_->tables.points;
-        GridBox side;
-        side.add(points.point(from).rounded());
-        side.add(points.point(to).rounded());
-        PlaneId first = kNoPlane;
-        return portal_tree_.for_each_meeting(side, [&](std::uint32_t portal) {
-            const PlaneId plane = portal_planes_[portal];
-            if (points.side(plane, from) != 0 || points.side(plane, to) != 0) return false;
-            if (first == kNoPlane) first = plane;
-            return !same_plane(first, plane);
-        });
-    }
-
-    /// Faces that bound no solid, each part in the room that its middle sees.
-    void add_loose(const RoomSides& sides) {
+    /// Faces that bound no solid, each part in the room that its front looks into.
+    void add_loose(const RoomFinder& finder) {
         for (std::uint32_t k = 0; k < gltf_.level.faces.size(); ++k) {
             if (solids_.solid[k]) continue;
             std::vector<JoinPiece> pieces{piece_of(k)};
-            divide_at_portals(pieces);
+            cutter_.divide_at_portals(pieces);
             for (LooseFacet& facet : make_loose_facets(tables(), pieces)) {
                 facet.two_sided = gltf_.level.faces[k].two_sided;
-                facet.room = sides.room_seen_from(facet.corners, made_->room_of_side, made_->room_count);
+                facet.room = finder.room_of(made_->rooms, facet.corners);
                 made_->loose.push_back(std::move(facet));
             }
         }
@@ -209,8 +167,8 @@ private:
     const LevelSolids& solids_;
     const World& plain_;
     std::unique_ptr<DividedMesh> made_;
-    BoxTree face_tree_, portal_tree_;
-    std::vector<PlaneId> portal_planes_;
+    PortalCutter cutter_;
+    BoxTree face_tree_;
     std::vector<std::uint32_t> near_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "firma/read_gltf.h"
 #include "join/arrangement.h"
+#include "join/find_rooms.h"
 #include "join/join_facets.h"
 #include "join/loose_pieces.h"
 #include "level/find_solids.h"
@@ -21,8 +22,7 @@ struct DividedMesh {
     std::vector<JoinPiece> portals;  ///< parts in the air; a source is an index into GltfLevel::portals
     Arrangement arrangement;         ///< of faces and, after them, portals
     JoinFacets facets;               ///< likewise
-    std::vector<std::uint32_t> room_of_side;
-    std::uint32_t room_count = 0;   ///< the last one reaches to infinity, unless rock does
+    JoinRooms rooms;
     std::vector<LooseFacet> loose;  ///< of faces that bound no solid; sources as of faces
     std::string fault;              ///< why it cannot be divided; then nothing of the above is of use
 };

@@ -19,7 +19,7 @@ public:
         parts_.options = options;
         parts_.materials = gltf.level.materials;
         parts_.rock_outside = rock_outside;
-        parts_.rooms.resize(divided.room_count);
+        parts_.rooms.resize(divided.rooms.count);
         if (!rock_outside) {
             parts_.rooms.back().exterior = true;
             parts_.rooms.back().name = "exterior";
@@ -37,8 +37,8 @@ public:
         const std::size_t faces = divided_.faces.size();
         std::map<std::array<std::uint32_t, 3>, PortalPart> made;  // by portal and rooms
         for (std::uint32_t k = 0; k < divided_.portals.size(); ++k) {
-            const std::uint32_t front = divided_.room_of_side[faces + 2 * k],
-                                back = divided_.room_of_side[faces + 2 * k + 1], source = divided_.portals[k].source;
+            const std::uint32_t front = divided_.rooms.of_side[faces + 2 * k],
+                                back = divided_.rooms.of_side[faces + 2 * k + 1], source = divided_.portals[k].source;
             if (front == back) {
                 if (idle.empty() || idle.back() != source) idle.push_back(source);
                 continue;
@@ -65,21 +65,14 @@ private:
     }
 
     void add_facet(std::uint32_t room, std::span<const GridPoint> corners, FaceSet::Entry face) {
-        FaceSet& set = parts_.rooms[room].faces;
         face.id = {next_face_++};
-        face.first_corner = std::uint32_t(set.corners.size());
-        face.corner_count = std::uint32_t(corners.size());
-        for (const GridPoint& corner : corners) {
-            set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.vertices.push_back(corner);
-        }
-        set.faces.push_back(face);
+        firma::add_facet(parts_.rooms[room].faces, corners, face);
     }
 
     void add_faces() {
         JoinFaceMaker maker(divided_.tables, divided_.faces, divided_.arrangement, divided_.facets);
         for (std::uint32_t k = 0; k < divided_.faces.size(); ++k) {
-            const std::uint32_t room = divided_.room_of_side[k];
+            const std::uint32_t room = divided_.rooms.of_side[k];
             const Ref<const SolidFace> exact = maker.make(k);
             if (exact) parts_.rooms[room].faces.owners.emplace_back(exact.get());
             FaceSet::Entry face = entry_of(divided_.faces[k].source);

@@ -63,15 +63,8 @@ private:
     }
 
     void add_facet(std::uint32_t room, std::span<const GridPoint> corners, FaceSet::Entry face) {
-        FaceSet& set = parts_.rooms[room].faces;
         face.id = {next_face_++};
-        face.first_corner = std::uint32_t(set.corners.size());
-        face.corner_count = std::uint32_t(corners.size());
-        for (const GridPoint& corner : corners) {
-            set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.vertices.push_back(corner);
-        }
-        set.faces.push_back(face);
+        firma::add_facet(parts_.rooms[room].faces, corners, face);
     }
 
     void add_faces() {

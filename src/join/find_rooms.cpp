@@ -94,8 +94,8 @@ struct AllOnLine {
 
 }  // namespace
 
-RoomFinder::RoomFinder(std::size_t face_count, std::size_t portal_count, const JoinFacets& facets)
-    : faces_(face_count), portals_(portal_count), facets_(facets) {
+RoomFinder::RoomFinder(std::size_t face_count, std::size_t portal_count, const JoinFacets& facets, bool rock_outside)
+    : faces_(face_count), portals_(portal_count), rock_outside_(rock_outside), facets_(facets) {
     FaceSet set;
     polygon_of_.resize(facets.corners.size());
     for (std::uint32_t polygon = 0; polygon + 1 < facets.first.size(); ++polygon)
@@ -104,13 +104,7 @@ RoomFinder::RoomFinder(std::size_t face_count, std::size_t portal_count, const J
             FaceSet::Entry entry;
             entry.id = {k};
             entry.source = k;
-            entry.first_corner = std::uint32_t(set.corners.size());
-            entry.corner_count = std::uint32_t(facets.corners[k].size());
-            for (const GridPoint& corner : facets.corners[k]) {
-                set.corners.push_back(std::uint32_t(set.vertices.size()));
-                set.vertices.push_back(corner);
-            }
-            set.faces.push_back(entry);
+            add_facet(set, facets.corners[k], entry);
         }
     TreeOptions options;
     options.split = Split::kSurfaceArea;
@@ -145,7 +139,7 @@ bool RoomFinder::cross_level(const Vec3& through, const Vec3& way, std::vector<C
 template <class Join>
 bool RoomFinder::follow(std::span<const Crossing> crossings, const Join& join) const {
     const auto outside = std::uint32_t(faces_ + 2 * portals_);
-    std::uint32_t last = outside;
+    std::uint32_t last = rock_outside_ ? kSolid : outside;
     for (const Crossing& crossing : crossings) {
         const std::uint32_t polygon = polygon_of_[crossing.facet];
         if (polygon >= faces_) {
@@ -162,8 +156,8 @@ bool RoomFinder::follow(std::span<const Crossing> crossings, const Join& join) c
             last = polygon;
         }
     }
-    if (last == kSolid) return false;
-    join(last, outside);
+    if ((last == kSolid) != rock_outside_) return false;
+    if (!rock_outside_) join(last, outside);
     return true;
 }
 
@@ -223,7 +217,7 @@ JoinRooms RoomFinder::find(DisjointSets seen_together) const {
         const std::uint32_t set = all.find(side);
         if (set != outside && number[set] == ~0u) number[set] = rooms.count++;
     }
-    number[outside] = rooms.count++;
+    if (!rock_outside_) number[outside] = rooms.count++;
     for (std::uint32_t side = 0; side < sides; ++side) rooms.of_side.push_back(number[all.find(side)]);
     return rooms;
 }
@@ -237,7 +231,7 @@ std::uint32_t RoomFinder::room_of(const JoinRooms& rooms, std::span<const GridPo
             const std::uint32_t room = room_at(rooms, inside(corners, attempt) + normal * off);
             if (room < rooms.count) return room;
         }
-    return rooms.exterior();
+    return rooms.count - 1;
 }
 
 std::uint32_t RoomFinder::room_at(const JoinRooms& rooms, const Vec3& point) const {
@@ -253,7 +247,7 @@ std::uint32_t RoomFinder::room_at(const JoinRooms& rooms, const Vec3& point) con
             if (crossing.t < at) last = &crossing;
         }
         if (!sure) continue;
-        if (!last) return rooms.exterior();
+        if (!last) return rock_outside_ ? kSolid : rooms.count - 1;
         const std::uint32_t polygon = polygon_of_[last->facet];
         if (polygon < faces_) return last->front ? kSolid : rooms.of_side[polygon];
         return rooms.of_side[faces_ + 2 * (polygon - faces_) + last->front];

@@ -13,23 +13,22 @@ namespace firma {
 
 struct JoinRooms {
     std::vector<std::uint32_t> of_side;  ///< a room for each side of a polygon, as an Arrangement numbers them
-    std::uint32_t count = 0;             ///< the last one is the exterior
+    std::uint32_t count = 0;             ///< the last one is the exterior, unless rock reaches to infinity
     std::uint32_t lost = 0;  ///< shells for which no line that was tried told where they hang: rooms of their own
-
-    std::uint32_t exterior() const { return count - 1; }
 };
 
 /// Asks lines through a level what they pass through.
 class RoomFinder {
 public:
-    /// @param facets  of the faces [face_count] and, after them, of the portals
-    RoomFinder(std::size_t face_count, std::size_t portal_count, const JoinFacets& facets);
+    /// @param facets        of the faces [face_count] and, after them, of the portals
+    /// @param rock_outside  what reaches to infinity is solid
+    RoomFinder(std::size_t face_count, std::size_t portal_count, const JoinFacets& facets, bool rock_outside = false);
 
     /// Shells that nothing joins around an edge (a pillar that stands free, a cavity) are joined by lines: what follows
     /// each other on a line through air bounds the same air.
     JoinRooms find(DisjointSets seen_together) const;
 
-    /// The room that the front of a polygon in the air looks into; the exterior where nothing tells.
+    /// The room that the front of a polygon in the air looks into; the last one where nothing tells.
     std::uint32_t room_of(const JoinRooms& rooms, std::span<const GridPoint> corners) const;
 
     /// The room that a point lies in; kSolid in solid, kUnsure where no line told.
@@ -49,6 +48,7 @@ private:
     bool hang(std::uint32_t polygon, DisjointSets& sides) const;
 
     const std::size_t faces_, portals_;
+    const bool rock_outside_;
     const JoinFacets& facets_;
     std::vector<std::uint32_t> polygon_of_;  ///< a facet each
     Ref<const Block> tree_;

@@ -7,6 +7,7 @@
 #include "join/hide_faces.h"
 #include "join/merge_pieces.h"
 #include "join/move_planes.h"
+#include "join/portal_cutter.h"
 #include "tree/box_tree.h"
 
 namespace firma {
@@ -37,7 +38,11 @@ bool is_solid(BrushKind kind) {
 class BrushJoiner {
 public:
     explicit BrushJoiner(const BrushLevel& level)
-        : level_(level), made_(std::make_unique<JoinedLevel>()), mover_(level, made_->tables), hider_(made_->tables) {
+        : level_(level),
+          made_(std::make_unique<JoinedLevel>()),
+          cutter_(made_->tables),
+          mover_(level, made_->tables),
+          hider_(made_->tables) {
         used_.resize(level.brushes.size(), true);
         brush_of_side_.resize(level.sides.size());
         for (std::uint32_t b = 0; b < level.brushes.size(); ++b)
@@ -145,58 +150,15 @@ private:
                 before.push_back({face.piece.plane, &shapes_[b]});
             }
         }
-        portal_planes_.clear();
-        std::vector<GridBox> boxes;
-        for (const JoinPiece& portal : portals) {
-            portal_planes_.push_back(portal.piece.plane);
-            boxes.push_back(portal.piece.box(tables().points));
-        }
-        portal_tree_ = BoxTree(boxes);
-        divide_at_portals(portals);
-        divide_at_portals(made_->faces);
+        cutter_.set_portals(portals);
+        cutter_.divide_at_portals(portals);
+        cutter_.divide_at_portals(made_->faces);
         for (JoinPiece& portal : portals) portal.material = portal.source;  // so that others do not merge with it
     }
 
-    /// Divides what reaches through a portal, or past one nearby, by its plane.
-    void divide_at_portals(std::vector<JoinPiece>& pieces) {
-        ConvexPiece behind, front;
-        for (std::size_t k = 0; k < pieces.size(); ++k) {  // parts in front are added, and come to their turn
-            near_.clear();
-            portal_tree_.for_each_meeting(pieces[k].piece.box(tables().points), [&](std::uint32_t portal) {
-                near_.push_back(portal);
-                return false;
-            });
-            std::sort(near_.begin(), near_.end());
-            for (const std::uint32_t portal : near_) {
-                if (same_plane(pieces[k].piece.plane, portal_planes_[portal])) continue;
-                divide(tables(), pieces[k].piece, portal_planes_[portal], behind, front);
-                if (behind.sides.empty() || front.sides.empty()) continue;
-                JoinPiece other = pieces[k];
-                other.piece = front;
-                pieces[k].piece = behind;
-                pieces.push_back(std::move(other));
-            }
-        }
-    }
-
-    /// Where a portal's plane meets the walls beside it, faces end: so that each lies in one room.
-    bool ends_at_portal(std::uint32_t from, std::uint32_t to) {
-        const PointTable& points = tables().points;
-        GridBox side;
-        side.add(points.point(from).rounded());
-        side.add(points.point(to).rounded());
-        return portal_tree_.for_each_meeting(side, [&](std::uint32_t portal) {
-            return points.side(portal_planes_[portal], from) == 0 && points.side(portal_planes_[portal], to) == 0;
-        });
-    }
-
-    void merge_at_portals(std::vector<JoinPiece>& pieces) {
-        merge_pieces(tables(), pieces, [&](std::uint32_t from, std::uint32_t to) { return ends_at_portal(from, to); });
-    }
-
     void merge() {
-        merge_at_portals(made_->faces);
-        merge_at_portals(made_->portal_pieces);
+        cutter_.merge_between_portals(made_->faces);
+        cutter_.merge_between_portals(made_->portal_pieces);
     }
 
     void arrange_all() {
@@ -278,8 +240,8 @@ private:
                     hider_.hide(shapes_[other], {.same_way = other < b, .against = true}, pieces_);
                 add_pieces(level_.brushes[b].first_side + face.side, pieces);
             }
-        divide_at_portals(pieces);
-        merge_at_portals(pieces);
+        cutter_.divide_at_portals(pieces);
+        cutter_.merge_between_portals(pieces);
         for (LooseFacet& facet : make_loose_facets(tables(), pieces)) made_->loose.push_back(std::move(facet));
     }
 
@@ -315,7 +277,7 @@ private:
             pieces.clear();
             for (ConvexPiece& piece : pieces_)
                 pieces.push_back({std::move(piece), facet.source, face.material, face.mask});
-            divide_at_portals(pieces);
+            cutter_.divide_at_portals(pieces);
             if (pieces.size() == 1 && same_outline(pieces[0].piece, whole)) {
                 made_->loose.push_back(std::move(facet));
                 continue;
@@ -377,6 +339,7 @@ private:
 
     const BrushLevel& level_;
     std::unique_ptr<JoinedLevel> made_;
+    PortalCutter cutter_;
     PlaneMover mover_;
     FaceHider hider_;
     std::vector<BrushShape> shapes_;
@@ -387,8 +350,6 @@ private:
     std::vector<ConvexPiece> pieces_;
     std::vector<std::uint32_t> near_;
     std::vector<OpenEdge> open_;
-    std::vector<PlaneId> portal_planes_;  ///< of each polygon in the air
-    BoxTree portal_tree_;                 ///< of the same polygons
 };
 
 }  // namespace

@@ -22,8 +22,11 @@ struct JoinFacets {
     std::size_t count(std::uint32_t polygon) const { return first[polygon + 1] - first[polygon]; }
 };
 
-/// @param outlines  of each polygon [planes.size()], as an Arrangement has them
+/// @param planes       of each polygon of the arrangement
 JoinFacets make_join_facets(const JoinTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement);
+
+/// Puts a facet into a set: a face like `face`, with corners of its own.
+void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry face);
 
 /// Makes the exact faces of a joined solid: vertices, edges and planes are shared objects, each made once.
 class JoinFaceMaker {

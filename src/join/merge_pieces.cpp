@@ -111,7 +111,7 @@ private:
             if (it.material != one.material || it.mask != one.mask) continue;
             const std::size_t b = side_at(it.piece, to);
             if (b == it.piece.sides.size() || it.piece.corner(it.piece.next(b)) != from) continue;  // gone meanwhile
-            if (keep_(from, to) || sides_.others_at(one.piece, k)) continue;
+            if (keep_(from, to, one.piece.plane) || sides_.others_at(one.piece, k)) continue;
             tried_.push_back({k, other, b, square_length(tables_, from, to)});
         }
         std::sort(tried_.begin(), tried_.end(), [](const Shared& x, const Shared& y) {

@@ -18,8 +18,8 @@ struct JoinPiece {
     std::uint32_t mask = 0;
 };
 
-/// Says whether the side between two corners has to stay.
-using KeepSide = std::function<bool(std::uint32_t from, std::uint32_t to)>;
+/// Says whether the side between two corners, of pieces in a plane, has to stay.
+using KeepSide = std::function<bool(std::uint32_t from, std::uint32_t to, PlaneId plane)>;
 
 /// Merges greedily, longest sides first, what has one plane, material and mask; depends on the order of the pieces
 /// alone.

@@ -18,8 +18,34 @@
 namespace firma::gltf {
 namespace {
 
+/// A channel like a U, 8 m high and 2 m long, whose largest faces look at each other.
+void add_channel(SmallGltf& file, int& corners, int& indices) {
+    constexpr int kPoints = 11;
+    constexpr float kOutline[kPoints][2] = {{0, 0},     {1.5f, -0.5f}, {3, 0},     {3.5f, 4}, {3, 8},    {2.75f, 8},
+                                            {2.75f, 1}, {0.25f, 1},    {0.25f, 8}, {0, 8},    {-0.5f, 4}};
+    std::vector<float> points;
+    for (const float y : {0.0f, 2.0f})
+        for (const auto& [x, z] : kOutline) points.insert(points.end(), {x, y, z});
+    std::vector<std::uint8_t> list;
+    const auto triangle = [&](int a, int b, int c) {
+        for (const int k : {a, b, c}) list.push_back(std::uint8_t(k));
+    };
+    for (int k = 0; k < kPoints; ++k) {
+        const int next = (k + 1) % kPoints;
+        triangle(k, next + kPoints, next);
+        triangle(k, k + kPoints, next + kPoints);
+    }
+    for (const std::vector<int>& strip : {std::vector{9, 10, 0, 7, 8}, {0, 1, 2, 6, 7}, {2, 3, 4, 5, 6}})
+        for (std::size_t k = 2; k < strip.size(); ++k) {
+            triangle(strip[0], strip[k - 1], strip[k]);
+            triangle(strip[0] + kPoints, strip[k] + kPoints, strip[k - 1] + kPoints);
+        }
+    corners = file.vectors<float>(points);
+    indices = file.indices<std::uint8_t>(list);
+}
+
 /// Meshes: 0 a box of 1 m with its fronts outside, 1 the same with fronts inside, 2 a square of 1 m in y and z, front
-/// toward +x. All from the origin.
+/// toward +x, 3 the channel. All from the origin.
 std::string scene(const std::string& nodes) {
     SmallGltf file;
     std::vector<std::uint16_t> inside = box_triangles();
@@ -28,8 +54,11 @@ std::string scene(const std::string& nodes) {
     const int outward = file.indices(box_triangles()), inward = file.indices(inside);
     const int square = file.vectors<float>({0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1});
     const int two = file.indices<std::uint8_t>({0, 1, 2, 0, 2, 3});
+    int channel = 0, around = 0;
+    add_channel(file, channel, around);
     file.meshes = R"({"primitives":[)" + primitive(corners, outward) + R"(]},{"primitives":[)" +
-                  primitive(corners, inward) + R"(]},{"primitives":[)" + primitive(square, two) + "]}";
+                  primitive(corners, inward) + R"(]},{"primitives":[)" + primitive(square, two) +
+                  R"(]},{"primitives":[)" + primitive(channel, around) + "]}";
     file.nodes = nodes;
     file.scenes = "";
     return file.text();
@@ -105,6 +134,14 @@ TEST(GltfRooms, PillarsHangWhereTheyStand) {
     EXPECT_NE(room_at(made.world, {0.5, 0.5, 0.5}), room_at(made.world, {7.5, 0.5, 0.5}));
     EXPECT_EQ(locate(made.world, {1.5, 1.5, 1.5}).kind, Location::Kind::kSolid);
     EXPECT_EQ(room_info(made.world, room_at(made.world, {0.5, 2, 2})).bounds.high.x, 4);
+}
+
+TEST(GltfRooms, WhatLooksAtItselfHangsWhereItStandsToo) {
+    const Made made = make(
+        {node(1, {0, 0, 0}, {16, 8, 12}), node(2, {12, 0, 0}, {1, 8, 12}, "portal"), node(3, {2, 2, 2}, {1, 1, 1})});
+    EXPECT_EQ(made.report.undivided, "");
+    EXPECT_EQ(made.world.room_count(), 2u);
+    EXPECT_EQ(room_at(made.world, {1, 1, 1}), room_at(made.world, {3.5, 3, 5}));
 }
 
 TEST(GltfRooms, APortalThroughAPillarHasAHole) {

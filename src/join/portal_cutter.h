@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Where portals end faces, and each other: so that each face lies in one room.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "join/merge_pieces.h"
+#include "tree/box_tree.h"
+
+namespace firma {
+
+class PortalCutter {
+public:
+    explicit PortalCutter(JoinTables& tables) : tables_(tables) {}
+
+    /// @param portals  polygons in the air, from now on
+    void set_portals(std::span<const JoinPiece> portals);
+
+    /// Divides what reaches through a portal, or past one nearby, by its plane. Parts are added at the end.
+    void divide_at_portals(std::vector<JoinPiece>& pieces);
+
+    /// merge_pieces(), but not over a side that lies on a portal of another plane than theirs.
+    void merge_between_portals(std::vector<JoinPiece>& pieces) const;
+
+private:
+    bool ends_at_portal(std::uint32_t from, std::uint32_t to, PlaneId plane) const;
+
+    JoinTables& tables_;
+    std::vector<PlaneId> planes_;  ///< of each portal
+    BoxTree tree_;                 ///< of the same
+    std::vector<std::uint32_t> near_;
+};
+
+}  // namespace firma
