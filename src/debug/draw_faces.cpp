@@ -42,13 +42,8 @@ const Face* find(std::span<const Face> faces, FaceId id) {
     return found != faces.end() && found->id == id ? &*found : nullptr;
 }
 
-double facing(const View& view, const Face& face) {
-    return view.toward * face.normal[view.depth];
-}
-
 bool seen(const View& view, const Face& face) {
-    const double towards = facing(view, face);
-    return face.two_sided ? std::fabs(towards) > 1e-9 : towards > 1e-9;
+    return view.sees(face.normal, face.two_sided);
 }
 
 /// Whether the surface turns, ends or vanishes at the edge to a neighbour. A soft edge is drawn by neither face, a
@@ -107,7 +102,7 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
     }
     shape.area = area_of(shape.outline);
     shape.nearness = sum / double(corners.size());
-    shape.shade = std::clamp(int((1 - std::fabs(facing(view, face))) * kShades), 0, kShades - 1);
+    shape.shade = std::clamp(int((1 - std::fabs(view.facing(face.normal))) * kShades), 0, kShades - 1);
     shape.tint = tint;
     return shape;
 }

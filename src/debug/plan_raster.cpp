@@ -8,7 +8,6 @@
 namespace firma::debug {
 namespace {
 
-constexpr double kSteep = 1e-9;    // as in draw_faces.cpp: steeper faces are not seen
 constexpr double kGrace = 0.05;    // metres that a polygon may lie behind what hides it
 constexpr double kDrawnIn = 0.15;  // of the way to the middle
 
@@ -19,8 +18,7 @@ public:
         : view_(view), raster_(raster), most_(cut ? view.toward * *cut : INFINITY) {}
 
     void paint(const Face& face, std::uint32_t index) {
-        const double facing = view_.toward * face.normal[view_.depth];
-        if (face.two_sided ? std::fabs(facing) <= kSteep : facing <= kSteep) return;
+        if (!view_.sees(face.normal, face.two_sided)) return;
         double top = INFINITY, bottom = -INFINITY;
         outline_.clear();
         for (const Vec3& corner : face.corners) {

@@ -2,10 +2,16 @@
 // How the world lies on a page: along an axis, to scale, without perspective.
 #pragma once
 
+#include <cmath>
+
 #include "debug/svg_text.h"
 #include "firma/vec.h"
 
 namespace firma::debug {
+
+/// Cosine of the angle to the viewer: what is seen more edge-on than this may be turned either way by the rounding of
+/// its unit normal, and shows nothing.
+inline constexpr double kEdgeOn = 1e-9;
 
 struct View {
     int across = 0;     ///< axis of the world that runs to the right
@@ -22,6 +28,11 @@ struct View {
     PagePoint place(const Vec3& p) const {
         return {corner.x + (p[across] - region.low[across]) * scale,
                 corner.y - (p[upward] - region.low[upward]) * scale};
+    }
+    /// Cosine of the angle between a face's normal and the way to the viewer.
+    double facing(const Vec3& normal) const { return toward * normal[depth]; }
+    bool sees(const Vec3& normal, bool two_sided) const {
+        return two_sided ? std::fabs(facing(normal)) > kEdgeOn : facing(normal) > kEdgeOn;
     }
     /// The larger, the nearer to the viewer; metres.
     double nearness(const Vec3& p) const { return toward * p[depth]; }
