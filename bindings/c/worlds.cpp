@@ -102,6 +102,17 @@ firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* f
     return FIRMA_OK;
 }
 
+/// From a file's bytes to a world; `read(ReadOptions)` makes a level of them.
+template <class Read>
+firma_code from_bytes(const void* data, size_t length, const firma_world_options* options, firma_world* world,
+                      const char* function, const Read& read) {
+    if ((!data && length) || !world) return bad_call(function, kNull);
+    WorldOptions made;
+    ReadOptions reading;
+    if (const firma_code code = read_options(options, made, reading, function)) return code;
+    return make(read(reading), made, world, function);
+}
+
 }  // namespace
 }  // namespace firma::c
 
@@ -136,34 +147,25 @@ firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const
 firma_code firma_world_from_obj(const char* text, size_t length, const char* name, const firma_world_options* options,
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
-        if ((!text && length) || !world) return bad_call(function, kNull);
-        WorldOptions made;
-        ReadOptions read;
-        if (const firma_code code = read_options(options, made, read, function)) return code;
-        return make(read_obj({text, length}, text_of(name), read), made, world, function);
+        return from_bytes(text, length, options, world, function,
+                          [&](const ReadOptions& read) { return read_obj({text, length}, text_of(name), read); });
     });
 }
 
 firma_code firma_world_from_bsp(const void* data, size_t length, const char* name, const firma_world_options* options,
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
-        if ((!data && length) || !world) return bad_call(function, kNull);
-        WorldOptions made;
-        ReadOptions read;
-        if (const firma_code code = read_options(options, made, read, function)) return code;
-        return make(read_bsp({static_cast<const std::byte*>(data), length}, text_of(name), read), made, world,
-                    function);
+        return from_bytes(data, length, options, world, function, [&](const ReadOptions& read) {
+            return read_bsp({static_cast<const std::byte*>(data), length}, text_of(name), read);
+        });
     });
 }
 
 firma_code firma_world_from_map(const char* text, size_t length, const char* name, const firma_world_options* options,
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
-        if ((!text && length) || !world) return bad_call(function, kNull);
-        WorldOptions made;
-        ReadOptions read;
-        if (const firma_code code = read_options(options, made, read, function)) return code;
-        return make(read_map({text, length}, text_of(name), read), made, world, function);
+        return from_bytes(text, length, options, world, function,
+                          [&](const ReadOptions& read) { return read_map({text, length}, text_of(name), read); });
     });
 }
 
