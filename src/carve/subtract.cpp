@@ -247,13 +247,14 @@ Subtraction::Phase Subtraction::gather() {
     patch_.clear();
     facets_.clear();
     // The cutter may be moved aside later: by so many steps of the input grid.
-    const GridBox reach = grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput);
+    constexpr std::int32_t kSteps = (kFarthestMove + 1) * kSurfacePerInput;
+    const GridBox reach = grown(solid_cutter_.box, kSteps);
     rooms_of_facets_.clear();
     for (const RoomTree& tree : trees_near(world_.data(), reach)) {
         gather_facets(*tree.root, reach, facets_);
         rooms_of_facets_.resize(facets_.size(), tree.room);
     }
-    patch_.add(facets_);
+    take_faces_near(solid_cutter_.bevelled, kSteps);
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > rules_.most_faces_looked_at)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
@@ -262,11 +263,30 @@ Subtraction::Phase Subtraction::gather() {
     return Phase::kTile;
 }
 
+/// Into the patch, what of the gathered facets may lie in a bevelled box; facets of other faces go.
+void Subtraction::take_faces_near(const BevelledBox& bevelled, std::int32_t steps) {
+    std::vector<FacetPlace> near;
+    near.reserve(facets_.size());
+    for (const FacetPlace& facet : facets_) {
+        const auto corner = [&](std::size_t k) { return facet.block->corner(facet.record(), k); };
+        const GridBox box = facet.block->box_of(facet.record());
+        if (!bevelled.clear_of(box, facet.record().corner_count, corner, steps)) near.push_back(facet);
+    }
+    patch_.add(near);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+        if (patch_.find(facets_[k]) == SolidPatch::kNone) continue;
+        facets_[kept] = facets_[k];
+        rooms_of_facets_[kept++] = rooms_of_facets_[k];
+    }
+    facets_.resize(kept);
+    rooms_of_facets_.resize(kept);
+}
+
 Subtraction::Phase Subtraction::tile() {
     // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
     // divided into facets, whose corners are rounded.
-    const GridBox reach = grown(solid_cutter_.box, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2);
-    tile_faces(world_.data(), reach, patch_);
+    tile_faces(world_.data(), solid_cutter_, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2, patch_);
     return start_cut();
 }
 

@@ -51,6 +51,7 @@ private:
     Phase place();
     Phase judge_cutter();
     Phase gather();
+    void take_faces_near(const BevelledBox& bevelled, std::int32_t steps);
     Phase tile();
     Phase cut_next_faces();
     Phase label();
