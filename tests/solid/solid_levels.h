@@ -86,7 +86,7 @@ struct Parts {
                 copy->facets = old.facets;
                 copy->plane = old.plane;
                 copy->uses = old.uses;
-                copy->loop_ends = old.loop_ends;
+                copy->set_loop_ends(old.loop_ends());
                 faces.push_back(copy);
             }
             entry.owner = faces[k].get();
