@@ -42,7 +42,7 @@ constexpr const char* kMaps[] = {"kaos2",   "czest2ctf", "islandctf",  "oa_koth1
 struct NamedWorld {
     std::string name;
     World world;
-    World again;  ///< made once more, where it is wanted
+    World again;               ///< made once more, where it is wanted
     std::vector<bool> closed;  ///< by room: no way leads from it to the exterior
 };
 
@@ -50,7 +50,8 @@ struct NamedWorld {
 std::vector<NamedWorld> worlds(const Options& options) {
     std::vector<std::string> files{FIRMA_ROOT "/levels/depot.map"};
     const bool cuts = options.what == "cuts";
-    for (const char* map : std::span(kMaps).first(cuts ? 5 : std::size(kMaps))) files.push_back(options.maps + "/" + map + ".bsp");
+    for (const char* map : std::span(kMaps).first(cuts ? 5 : std::size(kMaps)))
+        files.push_back(options.maps + "/" + map + ".bsp");
     std::vector<NamedWorld> made;
     for (const std::string& file : files) {
         const Result<BrushLevel> level = read_brush_level(file);
@@ -60,7 +61,8 @@ std::vector<NamedWorld> worlds(const Options& options) {
         }
         const Result<World> world = make_world(level.value());
         const World again = cuts ? make_world(level.value()).value() : World();
-        made.push_back({std::filesystem::path(file).stem().string(), world.value(), again, reference::closed_rooms(world.value())});
+        made.push_back({std::filesystem::path(file).stem().string(), world.value(), again,
+                        reference::closed_rooms(world.value())});
         std::printf("world name=%s faces=%zu rooms=%zu portals=%zu closed=%zu\n", made.back().name.c_str(),
                     world.value().face_count(), world.value().room_count(), portal_count(world.value()),
                     std::size_t(std::count(made.back().closed.begin(), made.back().closed.end(), true)));
@@ -147,13 +149,14 @@ int judge_maps(const Options& options) {
         const std::string name = std::filesystem::path(files[chunk]).stem().string();
         ++part.count;
         if (!level.ok()) return part.fail(level.error().text());
-        const reference::JoinedVerdict verdict = reference::judge_joined(level.value(), options.seed, {.points = 400});
+        const reference::JoinedVerdict verdict = reference::judge_joined(level.value(), options.seed, 400);
         part.extra += verdict.planes_moved;
         if (!verdict.fault.empty()) part.fail(name + ": " + verdict.fault);
         const std::lock_guard lock(mutex);
-        std::printf("map name=%s rooms=%zu portals=%zu points=%zu planes_moved=%zu left_out=%zu farthest=%.3g volume=%.17g\n",
-                    name.c_str(), verdict.rooms, verdict.portals, verdict.points, verdict.planes_moved,
-                    verdict.left_out, verdict.farthest, verdict.volume);
+        std::printf(
+            "map name=%s rooms=%zu portals=%zu points=%zu planes_moved=%zu left_out=%zu farthest=%.3g volume=%.17g\n",
+            name.c_str(), verdict.rooms, verdict.portals, verdict.points, verdict.planes_moved, verdict.left_out,
+            verdict.farthest, verdict.volume);
         std::fflush(stdout);
     });
     return tell("join_maps", options, tally, "planes_moved");
@@ -268,7 +271,8 @@ int judge_level_cuts(const Options& options, const std::vector<NamedWorld>& all)
     });
     for (const auto& [reason, some] : total.refusals)
         std::printf("refused %llu times: %s (first %s)\n", ull(some.count), reason.c_str(), some.first.c_str());
-    if (double(total.blamed) > kMostBlamed * double(total.cuts)) tally.fail("too many refusals to blame the library for");
+    if (double(total.blamed) > kMostBlamed * double(total.cuts))
+        tally.fail("too many refusals to blame the library for");
     const bool pass = tally.failed == 0 && total.done > 0 && total.crossings > 0 && total.joined > 0;
     std::printf(
         "claim=level_cuts family=total count=%llu seed=%llu failed=%llu done=%llu nothing=%llu refused=%llu "

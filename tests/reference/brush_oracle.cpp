@@ -66,8 +66,8 @@ std::vector<int> signs_at(const HalfSpace& by, const Body& body) {
 Body cube(std::int64_t half) {
     Body body;
     for (int k = 0; k < 8; ++k)
-        body.corners.emplace_back(std::array<Rational, 3>{k & 1 ? half : -half, k & 2 ? half : -half,
-                                                          k & 4 ? half : -half});
+        body.corners.emplace_back(
+            std::array<Rational, 3>{k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half});
     body.polygons = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     return body;
 }
@@ -90,9 +90,8 @@ std::vector<std::uint32_t> hull(const Body& body, std::vector<std::uint32_t> poi
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t start = around.size();
         for (const std::uint32_t point : points) {
-            while (around.size() >= start + 2 &&
-                   area_sign(body.corners[around[around.size() - 2]], body.corners[around.back()],
-                             body.corners[point], u, v) <= 0)
+            while (around.size() >= start + 2 && area_sign(body.corners[around[around.size() - 2]],
+                                                           body.corners[around.back()], body.corners[point], u, v) <= 0)
                 around.pop_back();
             around.push_back(point);
         }

@@ -18,7 +18,8 @@ namespace firma::reference {
 using Rational = boost::multiprecision::cpp_rational;
 using Whole = boost::multiprecision::cpp_int;
 /// 332 bits.
-using LongReal = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+using LongReal =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
 /// normal . p + offset > 0 is outside, p in input steps. As doubles, too.
 struct HalfSpace {

@@ -18,6 +18,8 @@
 namespace firma::reference {
 namespace {
 
+constexpr double kFarthestMoved = 0.001;
+
 /// Of the exact solid, cubic input steps.
 LongReal solid_volume(const World& world) {
     std::vector<const Block*> roots;
@@ -29,10 +31,9 @@ LongReal solid_volume(const World& world) {
 
 class JoinedLevelJudge {
 public:
-    JoinedLevelJudge(const BrushLevel& level, std::uint64_t seed, const JoinedJudge& judge)
-        : level_(level), random_(seed), judge_(judge) {}
+    JoinedLevelJudge(const BrushLevel& level, std::uint64_t seed) : level_(level), random_(seed) {}
 
-    JoinedVerdict judge() {
+    JoinedVerdict judge(int points, bool volume) {
         BrushWorldReport report;
         const Result<World> made = make_world(level_, {}, &report);
         if (!made.ok()) return failed(made.error().text());
@@ -45,8 +46,9 @@ public:
         if (report.lost_shells > 0) return failed("a shell was lost");
         if (const std::string open = unclosed_room(world); !open.empty()) return failed(open);
         find_brushes();
-        if (judge_.volume) judge_volume(world);
-        if (verdict_.fault.empty()) judge_points(world);
+        if (verdict_.farthest > kFarthestMoved) return failed("a plane was moved by more than a millimetre");
+        if (volume) judge_volume(world);
+        if (verdict_.fault.empty()) judge_points(world, points);
         return verdict_;
     }
 
@@ -88,11 +90,11 @@ private:
         return std::floor((low + (high - low) * (double(random_() >> 11) * 0x1p-53)) * kInputSteps) / kInputSteps;
     }
 
-    void judge_points(const World& world) {
+    void judge_points(const World& world, int points) {
         const RoomBounds rooms(world);
         const Box bounds = world.bounds();
         Vec3 before;
-        for (int k = 0; k < judge_.points && verdict_.fault.empty(); ++k) {
+        for (int k = 0; k < points && verdict_.fault.empty(); ++k) {
             Vec3 point;
             for (int axis = 0; axis < 3; ++axis)
                 point[axis] = coordinate(bounds.low[axis] - 0.5, bounds.high[axis] + 0.5);
@@ -117,15 +119,14 @@ private:
 
     const BrushLevel& level_;
     std::mt19937_64 random_;
-    const JoinedJudge judge_;
     JoinedVerdict verdict_;
     std::vector<BrushBody> brushes_;
 };
 
 }  // namespace
 
-JoinedVerdict judge_joined(const BrushLevel& level, std::uint64_t seed, const JoinedJudge& judge) {
-    return JoinedLevelJudge(level, seed, judge).judge();
+JoinedVerdict judge_joined(const BrushLevel& level, std::uint64_t seed, int points, bool volume) {
+    return JoinedLevelJudge(level, seed).judge(points, volume);
 }
 
 }  // namespace firma::reference

@@ -18,13 +18,9 @@ struct JoinedVerdict {
     double volume = 0;                           ///< cubic metres; 0 where it is not compared
 };
 
-struct JoinedJudge {
-    int points = 40;
-    bool volume = true;
-};
-
 /// The brushes that were joined are those of the level that were not left out, with their planes as they were moved:
-/// the exact volume of those is compared. How far they were moved is for the caller to judge.
-JoinedVerdict judge_joined(const BrushLevel& level, std::uint64_t seed, const JoinedJudge& judge = {});
+/// the exact volume of those is compared, where `volume` says so: many bodies through each other take long. None may be
+/// moved by more than a millimetre.
+JoinedVerdict judge_joined(const BrushLevel& level, std::uint64_t seed, int points = 40, bool volume = true);
 
 }  // namespace firma::reference

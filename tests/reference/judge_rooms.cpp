@@ -69,8 +69,8 @@ std::vector<bool> closed_rooms(const World& world) {
 RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_count()) {
     for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
         rooms_[room].facets = facets_of_room(world, room);
-        rooms_[room].exterior = world.data().room_records ? room_info(world, {room}).exterior
-                                                          : !world.data().rock_outside;
+        rooms_[room].exterior =
+            world.data().room_records ? room_info(world, {room}).exterior : !world.data().rock_outside;
     }
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
         const PortalInfo info = portal_info(world, {portal});
