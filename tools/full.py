@@ -27,7 +27,7 @@ HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(RO
 CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt', 'CMakePresets.json']
 # All scenes but those of levels with rooms.
-OF_ROOMS = ('brush_piles.', 'divided_building.')
+OF_ROOMS = ('brush_piles.', 'divided_building.', 'level_cuts.')
 SCENES = [f'scenes/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'scenes'))) if not name.startswith(OF_ROOMS)]
 CARVE_SOURCES = CAST_SOURCES + SCENES + ['src/solid', 'src/carve', 'src/level', 'levels/first.obj']
 
@@ -35,6 +35,11 @@ CARVE_SOURCES = CAST_SOURCES + SCENES + ['src/solid', 'src/carve', 'src/level', 
 def reference(*names):
     return [f'tests/reference/{name}.{ending}' for name in names for ending in ('h', 'cpp')]
 
+
+TWIN = reference('exact_number', 'exact_polygon', 'exact_twin', 'judge', 'judge_scene', 'surely_apart')
+JUDGE_CUT = reference('carve_oracle', 'directed_edges', 'judge_cut', 'judge_rooms', 'world_facets')
+CARVED = TWIN + JUDGE_CUT + reference('judge_carved_casts')
+JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
 
 READ_SOURCES = HEADERS + ['src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
@@ -44,7 +49,7 @@ BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush', 'src
 def fuzzer(name, *headers):
     return [f'tests/fuzz/fuzz_{name}.cpp', 'tests/fuzz/CMakeLists.txt'] + [f'tests/fuzz/{header}.h' for header in headers]
 
-JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush', 'tests/join',
+JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush',
                                 'tests/full/full_levels.cpp']
 
 
@@ -104,15 +109,15 @@ def store(seed, count):
 
 CLAIMS = [
     Claim('casts_vs_twin', 'casts judged by the exact twin, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
-          CAST_SOURCES + SCENES + ['tests/reference', 'tests/full/full_casts.cpp'], 'test', casts, 'full_casts'),
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp'] + TWIN, 'test', casts, 'full_casts'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp'], 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
-          CARVE_SOURCES + ['tests/full/full_carve.cpp'] + reference('judge_cut', 'carve_oracle', 'world_facets'), 'test', carve, 'full_carve'),
+          CARVE_SOURCES + ['tests/full/full_carve.cpp'] + JUDGE_CUT, 'test', carve, 'full_carve'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
-          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('casts'), 'full_carved_casts'),
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',
-          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/reference'], 'test', carved('rays'), 'full_carved_casts'),
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts, 'firma'),
     Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, to the bit',
@@ -123,13 +128,16 @@ CLAIMS = [
           1_000, 'cuts', CARVE_SOURCES + ['src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),
     Claim('join_piles', 'random piles of brushes joined: closed, of the right volume, points and ways in the right rooms', 2_000, 500, 'piles',
-          JOIN_SOURCES + reference('brush_oracle'), 'test', levels('piles'), 'full_levels'),
+          JOIN_SOURCES + JUDGE_JOINED, 'test', levels('piles'), 'full_levels'),
+    Claim('join_maps', 'the depot and all maps of OpenArena joined: closed, of the right volume, points and ways in the right rooms', 51, 51, 'maps',
+          JOIN_SOURCES + JUDGE_JOINED + ['levels/depot.map'], 'test', levels('maps'), 'full_levels'),
     Claim('room_casts', 'casts by room that equal casts of all faces, a million on each of ten levels', 10_000_000, 1_000_000, 'casts',
-          JOIN_SOURCES + ['levels/depot.map'], 'test', levels('casts'), 'full_levels'),
+          JOIN_SOURCES + ['levels/depot.map'] + reference('judge_rooms'), 'test', levels('casts'), 'full_levels'),
     Claim('room_rays', 'rays from closed rooms of ten levels, none escapes', 10_000_000, 1_000_000, 'rays',
-          JOIN_SOURCES + ['levels/depot.map'], 'test', levels('rays'), 'full_levels'),
-    Claim('level_cuts', 'craters in the depot and five maps of OpenArena, each judged', 3_000, 600, 'cuts',
-          JOIN_SOURCES + ['levels/depot.map'], 'test', levels('cuts'), 'full_levels'),
+          JOIN_SOURCES + ['levels/depot.map'] + reference('judge_rooms'), 'test', levels('rays'), 'full_levels'),
+    # A chunk is all kinds of cuts in all six levels.
+    Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
+          1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
           CAST_SOURCES + ['src/solid', 'src/carve', 'src/level'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',

@@ -61,6 +61,8 @@ public:
             arrange_all();
             if (mend(round < kMostRounds / 2)) break;
         }
+        for (std::uint32_t side = 0; side < level_.sides.size(); ++side)
+            made_->plane_of_side.push_back(mover_.of_side(side));
         find_rooms();
         return std::move(made_);
     }

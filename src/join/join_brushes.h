@@ -42,9 +42,10 @@ struct JoinedLevel {
     std::vector<JoinPortal> portals;
     std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals with one room on both sides
     std::vector<LeftOut> left_out;
-    std::size_t planes_moved = 0;   ///< so that no face is too thin for the grid: each by less than a millimetre
-    std::vector<LooseFacet> loose;  ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
-                                    ///< materials are of the list that they come from
+    std::size_t planes_moved = 0;        ///< so that no face is too thin for the grid
+    std::vector<PlaneId> plane_of_side;  ///< by brush side: as the level has it, or as it was moved
+    std::vector<LooseFacet> loose;       ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
+                                         ///< materials are of the list that they come from
 };
 
 /// @return kTooLarge for more planes or polygons than can be numbered

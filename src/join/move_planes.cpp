@@ -10,8 +10,8 @@
 namespace firma {
 namespace {
 
-constexpr std::int32_t kFarthest = 2;  ///< input steps that a point of a plane is moved by at most
-constexpr double kAlike = 4;  ///< input steps that a brush's corner may be off a plane that takes another's place
+constexpr std::int32_t kFarthest = 2;  ///< input steps that a plane is moved by at most
+constexpr double kAlike = 2;  ///< input steps that a brush's corner may be off a plane that takes another's place
 constexpr double kClose = 8;  ///< surface steps: corners nearer to each other than this are to blame
 
 bool is_axial(const Plane& plane) {
@@ -111,18 +111,20 @@ void PlaneMover::replace(PlaneId was, PlaneId is) {
     ++moved_;
 }
 
+/// Along its dominant axis, and parallel to itself: turned a little, it would be far off at the far end of a long face.
 void PlaneMover::move_plane(PlaneId plane) {
     const std::uint32_t first = side_of_plane_[plane / 2];
     BrushSide side = level_.sides[first];
-    for (int k = 0; k < 3; ++k) {
-        const std::uint64_t random = mix_bits((std::uint64_t(first) * 3 + std::uint64_t(k)) << 16 | rounds_);
-        const std::int32_t steps = std::int32_t(random % (2 * kFarthest + 1)) - kFarthest;
-        std::int32_t& along = side.points[k][tables_.planes.plane(plane).dominant_axis()];
-        const std::int64_t moved = std::int64_t(along) + steps * kSurfacePerInput;
-        if (moved >= INT32_MIN && moved <= INT32_MAX) along = std::int32_t(moved);
+    const std::uint64_t random = mix_bits(std::uint64_t(first) << 16 | rounds_);
+    std::int32_t steps = std::int32_t(random % (2 * kFarthest)) - kFarthest;
+    steps += steps >= 0;
+    const int axis = tables_.planes.plane(plane).dominant_axis();
+    for (GridPoint& point : side.points) {
+        const std::int64_t moved = std::int64_t(point[axis]) + steps * kSurfacePerInput;
+        if (moved < INT32_MIN || moved > INT32_MAX) return;
+        point[axis] = std::int32_t(moved);
     }
-    const Plane made = plane_of(side);
-    if (made.valid()) replace(plane, tables_.planes.add(made));
+    replace(plane, tables_.planes.add(plane_of(side)));
 }
 
 std::vector<bool> PlaneMover::move(std::span<const Outline> outlines, std::span<const BrushShape> shapes) {

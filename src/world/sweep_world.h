@@ -200,8 +200,11 @@ private:
     /// wait.
     /// @return false when the list is full
     bool pass_portals(const Waiting& from, bool first_look, const SweepBox& boxes) {
+        const GridBox around = box_of_sweep();
         for (const std::uint32_t index : data_.portals->portals_of(from.room)) {
             const Portal& portal = data_.portals->portals()[index];
+            // A large hall may have dozens; most are nowhere near.
+            if (!boxes_meet(portal.box, around)) continue;
             const std::uint32_t beyond = portal.beyond({from.room}).value;
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
@@ -212,6 +215,22 @@ private:
             if (!wait({reached > from.reached ? reached : from.reached, beyond, behind})) return false;
         }
         return true;
+    }
+
+    /// Around all that the sphere may touch up to the latest time; what lies outside, SweepBox would not enter.
+    GridBox box_of_sweep() const {
+        const auto in_steps = [](double metres) {
+            return std::int32_t(std::clamp(metres * kSurfaceSteps, double(INT32_MIN), double(INT32_MAX)));
+        };
+        constexpr double kRounding = 2 / kSurfaceSteps;  // of these sums, and of conversion toward zero
+        const double grown = grown_ + kRounding;
+        const Vec3 last = sweep_.at(found_.latest);
+        GridBox box;
+        for (int axis = 0; axis < 3; ++axis) {
+            box.low[axis] = in_steps(std::min(sweep_.start[axis], last[axis]) - grown);
+            box.high[axis] = in_steps(std::max(sweep_.start[axis], last[axis]) + grown);
+        }
+        return box;
     }
 
     bool stops(std::uint32_t index, const Portal& portal) const {

@@ -13,13 +13,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "base/assert.h"
 #include "tests/full/options.h"
 #include "tests/reference/judge_cut.h"
 
@@ -133,13 +131,6 @@ private:
     std::vector<std::size_t> shown_;
 };
 
-/// A contradiction is reported by the judge, with what it takes to see it again; anything else ends the program.
-void on_assert(const char* condition, const char* advice, const char* file, int line) {
-    if (std::strstr(advice, "contradict")) return;
-    std::fprintf(stderr, "%s:%d: %s: %s\n", file, line, condition, advice);
-    std::abort();
-}
-
 }  // namespace
 
 int main(int count, char** words) {
@@ -160,7 +151,7 @@ int main(int count, char** words) {
         std::fprintf(stderr, "%s\n", ours.error().text().c_str());
         return 2;
     }
-    set_assert_handler(on_assert);
+    reference::report_contradictions();
     Run run(options, ours.value());
     if (run.empty()) {
         std::fprintf(stderr, "full_carve: no such family\n");

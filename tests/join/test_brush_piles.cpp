@@ -2,8 +2,10 @@
 // Piles of brushes of every kind, joined and judged.
 #include <gtest/gtest.h>
 
+#include "firma/brush_world.h"
+#include "firma/rooms.h"
 #include "scenes/brush_piles.h"
-#include "tests/join/judge_pile.h"
+#include "tests/reference/judge_joined.h"
 
 namespace firma {
 namespace {
@@ -16,18 +18,18 @@ TEST_P(BrushPiles, BecomeSoundWorldsOfTheRightVolume) {
     int moved = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         const BrushLevel level = scenes::brush_pile(kind, seed, cheap ? 12 : 6);
-        const reference::PileVerdict verdict = reference::judge_pile(level, seed, 60, true);
+        const reference::JoinedVerdict verdict = reference::judge_joined(level, seed, 60);
         EXPECT_EQ(verdict.fault, "") << "pile " << GetParam() << ", seed " << seed;
-        moved += verdict.moved;
+        moved += verdict.planes_moved > 0 || verdict.left_out > 0;
     }
     EXPECT_LE(moved, kind == scenes::BrushPile::kSlivers ? 6 : 1);
 }
 
-TEST_P(BrushPiles, OfManyBrushesAreSound) {
+TEST_P(BrushPiles, OfManyBrushesToo) {
     const auto kind = scenes::BrushPile(GetParam());
     for (std::uint64_t seed = 101; seed <= 103; ++seed) {
-        const reference::PileVerdict verdict =
-            reference::judge_pile(scenes::brush_pile(kind, seed, 60), seed, 100, false);
+        const reference::JoinedVerdict verdict = reference::judge_joined(scenes::brush_pile(kind, seed, 60), seed, 100,
+                                                                         kind != scenes::BrushPile::kCrystals);
         EXPECT_EQ(verdict.fault, "") << "pile " << GetParam() << ", seed " << seed;
     }
 }

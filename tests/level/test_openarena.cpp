@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The maps of OpenArena, where they are: FIRMA_OPENARENA names a folder of .bsp files (tools/unpack_openarena.sh makes
-// one).
+// The maps of OpenArena, where they are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -14,6 +11,7 @@
 #include "firma/firma.h"
 #include "geometry/exact_plane.h"
 #include "level/bsp_file.h"
+#include "tests/openarena_maps.h"
 
 namespace firma {
 namespace {
@@ -27,22 +25,16 @@ struct Map {
 
 std::vector<Map> load_maps() {
     std::vector<Map> maps;
-    const char* folder = std::getenv("FIRMA_OPENARENA");
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder == nullptr ? "" : folder, none)) {
-        if (entry.path().extension() != ".bsp") continue;
-        std::ifstream file(entry.path(), std::ios::binary);
-        maps.push_back({entry.path().filename().string(), {std::istreambuf_iterator<char>(file), {}}});
+    for (const std::filesystem::path& path : openarena_maps()) {
+        std::ifstream file(path, std::ios::binary);
+        maps.push_back({path.filename().string(), {std::istreambuf_iterator<char>(file), {}}});
     }
-    std::sort(maps.begin(), maps.end(), [](const Map& a, const Map& b) { return a.name < b.name; });
     return maps;
 }
 
-#define LOAD_MAPS_OR_SKIP(maps)                                                           \
-    const std::vector<Map> maps = load_maps();                                            \
-    if (maps.empty())                                                                     \
-    GTEST_SKIP() << "no .bsp files: FIRMA_OPENARENA names no folder of OpenArena's maps " \
-                    "(tools/unpack_openarena.sh makes one from Debian's openarena-081-maps)"
+#define LOAD_MAPS_OR_SKIP(maps)                \
+    const std::vector<Map> maps = load_maps(); \
+    if (maps.empty()) GTEST_SKIP() << kNoOpenArena
 
 std::vector<Vec3> corners_of(const Level& level, const LevelFace& face) {
     std::vector<Vec3> corners;

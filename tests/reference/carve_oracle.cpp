@@ -406,4 +406,11 @@ double winding(const PlacedCutter& cutter, const Vec3& point) {
     return sum / kFullSphere;
 }
 
+double winding(std::span<const Vec3> polygon, const Vec3& point) {
+    double sum = 0;
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+        sum += solid_angle(polygon[0] - point, polygon[k - 1] - point, polygon[k] - point);
+    return sum / kFullSphere;
+}
+
 }  // namespace firma::reference

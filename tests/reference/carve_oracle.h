@@ -39,5 +39,7 @@ bool same_solid(const World& a, const World& b);
 /// solid, or -1 and 0 in a world whose outside is rock. In double, so for points well clear of the surface.
 double winding(std::span<const FacetPlace> facets, const Vec3& point);
 double winding(const PlacedCutter& cutter, const Vec3& point);
+/// The part of one polygon in it.
+double winding(std::span<const Vec3> polygon, const Vec3& point);
 
 }  // namespace firma::reference

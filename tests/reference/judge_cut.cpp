@@ -3,15 +3,20 @@
 #include "tests/reference/judge_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <optional>
 
+#include "base/assert.h"
 #include "carve/check_shells.h"
 #include "carve/place_cutter.h"
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
+#include "tests/reference/directed_edges.h"
+#include "tests/reference/judge_rooms.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
 
@@ -54,12 +59,11 @@ Vec3 point_in(const Box& box, Rng& rng) {
     return p;
 }
 
-bool same(const Hit& a, const Hit& b) {
-    return a.status == b.status && a.feature == b.feature && a.feature_index == b.feature_index &&
-           a.fraction == b.fraction && a.safe_fraction == b.safe_fraction && a.centre == b.centre &&
-           a.point == b.point && a.normal == b.normal && a.face_normal == b.face_normal && a.face == b.face &&
-           a.other_face == b.other_face && a.source == b.source && a.source_edit == b.source_edit &&
-           a.material == b.material;
+/// Rooms that are there, not part of another one.
+std::size_t rooms_left(const World& world) {
+    std::size_t count = 0;
+    for (std::uint32_t room = 0; room < world.room_count(); ++room) count += current_room(world.data(), room) == room;
+    return count;
 }
 
 /// One cut and everything that is known of it.
@@ -89,13 +93,14 @@ public:
         }
         if (!placed_) return fail("done with a cutter that cannot be placed");
         change_ = compare_facets(before_, after_);
-        for (const FacetPlace& place : all_facets(after_)) all_solid_ = all_solid_ && place.record().solid;
+        has_rooms_ = after_.data().room_records != nullptr;
         judge_faces();
         if (const std::string edge = open_edge(after_, &tally_.shared_edges); !edge.empty()) fail(edge);
         if (const auto fault = check_world(after_))
             fail("check_world: " + fault->what + " at face " + std::to_string(fault->face.value));
         if (const auto fault = check_solid(after_)) fail("check_solid: " + fault->what);
         if (options_.volume) judge_volume();
+        if (has_rooms_) judge_rooms();
         judge_casts();
         judge_points();
         judge_rays();
@@ -165,6 +170,13 @@ private:
             fail("report.volume " + digits(Real(result_.report.volume)) + " instead of " + digits(lost));
     }
 
+    void judge_rooms() {
+        if (const std::string open = unclosed_room(after_); !open.empty()) fail(open);
+        if (after_.room_count() < before_.room_count()) fail("a room is not there any more");
+        if (portal_count(after_) != portal_count(before_)) fail("there are not as many portals as before");
+        tally_.joined += rooms_left(after_) < rooms_left(before_);
+    }
+
     void judge_casts() {
         const World scratch = rebuilt(after_);
         Box box = box_of(*placed_);
@@ -179,9 +191,15 @@ private:
             const Hit a = cast(after_, {start, radius}, direction * distance, {.sides = sides});
             const Hit b = cast(scratch, {start, radius}, direction * distance, {.sides = sides});
             ++tally_.casts;
-            if (!same(a, b))
+            if (!same_hit(a, b))
                 return fail("a tree from scratch answers otherwise: from " + words(start) + " by " +
                             words(direction * distance) + " radius " + std::to_string(radius));
+            if (!has_rooms_) continue;
+            std::uint32_t passed = 0;
+            const std::string wrong = judge_cast_by_room(after_, {start, radius}, direction * distance, passed);
+            if (!wrong.empty()) return fail(wrong);
+            tally_.room_casts += passed > 0;
+            tally_.crossings += passed > 1;
         }
     }
 
@@ -196,6 +214,8 @@ private:
         const Vec3 size = box.high - box.low;
         for (const double sign : {-0.5, 0.5}) box.add((box.low + box.high) * 0.5 + size * (sign * 1.3));
         const int rock = before_.data().rock_outside;
+        std::optional<RoomBounds> rooms;
+        if (has_rooms_) rooms.emplace(after_);
         for (int k = 0; k < options_.points; ++k) {
             const Vec3 p = point_in(box, rng_);
             if (!is_clear(p, 1e-4)) continue;
@@ -208,7 +228,14 @@ private:
             const double now = winding(facets, p) - winding(change_.gone, p) + winding(change_.come, p) + rock;
             if (std::fabs(now - *is) > 1e-3)
                 return fail("the surface winds " + std::to_string(now) + " times around " + words(p));
-            if (!*is) air_.push_back(p);
+            if (rooms)
+                if (const std::string wrong = rooms->judge(p); !wrong.empty()) return fail(wrong);
+            if (*is) continue;
+            if (has_rooms_ && !air_.empty()) {
+                ++tally_.ways;
+                if (const std::string wrong = judge_way(after_, air_.back(), p); !wrong.empty()) return fail(wrong);
+            }
+            air_.push_back(p);
         }
     }
 
@@ -227,16 +254,19 @@ private:
     }
 
     void judge_rays() {
-        if (air_.empty() || (change_.come.empty() && change_.gone.empty()) || !all_solid_) return;
+        if (air_.empty() || (change_.come.empty() && change_.gone.empty())) return;
+        const std::vector<bool> closed = closed_rooms(after_);
         for (int k = 0; k < options_.rays; ++k) {
             const Vec3 start = air_[rng_.below(std::uint32_t(air_.size()))];
             const Vec3 path = (target() - start) * 65536;
-            ++tally_.rays;
             const Hit front = cast(after_, {start, 0}, path);
-            if (after_.data().rock_outside && !front.touched())
+            if (front.touched() && !front.portal.valid() && !after_.face(front.ref).solid) continue;
+            ++tally_.rays;
+            const Location from = has_rooms_ ? locate(after_, start) : Location{Location::Kind::kRoom, {}};
+            if (from.kind == Location::Kind::kRoom && closed[from.room.value] && !front.touched())
                 return fail("a ray escapes from " + words(start) + " by " + words(path));
             const Hit both = cast(after_, {start, 0}, path, {.sides = Sides::kBoth});
-            if (!both.touched()) continue;
+            if (!both.touched() || both.portal.valid() || !after_.face(both.ref).solid) continue;
             // At an edge where the surface turns away both faces are met at once, up to rounding.
             const double gap = (front.touched() ? front.fraction - both.fraction : INFINITY) * length(path);
             if (dot(path, both.face_normal) > 1e-6 * length(path) && gap > 1e-5)
@@ -256,7 +286,7 @@ private:
     std::optional<PlacedCutter> placed_;
     FacetChange change_;
     std::vector<Vec3> air_;
-    bool all_solid_ = true;
+    bool has_rooms_ = false;
     bool failed_ = false;
 };
 
@@ -311,6 +341,10 @@ void CutTally::add(const CutTally& other) {
     points += other.points;
     rays += other.rays;
     casts += other.casts;
+    room_casts += other.room_casts;
+    crossings += other.crossings;
+    ways += other.ways;
+    joined += other.joined;
     shared_edges += other.shared_edges;
     carve_seconds += other.carve_seconds;
     failed += other.failed;
@@ -323,31 +357,18 @@ void CutTally::add(const CutTally& other) {
 }
 
 std::string open_edge(const World& world, std::uint64_t* shared_edges) {
-    struct Use {
-        GridPoint low, high;
-        int way;
-    };
-    std::vector<Use> uses;
-    for (const FacetPlace& place : all_facets(world)) {
-        if (!place.record().solid) continue;
-        const auto corners = place.block->corners_of(place.record());
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const GridPoint& a = place.block->vertices[corners[k]];
-            const GridPoint& b = place.block->vertices[corners[k + 1 < corners.size() ? k + 1 : 0]];
-            uses.push_back(a < b ? Use{a, b, 1} : Use{b, a, -1});
-        }
-    }
-    std::sort(uses.begin(), uses.end(),
-              [](const Use& a, const Use& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-    for (std::size_t k = 0, end = 0; k < uses.size(); k = end) {
-        int sum = 0;
-        for (end = k; end < uses.size() && uses[end].low == uses[k].low && uses[end].high == uses[k].high; ++end)
-            sum += uses[end].way;
-        if (sum != 0 || (end - k) % 2 != 0)
-            return "open edge from " + words(to_metres(uses[k].low)) + " to " + words(to_metres(uses[k].high));
-        if (shared_edges && end - k > 2) ++*shared_edges;
-    }
-    return "";
+    DirectedEdges edges;
+    for (const FacetPlace& place : all_facets(world))
+        if (place.record().solid) edges.add(place);
+    return edges.first_open(shared_edges);
+}
+
+void report_contradictions() {
+    set_assert_handler([](const char* condition, const char* advice, const char* file, int line) {
+        if (std::strstr(advice, "contradict")) return;
+        std::fprintf(stderr, "%s:%d: %s: %s\n", file, line, condition, advice);
+        std::abort();
+    });
 }
 
 CarveResult make_cut(const World& world, const CutOrder& order) {
@@ -391,27 +412,18 @@ CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::
     return result;
 }
 
-CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::uint64_t index, const Level& ours,
-                    const JudgeOptions& options) {
-    const scenes::CutCase it = scenes::make_cut_case(family, seed, index, ours);
+CutTally judge_cuts(World world, World again, std::span<const CutOrder> cuts, const std::string& name,
+                    std::uint64_t seed, const JudgeOptions& options) {
     CutTally tally;
-    const std::string name =
-        std::string(family.name) + " seed=" + std::to_string(seed) + " case=" + std::to_string(index);
-    Result<World> made = make_world(it.level);
-    if (!made) {
-        tally.fail(name + ": " + made.error().text());
-        ++tally.failed;
-        return tally;
-    }
-    World world = made.value(), before_last = world;
-    Rng rng(seed ^ index << 32);
-    const std::size_t cuts = std::min(it.cuts.size(), options.most_cuts);
-    for (std::size_t k = 0; k < cuts; ++k) {
+    World before_last = world;
+    Rng rng(seed);
+    cuts = cuts.first(std::min(cuts.size(), options.most_cuts));
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
         const World before = world;
         const std::string where = name + " cut=" + std::to_string(k);
-        const CarveResult result = judge_cut(world, it.cuts[k], rng, where, tally, options);
-        if (k > 0 && disjoint(it.cuts[k - 1], it.cuts[k]) && rng.chance(0.5)) {
-            const World other = make_cut(make_cut(before_last, it.cuts[k]).world, it.cuts[k - 1]).world;
+        const CarveResult result = judge_cut(world, cuts[k], rng, where, tally, options);
+        if (k > 0 && disjoint(cuts[k - 1], cuts[k]) && rng.chance(0.5)) {
+            const World other = make_cut(make_cut(before_last, cuts[k]).world, cuts[k - 1]).world;
             ++tally.commuted;
             const bool same_facets = hash_of_surface(other) == hash_of_surface(world);
             tally.reseamed += !same_facets;
@@ -422,15 +434,29 @@ CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::ui
         }
         before_last = before;
     }
-    // Equal logs, equal bytes: also from a level read anew, in memory laid out otherwise.
-    World again = make_world(it.level).value();
-    for (std::size_t k = 0; k < cuts; ++k) again = make_cut(again, it.cuts[k]).world;
-    tally.replayed += cuts;
+    // Equal logs, equal bytes.
+    for (const CutOrder& cut : cuts) again = make_cut(again, cut).world;
+    tally.replayed += cuts.size();
     if (hash_world(again) != hash_world(world)) {
         tally.fail(name + ": made again from the level it ends in another world");
         ++tally.failed;
     }
     return tally;
+}
+
+CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::uint64_t index, const Level& ours,
+                    const JudgeOptions& options) {
+    const scenes::CutCase it = scenes::make_cut_case(family, seed, index, ours);
+    const std::string name =
+        std::string(family.name) + " seed=" + std::to_string(seed) + " case=" + std::to_string(index);
+    const Result<World> made = make_world(it.level);
+    if (!made) {
+        CutTally tally;
+        tally.fail(name + ": " + made.error().text());
+        ++tally.failed;
+        return tally;
+    }
+    return judge_cuts(made.value(), make_world(it.level).value(), it.cuts, name, seed ^ index << 32, options);
 }
 
 }  // namespace firma::reference

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct CutTally {
     std::uint64_t reseamed = 0;     ///< of those, with the same solid but its large faces divided otherwise
     std::uint64_t replayed = 0;     ///< made once more, a whole case from its level, and the last world was the same
     std::uint64_t points = 0, rays = 0, casts = 0;
+    std::uint64_t room_casts = 0;    ///< of worlds with rooms: casts by room against casts of all faces ...
+    std::uint64_t crossings = 0;     ///< ... of which so many went through portals
+    std::uint64_t ways = 0;          ///< of worlds with rooms: pairs of points in the air
+    std::uint64_t joined = 0;        ///< cuts that made several rooms one
     std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
     double carve_seconds = 0;
     struct Refusals {
@@ -56,14 +61,26 @@ struct JudgeOptions {
 CarveResult judge_cut(World& world, const scenes::CutOrder& order, scenes::Rng& rng, const std::string& where,
                       CutTally& tally, const JudgeOptions& options = {});
 
-/// All cuts of a case, one after another, and neighbouring ones that are disjoint in both orders; then all of them
-/// again from the level, which must end in the same bits.
+/// Cuts one after another, and neighbouring ones that are disjoint in both orders; then all of them again from another
+/// world, which must end in the same bits.
+/// @param world  made of a level
+/// @param again  made of the same level anew: in memory laid out otherwise
+/// @param name   for failures: what it takes to see the cuts again
+CutTally judge_cuts(World world, World again, std::span<const scenes::CutOrder> cuts, const std::string& name,
+                    std::uint64_t seed, const JudgeOptions& options = {});
+
+/// The same for a case of a family.
 CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::uint64_t index, const Level& ours,
                     const JudgeOptions& options = {});
 
+/// From now on the library's asserts of contradictions do not end the program: the judge tells of them, with what it
+/// takes to see them again.
+void report_contradictions();
+
 CarveResult make_cut(const World& world, const scenes::CutOrder& order);
 
-/// The first directed edge of the solid's facets that is not used as often the other way; empty when all are.
+/// The first directed edge of the solid's facets, of all rooms, that is not used as often the other way; empty when all
+/// are.
 std::string open_edge(const World& world, std::uint64_t* shared_edges = nullptr);
 
 }  // namespace firma::reference

@@ -54,6 +54,12 @@ std::vector<FacetPlace> all_facets(const World& world) {
     return facets;
 }
 
+std::vector<FacetPlace> facets_of_room(const World& world, std::uint32_t room) {
+    std::vector<FacetPlace> facets;
+    if (const Block* tree = world.data().rooms[room]->tree.get()) collect(*tree, facets);
+    return facets;
+}
+
 FacetChange compare_facets(const World& before, const World& after) {
     FacetChange change;
     const std::vector<FacetPlace> a = all_facets(before), b = all_facets(after);
@@ -79,10 +85,14 @@ FaceSet set_of(const World& world) {
 
 World rebuilt(const World& world) {
     auto data = std::make_shared<WorldData>(world.data());
-    Ref<Room> room(new Room);
-    const FaceSet set = set_of(world);
-    room->tree = build_blocks(set, data->tree_options);
-    data->rooms.assign(1, Ref<const Room>(room.get()));
+    for (Ref<const Room>& room : data->rooms) {
+        if (!room->tree) continue;
+        FaceSet set;
+        append_all_faces(*room->tree, set);
+        Ref<Room> made(new Room);
+        made->tree = build_blocks(set, data->tree_options);
+        room = Ref<const Room>(made.get());
+    }
     return World(std::move(data));
 }
 

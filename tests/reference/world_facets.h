@@ -12,6 +12,8 @@ namespace firma::reference {
 
 /// In order of id.
 std::vector<FacetPlace> all_facets(const World& world);
+/// Those of one room, as its tree has them.
+std::vector<FacetPlace> facets_of_room(const World& world, std::uint32_t room);
 
 /// What two versions of a world do not share, by id.
 struct FacetChange {
@@ -23,7 +25,7 @@ FacetChange compare_facets(const World& before, const World& after);
 /// The facets as they are, in a set; owners stay alive through the world.
 FaceSet set_of(const World& world);
 
-/// The same facets in a tree built from scratch.
+/// The same facets, each room's in a tree built from scratch.
 World rebuilt(const World& world);
 
 /// FNV-1a over all facets in order of id: corners, sources, materials, flags.

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Judges the rooms of a world.
+#include "tests/reference/judge_rooms.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/reference/carve_oracle.h"
+#include "tests/reference/directed_edges.h"
+#include "tests/reference/world_facets.h"
+#include "world/world_data.h"
+
+namespace firma::reference {
+namespace {
+
+std::string text_of(const Vec3& v) {
+    char text[100];
+    std::snprintf(text, sizeof text, "(%.17g, %.17g, %.17g)", v.x, v.y, v.z);
+    return text;
+}
+
+std::string text_of(const Location& where) {
+    if (where.kind == Location::Kind::kRoom) return "in room " + std::to_string(where.room.value);
+    return where.kind == Location::Kind::kSolid ? "in the solid" : "nowhere it is sure of";
+}
+
+}  // namespace
+
+bool same_hit(const Hit& a, const Hit& b) {
+    return a.status == b.status && a.feature == b.feature && a.feature_index == b.feature_index &&
+           a.fraction == b.fraction && a.safe_fraction == b.safe_fraction && a.centre == b.centre &&
+           a.point == b.point && a.normal == b.normal && a.face_normal == b.face_normal && a.face == b.face &&
+           a.other_face == b.other_face && a.source == b.source && a.source_edit == b.source_edit &&
+           a.material == b.material && a.portal == b.portal && a.room == b.room;
+}
+
+std::string unclosed_room(const World& world) {
+    for (std::uint32_t room = 0; room < world.room_count(); ++room) {
+        DirectedEdges edges;
+        for (const FacetPlace& place : facets_of_room(world, room))
+            if (place.record().solid) edges.add(place);
+        for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
+            const PortalInfo info = portal_info(world, {portal});
+            if (info.rooms[0].value != room && info.rooms[1].value != room) continue;
+            for (std::vector<Vec3> polygon : info.polygons) {
+                if (info.rooms[0].value != room) std::reverse(polygon.begin(), polygon.end());
+                edges.add(polygon);
+            }
+        }
+        if (const std::string open = edges.first_open(); !open.empty())
+            return "around room " + std::to_string(room) + " there is an " + open;
+    }
+    return "";
+}
+
+std::vector<bool> closed_rooms(const World& world) {
+    std::vector<bool> closed;
+    for (std::uint32_t k = 0; k < world.room_count(); ++k) {
+        bool open = !world.data().room_records && !world.data().rock_outside;
+        for (std::uint32_t other = 0; other < world.room_count() && !open; ++other)
+            open = room_info(world, {other}).exterior && find_path(world, {k}, {other}, Doors::kAllOpen).has_value();
+        closed.push_back(!open);
+    }
+    return closed;
+}
+
+RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_count()) {
+    for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
+        rooms_[room].facets = facets_of_room(world, room);
+        rooms_[room].exterior =
+            world.data().room_records ? room_info(world, {room}).exterior : !world.data().rock_outside;
+    }
+    for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
+        const PortalInfo info = portal_info(world, {portal});
+        for (std::vector<Vec3> polygon : info.polygons) {
+            rooms_[info.rooms[0].value].portals.push_back(polygon);
+            std::reverse(polygon.begin(), polygon.end());
+            rooms_[info.rooms[1].value].portals.push_back(std::move(polygon));
+        }
+    }
+}
+
+std::string RoomBounds::judge(const Vec3& point) const {
+    Location where{Location::Kind::kSolid, {}};
+    for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
+        const Bounds& bounds = rooms_[room];
+        // Fronts look into the room: its boundary winds -1 times around what is in it.
+        double in = bounds.exterior - winding(bounds.facets, point);
+        for (const std::vector<Vec3>& polygon : bounds.portals) in -= winding(polygon, point);
+        if (std::fabs(in) < 1e-3) continue;
+        if (std::fabs(in - 1) > 1e-3)
+            return "room " + std::to_string(room) + " lies " + std::to_string(in) + " times around " + text_of(point);
+        if (where.kind == Location::Kind::kRoom)
+            return "two rooms, " + std::to_string(where.room.value) + " and " + std::to_string(room) + ", lie around " +
+                   text_of(point);
+        where = {Location::Kind::kRoom, {room}};
+    }
+    const Location said = locate(world_, point);
+    if (said == where) return "";
+    return text_of(point) + " lies " + text_of(where) + ", and locate() says " + text_of(said);
+}
+
+std::string judge_way(const World& world, const Vec3& from, const Vec3& to) {
+    const Location start = locate(world, from), end = locate(world, to);
+    if (start.kind != Location::Kind::kRoom || end.kind != Location::Kind::kRoom) return {};
+    CastOptions options;
+    options.room = start.room;
+    std::array<RoomId, 256> passed;
+    options.passed = passed;
+    const Hit hit = cast(world, {from, 0}, to - from, options);
+    if (hit.touched()) return {};
+    for (std::size_t k = 0; k < std::min<std::size_t>(hit.rooms_passed, passed.size()); ++k)
+        if (passed[k] == end.room) return {};
+    return "a way through the air to another room passes no portal into it: from " + text_of(from) + " to " +
+           text_of(to);
+}
+
+std::string judge_cast_by_room(const World& world, const Sphere& sphere, const Vec3& path,
+                               std::uint32_t& rooms_passed) {
+    rooms_passed = 0;
+    const Location start = locate(world, sphere.centre);
+    if (start.kind != Location::Kind::kRoom || closest(world, sphere.centre, sphere.radius + 1e-5)) return "";
+    const Hit all = cast(world, sphere, path), by_room = cast(world, sphere, path, {.room = start.room});
+    rooms_passed = by_room.rooms_passed;
+    if (same_hit(all, by_room)) return "";
+    char radius[40];
+    std::snprintf(radius, sizeof radius, "%.17g", sphere.radius);
+    return "a cast by room is another one: from " + text_of(sphere.centre) + " radius " + radius + " by " +
+           text_of(path);
+}
+
+}  // namespace firma::reference
