@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Portals for a level of brushes whose author placed none, or too few: at doorways and where the air is narrow.
+#pragma once
+
+#include <cstddef>
+
+#include "firma/brush_level.h"
+#include "firma/result.h"
+
+namespace firma {
+
+struct DivideOptions {
+    /// An opening divides two rooms when its area is less than so many times that of a square wall of the smaller one,
+    /// were that a cube. 0: none does.
+    double narrow = 0.4;
+    double smallest_room = 8;            ///< cubic metres of air
+    std::size_t most_cells = 6'000'000;  ///< looked at: 14 bytes each; where these are too few, small doors are missed
+};
+
+/// What dividing a level came to.
+struct DivideReport {
+    std::size_t cells = 0;    ///< looked at; 0 where the level has no solid brush, or too many and too large ones
+    std::size_t narrows = 0;  ///< sections of the air that were narrower than what lies beyond
+    std::size_t chosen = 0;   ///< of these: they divide the cells into rooms
+    std::size_t idle = 0;     ///< of these: the exact model has another way around, too narrow for the cells to show
+    std::size_t portals = 0;  ///< added: chosen and not idle
+};
+
+/// Adds portals where the air of the level narrows: rectangles square to an axis, each a brush of BrushKind::kPortal at
+/// the end of `brushes`, of entity 0 and material 0, with its portal as its first side. Each divides two rooms in the
+/// world that make_world() makes of the level; none is idle. The author's brushes stay as they are, first of all his
+/// portals: what these leave undivided is divided further.
+///
+/// The air is looked at in cells (an author's doorway is found if it is at least a sixteenth of a metre deep, in levels
+/// so large that most_cells allow no finer ones somewhat more); what divides them is then put to the exact test. What
+/// lies outside of a closed hull is not divided, if a player begins inside of it (entities `info_player...`).
+///
+/// @param report  filled, when given
+/// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge as of
+///         make_world(); kInvalid for an option that is no number or negative
+/// Takes as long as making two worlds of the level, and up to a few seconds to look for narrows.
+Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
+                                DivideReport* report = nullptr);
+
+}  // namespace firma
