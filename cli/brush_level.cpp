@@ -56,7 +56,6 @@ void add_divided(JsonWriter& json, const std::optional<DivideReport>& divided) {
     json.open_object("divided");
     json.add("cells", divided->cells);
     json.add("narrows", divided->narrows);
-    json.add("chosen", divided->chosen);
     json.add("idle", divided->idle);
     json.add("portals", divided->portals);
     json.close();
@@ -119,7 +118,7 @@ std::string info_text(const LoadedLevel& loaded) {
                               level.greatest_shift * 1000));
     row("materials", grouped(material_names(level).size()));
     if (divided)
-        row("divided", fmt::format("{} portals added; {} more would divide nothing", grouped(divided->portals),
+        row("divided", fmt::format("{} portals added; {} tried that the air goes around", grouped(divided->portals),
                                    grouped(divided->idle)));
     text += world_text(loaded.world);
     row("time", fmt::format("{} to read, {} to join and build", seconds_text(loaded.read_seconds),

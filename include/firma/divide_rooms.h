@@ -21,9 +21,8 @@ struct DivideOptions {
 struct DivideReport {
     std::size_t cells = 0;    ///< looked at; 0 where the level has no solid brush, or too many and too large ones
     std::size_t narrows = 0;  ///< sections of the air that were narrower than what lies beyond
-    std::size_t chosen = 0;   ///< of these: they divide the cells into rooms
-    std::size_t idle = 0;     ///< of these: the exact model has another way around, too narrow for the cells to show
-    std::size_t portals = 0;  ///< added: chosen and not idle
+    std::size_t idle = 0;     ///< of these, chosen in vain: the air goes around by a way that the cells do not show
+    std::size_t portals = 0;  ///< added
 };
 
 /// Adds portals where the air of the level narrows: rectangles square to an axis, each a brush of BrushKind::kPortal at
@@ -38,7 +37,8 @@ struct DivideReport {
 /// @param report  filled, when given
 /// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge as of
 ///         make_world(); kInvalid for an option that is no number or negative
-/// Takes as long as making two worlds of the level, and up to a few seconds to look for narrows.
+/// Takes as long as making the level's world, up to four times where many were chosen in vain, and a second or more
+/// for the cells.
 Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
                                 DivideReport* report = nullptr);
 

@@ -28,10 +28,9 @@ public:
     int layers(int axis) const { return int(layers_[axis].centres.size()); }
     /// On the input grid, ascending.
     double centre(int axis, int layer) const { return layers_[axis].centres[std::size_t(layer)]; }
-    double width(int axis, int layer) const {
-        const std::vector<double>& borders = layers_[axis].borders;
-        return borders[std::size_t(layer) + 1] - borders[std::size_t(layer)];
-    }
+    /// Where a layer begins, and the one before ends.
+    double border(int axis, int layer) const { return layers_[axis].borders[std::size_t(layer)]; }
+    double width(int axis, int layer) const { return border(axis, layer + 1) - border(axis, layer); }
     std::size_t stride(int axis) const { return strides_[axis]; }
     int layer_of(std::size_t cell, int axis) const { return int(cell / strides_[axis]) % layers(axis); }
     bool is_outermost(std::size_t cell) const;

@@ -13,6 +13,9 @@ namespace firma {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kMostNarrows = 12;  ///< between two rooms: what has more is a fence, or a window with bars
+constexpr double kShare = 0.75;             ///< of a narrow that divides rooms, at least
+constexpr int kMostRounds = 8;
 constexpr double kEndless = 1e18;  ///< cubic metres: a room that reaches beyond the level
 
 class RoomJoiner {
@@ -25,35 +28,52 @@ public:
         joined_ = DisjointSets(volumes_.size());
     }
 
-    void add_openings(const Narrow& narrow) {
-        for_each_pair(narrow, [&](std::uint32_t a, std::uint32_t b, double area) {
-            openings_[a][b] += area;
-            openings_[b][a] += area;
+    /// @param number  the narrow's own
+    void add_openings(const Narrow& narrow, std::uint32_t number) {
+        for_each_way(narrow, [&](std::uint32_t a, std::uint32_t b, double area) {
+            if (a == b) return;
+            for (Opening* opening : {&openings_[a][b], &openings_[b][a]}) {
+                opening->area += area;
+                opening->count += opening->last != number;
+                opening->last = number;
+            }
         });
     }
 
     void join_rooms() {
         for (std::uint32_t a = 0; a < openings_.size(); ++a)
-            for (const auto& [b, area] : openings_[a])
-                if (a < b) offer(a, b, area);
+            for (const auto& [b, opening] : openings_[a])
+                if (a < b) offer(a, b, opening);
         while (!offers_.empty()) {
             const Offer best = offers_.top();
             offers_.pop();
             const double small = std::min(volumes_[best.a], volumes_[best.b]);
             const bool stale = joined_.find(best.a) != best.a || joined_.find(best.b) != best.b ||
-                               small != best.small || openings_[best.a][best.b] != best.area;
-            if (stale || (small >= options_.smallest_room && !best.is_wide(options_.narrow))) continue;
+                               small != best.small || openings_[best.a][best.b].area != best.area;
+            if (stale) continue;
+            const bool fence = openings_[best.a][best.b].count > kMostNarrows;
+            if (small >= options_.smallest_room && !best.is_wide(options_.narrow) && !fence) continue;
             join(best.a, best.b);
         }
     }
 
-    bool divides(const Narrow& narrow) {
-        bool divides = false;
-        for_each_pair(narrow, [&](std::uint32_t a, std::uint32_t b, double) { divides |= a != b; });
-        return divides;
+    /// How much of a narrow has two rooms on its sides, 0 .. 1.
+    double share_that_divides(const Narrow& narrow) {
+        double divided = 0, all = 0;
+        for_each_way(narrow, [&](std::uint32_t a, std::uint32_t b, double area) {
+            all += area;
+            divided += a == b ? 0 : area;
+        });
+        return divided / all;
     }
 
 private:
+    /// All that leads from one room to another.
+    struct Opening {
+        double area = 0;                        ///< square metres
+        std::uint32_t count = 0, last = kNone;  ///< narrows, and the last of them
+    };
+
     /// To join two rooms. Equal ones are told apart by their numbers.
     struct Offer {
         double area, small;  ///< of the opening, of the smaller room
@@ -101,20 +121,19 @@ private:
         volumes_.push_back(std::min(volume, kEndless));
     }
 
-    /// The rooms on both sides of each way out of a narrow, where they are two.
+    /// Calls `function(room, room beyond, area)` for each way out of a narrow.
     template <class Function>
-    void for_each_pair(const Narrow& narrow, const Function& function) {
+    void for_each_way(const Narrow& narrow, const Function& function) {
         const int u = (narrow.axis + 1) % 3, v = (narrow.axis + 2) % 3;
         for (const std::uint32_t cell : narrow.ways) {
             const std::uint32_t a = joined_.find(room_of_[cell]);
             const std::uint32_t b = joined_.find(room_of_[cell + grid_.stride(narrow.axis)]);
-            if (a == b) continue;
             function(a, b, grid_.width(u, grid_.layer_of(cell, u)) * grid_.width(v, grid_.layer_of(cell, v)));
         }
     }
 
-    void offer(std::uint32_t a, std::uint32_t b, double area) {
-        offers_.push({area, std::min(volumes_[a], volumes_[b]), std::min(a, b), std::max(a, b)});
+    void offer(std::uint32_t a, std::uint32_t b, const Opening& opening) {
+        offers_.push({opening.area, std::min(volumes_[a], volumes_[b]), std::min(a, b), std::max(a, b)});
     }
 
     void join(std::uint32_t a, std::uint32_t b) {
@@ -123,20 +142,22 @@ private:
         volumes_[stays] = std::min(volumes_[stays] + volumes_[goes], kEndless);
         openings_[stays].erase(goes);
         openings_[goes].erase(stays);
-        for (const auto& [other, area] : openings_[goes]) {
+        for (const auto& [other, opening] : openings_[goes]) {
             openings_[other].erase(goes);
-            openings_[stays][other] += area;
-            openings_[other][stays] = openings_[stays][other];
+            Opening& sum = openings_[stays][other];
+            sum.area += opening.area;
+            sum.count += opening.count;
+            openings_[other][stays] = sum;
         }
         openings_[goes].clear();
-        for (const auto& [other, area] : openings_[stays]) offer(stays, other, area);
+        for (const auto& [other, opening] : openings_[stays]) offer(stays, other, opening);
     }
 
     const AirGrid& grid_;
     const DivideOptions& options_;
-    std::vector<std::uint32_t> room_of_;                     ///< a cell each; kNone in the solid
-    std::vector<double> volumes_;                            ///< of rooms, cubic metres
-    std::vector<std::map<std::uint32_t, double>> openings_;  ///< to other rooms, square metres
+    std::vector<std::uint32_t> room_of_;                      ///< a cell each; kNone in the solid
+    std::vector<double> volumes_;                             ///< of rooms, cubic metres
+    std::vector<std::map<std::uint32_t, Opening>> openings_;  ///< of rooms, to others
     DisjointSets joined_{0};
     std::priority_queue<Offer> offers_;
     std::vector<std::uint32_t> waiting_;
@@ -144,22 +165,29 @@ private:
 
 }  // namespace
 
-std::vector<std::uint32_t> choose_narrows(AirGrid& grid, std::span<const Narrow> narrows,
-                                          const DivideOptions& options) {
-    std::vector<std::uint32_t> tried, chosen;
-    for (std::uint32_t k = 0; k < narrows.size(); ++k) {
-        const Narrow& narrow = narrows[k];
-        const auto is_cut = [&](std::uint32_t cell) { return grid.is_cut(cell, narrow.axis); };
-        if (std::any_of(narrow.ways.begin(), narrow.ways.end(), is_cut)) continue;
-        for (const std::uint32_t cell : narrow.ways) grid.cut(cell, narrow.axis);
-        tried.push_back(k);
+std::vector<std::uint32_t> choose_narrows(const AirGrid& grid, std::span<const Narrow> narrows,
+                                          std::vector<bool> without, const DivideOptions& options) {
+    for (int round = 0;; ++round) {
+        AirGrid cut = grid;
+        std::vector<std::uint32_t> tried, chosen;
+        for (std::uint32_t k = 0; k < narrows.size(); ++k) {
+            const Narrow& narrow = narrows[k];
+            const auto is_cut = [&](std::uint32_t cell) { return cut.is_cut(cell, narrow.axis); };
+            if (without[k] || std::any_of(narrow.ways.begin(), narrow.ways.end(), is_cut)) continue;
+            for (const std::uint32_t cell : narrow.ways) cut.cut(cell, narrow.axis);
+            tried.push_back(k);
+        }
+        RoomJoiner joiner(cut, options);
+        for (const std::uint32_t k : tried) joiner.add_openings(narrows[k], k);
+        joiner.join_rooms();
+        bool again = false;
+        for (const std::uint32_t k : tried) {
+            const double share = joiner.share_that_divides(narrows[k]);
+            if (share > 0) chosen.push_back(k);
+            if (share > 0 && share < kShare) again = without[k] = true;
+        }
+        if (!again || round + 1 == kMostRounds) return chosen;
     }
-    RoomJoiner joiner(grid, options);
-    for (const std::uint32_t k : tried) joiner.add_openings(narrows[k]);
-    joiner.join_rooms();
-    for (const std::uint32_t k : tried)
-        if (joiner.divides(narrows[k])) chosen.push_back(k);
-    return chosen;
 }
 
 }  // namespace firma

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kThick = 0.015625;          ///< metres: a portal's brush; any will do
 constexpr std::size_t kMostNarrows = 20000;  ///< of more, the narrowest
-constexpr int kMostRounds = 4;               ///< of leaving out idle portals: after the first there are hardly any
+constexpr int kMostRounds = 3;               ///< of choosing others in place of idle ones
 
 /// The cells that the outside of a closed hull does not lead to; empty where the level may be meant to be open.
 std::vector<bool> inside_of_hull(const BrushLevel& level, const AirGrid& grid) {
@@ -72,7 +72,6 @@ void add_portal(BrushLevel& level, int axis, const Vec3& low, const Vec3& high) 
     level.brushes.push_back(brush);
 }
 
-/// As far as the centres of the cells around it: into the solid, on all four sides.
 void add_portal(BrushLevel& level, const AirGrid& grid, const Narrow& narrow) {
     constexpr double kRim = kWorldRim - 1;
     Vec3 low, high;
@@ -80,37 +79,56 @@ void add_portal(BrushLevel& level, const AirGrid& grid, const Narrow& narrow) {
     low[narrow.axis] = high[narrow.axis] - kThick;
     for (int k = 0; k < 2; ++k) {
         const int across = (narrow.axis + 1 + k) % 3;
-        low[across] = std::clamp(grid.centre(across, narrow.low[k] - 1), -kRim, kRim);
-        high[across] = std::clamp(grid.centre(across, narrow.high[k] + 1), -kRim, kRim);
+        low[across] = std::clamp(narrow.low[k], -kRim, kRim);
+        high[across] = std::clamp(narrow.high[k], -kRim, kRim);
     }
     add_portal(level, narrow.axis, low, high);
 }
 
-/// Of the portals from brush `first` on, leaves out those that divide nothing.
-///
-/// @return how many
-Result<std::size_t> drop_idle(BrushLevel& level, std::size_t first) {
+BrushLevel with_portals(const BrushLevel& level, const AirGrid& grid, std::span<const Narrow> narrows,
+                        std::span<const std::uint32_t> chosen) {
+    BrushLevel divided = level;
+    for (const std::uint32_t k : chosen) add_portal(divided, grid, narrows[k]);
+    return divided;
+}
+
+/// Which of the portals from brush `first` on divide two rooms in the exact model.
+Result<std::vector<bool>> used_portals(const BrushLevel& level, std::size_t first) {
     const Result<std::unique_ptr<JoinedLevel>> joined = join_brushes(level);
     if (!joined.ok()) return joined.error();
-    std::vector<bool> used(level.sides.size());
-    for (const JoinPortal& portal : joined.value()->portals) used[portal.source] = true;
-    std::vector<BrushSide> sides;
-    std::vector<Brush> brushes;
-    const std::size_t first_side = level.brushes[first].first_side;
-    for (std::size_t b = first; b < level.brushes.size(); ++b) {
-        Brush brush = level.brushes[b];
-        if (!used[brush.first_side]) continue;
-        const auto from = level.sides.begin() + brush.first_side;
-        brush.first_side = std::uint32_t(first_side + sides.size());
-        sides.insert(sides.end(), from, from + brush.side_count);
-        brushes.push_back(brush);
+    std::vector<bool> used_side(level.sides.size()), used;
+    for (const JoinPortal& portal : joined.value()->portals) used_side[portal.source] = true;
+    for (std::size_t b = first; b < level.brushes.size(); ++b) used.push_back(used_side[level.brushes[b].first_side]);
+    return used;
+}
+
+/// Chooses narrows, leaves out those that divide nothing in the exact model, and looks whether others may take their
+/// places. Leaving out an idle portal joins no rooms: what is left of a choice needs no second test.
+///
+/// @return of all choices that which divides the level by the most portals
+Result<std::vector<std::uint32_t>> choose_exactly(const BrushLevel& level, const AirGrid& grid,
+                                                  std::span<const Narrow> narrows, const DivideOptions& options,
+                                                  DivideReport& report) {
+    std::vector<bool> idle(narrows.size());
+    std::vector<std::uint32_t> best;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const std::vector<std::uint32_t> chosen = choose_narrows(grid, narrows, idle, options);
+        if (chosen.size() <= best.size()) break;
+        const Result<std::vector<bool>> used =
+            used_portals(with_portals(level, grid, narrows, chosen), level.brushes.size());
+        if (!used.ok()) return used.error();
+        std::vector<std::uint32_t> good;
+        for (std::size_t k = 0; k < chosen.size(); ++k) {
+            if (used.value()[k])
+                good.push_back(chosen[k]);
+            else
+                idle[chosen[k]] = true;
+        }
+        report.idle += chosen.size() - good.size();
+        if (good.size() > best.size()) best = good;
+        if (good.size() == chosen.size()) break;
     }
-    const std::size_t idle = level.brushes.size() - first - brushes.size();
-    level.sides.resize(first_side);
-    level.sides.insert(level.sides.end(), sides.begin(), sides.end());
-    level.brushes.resize(first);
-    level.brushes.insert(level.brushes.end(), brushes.begin(), brushes.end());
-    return idle;
+    return best;
 }
 
 bool is_usable(double number) {
@@ -124,26 +142,17 @@ Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& op
         return Error{ErrorCode::kInvalid, level.name, "rooms are divided by numbers that are finite and not negative"};
     DivideReport found;
     BrushLevel divided = level;
-    std::optional<AirGrid> grid = AirGrid::make(level, options.most_cells);
+    const std::optional<AirGrid> grid = AirGrid::make(level, options.most_cells);
     if (grid) {
         found.cells = grid->cells();
         std::vector<Narrow> narrows = find_narrows(*grid, inside_of_hull(level, *grid));
         found.narrows = narrows.size();
         if (narrows.size() > kMostNarrows) narrows.resize(kMostNarrows);
-        for (const std::uint32_t k : choose_narrows(*grid, narrows, options)) {
-            add_portal(divided, *grid, narrows[k]);
-            ++found.chosen;
-        }
-        grid.reset();
+        const Result<std::vector<std::uint32_t>> chosen = choose_exactly(level, *grid, narrows, options, found);
+        if (!chosen.ok()) return chosen.error();
+        divided = with_portals(level, *grid, narrows, chosen.value());
     }
-    const std::size_t first = level.brushes.size();
-    for (int round = 0; round < kMostRounds && divided.brushes.size() > first; ++round) {
-        const Result<std::size_t> idle = drop_idle(divided, first);
-        if (!idle.ok()) return idle.error();
-        if (idle.value() == 0) break;
-        found.idle += idle.value();
-    }
-    found.portals = divided.brushes.size() - first;
+    found.portals = divided.brushes.size() - level.brushes.size();
     if (report) *report = found;
     return divided;
 }

@@ -11,7 +11,8 @@ namespace {
 /// The air widens where a section has so many times the area, at most so far away; its next layer's must be so much
 /// more already, so that of a straight passage only the end counts.
 constexpr double kWider = 1.5, kAtOnce = 1.05;
-constexpr double kReach = 0.75;  ///< metres
+constexpr double kReach = 0.75;         ///< metres
+constexpr double kIntoWall = 0.015625;  ///< metres: how deep portals reach into thin walls
 constexpr std::uint32_t kNone = ~0u;
 
 /// Cells of one layer that free ways within it join.
@@ -126,11 +127,23 @@ private:
         return alone;
     }
 
+    /// To the centres of the next cells; but where one of them is air, behind a wall thinner than cells are, hardly
+    /// into that wall.
+    double reach_into_solid(Section section, int k, bool upward) const {
+        const int across = across_[k], last = upward ? section.high[k] : section.low[k];
+        const int next = upward ? last + 1 : last - 1;
+        section.low[k] = section.high[k] = next;
+        bool air = false;
+        for_each_around(section, [&](std::size_t cell) { air |= grid_.is_air(cell); });
+        if (!air) return grid_.centre(across, next);
+        return upward ? grid_.border(across, next) + kIntoWall : grid_.border(across, last) - kIntoWall;
+    }
+
     Narrow make(const Section& section, bool onward) const {
         Narrow narrow{axis_, section.layer, section.area, {}, {}, {}};
         for (int k = 0; k < 2; ++k) {
-            narrow.low[k] = section.low[k];
-            narrow.high[k] = section.high[k];
+            narrow.low[k] = reach_into_solid(section, k, false);
+            narrow.high[k] = reach_into_solid(section, k, true);
         }
         const std::uint32_t number = section_of_[section.seed];
         for_each_around(section, [&](std::size_t cell) {

@@ -13,8 +13,8 @@ namespace firma {
 struct Narrow {
     int axis = 0, layer = 0;  ///< it passes through the centres of this layer
     double area = 0;          ///< square metres
-    /// Layers of its cells, first and last, across the two axes after its own.
-    int low[2] = {0, 0}, high[2] = {0, 0};
+    /// A rectangle around it across the two axes after its own, that reaches into the solid on all four sides; metres.
+    double low[2] = {0, 0}, high[2] = {0, 0};
     std::vector<std::uint32_t> ways;  ///< cells from which the way along the axis leads out of it, to the wider side
 };
 
