@@ -27,18 +27,19 @@ struct DivideReport {
 
 /// Adds portals where the air of the level narrows: rectangles square to an axis, each a brush of BrushKind::kPortal at
 /// the end of `brushes`, of entity 0 and material 0, with its portal as its first side. Each divides two rooms in the
-/// world that make_world() makes of the level; none is idle. The author's brushes stay as they are, first of all his
-/// portals: what these leave undivided is divided further.
+/// world that make_world() makes of the level; none is idle. All else stays as it is, the author's portals too: what
+/// these leave undivided is divided further. (Sources of BrushLevel::surfaces count on from the sides that there are
+/// then.)
 ///
-/// The air is looked at in cells (an author's doorway is found if it is at least a sixteenth of a metre deep, in levels
-/// so large that most_cells allow no finer ones somewhat more); what divides them is then put to the exact test. What
-/// lies outside of a closed hull is not divided, if a player begins inside of it (entities `info_player...`).
+/// The air is looked at in cells, a sixteenth of a metre wide or more, as many as most_cells allow; a doorway at least
+/// as deep as they are is found. What divides the cells is then put to the exact test. What lies outside of a closed
+/// hull is not divided, if a player begins inside of it (entities `info_player...`).
 ///
 /// @param report  filled, when given
 /// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge as of
 ///         make_world(); kInvalid for an option that is no number or negative
-/// Takes as long as making the level's world, up to four times where many were chosen in vain, and a second or more
-/// for the cells.
+/// Takes as long as making the level's world, up to eight times that where narrows were chosen in vain, and a second or
+/// so for the cells.
 Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
                                 DivideReport* report = nullptr);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kThick = 0.015625;          ///< metres: a portal's brush; any will do
 constexpr std::size_t kMostNarrows = 20000;  ///< of more, the narrowest
-constexpr int kMostRounds = 3;               ///< of choosing others in place of idle ones
+constexpr int kMostRounds = 8;               ///< of choosing others in place of idle ones
 
 /// The cells that the outside of a closed hull does not lead to; empty where the level may be meant to be open.
 std::vector<bool> inside_of_hull(const BrushLevel& level, const AirGrid& grid) {
