@@ -14,7 +14,7 @@ namespace {
 constexpr double kThinnest = 0.0625;  ///< metres: no layer is thinner
 constexpr double kThickest = 8;       ///< times as much: none is thicker
 constexpr int kMostTries = 24;        ///< of doubling that: layers wider than the world
-constexpr double kMostWork = 1e9;     ///< sides asked by lines
+constexpr double kMostWork = 2e8;     ///< sides asked by lines
 constexpr double kMostCells = 2e9;    ///< so that 32 bits number them
 constexpr std::size_t kMostSides = 1024;
 constexpr double kBeyond = 1;  ///< metres: thickness of the outermost layers, or that of the thinnest

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <tuple>
-
-#include "base/disjoint_sets.h"
 
 namespace firma {
 namespace {
@@ -25,7 +24,8 @@ public:
         for (std::size_t cell = 0; cell < grid.cells(); ++cell)
             if (grid.is_air(cell) && room_of_[cell] == kNone) add_room(cell);
         openings_.resize(volumes_.size());
-        joined_ = DisjointSets(volumes_.size());
+        part_of_.resize(volumes_.size());
+        std::iota(part_of_.begin(), part_of_.end(), 0u);
     }
 
     /// @param number  the narrow's own
@@ -40,20 +40,23 @@ public:
         });
     }
 
+    /// The widest openings first. Rooms only grow, and so openings become narrower by the way: an offer that was made
+    /// before is made again, when its turn comes. One that becomes wider, as two become one, is made at once.
     void join_rooms() {
         for (std::uint32_t a = 0; a < openings_.size(); ++a)
             for (const auto& [b, opening] : openings_[a])
-                if (a < b) offer(a, b, opening);
+                if (a < b) offers_.push(offer(a, b, opening));
         while (!offers_.empty()) {
             const Offer best = offers_.top();
             offers_.pop();
-            const double small = std::min(volumes_[best.a], volumes_[best.b]);
-            const bool stale = joined_.find(best.a) != best.a || joined_.find(best.b) != best.b ||
-                               small != best.small || openings_[best.a][best.b].area != best.area;
-            if (stale) continue;
-            const bool fence = openings_[best.a][best.b].count > kMostNarrows;
-            if (small >= options_.smallest_room && !best.is_wide(options_.narrow) && !fence) continue;
-            join(best.a, best.b);
+            const std::uint32_t a = room(best.a), b = room(best.b);
+            if (a == b) continue;
+            const Opening& opening = openings_[a][b];
+            const Offer now = offer(a, b, opening);
+            if (now.width() < best.width()) offers_.push(now);
+            if (now.width() != best.width()) continue;
+            const bool fence = opening.count > kMostNarrows;
+            if (now.small < options_.smallest_room || now.is_wide(options_.narrow) || fence) join(a, b);
         }
     }
 
@@ -126,19 +129,26 @@ private:
     void for_each_way(const Narrow& narrow, const Function& function) {
         const int u = (narrow.axis + 1) % 3, v = (narrow.axis + 2) % 3;
         for (const std::uint32_t cell : narrow.ways) {
-            const std::uint32_t a = joined_.find(room_of_[cell]);
-            const std::uint32_t b = joined_.find(room_of_[cell + grid_.stride(narrow.axis)]);
+            const std::uint32_t a = room(room_of_[cell]);
+            const std::uint32_t b = room(room_of_[cell + grid_.stride(narrow.axis)]);
             function(a, b, grid_.width(u, grid_.layer_of(cell, u)) * grid_.width(v, grid_.layer_of(cell, v)));
         }
     }
 
-    void offer(std::uint32_t a, std::uint32_t b, const Opening& opening) {
-        offers_.push({opening.area, std::min(volumes_[a], volumes_[b]), std::min(a, b), std::max(a, b)});
+    Offer offer(std::uint32_t a, std::uint32_t b, const Opening& opening) const {
+        return {opening.area, std::min(volumes_[a], volumes_[b]), std::min(a, b), std::max(a, b)};
     }
 
-    void join(std::uint32_t a, std::uint32_t b) {
-        joined_.join(a, b);
-        const std::uint32_t stays = joined_.find(a), goes = stays == a ? b : a;
+    /// What a room is part of by now.
+    std::uint32_t room(std::uint32_t k) {
+        while (part_of_[k] != k) k = part_of_[k] = part_of_[part_of_[k]];
+        return k;
+    }
+
+    /// The one with fewer openings becomes part of the other.
+    void join(std::uint32_t stays, std::uint32_t goes) {
+        if (openings_[stays].size() < openings_[goes].size()) std::swap(stays, goes);
+        part_of_[goes] = stays;
         volumes_[stays] = std::min(volumes_[stays] + volumes_[goes], kEndless);
         openings_[stays].erase(goes);
         openings_[goes].erase(stays);
@@ -148,9 +158,9 @@ private:
             sum.area += opening.area;
             sum.count += opening.count;
             openings_[other][stays] = sum;
+            offers_.push(offer(stays, other, sum));
         }
         openings_[goes].clear();
-        for (const auto& [other, opening] : openings_[stays]) offer(stays, other, opening);
     }
 
     const AirGrid& grid_;
@@ -158,7 +168,7 @@ private:
     std::vector<std::uint32_t> room_of_;                      ///< a cell each; kNone in the solid
     std::vector<double> volumes_;                             ///< of rooms, cubic metres
     std::vector<std::map<std::uint32_t, Opening>> openings_;  ///< of rooms, to others
-    DisjointSets joined_{0};
+    std::vector<std::uint32_t> part_of_;
     std::priority_queue<Offer> offers_;
     std::vector<std::uint32_t> waiting_;
 };

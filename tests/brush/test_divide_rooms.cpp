@@ -193,6 +193,27 @@ TEST(DivideRooms, WhatTheOptionsSay) {
         EXPECT_LE(divide(level, {.most_cells = cells}).report.cells, cells);
 }
 
+/// Ten gaps in a wall divide two halls, sixteen are a fence.
+TEST(DivideRooms, Fences) {
+    for (const int gaps : {10, 16}) {
+        BrushLevel level = storey({"###################",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "#                 #",  //
+                                   "###################"});
+        for (int k = 0; k < gaps; ++k) add_box(level, {9, 1 + k * 0.5, 0}, {9.5, 1.25 + k * 0.5, 3});
+        add_box(level, {9, 1 + gaps * 0.5, 0}, {9.5, 9.5, 3});
+        const Divided made = divide(level);
+        EXPECT_EQ(made.report.portals, gaps == 10 ? 10u : 0u);
+        EXPECT_EQ(made.world.room_count(), gaps == 10 ? 3u : 2u);
+    }
+}
+
 /// The author's portals stay what they are, and what they leave undivided is divided further.
 TEST(DivideRooms, KeepsTheAuthorsPortals) {
     BrushLevel level = storey(kBuilding);
