@@ -48,8 +48,21 @@ std::vector<std::string> material_names(const BrushLevel& level) {
     return names;
 }
 
+void add_divided(JsonWriter& json, const std::optional<DivideReport>& divided) {
+    if (!divided) {
+        json.add_null("divided");
+        return;
+    }
+    json.open_object("divided");
+    json.add("cells", divided->cells);
+    json.add("narrows", divided->narrows);
+    json.add("idle", divided->idle);
+    json.add("portals", divided->portals);
+    json.close();
+}
+
 std::string info_json(const LoadedLevel& loaded) {
-    const auto& [level, report] = *loaded.brushes;
+    const auto& [level, report, divided] = *loaded.brushes;
     const std::size_t solid = measure_solid(loaded.world).facets, total = loaded.world.face_count();
     JsonWriter json;
     json.open_object();
@@ -73,6 +86,7 @@ std::string info_json(const LoadedLevel& loaded) {
     json.add("planes_moved", report.planes_moved);
     json.add("greatest_shift", level.greatest_shift);
     json.add("idle_portals", count_notes(report, BrushNote::What::kIdlePortal));
+    add_divided(json, divided);
     add_world(json, loaded.world);
     json.add("read_seconds", loaded.read_seconds);
     json.add("build_seconds", loaded.build_seconds);
@@ -89,7 +103,7 @@ std::string kinds_text(const BrushLevel& level) {
 }
 
 std::string info_text(const LoadedLevel& loaded) {
-    const auto& [level, report] = *loaded.brushes;
+    const auto& [level, report, divided] = *loaded.brushes;
     const std::size_t solid = measure_solid(loaded.world).facets, total = loaded.world.face_count();
     std::string text;
     const auto row = [&](const char* what, const std::string& value) { text += info_row(what, value); };
@@ -103,6 +117,9 @@ std::string info_text(const LoadedLevel& loaded) {
     row("planes", fmt::format("{} moved a little; onto the grid by {:.2g} mm at most", grouped(report.planes_moved),
                               level.greatest_shift * 1000));
     row("materials", grouped(material_names(level).size()));
+    if (divided)
+        row("divided", fmt::format("{} portals added; {} tried that the air goes around", grouped(divided->portals),
+                                   grouped(divided->idle)));
     text += world_text(loaded.world);
     row("time", fmt::format("{} to read, {} to join and build", seconds_text(loaded.read_seconds),
                             seconds_text(loaded.build_seconds)));
@@ -127,17 +144,26 @@ std::optional<Vec3> origin_of(const BrushLevel& level, const Entity& entity) {
     return Vec3{units[0], units[1], units[2]};
 }
 
+/// The world as the author divided it: a portal that was added may hide that there is no wall.
+World undivided(const LoadedLevel& loaded) {
+    if (!loaded.brushes->divided) return loaded.world;
+    BrushLevel level = loaded.brushes->level;
+    level.brushes.resize(level.brushes.size() - loaded.brushes->divided->portals);
+    return take(make_world(level));
+}
+
 /// From the first player's start that lies in the exterior. A world of one room, all of it open, may be meant so: it
 /// leaks when something of it was to be closed in.
 std::optional<Leak> leak_of(const LoadedLevel& loaded) {
     const BrushLevel& level = loaded.brushes->level;
+    const World world = undivided(loaded);
     for (std::size_t k = 0; k < level.entities.size(); ++k) {
         if (!level.entities[k].value("classname").starts_with("info_player")) continue;
         const std::optional<Vec3> origin = origin_of(level, level.entities[k]);
         if (!origin) continue;
-        const Location where = locate(loaded.world, *origin);
-        if (where.kind != Location::Kind::kRoom || !room_info(loaded.world, where.room).exterior) continue;
-        return Leak{k, find_leak(loaded.world, *origin)};
+        const Location where = locate(world, *origin);
+        if (where.kind != Location::Kind::kRoom || !room_info(world, where.room).exterior) continue;
+        return Leak{k, find_leak(world, *origin)};
     }
     return {};
 }
@@ -194,7 +220,8 @@ struct Judgement {
 };
 
 std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool all) {
-    const auto& [level, report] = *loaded.brushes;
+    const BrushLevel& level = loaded.brushes->level;
+    const BrushWorldReport& report = loaded.brushes->report;
     std::string text;
     if (found.world) text += fmt::format("{}: the world is broken: {}\n", level.name, found.world->what);
     if (found.solid) text += fmt::format("{}: the solid is broken: {}\n", level.name, found.solid->what);
@@ -221,7 +248,8 @@ std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool a
 }
 
 std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
-    const auto& [level, report] = *loaded.brushes;
+    const BrushLevel& level = loaded.brushes->level;
+    const BrushWorldReport& report = loaded.brushes->report;
     JsonWriter json;
     const auto add = [&](const char* key, const auto& fault) {
         if (fault)

@@ -21,6 +21,10 @@ void Command::add_flag(const char* names, bool& value, const char* help) {
     app_->add_flag(names, value, help);
 }
 
+void Command::add_flag(const char* names, std::string& value, const char* help) {
+    app_->add_flag(names, value, help);
+}
+
 void Command::set_footer(const std::string& text) {
     app_->footer(text);
 }

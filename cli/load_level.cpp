@@ -35,6 +35,12 @@ void add_level_arguments(Command& command, LevelArguments& arguments, bool requi
                      "of a .bsp the drawn surfaces, rather than the brushes joined into one solid");
 }
 
+void add_rooms_option(Command& command, LevelArguments& arguments) {
+    command.add_option("--rooms", arguments.rooms, "auto",
+                       "of a .map, or a .bsp's brushes: divide the air at doorways and where it narrows, beside the "
+                       "author's portals");
+}
+
 ReadOptions read_options(const LevelArguments& arguments) {
     ReadOptions options;
     if (arguments.scale.empty()) return options;
@@ -76,8 +82,16 @@ void load_brushes(const LevelArguments& arguments, const WorldOptions& options, 
     loaded.level.name = arguments.path;
     loaded.read_seconds = seconds_since(start);
     const auto read = std::chrono::steady_clock::now();
+    if (!arguments.rooms.empty()) brushes.level = take(divide_rooms(brushes.level, {}, &brushes.divided.emplace()));
     loaded.world = take(make_world(brushes.level, options, &brushes.report));
     loaded.build_seconds = seconds_since(read);
+}
+
+void refuse_rooms(const LevelArguments& arguments) {
+    if (arguments.rooms.empty()) return;
+    if (arguments.rooms != "auto") throw Failure("--rooms", "is auto or not given, and not " + arguments.rooms);
+    if (!names_brushes(arguments))
+        throw Failure("--rooms", "auto divides levels of brushes: a .map, or a .bsp without --surfaces");
 }
 
 void load_gltf(const LevelArguments& arguments, const WorldOptions& options, LoadedLevel& loaded) {
@@ -99,6 +113,7 @@ void load_gltf(const LevelArguments& arguments, const WorldOptions& options, Loa
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded;
     const auto start = std::chrono::steady_clock::now();
+    refuse_rooms(arguments);
     if (names_saved_world(arguments.path)) {
         if (!arguments.scale.empty()) throw Failure("--scale", "a .firma file is in metres; scale what it was made of");
         loaded.world = take(load_world(arguments.path));

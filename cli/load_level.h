@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "firma/brush_world.h"
+#include "firma/divide_rooms.h"
 #include "firma/level.h"
 #include "firma/read_gltf.h"
 #include "firma/world.h"
@@ -18,11 +19,14 @@ namespace firma::cli {
 struct LevelArguments {
     std::string path;
     std::string scale;      ///< as typed; empty for the format's own
+    std::string rooms;      ///< "auto": the air is divided where it narrows; empty: as the author's portals do
     bool surfaces = false;  ///< of a .bsp the drawn surfaces rather than the brushes
 };
 
 /// Adds LEVEL (required unless told otherwise), --scale and --surfaces.
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required = true);
+/// Adds --rooms.
+void add_rooms_option(Command& command, LevelArguments& arguments);
 
 ReadOptions read_options(const LevelArguments& arguments);
 /// The same for glTF, where y points up and becomes z.
@@ -32,6 +36,7 @@ GltfOptions gltf_options(const LevelArguments& arguments);
 struct LoadedBrushes {
     BrushLevel level;
     BrushWorldReport report;
+    std::optional<DivideReport> divided;  ///< with --rooms auto; the level has the portals
 };
 
 /// What a .gltf or .glb has beside its faces.
@@ -61,7 +66,8 @@ bool names_gltf(const std::string& path);
 bool names_saved_world(const std::string& path);
 
 /// @param options  of no use to a .firma file, which has its own
-/// @throws Failure with the reader's place and reason; for --scale with a .firma file
+/// @throws Failure with the reader's place and reason; for --scale with a .firma file, for --rooms with what has no
+///         brushes
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options = {});
 
 /// The file's own name, without folders.

@@ -57,6 +57,20 @@ void refuse_unknown_verb(int argc, char** argv, const std::vector<Verb>& verbs) 
     throw Failure(word, "is no verb; there are " + names);
 }
 
+/// `--rooms auto` becomes one word: for `draw` --rooms alone is a flag, and the next word may be its level.
+std::vector<std::string> gather_words(int argc, char** argv) {
+    std::vector<std::string> words;
+    for (int k = 1; k < argc; ++k) {
+        const std::string word = argv[k];
+        if (word == "auto" && !words.empty() && words.back() == "--rooms")
+            words.back() += "=auto";
+        else
+            words.push_back(word);
+    }
+    std::reverse(words.begin(), words.end());  // as the parser wants them
+    return words;
+}
+
 /// The place of a call that does not parse: the verb, if it got that far.
 std::string place_of(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands()) return command->get_name();
@@ -75,7 +89,7 @@ int run(int argc, char** argv) {
                                   add_walk(app), add_draw(app),  add_serve(app), add_demo(app)};
     refuse_unknown_verb(argc, argv, verbs);
     try {
-        app.parse(argc, argv);
+        app.parse(gather_words(argc, argv));
     } catch (const CLI::CallForHelp&) {
         print(app.help());
         return 0;

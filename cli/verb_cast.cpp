@@ -191,6 +191,7 @@ Verb add_cast(CLI::App& app) {
     Command command(app, "cast", "Casts spheres and particles from a csv file through a level");
     const auto arguments = std::make_shared<CastArguments>();
     add_level_arguments(command, arguments->level);
+    add_rooms_option(command, arguments->level);
     command.add_option("--queries", arguments->queries, "FILE", "csv of casts, see below", true);
     add_out_option(command, arguments->out, "csv of hits to write, see below", true);
     command.add_flag("--two-sided", arguments->two_sided, "meet both sides of every face, not only the front");

@@ -314,6 +314,7 @@ Verb add_check(CLI::App& app) {
     Command command(app, "check", "Tells whether a level is sound: closed, wound one way, well built");
     const auto arguments = std::make_shared<CheckArguments>();
     add_level_arguments(command, arguments->level);
+    add_rooms_option(command, arguments->level);
     command.add_flag("--all", arguments->all, "every fault and note, not only the first 20 of each");
     command.add_option("--pts", arguments->pts, "FILE",
                        "of brushes: where the level leaks, a line of points in the file's units");

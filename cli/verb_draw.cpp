@@ -30,8 +30,10 @@ namespace {
 
 struct DrawArguments {
     LevelArguments level;
-    std::string queries, casts, blasts, out, up, at, below, most_casts, eye, look, zoom;
-    bool view = false, before_after = false, rooms = false, plain = false, json = false;
+    std::string queries, casts, blasts, out, up, at, below, most_casts, eye, look, zoom, rooms;
+    bool view = false, before_after = false, plain = false, json = false;
+
+    bool shows_rooms() const { return !rooms.empty(); }
 };
 
 constexpr const char* kFooter =
@@ -44,7 +46,8 @@ is looked into through its ceiling. Faces too small to be seen are left out, and
 
 A plan of a level of two rooms or more, beside the exterior, gives each room a colour of its own and writes its
 number, and its name where that has room; green lines and panes are portals, red ones closed. --plain draws it
-without them; --rooms does the same for a level of one room, and for views. Plans leave the hull's outside away,
+without them; --rooms does the same for a level of one room, and for views; --rooms auto divides a .map, or the
+brushes of a .bsp, at doorways and where the air narrows first. Plans leave the hull's outside away,
 unless most of the level lies out there, and clip brushes always.
 
 --queries and --casts are the files that `firma cast` reads and writes. Hits are blue, misses orange and broken,
@@ -108,8 +111,9 @@ debug::Camera camera_of(const DrawArguments& arguments, const World& before, con
 void draw_view(const DrawArguments& arguments, const World& before, const World& after, std::size_t blasts) {
     const debug::Camera camera = camera_of(arguments, before, after);
     AtomicFile out(arguments.out);
-    debug::Picture picture = debug::draw_view(after, camera, arguments.rooms);
-    if (arguments.before_after) picture = side_by_side(debug::draw_view(before, camera, arguments.rooms), picture);
+    const bool rooms = arguments.shows_rooms();
+    debug::Picture picture = debug::draw_view(after, camera, rooms);
+    if (arguments.before_after) picture = side_by_side(debug::draw_view(before, camera, rooms), picture);
     const std::string bytes = png_bytes(picture);
     out.write(bytes);
     out.commit();
@@ -141,7 +145,7 @@ void draw_plan(const DrawArguments& arguments, const World& world, std::size_t b
     if (!arguments.below.empty()) options.below = number_option("--below", arguments.below);
     if (!arguments.most_casts.empty())
         options.most_casts = count_option("--most-casts", arguments.most_casts, 0, 100000);
-    if (arguments.rooms || arguments.plain) options.rooms = arguments.rooms;
+    if (arguments.shows_rooms() || arguments.plain) options.rooms = arguments.shows_rooms();
     const std::vector<debug::DrawnCast> casts = gather_casts(arguments, world);
 
     AtomicFile out(arguments.out);
@@ -191,12 +195,14 @@ int run(const DrawArguments& arguments) {
                !arguments.most_casts.empty()) {
         throw Failure("--view", "shows neither casts nor a section");
     }
-    if (arguments.rooms && arguments.plain) throw Failure("--plain", "and --rooms exclude each other");
+    if (arguments.shows_rooms() && arguments.plain) throw Failure("--plain", "and --rooms exclude each other");
     axis_option("--up", arguments.up);
     refuse_json_beside(arguments.json, arguments.out);
     for (const std::string& input : {arguments.level.path, arguments.queries, arguments.casts, arguments.blasts})
         refuse_overwriting(arguments.out, input);
-    const LoadedLevel loaded = load_level(arguments.level);
+    LevelArguments level = arguments.level;
+    if (arguments.rooms != "true") level.rooms = arguments.rooms;
+    const LoadedLevel loaded = load_level(level);
     const std::vector<Blast> blasts = arguments.blasts.empty() ? std::vector<Blast>{} : read_blasts(arguments.blasts);
     const World world = after_blasts(loaded.world, blasts);
     if (arguments.view) {
@@ -226,7 +232,9 @@ Verb add_draw(CLI::App& app) {
     command.add_option("--look", arguments->look, "X,Y,Z", "with --view: the point in the middle of the picture");
     command.add_option("--zoom", arguments->zoom, "Z", "with --view: 1 (default) sees 90 degrees, 2 half as much");
     command.add_flag("--before-after", arguments->before_after, "with --view: the level before the blasts beside it");
-    command.add_flag("--rooms", arguments->rooms, "each room in a colour of its own, and the portals");
+    command.add_flag("--rooms", arguments->rooms,
+                     "each room in a colour of its own, and the portals; `--rooms auto`: of a level of brushes, its "
+                     "air divided where it narrows");
     command.add_flag("--plain", arguments->plain, "no rooms and portals: a plan shows several rooms otherwise");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kFooter) + kExitCodes);

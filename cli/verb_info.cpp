@@ -47,8 +47,10 @@ the file are its triangles, without those of portals. An idle portal, or a part 
 
 Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
-planes_moved, greatest_shift, idle_portals, bounds, rooms, portals, tree, solid, read_seconds, build_seconds. `faces`
-counts convex facets; those of `solid` bound the joined solid.
+planes_moved, greatest_shift, idle_portals, divided, bounds, rooms, portals, tree, solid, read_seconds, build_seconds.
+`faces` counts convex facets; those of `solid` bound the joined solid. `divided` is null, or with --rooms auto {cells,
+narrows, idle, portals}: how many cells were looked at, how many places where the air narrows, how many of these were
+tried in vain, as the air goes around by a way that the cells do not show, and how many portals were added.
 
 Of a .firma file, which holds a world rather than a level, --json has: level, bytes, version (of the world: how many
 edits were published), edits, exact (whether exact faces or faces that bound solids are there: without, it cannot be
@@ -224,6 +226,7 @@ Verb add_info(CLI::App& app) {
     Command command(app, "info", "Tells what a level is: faces by kind, bounds, tree, bytes, times");
     const auto arguments = std::make_shared<InfoArguments>();
     add_level_arguments(command, arguments->level);
+    add_rooms_option(command, arguments->level);
     command.add_option("--split", arguments->split, "HOW", "how bins divide: longest-axis (default) or surface-area");
     command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: bins above a bin, 0 .. 64 (default 48)");
     command.add_option("--faces-per-bin", arguments->faces_per_bin, "N",

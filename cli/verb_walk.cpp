@@ -127,6 +127,7 @@ Verb add_walk(CLI::App& app) {
     Command command(app, "walk", "Lets a sphere bounce about a closed room and writes where it was");
     const auto arguments = std::make_shared<WalkArguments>();
     add_level_arguments(command, arguments->level);
+    add_rooms_option(command, arguments->level);
     command.add_option("--start", arguments->start, "X,Y,Z", "place of the centre in frame 0, metres", true);
     command.add_option("--radius", arguments->radius, "R", "of the sphere, metres, 0 or more; 0 is a particle", true);
     command.add_option("--frames", arguments->frames, "N", "moves to make, 0 .. 1000000000", true);

@@ -12,3 +12,7 @@ pictures=docs/pictures
 "$firma" draw levels/depot.map --view --eye 10.5,13.2,5.9 --look 17,2,2 -o $pictures/depot_hall.png
 "$firma" draw levels/depot.map --view --eye 60,-18,14 --look 36,6,5 -o $pictures/depot_yard.png
 "$firma" draw levels/depot.map --below 3 --at 8 -o $pictures/depot_rooms.svg
+bare=$(mktemp -d)/bare.map
+sed 's/func_areaportal/trigger/; s,common/portal,common/trigger,' levels/depot.map > "$bare"
+"$firma" draw "$bare" --rooms auto --below 3 --at 8 -o $pictures/depot_auto_rooms.svg
+rm -r "$(dirname "$bare")"

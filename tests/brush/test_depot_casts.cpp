@@ -11,6 +11,7 @@
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "scenes/rng.h"
+#include "tests/brush/casts_agree.h"
 
 namespace firma {
 namespace {
@@ -20,46 +21,6 @@ World depot() {
     std::ifstream file(path);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     return make_world(read_map(text, path).value()).value();
-}
-
-/// Anywhere in the air, half of the time near a portal.
-Vec3 some_point(const World& world, const Box& box, scenes::Rng& rng) {
-    Vec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = rng.uniform(box.low[axis], box.high[axis]);
-    const std::uint32_t id = rng.below(std::uint32_t(portal_count(world)));
-    const PortalInfo portal = portal_info(world, {id});
-    if (portal.polygons.empty() || rng.chance(0.3)) return point;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double middle = (portal.bounds.low[axis] + portal.bounds.high[axis]) / 2;
-        point[axis] = middle + rng.uniform(-1, 1);
-    }
-    return point;
-}
-
-void expect_casts_agree(const World& world, std::uint64_t seed, int casts) {
-    scenes::Rng rng(seed);
-    const Box box = world.bounds();
-    int asked = 0, passed = 0;
-    for (int k = 0; k < casts && !testing::Test::HasFailure(); ++k) {
-        Sphere sphere;
-        sphere.centre = some_point(world, box, rng);
-        sphere.radius = rng.chance(0.4) ? 0 : rng.uniform(0.01, 0.6);
-        const Vec3 direction = rng.direction();
-        const Vec3 path = direction * rng.uniform(0.1, 60);
-        const Location start = locate(world, sphere.centre);
-        if (start.kind != Location::Kind::kRoom || closest(world, sphere.centre, sphere.radius + 1e-5)) continue;
-        SCOPED_TRACE(testing::Message() << "cast " << k << " from room " << start.room.value);
-        const Hit all = cast(world, sphere, path), by_room = cast(world, sphere, path, {.room = start.room});
-        EXPECT_EQ(by_room.status, all.status);
-        EXPECT_EQ(by_room.fraction, all.fraction);
-        EXPECT_EQ(by_room.face, all.face);
-        EXPECT_EQ(by_room.portal, all.portal);
-        EXPECT_EQ(by_room.room, all.room);
-        ++asked;
-        passed += by_room.rooms_passed > 1;
-    }
-    EXPECT_GT(asked, casts / 5);
-    EXPECT_GT(passed, asked / 20);
 }
 
 TEST(DepotCasts, ByRoomAsAgainstAllFaces) {
