@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "base/fetch_ahead.h"
 #include "base/lock.h"
 #include "firma/memory.h"
 
@@ -22,7 +23,7 @@ constexpr std::size_t kFirstSlab = 4096;         // small programs stay small
 constexpr std::size_t kLargestSlab = 256 << 10;  // each slab is twice the one before, up to this
 
 constexpr std::size_t kAlignment = alignof(std::max_align_t);
-constexpr std::size_t kLine = 64;  // of a cache
+constexpr std::size_t kLine = 64;       // of a cache
 static_assert(kLine < kFirstSlab / 4);  // what is set aside leaves room for a piece in any slab
 
 struct Size {
@@ -91,6 +92,7 @@ public:
         if (given_back_) {
             Piece* piece = given_back_;
             given_back_ = piece->next;
+            fetch_ahead(given_back_);  // the next one taken, wherever it lies
             return piece;
         }
         if (left_ < bytes) open_slab(bytes);

@@ -250,11 +250,12 @@ Subtraction::Phase Subtraction::gather() {
     constexpr std::int32_t kSteps = (kFarthestMove + 1) * kSurfacePerInput;
     const GridBox reach = grown(solid_cutter_.box, kSteps);
     rooms_of_facets_.clear();
+    std::vector<std::uint8_t> near;
     for (const RoomTree& tree : trees_near(world_.data(), reach)) {
-        gather_facets(*tree.root, reach, facets_);
+        gather_facets(*tree.root, reach, solid_cutter_.bevelled, kSteps, facets_, near);
         rooms_of_facets_.resize(facets_.size(), tree.room);
     }
-    take_faces_near(solid_cutter_.bevelled, kSteps);
+    take_faces(near);
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > rules_.most_faces_looked_at)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
@@ -263,19 +264,17 @@ Subtraction::Phase Subtraction::gather() {
     return Phase::kTile;
 }
 
-/// Into the patch, what of the gathered facets may lie in a bevelled box; facets of other faces go.
-void Subtraction::take_faces_near(const BevelledBox& bevelled, std::int32_t steps) {
-    std::vector<FacetPlace> near;
-    near.reserve(facets_.size());
-    for (const FacetPlace& facet : facets_) {
-        const auto corner = [&](std::size_t k) { return facet.block->corner(facet.record(), k); };
-        const GridBox box = facet.block->box_of(facet.record());
-        if (!bevelled.clear_of(box, facet.record().corner_count, corner, steps)) near.push_back(facet);
-    }
-    patch_.add(near);
+/// Into the patch, the faces that have a facet near the cutter; the gathered facets of others go.
+/// @param near  of `facets_`, each: whether it is
+void Subtraction::take_faces(std::span<const std::uint8_t> near) {
+    std::vector<FacetPlace> taken;
+    taken.reserve(facets_.size());
+    for (std::size_t k = 0; k < facets_.size(); ++k)
+        if (near[k]) taken.push_back(facets_[k]);
+    patch_.add(taken);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < facets_.size(); ++k) {
-        if (patch_.find(facets_[k]) == SolidPatch::kNone) continue;
+        if (!near[k] && patch_.find(facets_[k]) == SolidPatch::kNone) continue;
         facets_[kept] = facets_[k];
         rooms_of_facets_[kept++] = rooms_of_facets_[k];
     }

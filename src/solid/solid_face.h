@@ -48,7 +48,7 @@ public:
 
 class SolidEdge : public RefCounted, public Pooled {
 public:
-    bool doubled = false;            ///< one of several between the same two vertices of the grid
+    bool doubled = false;  ///< one of several between the same two vertices of the grid
     Ref<const SolidVertex> vertex[2];
     Ref<const SolidPlane> plane[2];  ///< that meet in it: those of its faces, or auxiliary ones
 };

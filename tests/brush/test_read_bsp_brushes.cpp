@@ -161,8 +161,7 @@ TEST(ReadBspBrushes, PlanesOfNoLatticeAreNearest) {
         std::size_t next = 0;
         for (const BrushSide& side : level.sides) {
             const Plane plane = plane_of(side);
-            const Vec3 normal =
-                plane.direction() * (1 / length(plane.direction()));
+            const Vec3 normal = plane.direction() * (1 / length(plane.direction()));
             bool found = false;
             for (; next < of.size() && !found; ++next) {
                 const BspPlane& from = writer.planes[std::size_t(of[next])];

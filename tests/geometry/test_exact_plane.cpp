@@ -180,7 +180,8 @@ TEST(ExactPlanes, FrontIsWhereCornersRunCounterClockwise) {
     EXPECT_EQ(floor, axis_plane(2, 7));
     EXPECT_EQ(side(big_plane(floor), big_point({3, 3, 8})), 1);
     EXPECT_EQ(side(big_plane(flipped(floor)), big_point({3, 3, 8})), -1);
-    for (const Plane& back = flipped(floor); const double n : back.n) EXPECT_FALSE(n == 0 && std::signbit(n));
+    const Vec3 back = flipped(floor).direction();
+    for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(back[axis] == 0 && std::signbit(back[axis]));
 }
 
 TEST(ExactPlanes, AxisPlanesLookTowardGreaterCoordinates) {

@@ -101,7 +101,7 @@ struct Parts {
     }
     SolidFace& with_holes(bool holes) {
         return **std::find_if(faces.begin(), faces.end(),
-                              [&](const auto& face) { return (face->loop_ends.size() > 1) == holes; });
+                              [&](const auto& face) { return (face->loop_ends().size() > 1) == holes; });
     }
     World world() const {
         Ref<Room> room(new Room);
