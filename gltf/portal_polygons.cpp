@@ -19,7 +19,7 @@ public:
         const Plane plane = plane_through(to_input(triangle[0]), to_input(triangle[1]), to_input(triangle[2]));
         if (!plane.valid()) return;
         const auto [entry, is_new] = planes_.try_emplace(
-            std::tuple(plane.normal[0], plane.normal[1], plane.normal[2], plane.offset), surfaces_.size());
+            std::tuple(plane.normal[0], plane.normal[1], plane.normal[2], plane.offset()), surfaces_.size());
         if (is_new) surfaces_.emplace_back();
         for (const GridPoint& point : triangle) surfaces_[entry->second].push_back(vertex_at(point));
     }

@@ -23,7 +23,7 @@ enum class CarveStatus : std::uint8_t {
 
 /// What an edit did, and what it cost.
 struct CarveReport {
-    std::size_t faces_looked_at = 0;  ///< exact faces whose box meets the cutter's
+    std::size_t faces_looked_at = 0;  ///< exact faces near the cutter: in its box, without what is clear of it
     std::size_t faces_cut = 0;        ///< of these, how many the cutter's surface crosses
     std::size_t faces_gone = 0;       ///< facets that casts met before and meet no more
     std::size_t faces_new = 0;        ///< facets that casts meet from now on

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "base/fetch_ahead.h"
 #include "base/lock.h"
 #include "firma/memory.h"
 
@@ -22,6 +23,8 @@ constexpr std::size_t kFirstSlab = 4096;         // small programs stay small
 constexpr std::size_t kLargestSlab = 256 << 10;  // each slab is twice the one before, up to this
 
 constexpr std::size_t kAlignment = alignof(std::max_align_t);
+constexpr std::size_t kLine = 64;       // of a cache
+static_assert(kLine < kFirstSlab / 4);  // what is set aside leaves room for a piece in any slab
 
 struct Size {
     std::size_t index, bytes;
@@ -89,6 +92,7 @@ public:
         if (given_back_) {
             Piece* piece = given_back_;
             given_back_ = piece->next;
+            fetch_ahead(given_back_);  // the next one taken, wherever it lies
             return piece;
         }
         if (left_ < bytes) open_slab(bytes);
@@ -110,11 +114,15 @@ private:
 
     void open_slab(std::size_t bytes) {
         const std::size_t size = std::min(std::max(next_slab_ * 2, 4 * bytes), kLargestSlab);
-        fresh_ = static_cast<std::byte*>(general().take(size));
-        left_ = next_slab_ = size;
+        auto* slab = static_cast<std::byte*>(general().take(size));
+        // Pieces of a line's size then lie in one line each.
+        const std::size_t aside = (kLine - reinterpret_cast<std::uintptr_t>(slab) % kLine) % kLine;
+        fresh_ = slab + aside;
+        left_ = size - aside;
+        next_slab_ = size;
     }
 
-    alignas(64) Lock lock_;  // shelves do not share a cache line
+    alignas(kLine) Lock lock_;  // shelves do not share a cache line
     Piece* given_back_ = nullptr;
     std::byte* fresh_ = nullptr;
     std::size_t left_ = 0;

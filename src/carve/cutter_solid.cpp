@@ -57,6 +57,10 @@ CutterSolid::Edge edge_of_planes(const CutterSolid& cutter, const CutterEdge& ed
             {left, flat ? new_plane(edge_plane(vertices[edge.a], vertices[edge.b], left->plane)) : right}};
 }
 
+BevelledBox bevel(const CutterSolid& cutter) {
+    return {cutter.box, cutter.points.size(), [&](std::size_t v) { return cutter.points[v].rounded(); }};
+}
+
 }  // namespace
 
 void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
@@ -80,6 +84,7 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     cutter.edges.reserve(it.topology->edges.size());
     for (const CutterEdge& edge : it.topology->edges) cutter.edges.push_back(edge_of_planes(cutter, edge));
     cutter.tree = BoxTree(cutter.boxes);
+    cutter.bevelled = bevel(cutter);
 }
 
 std::vector<std::uint32_t> update_cutter_solid(PlacedCutter placed, std::span<const std::uint32_t> vertices,
@@ -106,6 +111,7 @@ std::vector<std::uint32_t> update_cutter_solid(PlacedCutter placed, std::span<co
         for (const std::uint32_t e : it.topology->triangle_edges[t])
             cutter.edges[e] = edge_of_planes(cutter, it.topology->edges[e]);
     cutter.tree.refit(cutter.boxes);
+    cutter.bevelled = bevel(cutter);
     return triangles;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "carve/place_cutter.h"
+#include "geometry/bevelled_box.h"
 #include "solid/solid_face.h"
 #include "tree/box_tree.h"
 
@@ -26,6 +27,7 @@ struct CutterSolid {
     std::vector<Edge> edges;
     std::vector<GridBox> boxes;  ///< a triangle each
     GridBox box;
+    BevelledBox bevelled;  ///< around all points
     BoxTree tree;
 
     const CutterTriangle& triangle(std::uint32_t t) const { return placed.triangles[t]; }

@@ -3,6 +3,7 @@
 #include "carve/gather.h"
 
 #include "base/fetch_ahead.h"
+#include "tree/box_tree.h"
 
 namespace firma {
 namespace {
@@ -18,13 +19,6 @@ struct Bounds {
         return true;
     }
 };
-
-bool meets(const Block& block, const FaceRecord& face, const GridBox& box) {
-    const GridBox own = block.box_of(face);
-    for (int axis = 0; axis < 3; ++axis)
-        if (own.high[axis] < box.low[axis] || own.low[axis] > box.high[axis]) return false;
-    return true;
-}
 
 /// Calls `function(bin)` for the leaf bins that a box meets, left to right.
 template <class Function>
@@ -49,7 +43,8 @@ void fetch_contents_ahead(const Block& block) {
     fetch(block.owners);
 }
 
-/// In the tree's order. Level by level, as blocks lie scattered in memory: those of a level are waited for together.
+/// Calls `found(facet, its box)` in the tree's order. Level by level, as blocks lie scattered in memory: those of a
+/// level are waited for together.
 template <class Found>
 void visit_box(const Block& root, const GridBox& box, const Found& found) {
     const Bounds bounds(box);
@@ -77,7 +72,9 @@ void visit_box(const Block& root, const GridBox& box, const Found& found) {
         for_each_bin(*block, bounds, [&](const Bin& bin) {
             for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot) {
                 const FaceRecord& face = block->faces[slot];
-                if (face.solid && meets(*block, face, box)) found(FacetPlace{block, slot});
+                if (!face.solid) continue;
+                const GridBox own = block->box_of(face);
+                if (boxes_meet(own, box)) found(FacetPlace{block, slot}, own);
             }
         });
 }
@@ -85,7 +82,17 @@ void visit_box(const Block& root, const GridBox& box, const Found& found) {
 }  // namespace
 
 void gather_facets(const Block& root, const GridBox& box, std::vector<FacetPlace>& facets) {
-    visit_box(root, box, [&](const FacetPlace& place) { facets.push_back(place); });
+    visit_box(root, box, [&](const FacetPlace& place, const GridBox&) { facets.push_back(place); });
+}
+
+void gather_facets(const Block& root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
+                   std::vector<FacetPlace>& facets, std::vector<std::uint8_t>& near) {
+    visit_box(root, box, [&](const FacetPlace& place, const GridBox& own) {
+        const FaceRecord& face = place.record();
+        const auto corner = [&](std::size_t k) { return place.block->corner(face, k); };
+        facets.push_back(place);
+        near.push_back(!bevelled.clear_of(own, face.corner_count, corner, steps));
+    });
 }
 
 GridBox grown(const GridBox& box, std::int32_t steps) {

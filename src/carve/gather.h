@@ -2,9 +2,11 @@
 // The faces that a cut may touch, taken out of the tree.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "carve/room_trees.h"
+#include "geometry/bevelled_box.h"
 #include "solid/solid_patch.h"
 #include "tree/block.h"
 
@@ -12,6 +14,10 @@ namespace firma {
 
 /// The facets of solids whose boxes meet a box, in the tree's order.
 void gather_facets(const Block& root, const GridBox& box, std::vector<FacetPlace>& facets);
+
+/// Likewise, and for each whether it may reach into a bevelled box: see BevelledBox::clear_of().
+void gather_facets(const Block& root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
+                   std::vector<FacetPlace>& facets, std::vector<std::uint8_t>& near);
 
 /// All facets of one exact face, and the rooms that they are of.
 /// @param face  one of its facets

@@ -122,10 +122,14 @@ private:
     std::vector<std::uint32_t> first_, others_, waiting_;
 };
 
-bool outside_box(const GridBox& box, const GridPoint& p) {
+/// Surely; the point lies within a step of its rounded one.
+bool is_outside(const CutterSolid& cutter, const GridPoint& p) {
+    const GridBox& box = cutter.box;
     for (int axis = 0; axis < 3; ++axis)
         if (p[axis] < std::int64_t(box.low[axis]) - 1 || p[axis] > std::int64_t(box.high[axis]) + 1) return true;
-    return false;
+    GridBox at;
+    at.add(p);
+    return cutter.bevelled.clear_of(at, 1, [&](std::size_t) { return p; }, 1);
 }
 
 template <class Ends>
@@ -152,7 +156,7 @@ Verdict label_world(Cut& cut) {
     };
     if (!label_ends_of_cut_edges(cut, cut.world_cuts, labels, ends)) return Verdict::kBroken;
     for (std::uint32_t v = 0; v < labels.size(); ++v)
-        if (outside_box(cut.cutter->box, patch.vertices[v].point.rounded()) && !set(labels[v], Where::kOutside))
+        if (is_outside(*cut.cutter, patch.vertices[v].point.rounded()) && !set(labels[v], Where::kOutside))
             return Verdict::kBroken;
     Flood flood(labels);
     for (std::uint32_t edge = 0; edge < patch.edges.size(); ++edge)

@@ -6,7 +6,7 @@ namespace firma {
 namespace {
 
 Vec3 unit_normal(const Plane& plane) {
-    const Vec3 n{plane.n[0], plane.n[1], plane.n[2]};
+    const Vec3 n = plane.direction();
     return n * (1 / length(n));
 }
 
@@ -25,7 +25,7 @@ const Ref<const SolidVertex>& FaceMaker::vertex(std::uint32_t number) {
         const PatchVertex& old = cut_.patch->vertices[number];
         made = Ref<const SolidVertex>(old.stored ? old.stored : new SolidVertex(old.point, old.planes));
     } else if (number < cut_.first_real()) {
-        made = Ref<const SolidVertex>(new SolidVertex(cut_.point(number), {}));
+        made = Ref<const SolidVertex>(new SolidVertex(cut_.point(number).grid()));
     } else {
         const CutPoint& crossing = cut_.crossings[cut_.real[number - cut_.first_real()]];
         Ref<const SolidPlane> planes[3];
@@ -83,9 +83,9 @@ bool FaceMaker::make(std::uint32_t index) {
     made->uses.reserve(uses.size());
     for (const PatchUse& use : uses) {
         const Ref<const SolidEdge>& stored = edge(use.edge);
-        made->uses.push_back({stored, use.reversed != runs_against(use.edge, *stored)});
+        made->uses.emplace_back(stored, use.reversed != runs_against(use.edge, *stored));
     }
-    made->loop_ends.assign(ends.begin(), ends.end());
+    made->set_loop_ends(ends);
     made->normal = unit_normal(plane);
     for (const GridPoint& p : points_) made->box.add(p);
     made->facets = std::uint32_t(facets_.first.size()) - 1;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Whether a polygon reaches into a box.
+// Whether a polygon reaches into a box, or a bevelled one.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "firma/vec.h"
+#include "geometry/bevelled_box.h"
 #include "geometry/grid_box.h"
 
 namespace firma {
@@ -16,5 +18,8 @@ namespace firma {
 /// @param loop  input steps; used up
 /// @param box   surface steps
 bool polygon_reaches_into(std::vector<Vec3>& loop, const GridBox& box);
+
+/// Likewise into a bevelled box, grown for `steps`; into its own box it must reach besides.
+bool polygon_reaches_into(std::vector<Vec3>& loop, const BevelledBox& box, std::int32_t steps);
 
 }  // namespace firma

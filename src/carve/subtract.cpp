@@ -247,13 +247,15 @@ Subtraction::Phase Subtraction::gather() {
     patch_.clear();
     facets_.clear();
     // The cutter may be moved aside later: by so many steps of the input grid.
-    const GridBox reach = grown(solid_cutter_.box, (kFarthestMove + 1) * kSurfacePerInput);
+    constexpr std::int32_t kSteps = (kFarthestMove + 1) * kSurfacePerInput;
+    const GridBox reach = grown(solid_cutter_.box, kSteps);
     rooms_of_facets_.clear();
+    std::vector<std::uint8_t> near;
     for (const RoomTree& tree : trees_near(world_.data(), reach)) {
-        gather_facets(*tree.root, reach, facets_);
+        gather_facets(*tree.root, reach, solid_cutter_.bevelled, kSteps, facets_, near);
         rooms_of_facets_.resize(facets_.size(), tree.room);
     }
-    patch_.add(facets_);
+    take_faces(near);
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > rules_.most_faces_looked_at)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
@@ -262,11 +264,28 @@ Subtraction::Phase Subtraction::gather() {
     return Phase::kTile;
 }
 
+/// Into the patch, the faces that have a facet near the cutter; the gathered facets of others go.
+/// @param near  of `facets_`, each: whether it is
+void Subtraction::take_faces(std::span<const std::uint8_t> near) {
+    std::vector<FacetPlace> taken;
+    taken.reserve(facets_.size());
+    for (std::size_t k = 0; k < facets_.size(); ++k)
+        if (near[k]) taken.push_back(facets_[k]);
+    patch_.add(taken);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+        if (!near[k] && patch_.find(facets_[k]) == SolidPatch::kNone) continue;
+        facets_[kept] = facets_[k];
+        rooms_of_facets_[kept++] = rooms_of_facets_[k];
+    }
+    facets_.resize(kept);
+    rooms_of_facets_.resize(kept);
+}
+
 Subtraction::Phase Subtraction::tile() {
     // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
     // divided into facets, whose corners are rounded.
-    const GridBox reach = grown(solid_cutter_.box, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2);
-    tile_faces(world_.data(), reach, patch_);
+    tile_faces(world_.data(), solid_cutter_, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2, patch_);
     return start_cut();
 }
 

@@ -2,6 +2,7 @@
 // One edit, step by step: from a placed cutter to the rooms of a new world.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,7 @@ private:
     Phase place();
     Phase judge_cutter();
     Phase gather();
+    void take_faces(std::span<const std::uint8_t> near);
     Phase tile();
     Phase cut_next_faces();
     Phase label();

@@ -22,7 +22,8 @@ std::pair<int, double> longest_axis(const GridBox& box) {
 
 class Tiler {
 public:
-    Tiler(const WorldData& data, const GridBox& box, SolidPatch& patch) : data_(data), box_(box), patch_(patch) {}
+    Tiler(const WorldData& data, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch)
+        : data_(data), box_(grown(cutter.box, steps)), bevelled_(cutter.bevelled), steps_(steps), patch_(patch) {}
 
     void tile() {
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face)
@@ -41,7 +42,7 @@ private:
         loop_.clear();
         for (const PatchUse& use : patch_.uses(face))
             loop_.push_back(patch_.vertices[patch_.from(use)].point.approximate());
-        return polygon_reaches_into(loop_, box_);
+        return polygon_reaches_into(loop_, box_) && polygon_reaches_into(loop_, bevelled_, steps_);
     }
 
     /// The face's loop with every split edge as its halves.
@@ -224,7 +225,9 @@ private:
     }
 
     const WorldData& data_;
-    const GridBox& box_;
+    const GridBox box_;
+    const BevelledBox& bevelled_;
+    const std::int32_t steps_;
     SolidPatch& patch_;
     bool split_any_ = false;
     std::vector<std::uint32_t> split_;
@@ -235,8 +238,8 @@ private:
 
 }  // namespace
 
-void tile_faces(const WorldData& data, const GridBox& box, SolidPatch& patch) {
-    Tiler(data, box, patch).tile();
+void tile_faces(const WorldData& data, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch) {
+    Tiler(data, cutter, steps, patch).tile();
 }
 
 void keep_pieces(Cut& cut) {

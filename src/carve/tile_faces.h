@@ -10,13 +10,13 @@ namespace firma {
 /// A face that a cut touches is at most this long along any axis, where halving can make it so, metres.
 inline constexpr double kLargestTile = 8;
 
-/// Halves large faces by axis planes, again and again, only the pieces that meet the box. The faces they are pieces of,
-/// and neighbours whose edges are split by it, become `replaced`; pieces name their `parent`. A face with holes, or one
-/// that a plane would cut into more than two, is left whole.
+/// Halves large faces by axis planes, again and again, only the pieces that reach into the cutter's bevelled box. The
+/// faces they are pieces of, and neighbours whose edges are split by it, become `replaced`; pieces name their `parent`.
+/// A face with holes, or one that a plane would cut into more than two, is left whole.
 ///
-/// @param data  the world, where neighbours are looked for
-/// @param box   of the cutter
-void tile_faces(const WorldData& data, const GridBox& box, SolidPatch& patch);
+/// @param data   the world, where neighbours are looked for
+/// @param steps  how far the cutter may be moved yet along each axis, surface steps
+void tile_faces(const WorldData& data, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch);
 
 /// Adds to a traced cut what tiling alone makes: replaced faces go, and pieces that the cut left whole come.
 void keep_pieces(Cut& cut);

@@ -26,11 +26,8 @@ std::uint64_t magnitude(std::int64_t value) {
 /// The doubles that go with the integers.
 Plane with_doubles(Plane plane) {
     std::int64_t size = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        plane.n[axis] = double(plane.normal[axis]);
-        size += std::int64_t(magnitude(plane.normal[axis]));
-    }
-    plane.d = double(plane.offset);
+    for (int axis = 0; axis < 3; ++axis) size += std::int64_t(magnitude(plane.normal[axis]));
+    plane.d = double(plane.offset());
     // At most 3 * 2^52: rounded up to an even number, it is a double.
     plane.size = double(size > std::int64_t(1) << 53 ? size + (size & 1) : size);
     return plane;
@@ -43,10 +40,12 @@ Plane plane_at(const std::int64_t (&normal)[3], const InputPoint& point) {
     if (divisor != 1) divisor = std::gcd(divisor, magnitude(normal[2]));
     Plane plane;
     if (divisor == 0) return plane;
+    Int128 offset = 0;
     for (int axis = 0; axis < 3; ++axis) {
         plane.normal[axis] = divisor == 1 ? normal[axis] : normal[axis] / std::int64_t(divisor);
-        plane.offset -= Int128(plane.normal[axis]) * point[axis];
+        offset -= Int128(plane.normal[axis]) * point[axis];
     }
+    plane.set_offset(offset);
     return with_doubles(plane);
 }
 
@@ -77,14 +76,14 @@ Plane plane_of_numbers(const std::int64_t (&normal)[3], Int128 offset) {
     if (divisor != 1 || offset > size * kRim || offset < -size * kRim) return {};
     Plane plane;
     for (int axis = 0; axis < 3; ++axis) plane.normal[axis] = normal[axis];
-    plane.offset = offset;
+    plane.set_offset(offset);
     return with_doubles(plane);
 }
 
 Plane flipped(const Plane& plane) {
     Plane back;
     for (int axis = 0; axis < 3; ++axis) back.normal[axis] = -plane.normal[axis];
-    back.offset = -plane.offset;
+    back.set_offset(-plane.offset());
     return with_doubles(back);
 }
 
@@ -102,7 +101,7 @@ Plane edge_plane(const InputPoint& a, const InputPoint& b, const Plane& face) {
 Plane axis_plane(int axis, std::int32_t step) {
     Plane plane;
     plane.normal[axis] = 1;
-    plane.offset = -Int128(step);
+    plane.set_offset(-Int128(step));
     return with_doubles(plane);
 }
 
@@ -111,10 +110,7 @@ bool exact_parallel(const Plane& a, const Plane& b) {
 }
 
 int exact_turn(const Plane& a, const Plane& b, const Plane& c) {
-    const double x = b.n[1] * c.n[2] - b.n[2] * c.n[1];
-    const double y = b.n[2] * c.n[0] - b.n[0] * c.n[2];
-    const double z = b.n[0] * c.n[1] - b.n[1] * c.n[0];
-    const double estimate = a.n[0] * x + a.n[1] * y + a.n[2] * z;
+    const double estimate = dot(a.direction(), cross(b.direction(), c.direction()));
     // Each of the six terms passes through at most five roundings, and their magnitudes are six of the 27 terms of the
     // product of the sizes; three more roundings for the bound itself.
     if (std::fabs(estimate) > rounding(8) * (a.size * b.size * c.size)) return estimate > 0 ? 1 : -1;

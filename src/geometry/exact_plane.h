@@ -34,18 +34,26 @@ inline GridPoint to_surface(const InputPoint& p) {
 
 /// normal . p + offset = 0, in input steps; in front where that is positive. Divided by the greatest common divisor of
 /// all four, so coplanar faces that look the same way have equal planes. Components of the normal have up to 53 bits
-/// with sign, the offset up to 78 (three grid points); every double below is the nearest one, so those of the normal
-/// are exact. A plane holds a grid point of the world: |offset| <= size * 2^25.
+/// with sign, the offset up to 78 (three grid points). A plane holds a grid point of the world: |offset| <= size *
+/// 2^25. With its count of users a stored one fills one line of a cache: solids are made of millions.
 struct Plane {
     std::int64_t normal[3] = {0, 0, 0};
-    Int128 offset = 0;
-    double n[3] = {0, 0, 0};  ///< `normal` as doubles
-    double d = 0;             ///< `offset` as a double
-    double size = 0;          ///< |n[0]| + |n[1]| + |n[2]|, rounded up
+    std::uint64_t offset_low = 0;
+    std::int64_t offset_high = 0;
+    double d = 0;     ///< offset() as a double, the nearest one
+    double size = 0;  ///< |normal[0]| + |normal[1]| + |normal[2]|, rounded up
+
+    Int128 offset() const { return Int128(offset_high) << 64 | offset_low; }
+    void set_offset(Int128 offset) {
+        offset_low = std::uint64_t(offset);
+        offset_high = std::int64_t(offset >> 64);
+    }
+    /// `normal` as doubles, exactly.
+    Vec3 direction() const { return {double(normal[0]), double(normal[1]), double(normal[2])}; }
 
     friend bool operator==(const Plane& a, const Plane& b) {
         return a.normal[0] == b.normal[0] && a.normal[1] == b.normal[1] && a.normal[2] == b.normal[2] &&
-               a.offset == b.offset;
+               a.offset_low == b.offset_low && a.offset_high == b.offset_high;
     }
     bool valid() const { return normal[0] != 0 || normal[1] != 0 || normal[2] != 0; }
     /// The axis of the normal's largest component; the first of several.

@@ -44,9 +44,9 @@ static_assert(3 * kFitsInt128 * kRim < 0x1p+126);  // and room for the rounding 
 /// Small faces, so nearly all.
 Meet meet_small(const Cross& bc, const Cross& ca, const Cross& ab, const Plane& a, const Plane& b, const Plane& c) {
     const Int128 w = bc.x * a.normal[0] + bc.y * a.normal[1] + bc.z * a.normal[2];
-    const Int128 da = w < 0 ? a.offset : -a.offset;
-    const Int128 db = w < 0 ? b.offset : -b.offset;
-    const Int128 dc = w < 0 ? c.offset : -c.offset;
+    const Int128 da = w < 0 ? a.offset() : -a.offset();
+    const Int128 db = w < 0 ? b.offset() : -b.offset();
+    const Int128 dc = w < 0 ? c.offset() : -c.offset();
     return {bc.x * da + ca.x * db + ab.x * dc, bc.y * da + ca.y * db + ab.y * dc, bc.z * da + ca.z * db + ab.z * dc,
             w < 0 ? -w : w};
 }
@@ -66,9 +66,9 @@ Meet meet(const Plane& a, const Plane& b, const Plane& c) {
     const Int256 w = product(bc.x, a.normal[0]) + product(bc.y, a.normal[1]) + product(bc.z, a.normal[2]);
     const bool negative = w.sign() < 0;
     // The minus of the rule, and the sign of w, go into the offsets.
-    const Int128 da = negative ? a.offset : -a.offset;
-    const Int128 db = negative ? b.offset : -b.offset;
-    const Int128 dc = negative ? c.offset : -c.offset;
+    const Int128 da = negative ? a.offset() : -a.offset();
+    const Int128 db = negative ? b.offset() : -b.offset();
+    const Int128 dc = negative ? c.offset() : -c.offset();
     return {product(bc.x, da) + product(ca.x, db) + product(ab.x, dc),
             product(bc.y, da) + product(ca.y, db) + product(ab.y, dc),
             product(bc.z, da) + product(ca.z, db) + product(ab.z, dc), negative ? -w : w};
@@ -85,7 +85,7 @@ bool meet_in_world(const Plane& a, const Plane& b, const Plane& c) {
 }
 
 ExactPoint::ExactPoint(const InputPoint& point)
-    : grid_(point), approximate_{double(point.x), double(point.y), double(point.z)}, rounded_(to_surface(point)) {}
+    : approximate_{double(point.x), double(point.y), double(point.z)}, rounded_(to_surface(point)) {}
 
 // approximate(): three roundings (numerator, denominator, quotient) of a number of at most 2^25 are off by no more than
 // rounding(3) * 2^25 < 3.01 * 2^-28.
@@ -103,19 +103,20 @@ ExactPoint::ExactPoint(const Plane& a, const Plane& b, const Plane& c) : planes_
 int exact_side_by_integers(const Plane& plane, const ExactPoint& point) {
     ++fallbacks;
     if (point.on_grid()) {
-        Int128 sum = plane.offset;
-        for (int axis = 0; axis < 3; ++axis) sum += Int128(plane.normal[axis]) * point.grid()[axis];
+        const InputPoint grid = point.grid();
+        Int128 sum = plane.offset();
+        for (int axis = 0; axis < 3; ++axis) sum += Int128(plane.normal[axis]) * grid[axis];
         return sign_of(sum);
     }
     for (int k = 0; k < 3; ++k)
         if (*point.plane(k) == plane) return 0;
     const Meet m = meet(*point.plane(0), *point.plane(1), *point.plane(2));
     // The 4x4 determinant of the planes: at most 16 * 2^(3 * 52 + 77).
-    return (m.x * plane.normal[0] + m.y * plane.normal[1] + m.z * plane.normal[2] + m.w * plane.offset).sign();
+    return (m.x * plane.normal[0] + m.y * plane.normal[1] + m.z * plane.normal[2] + m.w * plane.offset()).sign();
 }
 
 int exact_order(const Plane& f, const Plane& t, const ExactPoint& a, const Plane& across, const ExactPoint& b) {
-    const Vec3 direction = cross(Vec3{f.n[0], f.n[1], f.n[2]}, Vec3{t.n[0], t.n[1], t.n[2]});
+    const Vec3 direction = cross(f.direction(), t.direction());
     const double estimate = dot(b.approximate() - a.approximate(), direction);
     // The points are off by kApproximation each; a difference is at most 2^26, and none of the six terms f * t * (b -
     // a) passes through more than six roundings. Their factors f * t are six of the nine terms of the product of the

@@ -34,7 +34,7 @@ public:
 
     bool on_grid() const { return planes_[0] == nullptr; }
     /// Only for one on_grid().
-    const InputPoint& grid() const { return grid_; }
+    InputPoint grid() const { return to_input(rounded_); }
     /// Null for one on_grid().
     const Plane* plane(int k) const { return planes_[k]; }
 
@@ -46,7 +46,6 @@ public:
 
 private:
     const Plane* planes_[3] = {nullptr, nullptr, nullptr};
-    InputPoint grid_;
     Vec3 approximate_;
     GridPoint rounded_;
 };
@@ -56,7 +55,7 @@ inline constexpr double kApproximation = 0x1p-26;
 
 /// Bound on how far normal . p + offset is off in double, as a share of the plane's size: n is exact, p is off by
 /// kApproximation a coordinate; the terms add up to at most size * 2^25 each for normal . p and for the offset, and
-/// none passes through more than four roundings (n[0] * p.x: one product, three sums). A fifth covers that p may lie
+/// none passes through more than four roundings (the first: one product, three sums). A fifth covers that p may lie
 /// beyond the rim by its error, and the rounding of the bound itself.
 inline constexpr double kSideError = kApproximation + rounding(5) * 0x1p+26;
 
@@ -66,7 +65,7 @@ int exact_side_by_integers(const Plane& plane, const ExactPoint& point);
 /// The side of a plane that a point lies on: 1 in front, 0 on it, -1 behind.
 inline int exact_side(const Plane& plane, const ExactPoint& point) {
     const Vec3& p = point.approximate();
-    const double estimate = plane.n[0] * p.x + plane.n[1] * p.y + plane.n[2] * p.z + plane.d;
+    const double estimate = dot(plane.direction(), p) + plane.d;
     const double error = kSideError * plane.size;
     if (estimate > error) return 1;
     if (estimate < -error) return -1;

@@ -38,14 +38,14 @@ FarCorner corner_of(const Plane& a, const Plane& b, const Plane& c) {
 int side_of(const Plane& plane, const FarCorner& corner) {
     double sum = plane.d, size = std::fabs(plane.d);
     for (int axis = 0; axis < 3; ++axis) {
-        const double term = plane.n[axis] * corner.at[axis];
+        const double term = double(plane.normal[axis]) * corner.at[axis];
         sum += term;
         size += std::fabs(term);
     }
     // Each term: three roundings of the coordinate, one of the product, three of sums; two more for the bound itself.
     if (std::fabs(sum) > rounding(10) * size) return sum > 0 ? 1 : -1;
     const Meet& m = corner.meet;
-    return (m.x * plane.normal[0] + m.y * plane.normal[1] + m.z * plane.normal[2] + m.w * plane.offset).sign();
+    return (m.x * plane.normal[0] + m.y * plane.normal[1] + m.z * plane.normal[2] + m.w * plane.offset()).sign();
 }
 
 class PlaneClipper {

@@ -90,12 +90,13 @@ Ref<const SolidFace> JoinFaceMaker::make(std::uint32_t face) {
     const PlaneId id = faces_[face].piece.plane;
     made->plane = tables_.planes.stored(id);
     for (const JoinStep& step : arrangement_.outline(face)) {
-        made->uses.push_back({edge(step.edge), step.corner != arrangement_.edges[step.edge].corner[0]});
+        made->uses.emplace_back(edge(step.edge), step.corner != arrangement_.edges[step.edge].corner[0]);
         made->box.add(tables_.points.point(step.corner).rounded());
     }
-    made->loop_ends.assign(1, std::uint32_t(made->uses.size()));
+    const auto end = std::uint32_t(made->uses.size());
+    made->set_loop_ends({&end, 1});
     const Plane& plane = tables_.planes.plane(id);
-    const Vec3 normal{plane.n[0], plane.n[1], plane.n[2]};
+    const Vec3 normal = plane.direction();
     made->normal = normal * (1 / length(normal));
     made->facets = std::uint32_t(facets_.count(face));
     return Ref<const SolidFace>(made.get());

@@ -44,7 +44,7 @@ std::uint64_t inverse(std::uint64_t a) {
 std::uint64_t hash_of(const Plane& a, const Plane& b) {
     std::uint64_t part[6];
     for (int k = 0, i = 1, j = 2; k < 3; i = j, j = k, ++k) part[k] = modulo(normal_minor(a, b, i, j));
-    const std::uint64_t da = modulo(a.offset), db = modulo(b.offset);
+    const std::uint64_t da = modulo(a.offset()), db = modulo(b.offset());
     for (int k = 0; k < 3; ++k) part[3 + k] = minus(times(da, modulo(b.normal[k])), times(db, modulo(a.normal[k])));
     std::uint64_t factor = 0;
     for (int k = 0; k < 3 && factor == 0; ++k) factor = part[k];

@@ -31,7 +31,7 @@ bool close(const GridPoint& a, const GridPoint& b) {
 }
 
 double facing(const Plane& a, const Plane& b) {
-    return a.n[0] * b.n[0] + a.n[1] * b.n[1] + a.n[2] * b.n[2];
+    return dot(a.direction(), b.direction());
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ PlaneId PlaneMover::near_candidate(PlaneId plane, std::span<const BrushShape> sh
         for (const PlaneId other : *list) {
             if (other >= plane && list == &candidates_) continue;  // one of two is to stay
             const Plane& it = tables_.planes.plane(other);
-            const double size = std::sqrt(it.n[0] * it.n[0] + it.n[1] * it.n[1] + it.n[2] * it.n[2]);
+            const double size = length(it.direction());
             bool near = true;
             for (std::size_t s = 0; s < shapes.size() && near; ++s)
                 for (const BrushShape::Face& face : shapes[s].faces) {
@@ -93,7 +93,7 @@ PlaneId PlaneMover::near_candidate(PlaneId plane, std::span<const BrushShape> sh
                     near = near && !bounded_by_both(shapes[s], face.piece.plane, other);
                     for (const PieceSide& side : face.piece.sides) {
                         const Vec3& p = tables_.points.point(side.corner).approximate();
-                        const double off = (it.n[0] * p.x + it.n[1] * p.y + it.n[2] * p.z + it.d) / size;
+                        const double off = (dot(it.direction(), p) + it.d) / size;
                         near = near && std::fabs(off) <= kAlike;
                     }
                 }

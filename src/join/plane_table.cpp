@@ -8,8 +8,8 @@ namespace {
 std::uint64_t hash_of(const Plane& plane) {
     std::uint64_t hash = 0;
     for (const std::int64_t n : plane.normal) hash = mix_bits(hash ^ std::uint64_t(n));
-    hash = mix_bits(hash ^ std::uint64_t(plane.offset));
-    return mix_bits(hash ^ std::uint64_t(plane.offset >> 64));
+    hash = mix_bits(hash ^ std::uint64_t(plane.offset()));
+    return mix_bits(hash ^ std::uint64_t(plane.offset() >> 64));
 }
 
 /// Of a plane and the same from behind, the one that is numbered first.

@@ -46,10 +46,11 @@ private:
         const auto corners = mesh_.corners(face);
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const std::uint32_t from = corners[k], to = corners[k + 1 < corners.size() ? k + 1 : 0];
-            made->uses.push_back({edge(std::min(from, to), std::max(from, to), face), to < from});
+            made->uses.emplace_back(edge(std::min(from, to), std::max(from, to), face), to < from);
             made->box.add(to_surface(mesh_.points[from]));
         }
-        made->loop_ends.assign(1, std::uint32_t(corners.size()));
+        const auto end = std::uint32_t(corners.size());
+        made->set_loop_ends({&end, 1});
         std::vector<Vec3> metres;  // the normal to the bit as a face without an owner has it
         for (const std::uint32_t corner : corners) metres.push_back(to_metres(to_surface(mesh_.points[corner])));
         made->normal = make_shape(metres).unit_normal();
@@ -73,7 +74,7 @@ private:
         std::uint32_t& known = vertex_of_.at(point);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(vertices_.size());
-            vertices_.push_back(Ref<const SolidVertex>(new SolidVertex(ExactPoint(mesh_.points[point]), {})));
+            vertices_.push_back(Ref<const SolidVertex>(new SolidVertex(mesh_.points[point])));
         }
         return vertices_[known];
     }

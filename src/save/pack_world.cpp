@@ -181,23 +181,23 @@ private:
         }
         for (const SolidVertex* vertex : on_grid.objects()) add_point(grid_points_, vertex->point.grid());
         for (const SolidVertex* vertex : met.objects())
-            for (const Ref<const SolidPlane>& plane : vertex->planes) meet_points_.u32(planes_(plane.get()));
+            for (int k = 0; k < 3; ++k) meet_points_.u32(planes_(vertex->plane(k)));
         for (const SolidPlane* plane : planes_.objects()) pack_plane(plane->plane);
     }
 
     void pack_exact_face(const SolidFace& face) {
         exact_data_.u32(planes_(face.plane.get()));
         exact_data_.u32(std::uint32_t(face.uses.size()));
-        exact_data_.u32(std::uint32_t(face.loop_ends.size()));
+        exact_data_.u32(std::uint32_t(face.loop_ends().size()));
         for (int axis = 0; axis < 3; ++axis) exact_data_.f64(face.normal[axis]);
-        for (const SolidUse& use : face.uses) uses_.u32(edges_(use.edge.get()) << 1 | std::uint32_t(use.reversed));
-        for (const std::uint32_t end : face.loop_ends) loops_.u32(end);
+        for (const SolidUse& use : face.uses) uses_.u32(edges_(&use.edge()) << 1 | std::uint32_t(use.reversed()));
+        for (const std::uint32_t end : face.loop_ends()) loops_.u32(end);
     }
 
     void pack_plane(const Plane& plane) {
         for (const std::int64_t n : plane.normal) plane_data_.u64(std::uint64_t(n));
-        plane_data_.u64(std::uint64_t(plane.offset));
-        plane_data_.u64(std::uint64_t(plane.offset >> 64));
+        plane_data_.u64(std::uint64_t(plane.offset()));
+        plane_data_.u64(std::uint64_t(plane.offset() >> 64));
     }
 
     std::vector<NewSection> sections() {

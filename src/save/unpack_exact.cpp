@@ -16,23 +16,22 @@ constexpr std::int32_t kRim = 1 << 25;  // input steps
 constexpr double kRounding = 0x1p-40;
 
 bool opposite(const Plane& a, const Plane& b) {
-    return a.offset == -b.offset && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
+    return a.offset() == -b.offset() && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
            a.normal[2] == -b.normal[2];
 }
 
 /// Whether a vertex lies on a plane, exactly. Mostly the plane is one of its own.
 bool holds(const SolidPlane& plane, const SolidVertex& vertex) {
-    for (const Ref<const SolidPlane>& own : vertex.planes)
-        if (own.get() == &plane) return true;
-    if (!vertex.point.on_grid())
-        for (const Ref<const SolidPlane>& own : vertex.planes)
-            if (own->plane == plane.plane || opposite(own->plane, plane.plane)) return true;
+    for (int k = 0; k < 3; ++k)
+        if (vertex.point.plane(k) == &plane.plane) return true;
+    for (int k = 0; k < 3 && !vertex.point.on_grid(); ++k)
+        if (const Plane& own = *vertex.point.plane(k); own == plane.plane || opposite(own, plane.plane)) return true;
     return exact_side(plane.plane, vertex.point) == 0;
 }
 
 /// A normal as edits make them: of length 1 but for rounding, along the plane's.
 bool suits(const Vec3& normal, const Plane& plane) {
-    const Vec3 n{plane.n[0], plane.n[1], plane.n[2]};
+    const Vec3 n = plane.direction();
     if (!is_finite(normal) || largest(normal) > 2) return false;
     return std::fabs(dot(normal, normal) - 1) <= kRounding && dot(normal, n) >= (1 - kRounding) * length(n);
 }
@@ -88,7 +87,7 @@ private:
             if (point[axis] < -kRim || point[axis] >= kRim)
                 return damage_.report(section.type(), k, "lies outside the world");
         }
-        vertices_.emplace_back(new SolidVertex(ExactPoint(point), {}));
+        vertices_.emplace_back(new SolidVertex(point));
         return true;
     }
 
@@ -156,7 +155,7 @@ private:
             const std::uint32_t use = read_u32(uses_.take(1));
             if (use >> 1 >= edges_.size())
                 return damage_.report(uses_.type(), entry, "names an edge that is not there");
-            face.uses.push_back({edges_[use >> 1], (use & 1) != 0});
+            face.uses.emplace_back(edges_[use >> 1], (use & 1) != 0);
             face.box.add(face.uses.back().from().point.rounded());
         }
         return true;
@@ -164,17 +163,18 @@ private:
 
     bool read_loops(SolidFace& face, std::uint32_t count) {
         std::uint32_t before = 0;
-        face.loop_ends.reserve(count);
+        std::vector<std::uint32_t> loop_ends;
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::size_t entry = ends_.taken();
             const std::uint32_t end = read_u32(ends_.take(1));
             if (end > face.uses.size() || end < before || end - before < 3)
                 return damage_.report(ends_.type(), entry, "is no loop of three edges or more");
-            face.loop_ends.push_back(end);
+            loop_ends.push_back(end);
             before = end;
         }
         if (count == 0 || before != face.uses.size())
             return damage_.report(kExactFacesSection, faces_.size(), "has edges in no loop, or none");
+        face.set_loop_ends(loop_ends);
         return true;
     }
 

@@ -12,7 +12,7 @@ namespace firma {
 namespace {
 
 bool opposite(const Plane& a, const Plane& b) {
-    return a.offset == -b.offset && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
+    return a.offset() == -b.offset() && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
            a.normal[2] == -b.normal[2];
 }
 
@@ -155,7 +155,7 @@ private:
 
     void check_stored(const FaceOwner& owner) {
         const Plane& plane = face().plane->plane;
-        if (!(dot(owner.normal, Vec3{plane.n[0], plane.n[1], plane.n[2]}) > 0))
+        if (!(dot(owner.normal, plane.direction()) > 0))
             return report("a face's normal points into the solid", some_corner());
         for (int axis = 0; axis < 3; ++axis)
             if (owner.box.low[axis] > face().box.low[axis] || owner.box.high[axis] < face().box.high[axis])

@@ -12,8 +12,8 @@ namespace {
 
 void add_plane(Hasher& hasher, const Plane& plane) {
     for (const std::int64_t n : plane.normal) hasher.add(std::uint64_t(n));
-    hasher.add(std::uint64_t(plane.offset));
-    hasher.add(std::uint64_t(plane.offset >> 64));
+    hasher.add(std::uint64_t(plane.offset()));
+    hasher.add(std::uint64_t(plane.offset() >> 64));
 }
 
 std::uint64_t hash_name(const std::string& name) {

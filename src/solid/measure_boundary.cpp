@@ -95,8 +95,8 @@ BoundaryMeasures measure_boundary(const Boundary& boundary) {
         const Plane& plane = face.plane->plane;
         if (!plane.valid()) continue;
         const int axis = plane.dominant_axis();
-        const DoubleDouble ratio = twice_seen_area(patch, face, axis, apex) / DoubleDouble(plane.n[axis]);
-        Int256 offset = plane.offset, square;
+        const DoubleDouble ratio = twice_seen_area(patch, face, axis, apex) / DoubleDouble(double(plane.normal[axis]));
+        Int256 offset = plane.offset(), square;
         for (int k = 0; k < 3; ++k) {
             offset = offset + product(plane.normal[k], apex[k]);
             square = square + product(plane.normal[k], plane.normal[k]);

@@ -2,6 +2,9 @@
 // What an exact face is, for hashes and counts of memory.
 #include "solid/solid_face.h"
 
+#include <type_traits>
+
+#include "base/assert.h"
 #include "base/fetch_ahead.h"
 #include "base/hasher.h"
 
@@ -15,25 +18,61 @@ void add_point(Hasher& hasher, const GridPoint& p) {
 
 void add_plane(Hasher& hasher, const Plane& plane) {
     for (const std::int64_t n : plane.normal) hasher.add(std::uint64_t(n));
-    hasher.add(std::uint64_t(plane.offset));
-    hasher.add(std::uint64_t(plane.offset >> 64));
+    hasher.add(std::uint64_t(plane.offset()));
+    hasher.add(std::uint64_t(plane.offset() >> 64));
 }
+
+static_assert(sizeof(void*) != 8 || (sizeof(SolidPlane) == 64 && sizeof(SolidVertex) == 64), "a line of a cache");
+
+// A point looks at planes; those of a vertex are SolidPlanes', and the first thing in them.
+static_assert(std::is_standard_layout_v<PlaneHolder>);
 
 }  // namespace
 
+SolidVertex::SolidVertex(const ExactPoint& p, const Ref<const SolidPlane> (&three)[3]) : SolidPoint{p} {
+    for (int k = 0; k < 3; ++k) {
+        FIRMA_ASSERT(p.plane(k) == (three[k] ? &three[k]->plane : nullptr), "a vertex keeps the planes of its point");
+        if (three[k]) three[k]->take();
+    }
+}
+
+SolidVertex::~SolidVertex() {
+    for (int k = 0; k < 3; ++k)
+        if (const SolidPlane* own = plane(k); own && own->drop()) delete own;
+}
+
+const SolidPlane* SolidVertex::plane(int k) const {
+    return static_cast<const SolidPlane*>(reinterpret_cast<const PlaneHolder*>(point.plane(k)));
+}
+
+SolidUse::SolidUse(Ref<const SolidEdge> edge, bool reversed)
+    : edge_(reinterpret_cast<std::uintptr_t>(edge.get()) | std::uintptr_t(reversed)) {
+    if (edge) edge->take();
+}
+
+SolidUse::~SolidUse() {
+    if (edge_ != 0 && object()->drop()) delete object();
+}
+
+void SolidFace::set_loop_ends(std::span<const std::uint32_t> ends) {
+    only_end_ = ends.size() == 1 ? ends[0] : 0;
+    ends_ = {};
+    if (ends.size() > 1) ends_.assign(ends.begin(), ends.end());
+}
+
 /// Edges lie scattered, and each counts one user less.
 SolidFace::~SolidFace() {
-    for (const SolidUse& use : uses) fetch_ahead(use.edge.get());
+    for (const SolidUse& use : uses) fetch_ahead(&use.edge());
 }
 
 void SolidFace::add_to(Hasher& hasher) const {
     add_plane(hasher, plane->plane);
-    hasher.add(loop_ends.size());
-    for (const std::uint32_t end : loop_ends) hasher.add(end);
+    hasher.add(loop_ends().size());
+    for (const std::uint32_t end : loop_ends()) hasher.add(end);
     for (const SolidUse& use : uses) {
         add_point(hasher, use.from().point.rounded());
-        hasher.add(use.reversed);
-        for (const Ref<const SolidPlane>& edge_plane : use.edge->plane) add_plane(hasher, edge_plane->plane);
+        hasher.add(use.reversed());
+        for (const Ref<const SolidPlane>& edge_plane : use.edge().plane) add_plane(hasher, edge_plane->plane);
     }
 }
 
@@ -41,7 +80,7 @@ std::size_t SolidFace::bytes() const {
     // Vertices, edges and planes are shared by the faces around them: two faces an edge, about three a vertex, and a
     // plane of its own for each face.
     std::size_t sum =
-        pool_size(sizeof(SolidFace)) + pool_size(sizeof(SolidPlane)) + pool_size_of(uses) + pool_size_of(loop_ends);
+        pool_size(sizeof(SolidFace)) + pool_size(sizeof(SolidPlane)) + pool_size_of(uses) + pool_size_of(ends_);
     sum += uses.size() * (pool_size(sizeof(SolidEdge)) / 2 + pool_size(sizeof(SolidVertex)) / 3);
     return sum;
 }

@@ -8,7 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
+#include <utility>
 
 #include "base/pool.h"
 #include "base/ref.h"
@@ -17,45 +18,82 @@
 
 namespace firma {
 
-class SolidPlane : public RefCounted, public Pooled {
-public:
-    explicit SolidPlane(const Plane& p) : plane(p) {}
+// A world has millions of these, scattered: a plane, a vertex, an edge fill a line of a cache each at most.
+
+struct PlaneHolder {
     const Plane plane;
 };
 
-class SolidVertex : public RefCounted, public Pooled {
+class SolidPlane : public PlaneHolder, public RefCounted, public Pooled {
 public:
-    SolidVertex(const ExactPoint& p, const Ref<const SolidPlane> (&three)[3])
-        : point(p), planes{three[0], three[1], three[2]} {}
-    const ExactPoint point;
-    const Ref<const SolidPlane> planes[3];  ///< what `point` looks at; null for a point of the grid
+    explicit SolidPlane(const Plane& p) : PlaneHolder{p} {}
+};
+
+/// Where a vertex lies; its users are counted in what the point leaves of its line.
+struct SolidPoint {
+    [[no_unique_address]] const ExactPoint point;
+};
+
+class SolidVertex : public SolidPoint, public RefCounted, public Pooled {
+public:
+    /// On the input grid.
+    explicit SolidVertex(const InputPoint& p) : SolidPoint{ExactPoint(p)} {}
+    /// @param three  the planes that `p` looks at, which it keeps alive; null for a point of the grid
+    SolidVertex(const ExactPoint& p, const Ref<const SolidPlane> (&three)[3]);
+    ~SolidVertex();
+
+    /// One of those; null for a point of the grid.
+    const SolidPlane* plane(int k) const;
 };
 
 class SolidEdge : public RefCounted, public Pooled {
 public:
+    bool doubled = false;  ///< one of several between the same two vertices of the grid
     Ref<const SolidVertex> vertex[2];
     Ref<const SolidPlane> plane[2];  ///< that meet in it: those of its faces, or auxiliary ones
-    bool doubled = false;            ///< one of several between the same two vertices of the grid
 };
 
 /// How a loop uses an edge: from vertex[0] to vertex[1], or back.
-struct SolidUse {
-    Ref<const SolidEdge> edge;
-    bool reversed = false;
+class SolidUse {
+public:
+    SolidUse() = default;
+    SolidUse(Ref<const SolidEdge> edge, bool reversed);
+    SolidUse(const SolidUse& other) : SolidUse(Ref<const SolidEdge>(other.object()), other.reversed()) {}
+    SolidUse(SolidUse&& other) noexcept : edge_(std::exchange(other.edge_, 0)) {}
+    SolidUse& operator=(SolidUse other) noexcept {
+        std::swap(edge_, other.edge_);
+        return *this;
+    }
+    ~SolidUse();
 
-    const SolidVertex& from() const { return *edge->vertex[reversed]; }
+    const SolidEdge& edge() const { return *object(); }
+    bool reversed() const { return (edge_ & 1) != 0; }
+    const SolidVertex& from() const { return *edge().vertex[reversed()]; }
+
+private:
+    const SolidEdge* object() const { return reinterpret_cast<const SolidEdge*>(edge_ & ~std::uintptr_t(1)); }
+
+    std::uintptr_t edge_ = 0;  ///< its address, and whether reversed in the last bit
 };
 
 class SolidFace final : public FaceOwner {
 public:
-    Ref<const SolidPlane> plane;                          ///< looks into the air
-    std::vector<SolidUse, PoolAllocator<SolidUse>> uses;  ///< of all loops in a row
-    std::vector<std::uint32_t, PoolAllocator<std::uint32_t>>
-        loop_ends;  ///< the first loop is the outer one, holes follow
+    Ref<const SolidPlane> plane;  ///< looks into the air
+    PoolVector<SolidUse> uses;    ///< of all loops in a row
+
+    /// Where in `uses` each loop ends: the first one is the outer one, holes follow.
+    std::span<const std::uint32_t> loop_ends() const {
+        return ends_.empty() ? std::span(&only_end_, only_end_ != 0) : std::span<const std::uint32_t>(ends_);
+    }
+    void set_loop_ends(std::span<const std::uint32_t> ends);
 
     ~SolidFace() override;
     void add_to(Hasher& hasher) const override;
     std::size_t bytes() const override;
+
+private:
+    std::uint32_t only_end_ = 0;      ///< of a face without holes
+    PoolVector<std::uint32_t> ends_;  ///< of one with holes
 };
 
 }  // namespace firma

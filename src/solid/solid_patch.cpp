@@ -28,19 +28,16 @@ void fetch_faces_ahead(std::span<const FacetPlace> facets) {
         fetch_ahead(&face->uses);
         faces.push_back(face);
     }
-    constexpr std::size_t kUsesOfALine = 4;
+    constexpr std::size_t kUsesOfALine = 8;
     for (const SolidFace* face : faces) {
         fetch_ahead(face->plane.get());
-        fetch_ahead(face->loop_ends.data());
         for (std::size_t k = 0; k < face->uses.size(); k += kUsesOfALine) fetch_ahead(face->uses.data() + k);
     }
     for (const SolidFace* face : faces)
-        for (const SolidUse& use : face->uses) fetch_ahead(use.edge.get());
+        for (const SolidUse& use : face->uses) fetch_ahead(&use.edge());
     for (const SolidFace* face : faces)
         for (const SolidUse& use : face->uses) {
-            const SolidVertex* vertex = &use.from();  // each is the start of some use
-            fetch_ahead(vertex);
-            fetch_ahead(&vertex->planes);
+            fetch_ahead(&use.from());  // each is the start of some use
         }
 }
 
@@ -126,7 +123,7 @@ std::uint32_t SolidPatch::edge_between(std::uint32_t a, std::uint32_t b) {
 }
 
 PatchUse SolidPatch::stored_edge(const SolidUse& use) {
-    const SolidEdge& stored = *use.edge;
+    const SolidEdge& stored = use.edge();
     // An edge of the grid may have a neighbour that no cut has touched: the two vertices say which edge it is.
     if (stored.vertex[0]->point.on_grid() && stored.vertex[1]->point.on_grid() && !stored.doubled) {
         const std::uint32_t a = stored_vertex(*stored.vertex[0]), b = stored_vertex(*stored.vertex[1]);
@@ -137,7 +134,7 @@ PatchUse SolidPatch::stored_edge(const SolidUse& use) {
             it.plane[0] = stored.plane[0].get();
             it.plane[1] = stored.plane[1].get();
         }
-        return {edge, (it.vertex[0] == a) == use.reversed};
+        return {edge, (it.vertex[0] == a) == use.reversed()};
     }
     std::uint32_t& known = edge_of_stored_.at(key_of(&stored, 0));
     if (known == FlatMap::kNone) {
@@ -151,7 +148,7 @@ PatchUse SolidPatch::stored_edge(const SolidUse& use) {
         edge.doubled = stored.doubled;
         edges.push_back(std::move(edge));
     }
-    return {known, use.reversed};
+    return {known, use.reversed()};
 }
 
 void SolidPatch::finish(std::uint32_t index) {
@@ -201,7 +198,7 @@ std::uint32_t SolidPatch::add_stored(const FacetPlace& facet, const SolidFace& s
     faces[index].first_use = std::uint32_t(all_uses.size());
     faces[index].first_loop = std::uint32_t(loop_ends.size());
     for (const SolidUse& use : stored.uses) all_uses.push_back(stored_edge(use));
-    loop_ends.insert(loop_ends.end(), stored.loop_ends.begin(), stored.loop_ends.end());
+    loop_ends.insert(loop_ends.end(), stored.loop_ends().begin(), stored.loop_ends().end());
     finish(index);
     return index;
 }
@@ -234,8 +231,8 @@ void SolidPatch::settle_planes(std::uint32_t index) {
             edge.plane[1] = plane;
     }
     if (edge.plane[1]) return;
-    const InputPoint& a = vertices[edge.vertex[0]].point.grid();
-    const InputPoint& b = vertices[edge.vertex[1]].point.grid();
+    const InputPoint a = vertices[edge.vertex[0]].point.grid();
+    const InputPoint b = vertices[edge.vertex[1]].point.grid();
     edge.plane[1] = keep(Ref<const SolidPlane>(new SolidPlane(edge_plane(a, b, edge.plane[0]->plane))));
 }
 

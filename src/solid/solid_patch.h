@@ -67,7 +67,8 @@ public:
     void add(std::span<const FacetPlace> facets);
     /// Makes room for so many faces, before the first.
     void reserve(std::size_t face_count);
-    /// The number of a facet's face, or none: ~0.
+    /// The number of a facet's face, or kNone.
+    static constexpr std::uint32_t kNone = ~0u;
     std::uint32_t find(const FacetPlace& facet) const;
 
     std::span<const PatchUse> uses(const PatchFace& face) const {

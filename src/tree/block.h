@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/fetch_ahead.h"
 #include "base/pool.h"
 #include "base/ref.h"
 #include "firma/grid.h"
@@ -70,6 +71,12 @@ struct FaceRecord {
 
 class Block : public RefCounted, public Pooled {
 public:
+    /// What it shares with others lies scattered, and each counts one user less.
+    ~Block() {
+        for (const Ref<const Block>& child : children) fetch_ahead(child.get());
+        for (const Ref<const FaceOwner>& owner : owners) fetch_ahead(owner.get());
+    }
+
     // First, beside the count of users: of most blocks an edit reads no more.
     std::uint32_t faces_below = 0;  ///< faces here, or in all blocks below
     std::uint16_t depth = 0;        ///< bins above the deepest leaf bin, from bins[0] on down through children

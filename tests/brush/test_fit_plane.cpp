@@ -123,7 +123,7 @@ TEST(FitPlane, EighthsAndAnyCorners) {
     ASSERT_TRUE(fitted);
     EXPECT_EQ(fitted->kind, FittedPlane::Points::kGrid);
     EXPECT_LT(fitted->shift, 0.9 / 4096);
-    EXPECT_GT(dot({exact(*fitted).n[0], exact(*fitted).n[1], exact(*fitted).n[2]}, plane->normal), 0);
+    EXPECT_GT(dot(exact(*fitted).direction(), plane->normal), 0);
     const FloatPlane behind{-plane->normal, -plane->distance};
     EXPECT_EQ(exact(*fit_plane(behind, any, kScale)), flipped(exact(*fitted)));
 }

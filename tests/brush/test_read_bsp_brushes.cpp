@@ -35,7 +35,7 @@ Plane plane_of(const BrushSide& side) {
 
 // Whether a point (in units of a 32nd of a metre) lies exactly on the plane.
 bool holds(const Plane& plane, const std::array<std::int64_t, 3>& units) {
-    Int128 sum = plane.offset;
+    Int128 sum = plane.offset();
     for (std::size_t axis = 0; axis < 3; ++axis) sum += Int128(plane.normal[axis]) * (128 * units[axis]);
     return sum == 0;
 }
@@ -161,8 +161,7 @@ TEST(ReadBspBrushes, PlanesOfNoLatticeAreNearest) {
         std::size_t next = 0;
         for (const BrushSide& side : level.sides) {
             const Plane plane = plane_of(side);
-            const Vec3 normal =
-                Vec3{plane.n[0], plane.n[1], plane.n[2]} * (1 / length({plane.n[0], plane.n[1], plane.n[2]}));
+            const Vec3 normal = plane.direction() * (1 / length(plane.direction()));
             bool found = false;
             for (; next < of.size() && !found; ++next) {
                 const BspPlane& from = writer.planes[std::size_t(of[next])];

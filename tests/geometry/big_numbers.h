@@ -64,7 +64,7 @@ inline BigPlane big_plane(const InputPoint& a, const InputPoint& b, const InputP
 
 inline BigPlane big_plane(const Plane& plane) {
     return {{big(Int128(plane.normal[0])), big(Int128(plane.normal[1])), big(Int128(plane.normal[2]))},
-            big(plane.offset)};
+            big(plane.offset())};
 }
 
 inline Big determinant(const Big (&a)[3], const Big (&b)[3], const Big (&c)[3]) {

@@ -22,14 +22,14 @@ void expect_sound(const Plane& plane) {
     ASSERT_EQ(common_divisor(plane), 1);
     Big size = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        ASSERT_EQ(big(plane.n[axis]), big(Int128(plane.normal[axis])));
+        ASSERT_EQ(big(plane.direction()[axis]), big(Int128(plane.normal[axis])));
         ASSERT_LE(std::abs(plane.normal[axis]), std::int64_t(1) << 52);
         size += abs(big(Int128(plane.normal[axis])));
     }
-    ASSERT_TRUE(is_nearest(plane.d, big(plane.offset)));
+    ASSERT_TRUE(is_nearest(plane.d, big(plane.offset())));
     ASSERT_GE(big(plane.size), size);
     ASSERT_LE(big(plane.size), size + 1);
-    ASSERT_LE(abs(big(plane.offset)), size << 25);
+    ASSERT_LE(abs(big(plane.offset())), size << 25);
 }
 
 bool through(const Plane& plane, const InputPoint& p) {
@@ -164,7 +164,7 @@ TEST_P(ExactPlane, ParallelAgreesWithBigIntegers) {
         ASSERT_TRUE(exact_parallel(one, one));
         ASSERT_TRUE(exact_parallel(one, flipped(one)));
         Plane apart = one;
-        apart.offset += 1;
+        apart.set_offset(apart.offset() + 1);
         ASSERT_TRUE(exact_parallel(one, apart));
     }
 }
@@ -176,11 +176,12 @@ TEST(ExactPlanes, FrontIsWhereCornersRunCounterClockwise) {
     EXPECT_EQ(floor.normal[0], 0);
     EXPECT_EQ(floor.normal[1], 0);
     EXPECT_EQ(floor.normal[2], 1);
-    EXPECT_EQ(floor.offset, Int128(-7));
+    EXPECT_EQ(floor.offset(), Int128(-7));
     EXPECT_EQ(floor, axis_plane(2, 7));
     EXPECT_EQ(side(big_plane(floor), big_point({3, 3, 8})), 1);
     EXPECT_EQ(side(big_plane(flipped(floor)), big_point({3, 3, 8})), -1);
-    for (const Plane& back = flipped(floor); const double n : back.n) EXPECT_FALSE(n == 0 && std::signbit(n));
+    const Vec3 back = flipped(floor).direction();
+    for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(back[axis] == 0 && std::signbit(back[axis]));
 }
 
 TEST(ExactPlanes, AxisPlanesLookTowardGreaterCoordinates) {

@@ -396,7 +396,7 @@ TEST(ExactPoint, PointsApartNeedNoIntegers) {
         if (!corner.exists || !plane.valid()) continue;
         const ExactPoint point = corner.point();
         const Vec3& p = point.approximate();
-        const double distance = (plane.n[0] * p.x + plane.n[1] * p.y + plane.n[2] * p.z + plane.d) / plane.size;
+        const double distance = (dot(plane.direction(), p) + plane.d) / plane.size;
         if (std::fabs(distance) < 1e-6) continue;  // input steps: 0.25 nanometres
         ++asked;
         exact_side(plane, point);

@@ -141,7 +141,7 @@ TEST(FindSolids, BoxesThatShareAnEdge) {
     std::vector<std::pair<const SolidEdge*, Vec3>> doubled;
     for (const auto& [face, exact] : found.stored)
         for (const SolidUse& use : exact->uses)
-            if (use.edge->doubled) doubled.emplace_back(use.edge.get(), exact->normal);
+            if (use.edge().doubled) doubled.emplace_back(&use.edge(), exact->normal);
     ASSERT_EQ(doubled.size(), 4u);
     for (const auto& [edge, normal] : doubled) {
         std::vector<Vec3> partners;

@@ -221,7 +221,7 @@ Rational HalfSpace::at(const std::array<Rational, 3>& p) const {
 HalfSpace half_space(const Plane& plane) {
     HalfSpace made;
     for (std::size_t axis = 0; axis < 3; ++axis) made.normal[axis] = plane.normal[axis];
-    made.offset = Whole(plane.offset);
+    made.offset = Whole(plane.offset());
     return with_doubles(std::move(made));
 }
 

@@ -36,7 +36,7 @@ Point<Number> meet_of(const Plane& a, const Plane& b, const Plane& c) {
     Number n[3][4];
     for (int i = 0; i < 3; ++i) {
         for (int axis = 0; axis < 3; ++axis) n[i][axis] = number<Number>(plane[i]->normal[axis]);
-        n[i][3] = number<Number>(-plane[i]->offset);
+        n[i][3] = number<Number>(-plane[i]->offset());
     }
     const auto determinant = [&](int p, int q, int r) {
         return Number(n[0][p] * (n[1][q] * n[2][r] - n[1][r] * n[2][q]) -
@@ -371,7 +371,7 @@ bool same_solid(const World& a, const World& b) {
             const std::size_t along = std::size_t(plane.dominant_axis()), u = (along + 1) % 3, v = (along + 2) % 3;
             Key key;
             for (std::size_t axis = 0; axis < 3; ++axis) key[axis] = std::to_string(plane.normal[axis]);
-            key[3] = number<Real>(plane.offset).str(0, std::ios_base::fixed);
+            key[3] = number<Real>(plane.offset()).str(0, std::ios_base::fixed);
             Measures& sum = sums[key];
             fans<Real>(patch, face, {}, [&](const auto& p, const auto& q, const auto& r) {
                 const Real area = sign * ((q[u] - p[u]) * (r[v] - p[v]) - (r[u] - p[u]) * (q[v] - p[v]));

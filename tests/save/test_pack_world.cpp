@@ -133,7 +133,7 @@ TEST(PackWorld, SameBytesEverywhere) {
     const std::vector<std::byte> bytes = pack_world(cut_room(10, 3));
     Hasher hasher;
     for (const std::byte byte : bytes) hasher.add(std::uint8_t(byte));
-    EXPECT_EQ(hasher.value(), 6404147856421498495u) << hasher.value();
+    EXPECT_EQ(hasher.value(), 15174648762745154409u) << hasher.value();
 }
 
 TEST(PackWorld, ToleranceOptionsAndRules) {
@@ -234,19 +234,27 @@ World rooms_and_craters() {
     return set_portal_open(world, {2}, !portal_info(world, {2}).open);
 }
 
-/// The same for every compiler, and readable by every later Firma.
-TEST(PackWorld, RoomsOfVersionOneStayReadable) {
+TEST(PackWorld, RoomsAndCratersAreTheSameEverywhere) {
     const World world = rooms_and_craters();
     EXPECT_FALSE(check_world(world));
-    EXPECT_EQ(hash_world(world), 12115271097692654948u) << hash_world(world);
+    EXPECT_EQ(hash_world(world), 1862759916208377434u) << hash_world(world);
+    const World again = unpacked(pack_world(world));
+    EXPECT_EQ(hash_world(again), hash_world(world));
+}
+
+/// What rooms_and_craters() made when version 1 was new. Edits since then take the planes of fewer neighbours for edges
+/// that they leave whole, so that it makes other bits today; the file must be readable by every later Firma, to the
+/// bit.
+TEST(PackWorld, RoomsOfVersionOneStayReadable) {
     const std::string path = FIRMA_ROOT "/tests/data/golden_rooms_v1.firma";
     const Result<World> golden = load_world(path);
     ASSERT_TRUE(golden.ok()) << golden.error().text();
-    EXPECT_EQ(hash_world(golden.value()), hash_world(world));
+    const World& world = golden.value();
+    EXPECT_FALSE(check_world(world));
+    EXPECT_EQ(hash_world(world), 12115271097692654948u) << hash_world(world);
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    const std::vector<std::byte> packed = pack_world(world);
-    EXPECT_TRUE(std::ranges::equal(packed, std::as_bytes(std::span(bytes))));
+    EXPECT_TRUE(std::ranges::equal(pack_world(world), std::as_bytes(std::span(bytes))));
     std::size_t joined = 0, gone = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
         joined += room_info(world, {room}).part_of != RoomId{room};

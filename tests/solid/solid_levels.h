@@ -86,7 +86,7 @@ struct Parts {
                 copy->facets = old.facets;
                 copy->plane = old.plane;
                 copy->uses = old.uses;
-                copy->loop_ends = old.loop_ends;
+                copy->set_loop_ends(old.loop_ends());
                 faces.push_back(copy);
             }
             entry.owner = faces[k].get();
@@ -101,7 +101,7 @@ struct Parts {
     }
     SolidFace& with_holes(bool holes) {
         return **std::find_if(faces.begin(), faces.end(),
-                              [&](const auto& face) { return (face->loop_ends.size() > 1) == holes; });
+                              [&](const auto& face) { return (face->loop_ends().size() > 1) == holes; });
     }
     World world() const {
         Ref<Room> room(new Room);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/solid/solid_levels.h"
 
 namespace firma {
@@ -111,25 +113,27 @@ TEST(CheckBoundary, LoopsThatDoNotClose) {
     std::swap(face.uses[0], face.uses[1]);
     EXPECT_EQ(fault_of(parts), "a loop is open");
     face.uses.resize(2);
-    face.loop_ends[0] = 2;
+    face.set_loop_ends(std::array{2u});
     EXPECT_EQ(fault_of(parts), "a loop of fewer than three edges");
-    face.loop_ends.clear();
+    face.set_loop_ends({});
     EXPECT_EQ(fault_of(parts), "a face without loops");
 }
 
 void turn_over(SolidFace& face, std::uint32_t first, std::uint32_t end) {
     std::reverse(face.uses.begin() + first, face.uses.begin() + end);
-    for (std::uint32_t k = first; k < end; ++k) face.uses[k].reversed = !face.uses[k].reversed;
+    for (std::uint32_t k = first; k < end; ++k)
+        face.uses[k] = SolidUse(Ref<const SolidEdge>(&face.uses[k].edge()), !face.uses[k].reversed());
 }
 
 TEST(CheckBoundary, LoopsTheWrongWayAround) {
     Parts parts(pitted());
     SolidFace& face = parts.with_holes(true);
-    turn_over(face, face.loop_ends[0], face.loop_ends[1]);
+    turn_over(face, face.loop_ends()[0], face.loop_ends()[1]);
     EXPECT_EQ(fault_of(parts), "a hole runs the same way as the outer loop");
-    turn_over(face, face.loop_ends[0], face.loop_ends[1]);
-    std::rotate(face.uses.begin(), face.uses.begin() + face.loop_ends[0], face.uses.end());
-    face.loop_ends[0] = face.loop_ends[1] - face.loop_ends[0];
+    turn_over(face, face.loop_ends()[0], face.loop_ends()[1]);
+    const std::uint32_t outer = face.loop_ends()[0], all = face.loop_ends()[1];
+    std::rotate(face.uses.begin(), face.uses.begin() + outer, face.uses.end());
+    face.set_loop_ends(std::array{all - outer, all});
     EXPECT_EQ(fault_of(parts), "the outer loop runs against the normal") << "the hole came first";
 }
 
@@ -140,7 +144,7 @@ TEST(CheckBoundary, PlanesThatAreWrong) {
     face.plane = Ref<const SolidPlane>(new SolidPlane(flipped(right->plane)));
     EXPECT_EQ(fault_of(parts), "the outer loop runs against the normal");
     Plane moved = right->plane;
-    moved.offset += 1;
+    moved.set_offset(moved.offset() + 1);
     moved.d += 1;
     face.plane = Ref<const SolidPlane>(new SolidPlane(moved));
     EXPECT_EQ(fault_of(parts), "a vertex lies off the plane of its face");
@@ -159,21 +163,23 @@ TEST(CheckBoundary, PlanesThatAreWrong) {
 TEST(CheckBoundary, VerticesOfTheirOwn) {
     Parts parts(pitted());
     SolidFace& face = parts.with_holes(true);
-    const SolidEdge& old = *face.uses.back().edge;  // of the hole
+    const SolidEdge& old = face.uses.back().edge();  // of the hole
     Ref<SolidEdge> copy(new SolidEdge);
     for (int k = 0; k < 2; ++k) {
         copy->vertex[k] = old.vertex[k];
         copy->plane[k] = old.plane[k];
     }
-    face.uses.back().edge = Ref<const SolidEdge>(copy.get());
+    face.uses.back() = SolidUse(Ref<const SolidEdge>(copy.get()), face.uses.back().reversed());
     EXPECT_EQ(fault_of(parts), "an edge is used once") << "neighbours know each other by the object";
-    copy->vertex[0] = Ref<const SolidVertex>(new SolidVertex(old.vertex[0]->point, old.vertex[0]->planes));
+    Ref<const SolidPlane> planes[3];
+    for (int k = 0; k < 3; ++k) planes[k] = Ref<const SolidPlane>(old.vertex[0]->plane(k));
+    copy->vertex[0] = Ref<const SolidVertex>(new SolidVertex(old.vertex[0]->point, planes));
     EXPECT_EQ(fault_of(parts), "a loop is open");
 }
 
 /// A copy of an edge of the hole, in both of its faces.
 SolidEdge& replace_edge(Parts& parts) {
-    const SolidEdge* old = parts.with_holes(true).uses.back().edge.get();
+    const Ref<const SolidEdge> old(&parts.with_holes(true).uses.back().edge());
     Ref<SolidEdge> copy(new SolidEdge);
     for (int k = 0; k < 2; ++k) {
         copy->vertex[k] = old->vertex[k];
@@ -181,7 +187,7 @@ SolidEdge& replace_edge(Parts& parts) {
     }
     for (Ref<SolidFace>& face : parts.faces)
         for (SolidUse& use : face->uses)
-            if (use.edge.get() == old) use.edge = Ref<const SolidEdge>(copy.get());
+            if (&use.edge() == old.get()) use = SolidUse(Ref<const SolidEdge>(copy.get()), use.reversed());
     return *copy;  // the faces hold it
 }
 
@@ -193,7 +199,7 @@ TEST(CheckBoundary, EdgePlanesThatAreWrong) {
     edge.plane[1] = Ref<const SolidPlane>(new SolidPlane(flipped(edge.plane[0]->plane)));
     EXPECT_EQ(fault_of(parts), "an edge's two planes are parallel");
     Plane moved = right->plane;
-    moved.offset += 1;
+    moved.set_offset(moved.offset() + 1);
     moved.d += 1;
     edge.plane[1] = Ref<const SolidPlane>(new SolidPlane(moved));
     EXPECT_EQ(fault_of(parts), "an edge's plane does not hold its vertex");

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <set>
 
 #include "scenes/rng.h"
@@ -126,11 +128,11 @@ TEST(HashBoundary, UntouchedAndStoredFacesAreTheSame) {
     for (std::uint32_t f = 0; f < patch.faces.size(); ++f) {
         Ref<SolidFace> made(new SolidFace);
         made->plane = Ref<const SolidPlane>(patch.faces[f].plane);
-        for (const PatchUse& use : patch.uses(patch.faces[f])) made->uses.push_back({edges[use.edge], use.reversed});
+        for (const PatchUse& use : patch.uses(patch.faces[f])) made->uses.emplace_back(edges[use.edge], use.reversed);
         std::rotate(made->uses.begin(), made->uses.begin() + f % 4, made->uses.end());
-        made->loop_ends.assign(1, 4);
+        made->set_loop_ends(std::array{4u});
         const Plane& plane = made->plane->plane;
-        made->normal = {plane.n[0], plane.n[1], plane.n[2]};
+        made->normal = plane.direction();
         made->box = patch.faces[f].box;
         const FaceId id = patch.faces[f].facet.record().id;
         std::find_if(parts.set.faces.begin(), parts.set.faces.end(), [&](const auto& e) { return e.id == id; })->owner =
