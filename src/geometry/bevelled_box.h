@@ -15,16 +15,16 @@ namespace firma {
 /// more than four fifths of this.
 class BevelledBox {
 public:
-    BevelledBox() = default;
+    BevelledBox() = default;  ///< around the origin alone
     /// @param box            around all points
     /// @param point_count    at least 1
     /// @param point(k)       a GridPoint
     template <class Point>
     BevelledBox(const GridBox& box, std::size_t point_count, const Point& point);
 
-    /// Whether the hull of some points lies in front of one of the planes, moved out so far that it stays so when these
-    /// points or those enclosed move by up to `steps` along each axis. Only the planes on the side are asked that the
-    /// points' own box lies on: some that could be told are not.
+    /// Whether the hull of some points lies in front of one of the planes, by so much that it still does when either
+    /// they or those enclosed move by up to `steps` along each axis. Asks only the planes of the octant that the middle
+    /// of their box lies in: false says nothing.
     ///
     /// @param box  around them
     template <class Point>

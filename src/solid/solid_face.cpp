@@ -51,7 +51,7 @@ SolidUse::SolidUse(Ref<const SolidEdge> edge, bool reversed)
 }
 
 SolidUse::~SolidUse() {
-    if (edge_ != 0 && object()->drop()) delete object();
+    if (address() && address()->drop()) delete address();
 }
 
 void SolidFace::set_loop_ends(std::span<const std::uint32_t> ends) {
@@ -62,7 +62,7 @@ void SolidFace::set_loop_ends(std::span<const std::uint32_t> ends) {
 
 /// Edges lie scattered, and each counts one user less.
 SolidFace::~SolidFace() {
-    for (const SolidUse& use : uses) fetch_ahead(&use.edge());
+    for (const SolidUse& use : uses) fetch_ahead(use.address());
 }
 
 void SolidFace::add_to(Hasher& hasher) const {

@@ -29,7 +29,8 @@ public:
     explicit SolidPlane(const Plane& p) : PlaneHolder{p} {}
 };
 
-/// Where a vertex lies; its users are counted in what the point leaves of its line.
+/// Where a vertex lies. The point's last bytes are padding: without an address of its own it lends them to the count of
+/// users that comes after it.
 struct SolidPoint {
     [[no_unique_address]] const ExactPoint point;
 };
@@ -58,7 +59,9 @@ class SolidUse {
 public:
     SolidUse() = default;
     SolidUse(Ref<const SolidEdge> edge, bool reversed);
-    SolidUse(const SolidUse& other) : SolidUse(Ref<const SolidEdge>(other.object()), other.reversed()) {}
+    SolidUse(const SolidUse& other) : edge_(other.edge_) {
+        if (address()) address()->take();
+    }
     SolidUse(SolidUse&& other) noexcept : edge_(std::exchange(other.edge_, 0)) {}
     SolidUse& operator=(SolidUse other) noexcept {
         std::swap(edge_, other.edge_);
@@ -66,13 +69,13 @@ public:
     }
     ~SolidUse();
 
-    const SolidEdge& edge() const { return *object(); }
+    const SolidEdge& edge() const { return *address(); }
+    /// Of the edge; null for one made by default, or moved from.
+    const SolidEdge* address() const { return reinterpret_cast<const SolidEdge*>(edge_ & ~std::uintptr_t(1)); }
     bool reversed() const { return (edge_ & 1) != 0; }
     const SolidVertex& from() const { return *edge().vertex[reversed()]; }
 
 private:
-    const SolidEdge* object() const { return reinterpret_cast<const SolidEdge*>(edge_ & ~std::uintptr_t(1)); }
-
     std::uintptr_t edge_ = 0;  ///< its address, and whether reversed in the last bit
 };
 
