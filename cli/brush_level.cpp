@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <vector>
 
+#include "brush/entity_origin.h"
 #include "cli/atomic_file.h"
 #include "cli/describe_world.h"
 #include "cli/failure.h"
@@ -131,19 +131,6 @@ struct Leak {
     std::vector<Vec3> points;  ///< empty where the way is too narrow to be found
 };
 
-std::optional<Vec3> origin_of(const BrushLevel& level, const Entity& entity) {
-    std::istringstream words{std::string(entity.value("origin"))};
-    double units[3];
-    for (double& unit : units) {
-        std::string word;
-        if (!(words >> word)) return {};
-        const std::optional<double> number = read_number(word);
-        if (!number) return {};
-        unit = *number * level.metres_a_unit;
-    }
-    return Vec3{units[0], units[1], units[2]};
-}
-
 /// The world as the author divided it: a portal that was added may hide that there is no wall.
 World undivided(const LoadedLevel& loaded) {
     if (!loaded.brushes->divided) return loaded.world;
@@ -152,18 +139,27 @@ World undivided(const LoadedLevel& loaded) {
     return take(make_world(level));
 }
 
-/// From the first player's start that lies in the exterior. A world of one room, all of it open, may be meant so: it
-/// leaks when something of it was to be closed in.
+/// Whether a room is the exterior, or a way leads there through portals.
+bool is_open(const World& world, RoomId room) {
+    for (std::uint32_t other = 0; other < world.room_count(); ++other)
+        if (room_info(world, {other}).exterior && find_path(world, room, {other}, Doors::kAllOpen)) return true;
+    return false;
+}
+
+/// From the first player's start that a way leads from to beyond all faces; in a level without players, from the first
+/// entity that stands anywhere in the air.
 std::optional<Leak> leak_of(const LoadedLevel& loaded) {
     const BrushLevel& level = loaded.brushes->level;
     const World world = undivided(loaded);
+    const auto is_player = [](const Entity& entity) { return entity.value("classname").starts_with("info_player"); };
+    const bool any_player = std::any_of(level.entities.begin(), level.entities.end(), is_player);
     for (std::size_t k = 0; k < level.entities.size(); ++k) {
-        if (!level.entities[k].value("classname").starts_with("info_player")) continue;
-        const std::optional<Vec3> origin = origin_of(level, level.entities[k]);
+        if (any_player && !is_player(level.entities[k])) continue;
+        const std::optional<Vec3> origin = entity_origin(level, level.entities[k]);
         if (!origin) continue;
         const Location where = locate(world, *origin);
-        if (where.kind != Location::Kind::kRoom || !room_info(world, where.room).exterior) continue;
-        return Leak{k, find_leak(world, *origin)};
+        if (where.kind == Location::Kind::kRoom && is_open(world, where.room))
+            return Leak{k, find_leak(world, *origin)};
     }
     return {};
 }

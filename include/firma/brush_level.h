@@ -47,9 +47,17 @@ struct Brush {
     std::uint32_t line = 0;  ///< where it begins in the file, from 1; 0 where the format has none
 };
 
+/// A part of an entity in a form that is not understood (brushDef, patchDef3): its text, from the word that names the
+/// form to the brace that closes the part, without that.
+struct UnknownPart {
+    std::string text;
+    std::uint32_t line = 0;
+};
+
 struct Entity {
     std::vector<std::pair<std::string, std::string>> keys;  ///< in the file's order, as written
     std::uint32_t line = 0;
+    std::vector<UnknownPart> unknown;  ///< likewise; each has a note
 
     /// The value of the first such key; "" when there is none.
     std::string_view value(std::string_view key) const {

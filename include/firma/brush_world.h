@@ -16,7 +16,8 @@ struct BrushNote {
     enum class What : std::uint8_t {
         kNotJoined,   ///< a brush of solid: castable only, or nothing at all where it has no volume
         kNoVolume,    ///< a brush whose planes leave no volume, or do not close it: met by nothing
-        kIdlePortal,  ///< a portal with one room on both sides, wherever it is in the air: the air goes around it
+        kIdlePortal,  ///< a portal with one room on both sides, wherever it is in the air (the air goes around it), or
+                      ///< of which nothing is in the air that no portal before it takes
     };
     What what = What::kNotJoined;
     std::uint32_t brush = 0;  ///< index into BrushLevel::brushes

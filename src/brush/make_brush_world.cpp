@@ -133,6 +133,9 @@ BrushWorldReport report_of(const BrushLevel& level, const JoinedLevel& joined) {
         report.notes.push_back(
             {BrushNote::What::kIdlePortal, brush_of(level, source), "there is one room on both sides of it"});
     }
+    for (const std::uint32_t brush : joined.hidden_portals)
+        report.notes.push_back(
+            {BrushNote::What::kIdlePortal, brush, "it lies in the solid, or where another portal is"});
     std::sort(report.notes.begin(), report.notes.end(), [](const BrushNote& a, const BrushNote& b) {
         return a.what != b.what ? a.what < b.what : a.brush < b.brush;
     });

@@ -146,9 +146,12 @@ private:
                 return malformed(what.line, quote(what.text) + context() + " has no end: braces do not match");
             }
             if (token.text.find_first_not_of("{}") != std::string_view::npos) continue;
-            for (const char brace : token.text) {
+            for (const char& brace : token.text) {
                 depth += brace == '{' ? 1 : std::uint64_t(-1);
-                if (depth == 0) return std::nullopt;
+                if (depth > 0) continue;
+                const char* from = what.text.data();
+                file.entities.back().unknown.push_back({std::string(from, std::size_t(&brace - from)), what.line});
+                return std::nullopt;
             }
         }
     }

@@ -136,10 +136,11 @@ private:
     void cut_portals() {
         std::vector<JoinPiece>& portals = made_->portal_pieces;
         portals.clear();
+        made_->hidden_portals.clear();
         std::vector<std::pair<PlaneId, const BrushShape*>> before;
         for (std::uint32_t b = 0; b < shapes_.size(); ++b) {
             if (!used_[b] || level_.brushes[b].kind != BrushKind::kPortal) continue;
-            const std::size_t first = before.size();
+            const std::size_t first = before.size(), portals_before = portals.size();
             for (const BrushShape::Face& face : shapes_[b].faces) {
                 const std::uint32_t source = level_.brushes[b].first_side + face.side;
                 if (!level_.sides[source].portal) continue;
@@ -151,6 +152,7 @@ private:
                 add_pieces(source, portals);
                 before.push_back({face.piece.plane, &shapes_[b]});
             }
+            if (before.size() > first && portals.size() == portals_before) made_->hidden_portals.push_back(b);
         }
         cutter_.set_portals(portals);
         cutter_.divide_at_portals(portals);

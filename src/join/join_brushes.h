@@ -40,7 +40,8 @@ struct JoinedLevel {
     JoinFacets facets;                     ///< likewise
     JoinRooms rooms;
     std::vector<JoinPortal> portals;
-    std::vector<std::uint32_t> idle_portals;  ///< brush sides of portals with one room on both sides
+    std::vector<std::uint32_t> idle_portals;    ///< brush sides of portals with one room on both sides
+    std::vector<std::uint32_t> hidden_portals;  ///< brushes of which no part of a portal is left to the air
     std::vector<LeftOut> left_out;
     std::size_t planes_moved = 0;        ///< so that no face is too thin for the grid
     std::vector<PlaneId> plane_of_side;  ///< by brush side: as the level has it, or as it was moved

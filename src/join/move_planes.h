@@ -12,7 +12,7 @@
 namespace firma {
 
 /// Planes that were not exactly so in the author's tools meet in points a few millionths of a metre apart, once they
-/// are exact. Where the surface grid cannot tell those apart, one of the planes is moved by up to half a millimetre, on
+/// are exact. Where the surface grid cannot tell those apart, one of the planes is moved by about half a millimetre, on
 /// all brushes that have it at once: so neighbours stay neighbours.
 class PlaneMover {
 public:
@@ -21,15 +21,15 @@ public:
     /// As the level has it, or as it was moved.
     PlaneId of_side(std::uint32_t side) const { return plane_of_side_[side]; }
 
-    /// Chooses planes that keep outlines from making facets, and changes each once: two that are nearly one become one,
-    /// else one is moved.
-    /// @param outlines  the corners of each, and the plane that it lies in
-    /// @param shapes    the brushes as they are
-    /// @return for each outline whether one of its planes was moved, now or for another outline
+    /// A face that makes no facets.
     struct Outline {
         PlaneId plane;
         std::vector<std::uint32_t> corners;
     };
+    /// Chooses planes that keep outlines from making facets, and changes each once: two that are nearly one become one,
+    /// else one is moved.
+    /// @param shapes  the brushes as they are
+    /// @return for each outline whether one of its planes was moved, now or for another outline
     std::vector<bool> move(std::span<const Outline> outlines, std::span<const BrushShape> shapes);
 
     std::size_t moved() const { return moved_; }

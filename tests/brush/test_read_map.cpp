@@ -277,7 +277,7 @@ TEST(ReadMap, FirstEntityIsTheWorld) {
     EXPECT_EQ(error_of(" // nothing\n"), "a.map: no entity in the file");
 }
 
-TEST(ReadMap, UnknownPrimitivesAreNotedAndSkipped) {
+TEST(ReadMap, UnknownPrimitivesAreNotedAndKept) {
     const std::string text = world(
         "{ brushDef3 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }}\n"
         "{\nbrushDef\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n}\n"
@@ -290,6 +290,12 @@ TEST(ReadMap, UnknownPrimitivesAreNotedAndSkipped) {
     EXPECT_EQ(level.notes[0], "primitive 'brushDef3' is not understood: a.map:3 in brush 0 of entity 0");
     EXPECT_EQ(level.notes[1], "primitive 'brushDef' is not understood: a.map:5 in brush 1 of entity 0");
     EXPECT_EQ(level.notes[2], "primitive 'patchDef3' is not understood: a.map:10 in brush 2 of entity 0");
+    const std::vector<UnknownPart>& kept = level.entities[0].unknown;
+    ASSERT_EQ(kept.size(), 3u);
+    EXPECT_EQ(kept[0].text, "brushDef3 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }");
+    EXPECT_EQ(kept[1].text, "brushDef\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n");
+    EXPECT_EQ(kept[1].line, 5u);
+    EXPECT_EQ(kept[2].text, "patchDef3 { a } ");
     EXPECT_EQ(read("Version 2\n" + text).value().notes.size(), 4u);
 }
 

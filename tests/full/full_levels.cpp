@@ -152,11 +152,13 @@ int judge_maps(const Options& options) {
         const reference::JoinedVerdict verdict = reference::judge_joined(level.value(), options.seed, 400);
         part.extra += verdict.planes_moved;
         if (!verdict.fault.empty()) part.fail(name + ": " + verdict.fault);
+        if (verdict.portals > 0 && verdict.crossings == 0) part.fail(name + ": no way through a portal was judged");
         const std::lock_guard lock(mutex);
         std::printf(
-            "map name=%s rooms=%zu portals=%zu points=%zu planes_moved=%zu left_out=%zu farthest=%.3g volume=%.17g\n",
-            name.c_str(), verdict.rooms, verdict.portals, verdict.points, verdict.planes_moved, verdict.left_out,
-            verdict.farthest, verdict.volume);
+            "map name=%s rooms=%zu portals=%zu points=%zu ways=%zu crossings=%zu planes_moved=%zu left_out=%zu "
+            "farthest=%.3g volume=%.17g\n",
+            name.c_str(), verdict.rooms, verdict.portals, verdict.points, verdict.ways, verdict.crossings,
+            verdict.planes_moved, verdict.left_out, verdict.farthest, verdict.volume);
         std::fflush(stdout);
     });
     return tell("join_maps", options, tally, "planes_moved");

@@ -20,6 +20,7 @@ TEST(JoinedLevels, TheDepot) {
     EXPECT_EQ(verdict.planes_moved, 0u);
     EXPECT_EQ(verdict.left_out, 0u);
     EXPECT_GT(verdict.points, 80u);
+    EXPECT_GE(verdict.crossings, verdict.portals);
     EXPECT_GT(verdict.volume, 100'000);
 }
 
@@ -33,6 +34,7 @@ TEST(JoinedLevels, SomeMapsOfOpenArena) {
         const reference::JoinedVerdict verdict = judge_file(path.string());
         EXPECT_EQ(verdict.fault, "") << path;
         EXPECT_EQ(verdict.left_out, 0u) << path;
+        EXPECT_TRUE(verdict.portals == 0 || verdict.crossings > 0) << path;
     }
     if (judged == 0) GTEST_SKIP() << kNoOpenArena;
     EXPECT_EQ(judged, some.size());

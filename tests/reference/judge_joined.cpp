@@ -49,6 +49,7 @@ public:
         if (verdict_.farthest > kFarthestMoved) return failed("a plane was moved by more than a millimetre");
         if (volume) judge_volume(world);
         if (verdict_.fault.empty()) judge_points(world, points);
+        if (verdict_.fault.empty()) judge_ways(world);
         return verdict_;
     }
 
@@ -103,6 +104,44 @@ private:
                 if (std::string fault = judge_way(world, before, point); !fault.empty()) failed(std::move(fault));
             before = point;
         }
+    }
+
+    double uniform(double low, double high) { return low + (high - low) * (double(random_() >> 11) * 0x1p-53); }
+
+    /// A point up to half a metre in front of a portal, or behind it.
+    Vec3 point_near(const std::vector<Vec3>& polygon, bool behind) {
+        Vec3 point;
+        double sum = 0;
+        for (const Vec3& corner : polygon) {
+            const double share = uniform(0.01, 1);
+            point = point + corner * share;
+            sum += share;
+        }
+        const Vec3 normal = cross(polygon[1] - polygon[0], polygon[2] - polygon[0]);
+        const double away = uniform(0.001, 0.5) / length(normal);
+        return point * (1 / sum) + normal * (behind ? -away : away);
+    }
+
+    /// Points spread at random hardly ever see each other through a portal: these lie at both sides of one.
+    void judge_ways(const World& world) {
+        std::vector<Vec3> places;
+        const auto judge = [&](const Vec3& from, const Vec3& to) {
+            if (std::string fault = judge_way(world, from, to); !fault.empty()) failed(std::move(fault));
+            const Location start = locate(world, from), end = locate(world, to);
+            if (start.kind != Location::Kind::kRoom || end.kind != Location::Kind::kRoom) return;
+            if (cast(world, {from, 0}, to - from).touched()) return;
+            ++verdict_.ways;
+            verdict_.crossings += start.room != end.room;
+        };
+        for (std::uint32_t portal = 0; portal < portal_count(world); ++portal)
+            for (const std::vector<Vec3>& polygon : portal_info(world, {portal}).polygons) {
+                const Vec3 front = point_near(polygon, false);
+                const Vec3 behind = point_near(polygon, true);
+                judge(front, behind);
+                for (const Vec3& place : places) judge(behind, place);
+                if (places.size() > 8) places.erase(places.begin());
+                places.push_back(front);
+            }
     }
 
     std::string judge_point(const World& world, const RoomBounds& rooms, const Vec3& point) {

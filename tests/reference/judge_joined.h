@@ -13,6 +13,7 @@ namespace firma::reference {
 struct JoinedVerdict {
     std::string fault;  ///< empty: all holds
     std::size_t rooms = 0, portals = 0, points = 0;
+    std::size_t ways = 0, crossings = 0;         ///< clear ways near portals, and how many of them end in another room
     std::size_t planes_moved = 0, left_out = 0;  ///< brushes not joined
     double farthest = 0;                         ///< metres from a corner of a face to its plane as the level has it
     double volume = 0;                           ///< cubic metres; 0 where it is not compared
