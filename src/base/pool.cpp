@@ -23,8 +23,8 @@ constexpr std::size_t kFirstSlab = 4096;         // small programs stay small
 constexpr std::size_t kLargestSlab = 256 << 10;  // each slab is twice the one before, up to this
 
 constexpr std::size_t kAlignment = alignof(std::max_align_t);
-constexpr std::size_t kLine = 64;       // of a cache
-static_assert(kLine < kFirstSlab / 4);  // what is set aside leaves room for a piece in any slab
+constexpr std::size_t kLine = 64;    // of a cache
+constexpr std::size_t kSmall = 256;  // several of which fit what is left of any slab
 
 struct Size {
     std::size_t index, bytes;
@@ -114,12 +114,13 @@ private:
 
     void open_slab(std::size_t bytes) {
         const std::size_t size = std::min(std::max(next_slab_ * 2, 4 * bytes), kLargestSlab);
-        auto* slab = static_cast<std::byte*>(general().take(size));
-        // Pieces of a line's size then lie in one line each.
-        const std::size_t aside = (kLine - reinterpret_cast<std::uintptr_t>(slab) % kLine) % kLine;
-        fresh_ = slab + aside;
-        left_ = size - aside;
-        next_slab_ = size;
+        fresh_ = static_cast<std::byte*>(general().take(size));
+        left_ = next_slab_ = size;
+        // Small pieces that fill lines of a cache then share none; of large ones a slab would hold one less.
+        if (bytes > kSmall || bytes % kLine != 0) return;
+        const std::size_t aside = (kLine - reinterpret_cast<std::uintptr_t>(fresh_) % kLine) % kLine;
+        fresh_ += aside;
+        left_ -= aside;
     }
 
     alignas(kLine) Lock lock_;  // shelves do not share a cache line
