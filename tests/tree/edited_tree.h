@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firma/level.h"
+#include "join/join_facets.h"
 #include "scenes/rng.h"
 #include "tree/edit_blocks.h"
 #include "tree/visit.h"
@@ -38,13 +39,7 @@ inline void append(FaceSet& set, FaceId id, const Corners& corners) {
     FaceSet::Entry face;
     face.id = id;
     face.source = id.value;
-    face.first_corner = std::uint32_t(set.corners.size());
-    face.corner_count = std::uint32_t(corners.size());
-    for (const GridPoint& corner : corners) {
-        set.corners.push_back(std::uint32_t(set.vertices.size()));
-        set.vertices.push_back(corner);
-    }
-    set.faces.push_back(face);
+    add_facet(set, corners, face);
 }
 
 /// The bowl of a crater: `panels` x `panels` x 2 triangles on each side of a cube blown up to a ball, those of the half
