@@ -118,7 +118,7 @@ std::string info_text(const LoadedLevel& loaded) {
                               level.greatest_shift * 1000));
     row("materials", grouped(material_names(level).size()));
     if (divided)
-        row("divided", fmt::format("{} portals added; {} tried that the air goes around", grouped(divided->portals),
+        row("divided", fmt::format("{} added; {} tried that the air goes around", counted(divided->portals, "portal"),
                                    grouped(divided->idle)));
     text += world_text(loaded.world);
     row("time", fmt::format("{} to read, {} to join and build", seconds_text(loaded.read_seconds),
@@ -207,6 +207,28 @@ std::string brush_place(const BrushLevel& level, std::uint32_t brush) {
                     : fmt::format("{}: brush {}", level.name, brush);
 }
 
+std::string entity_place(const BrushLevel& level, std::uint32_t entity) {
+    const std::uint32_t line = level.entities[entity].line;
+    const std::string where = line > 0 ? fmt::format("{}:{}", level.name, line) : level.name;
+    return fmt::format("{}: entity {} ({})", where, entity, level.entities[entity].value("classname"));
+}
+
+/// All that is to be noted, a line each.
+std::vector<std::string> note_lines(const BrushLevel& level, const BrushWorldReport& report) {
+    std::vector<std::string> lines;
+    for (const BrushNote& note : report.notes)
+        lines.push_back(
+            fmt::format("{}: {}: {}", brush_place(level, note.brush), note_sentence(note.what), note.reason));
+    for (const EntityNote& note : report.unheard)
+        lines.push_back(fmt::format("{}: names no room: {}", entity_place(level, note.entity), note.reason));
+    lines.insert(lines.end(), level.notes.begin(), level.notes.end());
+    return lines;
+}
+
+std::string brushes_text(std::size_t count) {
+    return count == 1 ? "1 brush" : grouped(count) + " brushes";
+}
+
 struct Judgement {
     std::optional<WorldFault> world;
     std::optional<SolidFault> solid;
@@ -227,20 +249,14 @@ std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool a
                             found.leak->entity, found.leak->points.empty() ? ", by a way too narrow to be shown" : ":");
         for (const Vec3& p : found.leak->points) text += fmt::format("  ({:.2f}, {:.2f}, {:.2f}) m\n", p.x, p.y, p.z);
     }
-    const std::size_t notes = report.notes.size() + level.notes.size(), shown = all ? notes : std::min(notes, kShown);
-    for (std::size_t k = 0; k < shown; ++k) {
-        if (k >= report.notes.size()) {
-            text += level.notes[k - report.notes.size()] + "\n";
-            continue;
-        }
-        const BrushNote& note = report.notes[k];
-        text += fmt::format("{}: {}: {}\n", brush_place(level, note.brush), note_sentence(note.what), note.reason);
-    }
-    if (shown < notes) text += fmt::format("  and {} more (--all shows them)\n", grouped(notes - shown));
-    return text + fmt::format("{}: {}; {} brushes, {} faces, {} rooms, {} portals; {} notes\n", level.name,
-                              found.sound() ? "sound" : "faulty", grouped(level.brushes.size()),
-                              grouped(loaded.world.face_count()), grouped(loaded.world.room_count()),
-                              grouped(portal_count(loaded.world)), grouped(notes));
+    const std::vector<std::string> notes = note_lines(level, report);
+    const std::size_t shown = all ? notes.size() : std::min(notes.size(), kShown);
+    for (std::size_t k = 0; k < shown; ++k) text += notes[k] + "\n";
+    if (shown < notes.size()) text += fmt::format("  and {} more (--all shows them)\n", grouped(notes.size() - shown));
+    return text + fmt::format("{}: {}; {}, {}, {}, {}; {}\n", level.name, found.sound() ? "sound" : "faulty",
+                              brushes_text(level.brushes.size()), counted(loaded.world.face_count(), "face"),
+                              counted(loaded.world.room_count(), "room"), counted(portal_count(loaded.world), "portal"),
+                              counted(notes.size(), "note"));
 }
 
 std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
@@ -272,7 +288,7 @@ std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool a
     } else {
         json.add_null("leak");
     }
-    json.add("note_count", report.notes.size() + level.notes.size());
+    json.add("note_count", report.notes.size() + report.unheard.size() + level.notes.size());
     json.open_array("notes");
     for (std::size_t k = 0; k < (all ? report.notes.size() : std::min(report.notes.size(), kShown)); ++k) {
         const BrushNote& note = report.notes[k];
@@ -280,6 +296,16 @@ std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool a
         json.add("what", note_name(note.what));
         json.add("brush", note.brush);
         json.add("line", level.brushes[note.brush].line);
+        json.add("reason", note.reason);
+        json.close();
+    }
+    json.close();
+    json.open_array("entity_notes");
+    for (std::size_t k = 0; k < (all ? report.unheard.size() : std::min(report.unheard.size(), kShown)); ++k) {
+        const EntityNote& note = report.unheard[k];
+        json.open_object();
+        json.add("entity", note.entity);
+        json.add("line", level.entities[note.entity].line);
         json.add("reason", note.reason);
         json.close();
     }

@@ -17,6 +17,13 @@ void Command::add_option(const char* names, std::string& value, const char* type
     app_->add_option(names, value, help)->required(required)->type_name(type);
 }
 
+void Command::add_choice(const char* names, std::string& value, const char* choice, const char* help) {
+    const auto check = [choice](const std::string& given) {
+        return given == choice ? "" : std::string("is ") + choice + " or not given, and not " + given;
+    };
+    app_->add_option(names, value, help)->type_name(choice)->check(check);
+}
+
 void Command::add_flag(const char* names, bool& value, const char* help) {
     app_->add_flag(names, value, help);
 }

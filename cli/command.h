@@ -22,6 +22,8 @@ public:
     /// @param type   what to write for the value in the help
     void add_option(const char* names, std::string& value, const char* type, const char* help, bool required = false);
     void add_flag(const char* names, bool& value, const char* help);
+    /// An option with one value that is understood: what else is given is refused before anything is found missing.
+    void add_choice(const char* names, std::string& value, const char* choice, const char* help);
     /// A flag that may be given a value, as `--flag=value`: "true" without one.
     void add_flag(const char* names, std::string& value, const char* help);
     /// What stands below the options: columns, units, exit codes.

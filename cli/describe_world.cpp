@@ -87,6 +87,17 @@ std::string info_row(const char* what, const std::string& value) {
     return fmt::format("{:<16}{}\n", what, value);
 }
 
+/// "23, one of them the exterior; 35 portals between them"
+std::string rooms_text(const World& world) {
+    std::string text = grouped(world.room_count());
+    bool exterior = false;
+    for (std::uint32_t k = 0; k < world.room_count(); ++k) exterior = exterior || room_info(world, RoomId{k}).exterior;
+    if (exterior && world.room_count() > 1) text += ", one of them the exterior";
+    if (const std::size_t portals = portal_count(world); portals > 0)
+        text += fmt::format("; {} between them", counted(portals, "portal"));
+    return text;
+}
+
 std::string world_text(const World& world) {
     std::string text;
     if (const Box bounds = world.bounds(); !bounds.empty()) {
@@ -95,9 +106,7 @@ std::string world_text(const World& world) {
                                                bounds.low.z, bounds.high.x, bounds.high.y, bounds.high.z));
         text += info_row("size", fmt::format("{} x {} x {} m", size.x, size.y, size.z));
     }
-    const std::size_t portals = portal_count(world);
-    text += info_row("rooms", grouped(world.room_count()) +
-                                  (portals > 0 ? fmt::format(", {} portals between them", grouped(portals)) : ""));
+    text += info_row("rooms", rooms_text(world));
     const SolidMeasures solid = measure_solid(world);
     text += info_row("solid", solid.facets == 0 ? "no face bounds a solid"
                                                 : fmt::format("{} faces bound {:.6g} m3 of {}, by {:.6g} m2",

@@ -36,7 +36,7 @@ void add_level_arguments(Command& command, LevelArguments& arguments, bool requi
 }
 
 void add_rooms_option(Command& command, LevelArguments& arguments) {
-    command.add_option("--rooms", arguments.rooms, "auto",
+    command.add_choice("--rooms", arguments.rooms, "auto",
                        "of a .map, or a .bsp's brushes: divide the air at doorways and where it narrows, beside the "
                        "author's portals");
 }

@@ -76,6 +76,10 @@ std::string grouped(std::uint64_t value) {
     return text;
 }
 
+std::string counted(std::uint64_t count, const char* what) {
+    return grouped(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string bytes_text(std::uint64_t bytes) {
     if (bytes < 1000) return fmt::format("{} bytes", bytes);
     if (bytes < 1000000) return fmt::format("{:.1f} kB", double(bytes) / 1e3);

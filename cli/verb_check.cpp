@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/brush_level.h"
 #include "cli/failure.h"
@@ -16,6 +17,7 @@
 #include "cli/numbers.h"
 #include "cli/saved_world.h"
 #include "firma/check_mesh.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
 
 namespace firma::cli {
@@ -49,13 +51,16 @@ notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, 
 is given. `faces` of a piece, and solid_faces, count faces as divided.
 
 glTF is judged as it was snapped to the grid, since nodes place its vertices by rounded products; a face is a triangle,
-numbered by node, primitive and triangle, without a line.
+numbered by node, primitive and triangle, without a line. Notes in addition: idle_portal (one room on both sides of the
+whole or a part of it), portals that divide nothing, and what the reader says. --json: in addition rooms, portals,
+idle_portals [names], undivided or null (why there is one room though the file has portals), reader_notes [texts].
 
 Of a level of brushes (.map, .bsp without --surfaces) the world is judged, its solid, and what became of the brushes.
 Faults: a broken world or solid; a leak, that is a way from an info_player... entity to the void. Notes: not_joined (a
-brush that is castable only), no_volume, idle_portal (a portal with one room on both sides), and what the reader says.
---json: level, sound, brushes, faces, rooms, portals, world_fault or null, solid_fault or null, leak {entity, points
-[metres]} or null, note_count, notes [{what, brush, line, reason}], reader_notes [texts].
+brush that is castable only), no_volume, idle_portal (a portal with one room on both sides), a firma_room that names no
+room, and what the reader says. --json: level, sound, brushes, faces, rooms, portals, world_fault or null, solid_fault or
+null, leak {entity, points [metres]} or null, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line,
+reason}], reader_notes [texts].
 
 A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
 read is checked once more. --json: level, sound, faces, world_fault or null, solid_fault or null, solid_faces,
@@ -70,7 +75,13 @@ struct Findings {
     std::optional<WorldFault> world_fault;
     LevelSolidity solidity;
     std::size_t level_faces = 0;  ///< as divided
+    std::size_t rooms = 1, portals = 0;
+    std::vector<std::string> idle;  ///< of glTF: names of portals, in whole or part, with one room on both sides
+    std::string undivided;          ///< of glTF: why its portals divide nothing; or empty
+    std::vector<std::string> reader_notes;  ///< of glTF
+    bool is_gltf = false;
     bool sound() const { return mesh.closed() && !world_fault; }
+    std::size_t notes() const { return mesh.notes.size() + idle.size() + !undivided.empty() + reader_notes.size(); }
 };
 
 const char* fault_name(MeshFault what) {
@@ -171,10 +182,6 @@ std::size_t shown(std::size_t count, bool all) {
     return all ? count : std::min(count, kShown);
 }
 
-std::string counted(std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
-}
-
 std::string solid_note_text(const std::string& path, const SolidNote& note) {
     return fmt::format("{}: piece of {}: {}\n", place_text(path, 0, note.source), counted(note.faces, "face"),
                        solid_note_sentence(note));
@@ -188,29 +195,61 @@ std::string solid_text(const Findings& found) {
     return fmt::format("{} of {} bound solids{}", grouped(solid), counted(found.level_faces, "face"), outside);
 }
 
+std::string rooms_text(const Findings& found) {
+    if (!found.is_gltf) return "";
+    return fmt::format("; {}, {}", counted(found.rooms, "room"), counted(found.portals, "portal"));
+}
+
+std::string idle_text(const std::string& path, const std::string& portal) {
+    return fmt::format("{}: portal '{}': one room on both sides of it, or of a part of it\n", path, portal);
+}
+
 std::string text_for_people(const std::string& path, const Findings& found, bool all) {
-    const auto& [faults, notes, faces, vertices] = found.mesh;
+    const auto& [faults, places, faces, vertices] = found.mesh;
     const std::vector<SolidNote>& castable = found.solidity.notes;
     std::string text;
-    const auto list = [&](const auto& places, auto line_of) {
-        for (std::size_t k = 0; k < shown(places.size(), all); ++k) text += line_of(path, places[k]);
-        if (const std::size_t more = places.size() - shown(places.size(), all); more > 0)
+    const auto list = [&](const auto& all_of, auto line_of) {
+        for (std::size_t k = 0; k < shown(all_of.size(), all); ++k) text += line_of(path, all_of[k]);
+        if (const std::size_t more = all_of.size() - shown(all_of.size(), all); more > 0)
             text += fmt::format("  and {} more (--all shows them)\n", grouped(more));
     };
     if (!faults.empty()) text += counted(faults.size(), "fault") + ":\n";
     list(faults, fault_text);
-    if (!notes.empty()) text += counted(notes.size(), "note") + ":\n";
-    list(notes, note_text);
+    if (found.notes() > 0) text += counted(found.notes(), "note") + ":\n";
+    list(places, note_text);
+    list(found.idle, idle_text);
+    if (!found.undivided.empty()) text += fmt::format("{}: its portals divide nothing: {}\n", path, found.undivided);
+    list(found.reader_notes,
+         [](const std::string& where, const std::string& note) { return where + ": " + note + "\n"; });
     if (found.world_fault)
         text += fmt::format("{}: the world is broken: {} (face id {})\n", path, found.world_fault->what,
                             found.world_fault->face.value);
     if (!castable.empty()) text += counted(castable.size(), "piece") + " castable only:\n";
     list(castable, solid_note_text);
-    text += fmt::format("{}: {}; {}, {} different positions; {}, {}; {}\n", path, found.sound() ? "sound" : "faulty",
-                        counted(faces, "face"), grouped(vertices),
-                        counted(faults.size() + (found.world_fault ? 1 : 0), "fault"), counted(notes.size(), "note"),
+    text += fmt::format("{}: {}; {}, {} different positions{}; {}, {}; {}\n", path, found.sound() ? "sound" : "faulty",
+                        counted(faces, "face"), grouped(vertices), rooms_text(found),
+                        counted(faults.size() + (found.world_fault ? 1 : 0), "fault"), counted(found.notes(), "note"),
                         solid_text(found));
     return text;
+}
+
+void add_texts(JsonWriter& json, const char* key, const std::vector<std::string>& texts, bool all) {
+    json.open_array(key);
+    for (std::size_t k = 0; k < shown(texts.size(), all); ++k) json.add({}, texts[k]);
+    json.close();
+}
+
+void add_rooms(JsonWriter& json, const Findings& found, bool all) {
+    if (!found.is_gltf) return;
+    json.add("rooms", found.rooms);
+    json.add("portals", found.portals);
+    add_texts(json, "idle_portals", found.idle, all);
+    if (found.undivided.empty()) {
+        json.add_null("undivided");
+    } else {
+        json.add("undivided", found.undivided);
+    }
+    add_texts(json, "reader_notes", found.reader_notes, all);
 }
 
 void add_line(JsonWriter& json, std::uint32_t line) {
@@ -265,7 +304,7 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
         json.close();
     }
     json.close();
-    json.add("note_count", found.mesh.notes.size());
+    json.add("note_count", found.notes());
     json.open_array("notes");
     for (std::size_t k = 0; k < shown(found.mesh.notes.size(), all); ++k) {
         const MeshNotePlace& note = found.mesh.notes[k];
@@ -283,6 +322,7 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
         json.add_null("world_fault");
     }
     add_solidity(json, found.solidity, all);
+    add_rooms(json, found, all);
     json.close();
     return json.text();
 }
@@ -290,6 +330,13 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
 MeshCheck mesh_check(const LevelArguments& level) {
     if (names_gltf(level.path)) return check_gltf(take(read_gltf(level.path, gltf_options(level))));
     return take(check_mesh(level.path, read_options(level)));
+}
+
+void add_gltf(const LoadedGltf& gltf, Findings& found) {
+    found.is_gltf = true;
+    for (const std::uint32_t portal : gltf.rooms.idle) found.idle.push_back(gltf.portals[portal].name);
+    found.undivided = gltf.rooms.undivided;
+    found.reader_notes = gltf.notes;
 }
 
 int run(const CheckArguments& arguments) {
@@ -303,6 +350,9 @@ int run(const CheckArguments& arguments) {
     found.world_fault = check_world(loaded.world);
     found.solidity = level_solidity(loaded.level);
     found.level_faces = loaded.level.faces.size();
+    found.rooms = loaded.world.room_count();
+    found.portals = portal_count(loaded.world);
+    if (loaded.gltf) add_gltf(*loaded.gltf, found);
     const std::string& path = arguments.level.path;
     print(arguments.json ? json_text(path, found, arguments.all) : text_for_people(path, found, arguments.all));
     return found.sound() ? 0 : 1;

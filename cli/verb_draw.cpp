@@ -174,9 +174,10 @@ void draw_plan(const DrawArguments& arguments, const World& world, std::size_t b
         json.close();
         print(json.text());
     } else if (may_print_beside(arguments.out)) {
-        const std::string rooms = plan.shows_rooms ? fmt::format(", {} rooms, {} portals", grouped(plan.rooms_labelled),
-                                                                 grouped(plan.portals_drawn))
-                                                   : "";
+        const std::string rooms = plan.shows_rooms
+                                      ? fmt::format(", {} labelled, {} drawn", counted(plan.rooms_labelled, "room"),
+                                                    counted(plan.portals_drawn, "portal"))
+                                      : "";
         print(fmt::format("{}: {} faces in the plan, {} in the section{}, {} of {} casts; {}\n", arguments.out,
                           grouped(plan.faces_in_plan), grouped(plan.faces_in_section), rooms, grouped(plan.casts_drawn),
                           grouped(casts.size()), bytes_text(plan.svg.size())));

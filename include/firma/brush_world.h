@@ -21,16 +21,23 @@ struct BrushNote {
     };
     What what = What::kNotJoined;
     std::uint32_t brush = 0;  ///< index into BrushLevel::brushes
-    std::string reason;       ///< a clause: "its planes leave no volume"
+    std::string reason;       ///< a clause: "it has more than 1024 planes"
+};
+
+/// An entity that does not do what its author meant.
+struct EntityNote {
+    std::uint32_t entity = 0;  ///< index into BrushLevel::entities
+    std::string reason;        ///< a clause: "it stands in the solid"
 };
 
 /// What joining a level came to.
 struct BrushWorldReport {
-    std::vector<BrushNote> notes;   ///< by what, then brush
-    std::size_t solid_brushes = 0;  ///< joined
-    std::size_t solid_faces = 0;    ///< exact faces of the solid
-    std::size_t planes_moved = 0;   ///< by about half a millimetre at most, as faces were too thin for the surface grid
-    std::size_t lost_shells = 0;    ///< closed surfaces whose room no ray told: rooms of their own
+    std::vector<BrushNote> notes;     ///< by what, then brush
+    std::vector<EntityNote> unheard;  ///< entities `firma_room` that name no room, by entity
+    std::size_t solid_brushes = 0;    ///< joined
+    std::size_t solid_faces = 0;      ///< exact faces of the solid
+    std::size_t planes_moved = 0;  ///< by about half a millimetre at most, as faces were too thin for the surface grid
+    std::size_t lost_shells = 0;   ///< closed surfaces whose room no ray told: rooms of their own
 };
 
 /// Joins the brushes exactly: of faces that lie against each other, or in another brush, nothing is left; of faces of

@@ -12,8 +12,8 @@
 
 namespace firma {
 
-/// Layers of cells across each axis; where walls stand square to the axes, each lies within one wall, one opening, one
-/// room. Outermost are layers beyond all brushes, of air.
+/// Layers of cells across each axis; where walls stand square to the axes and are no thinner than the thinnest layer,
+/// each lies within one wall, one opening, one room. Outermost are layers beyond all brushes, of air.
 ///
 /// A way from a cell's centre to the next one's is free where no wall, however thin, stands in between. So what is
 /// joined by free ways is joined in the level; but narrow gaps beside the centres are not seen.

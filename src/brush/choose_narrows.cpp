@@ -3,6 +3,7 @@
 #include "brush/choose_narrows.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -28,14 +29,13 @@ public:
         std::iota(part_of_.begin(), part_of_.end(), 0u);
     }
 
-    /// @param number  the narrow's own
+    /// @param number  the narrow's own: more than those before
     void add_openings(const Narrow& narrow, std::uint32_t number) {
         for_each_way(narrow, [&](std::uint32_t a, std::uint32_t b, double area) {
             if (a == b) return;
             for (Opening* opening : {&openings_[a][b], &openings_[b][a]}) {
                 opening->area += area;
-                opening->count += opening->last != number;
-                opening->last = number;
+                if (opening->narrows.empty() || opening->narrows.back() != number) opening->narrows.push_back(number);
             }
         });
     }
@@ -55,7 +55,7 @@ public:
             const Offer now = offer(a, b, opening);
             if (now.width() < best.width()) offers_.push(now);
             if (now.width() != best.width()) continue;
-            const bool fence = opening.count > kMostNarrows;
+            const bool fence = opening.narrows.size() > kMostNarrows;
             if (now.small < options_.smallest_room || now.is_wide(options_.narrow) || fence) join(a, b);
         }
     }
@@ -67,14 +67,14 @@ public:
             all += area;
             divided += a == b ? 0 : area;
         });
-        return divided / all;
+        return all > 0 ? divided / all : 0;
     }
 
 private:
     /// All that leads from one room to another.
     struct Opening {
-        double area = 0;                        ///< square metres
-        std::uint32_t count = 0, last = kNone;  ///< narrows, and the last of them
+        double area = 0;                     ///< square metres
+        std::vector<std::uint32_t> narrows;  ///< by number
     };
 
     /// To join two rooms. Equal ones are told apart by their numbers.
@@ -156,11 +156,18 @@ private:
             openings_[other].erase(goes);
             Opening& sum = openings_[stays][other];
             sum.area += opening.area;
-            sum.count += opening.count;
+            add(sum.narrows, opening.narrows);
             openings_[other][stays] = sum;
             offers_.push(offer(stays, other, sum));
         }
         openings_[goes].clear();
+    }
+
+    /// A narrow may lead from one room to two that become one.
+    void add(std::vector<std::uint32_t>& narrows, const std::vector<std::uint32_t>& more) {
+        both_.clear();
+        std::set_union(narrows.begin(), narrows.end(), more.begin(), more.end(), std::back_inserter(both_));
+        narrows = both_;
     }
 
     const AirGrid& grid_;
@@ -170,7 +177,7 @@ private:
     std::vector<std::map<std::uint32_t, Opening>> openings_;  ///< of rooms, to others
     std::vector<std::uint32_t> part_of_;
     std::priority_queue<Offer> offers_;
-    std::vector<std::uint32_t> waiting_;
+    std::vector<std::uint32_t> waiting_, both_;
 };
 
 }  // namespace

@@ -10,20 +10,36 @@
 #include "world/world_data.h"
 
 namespace firma {
+namespace {
 
-World name_rooms(const World& world, const BrushLevel& level) {
+/// Names the room that an entity stands in.
+/// @return why it does not; empty when it does
+std::string name_room(const World& world, const BrushLevel& level, const Entity& entity,
+                      std::vector<RoomRecord>& records) {
+    const std::string_view name = entity.value("name");
+    if (name.empty()) return "it has no name";
+    const std::optional<Vec3> place = entity_origin(level, entity);
+    if (!place) return "it has no origin of three numbers";
+    const Location found = locate(world, *place);
+    if (found.kind != Location::Kind::kRoom)
+        return found.kind == Location::Kind::kSolid ? "it stands in the solid" : "it stands on a face";
+    RoomRecord& record = records[found.room.value];
+    if (!record.name.empty()) return "the room it stands in has the name '" + std::string(record.name) + "' already";
+    record.name = name;
+    return "";
+}
+
+}  // namespace
+
+World name_rooms(const World& world, const BrushLevel& level, std::vector<EntityNote>* unheard) {
     if (!world.data().room_records) return world;
     std::vector<RoomRecord> records = *world.data().room_records;
     bool named = false;
-    for (const Entity& entity : level.entities) {
-        const std::string_view name = entity.value("name");
-        if (entity.value("classname") != "firma_room" || name.empty()) continue;
-        const std::optional<Vec3> place = entity_origin(level, entity);
-        if (!place) continue;
-        const Location found = locate(world, *place);
-        if (found.kind != Location::Kind::kRoom || !records[found.room.value].name.empty()) continue;
-        records[found.room.value].name = name;
-        named = true;
+    for (std::uint32_t k = 0; k < level.entities.size(); ++k) {
+        if (level.entities[k].value("classname") != "firma_room") continue;
+        std::string why_not = name_room(world, level, level.entities[k], records);
+        named = named || why_not.empty();
+        if (unheard && !why_not.empty()) unheard->push_back({k, std::move(why_not)});
     }
     if (!named) return world;
     auto data = std::make_shared<WorldData>(world.data());

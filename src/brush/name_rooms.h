@@ -2,13 +2,16 @@
 // Gives rooms the names that their author wrote down: point entities `firma_room` in them.
 #pragma once
 
-#include "firma/brush_level.h"
+#include <vector>
+
+#include "firma/brush_world.h"
 #include "firma/world.h"
 
 namespace firma {
 
 /// Names each room after the first entity of the class `firma_room` whose `origin` lies in its air: by its `name`. What
 /// lies in the solid, on a face, or has no place or no name, names nothing.
-World name_rooms(const World& world, const BrushLevel& level);
+/// @param unheard  those that name nothing, and why; when given
+World name_rooms(const World& world, const BrushLevel& level, std::vector<EntityNote>* unheard = nullptr);
 
 }  // namespace firma

@@ -71,20 +71,23 @@ private:
         return malformed(found.line, "expected " + std::string(what) + context() + ", " + instead);
     }
 
-    // Where we are, for messages: ", in brush 3 of entity 0".
+    // Where we are, for messages: " in brush 3 of entity 0".
     std::string context() const {
         if (file.entities.empty()) return {};
-        const std::string entity = " of entity " + std::to_string(file.entities.size() - 1);
+        const std::string entity =
+            (in_entity_ ? " of entity " : " after entity ") + std::to_string(file.entities.size() - 1);
         return in_brush_ ? " in brush " + std::to_string(number_) + entity : entity;
     }
 
     Fault entity(std::uint32_t line) {
         file.entities.emplace_back().line = line;
         number_ = 0;
+        in_entity_ = true;
         for (;;) {
             const MapToken token = tokens_.next();
             switch (token.kind) {
                 case Kind::kClose:
+                    in_entity_ = false;
                     return std::nullopt;
                 case Kind::kOpen:
                     in_brush_ = true;

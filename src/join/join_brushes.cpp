@@ -20,7 +20,7 @@ constexpr int kMostRounds = 32;  ///< of leaving out what keeps the rest from be
 const char* reason_of(BrushFault fault) {
     switch (fault) {
         case BrushFault::kEmpty:
-            return "its planes leave no volume";
+            return "its planes leave no volume; perhaps they look inward";
         case BrushFault::kOpen:
             return "its planes do not close it, or it reaches out of the world";
         case BrushFault::kTooMany:

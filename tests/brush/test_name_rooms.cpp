@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "firma/brush_world.h"
 #include "firma/rooms.h"
@@ -47,11 +48,13 @@ std::string two_rooms() {
 struct Made {
     BrushLevel level;
     World world;
+    BrushWorldReport report;
 };
 Made make(const std::string& text) {
     BrushLevel level = read_map(text, "a.map").value();
-    World world = make_world(level).value();
-    return {std::move(level), std::move(world)};
+    BrushWorldReport report;
+    World world = make_world(level, {}, &report).value();
+    return {std::move(level), std::move(world), std::move(report)};
 }
 
 std::string name_at(const World& world, const Vec3& units) {
@@ -68,13 +71,21 @@ TEST(NameRooms, ByEntitiesInThem) {
 }
 
 TEST(NameRooms, TheFirstNameStaysAndWhatIsInNoRoomNamesNone) {
-    const World world = make(two_rooms() + room("in the wall", "-8 64 64") + room("", "200 64 64") +
-                             room("nowhere", "200 64") + room("nowhere", "200 64 64 64") + room("nowhere", "x y z") +
-                             room("first", "32 64 64") + room("second", "40 64 64") + room("outer", "900 0 0"))
-                            .world;
+    const Made made =
+        make(two_rooms() + room("in the wall", "-8 64 64") + room("", "200 64 64") + room("nowhere", "200 64") +
+             room("nowhere", "200 64 64 64") + room("nowhere", "x y z") + room("first", "32 64 64") +
+             room("second", "40 64 64") + room("outer", "900 0 0") + room("on a wall", "0 64 64"));
+    const World& world = made.world;
     EXPECT_EQ(name_at(world, {100, 20, 20}), "first");
     EXPECT_EQ(name_at(world, {150, 20, 20}), "");
     EXPECT_EQ(name_at(world, {500, 20, 20}), "exterior");
+    std::vector<std::string> told;
+    for (const EntityNote& note : made.report.unheard) told.push_back(std::to_string(note.entity) + " " + note.reason);
+    const std::string no_origin = "it has no origin of three numbers";
+    EXPECT_EQ(told, (std::vector<std::string>{
+                        "2 it stands in the solid", "3 it has no name", "4 " + no_origin, "5 " + no_origin,
+                        "6 " + no_origin, "8 the room it stands in has the name 'first' already",
+                        "9 the room it stands in has the name 'exterior' already", "10 it stands on a face"}));
 }
 
 TEST(NameRooms, NamesChangeNothingElse) {

@@ -447,6 +447,7 @@ TEST(ReadMap, ErrorsNameTheLine) {
     const std::string open = "{\n\"classname\" \"worldspawn\"\n{\n";
     EXPECT_EQ(error_of("}"), "a.map:1: expected { of an entity, found '}'");
     EXPECT_EQ(error_of("\nword"), "a.map:2: expected { of an entity, found 'word'");
+    EXPECT_EQ(error_of("{\n}\n}"), "a.map:3: expected { of an entity after entity 0, found '}'");
     EXPECT_EQ(error_of("{\n"), "a.map:2: expected a key, a brush or } of entity 0, the file ends");
     EXPECT_EQ(error_of("{\n)"), "a.map:2: expected a key, a brush or } of entity 0, found ')'");
     EXPECT_EQ(error_of("{ \"a\"\n}"), "a.map:2: expected a value for the key 'a' of entity 0, found '}'");

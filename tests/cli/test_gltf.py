@@ -67,7 +67,11 @@ class Gltf(CliTest):
         self.assertEqual((told['faces']['in_file'], len(told['rooms'])), (12, 2))
         self.assertEqual([portal['name'] for portal in told['portals']], ['Portal 1'])
         self.assertIn('1 animations are left out', self.firma('info', 'room.gltf'))
-        self.assertTrue(self.firma_json('check', 'room.gltf')['sound'])
+        report = self.firma_json('check', 'room.gltf')
+        self.assertEqual((report['sound'], report['rooms'], report['portals'], report['idle_portals']), (True, 2, 1, []))
+        self.assertEqual((report['undivided'], report['reader_notes'], report['note_count']),
+                         (None, ['1 animations are left out'], 1))
+        self.assertIn('2 rooms, 1 portal; 0 faults, 1 note;', self.firma('check', 'room.gltf'))
         nodes[1]['translation'] = [40, 0, 0]                                     # in the rock
         self.write('room.gltf', json.dumps(document))
         self.assertEqual(len(self.firma_json('info', 'room.gltf')['rooms']), 1)
@@ -76,9 +80,13 @@ class Gltf(CliTest):
         told = self.firma_json('info', 'room.gltf')
         self.assertEqual((len(told['rooms']), told['gltf']['portals'][0]['idle']), (1, True))
         self.assertIn('1 of them in whole or part with one room', self.firma('info', 'room.gltf'))
+        report = self.firma_json('check', 'room.gltf')
+        self.assertEqual((report['rooms'], report['portals'], report['idle_portals']), (1, 0, ['Portal 1']))
+        self.assertIn("portal 'Portal 1': one room on both sides", self.firma('check', 'room.gltf'))
         document['meshes'][0]['primitives'][0]['indices'] = 2                    # nothing closed
         self.write('room.gltf', json.dumps(document))
         self.assertEqual(self.firma_json('info', 'room.gltf')['gltf']['undivided'], 'none of its faces bounds a solid')
+        self.assertEqual(self.firma_json('check', 'room.gltf', code=1)['undivided'], 'none of its faces bounds a solid')
 
     def test_check(self):
         self.write_room('room.gltf', (4, 4, 4))

@@ -53,7 +53,7 @@ class RoomsAuto(CliTest):
         self.assertGreater(divided['divided']['cells'], 100)
         self.assertEqual(divided['brushes']['portal'], 1)
         self.assertEqual(divided['solid'], plain['solid'] | {'faces': divided['solid']['faces']})
-        self.assertIn('1 portals added', self.firma('info', 'halls.map', '--rooms', 'auto'))
+        self.assertIn('1 portal added', self.firma('info', 'halls.map', '--rooms', 'auto'))
         self.assertNotIn('divided', self.firma('info', 'halls.map'))
 
     def test_check(self):
@@ -65,6 +65,24 @@ class RoomsAuto(CliTest):
             report = self.firma_json('check', 'open.map', *arguments, code=1)
             self.assertIsNotNone(report['leak'], arguments)
         self.assertEqual(report['rooms'], 2)
+
+    def test_rooms_that_no_one_names(self):
+        text = two_halls() + '{\n"classname" "firma_room"\n"name" "rock"\n"origin" "264 10 40"\n}\n'
+        self.write('named.map', text)
+        report = self.firma_json('check', 'named.map')
+        line = text[:text.rindex('{')].count('\n') + 1
+        self.assertEqual(report['entity_notes'], [{'entity': 2, 'line': line, 'reason': 'it stands in the solid'}])
+        self.assertEqual((report['sound'], report['note_count']), (True, 1))
+        self.assertIn('named.map:%d: entity 2 (firma_room): names no room: it stands in the solid' % line,
+                      self.firma('check', 'named.map'))
+
+    def test_brushes_inside_out(self):
+        turned = [' '.join(words[k] for k in [*range(5, 10), *range(5), *range(10, len(words))])
+                  for words in (line.split(' ') for line in two_halls().splitlines()) if words[0] == '(']
+        self.write('turned.map', '{\n{\n' + '\n'.join(turned[:6]) + '\n}\n}\n')
+        report = self.firma_json('check', 'turned.map')
+        self.assertEqual([note['what'] for note in report['notes']], ['no_volume'])
+        self.assertIn('its planes leave no volume; perhaps they look inward', report['notes'][0]['reason'])
 
     def test_casts_are_the_same(self):
         rays = ['px,py,pz,dx,dy,dz,radius'] + ['1,%s,1,15,%s,0,%s' % (1 + k / 3, (20 - k) / 8, k % 4 / 10) for k in range(20)]
@@ -114,6 +132,7 @@ class RoomsAuto(CliTest):
         self.firma('carve', 'halls.map', '--blasts', self.write('b.csv', 'x,y,z,radius,shape,seed\n1,1,0,0.5,rocky,1\n'), '-o', 'a.firma')
         for level in FIRST, 'box.obj', 'a.firma':
             self.refuse('info', level, '--rooms', 'auto', says=['--rooms', 'brushes'])
+            self.refuse('info', '--rooms', level, says=['--rooms', 'is auto or not given'])
             self.refuse('draw', level, '--rooms', 'auto', '-o', 'x.svg', says=['--rooms', 'brushes'])
         self.refuse('info', 'halls.map', '--rooms', 'many', says=['--rooms', 'many'])
         self.refuse('info', 'halls.map', '--rooms', says='--rooms')

@@ -4,6 +4,7 @@
 //
 //   full_levels --what piles|maps|casts|rays|cuts --count 1000000 --seed 1 [--threads 2] [--maps DIR] [--show 3]
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -30,6 +31,9 @@ namespace {
 
 using namespace firma;
 using ull = unsigned long long;
+
+constexpr double kJustBefore = 0.01;  ///< metres before what a ray meets
+constexpr double kClear = 1e-5;       ///< metres: nearer to a face it is not asked where a point is
 
 struct Options : full::Options {
     std::string what, maps;
@@ -217,13 +221,33 @@ Vec3 point_of(const std::vector<Vec3>& corners, scenes::Rng& rng, Tally& tally) 
     return rng.chance(0.5) ? a : a + (b - a) * s;
 }
 
+/// What is wrong with a ray from a closed room: it must meet something, the same by room as among all faces, and just
+/// before that be in the air of a room that it passed. Which of several faces that meet in a point it names is open.
+const char* judge_ray(const World& world, const Vec3& start, RoomId room, const Vec3& path) {
+    CastOptions walls;
+    walls.mask = kStopsSight;
+    const Hit all = cast(world, {start, 0}, path, walls);
+    if (!all.touched()) return "escapes";
+    std::array<RoomId, 1024> passed;
+    walls.room = room;
+    walls.passed = passed;
+    const Hit by_room = cast(world, {start, 0}, path, walls);
+    if (by_room.status != all.status || by_room.fraction != all.fraction) return "by room meets something else";
+    const double before = all.fraction - std::min(0.5 * all.fraction, kJustBefore / length(path));
+    const Vec3 point = start + path * before;
+    if (closest(world, point, kClear)) return nullptr;
+    const Location where = locate(world, point);
+    const auto end = passed.begin() + std::min<std::ptrdiff_t>(by_room.rooms_passed, std::ssize(passed));
+    if (where.kind != Location::Kind::kRoom || std::find(passed.begin(), end, where.room) == end)
+        return "leaves the rooms that it passes";
+    return nullptr;
+}
+
 /// From closed rooms: something is always met.
 void shoot_rays(const NamedWorld& in, std::uint64_t rays, scenes::Rng& rng, Tally& tally) {
     const Box box = in.world.bounds();
     const double far = 4 * length(box.high - box.low);
     std::vector<NearFace> near;
-    CastOptions walls;
-    walls.mask = kStopsSight;
     for (std::uint64_t tries = 0; tally.count < rays; ++tries) {
         if (tries > 100 * rays) return tally.fail(in.name + ": no start in a closed room was found");
         const Vec3 start = some_point(in.world, box, rng);
@@ -238,7 +262,8 @@ void shoot_rays(const NamedWorld& in, std::uint64_t rays, scenes::Rng& rng, Tall
             if (!(length(way) > 1e-9)) continue;
             const Vec3 path = way * std::exp2(std::ceil(std::log2(far / length(way))));
             ++tally.count;
-            if (!cast(in.world, {start, 0}, path, walls).touched()) tally.fail(text_of(in, {start, 0}, path));
+            if (const char* wrong = judge_ray(in.world, start, where.room, path))
+                tally.fail(text_of(in, {start, 0}, path) + " " + wrong);
         }
     }
 }
