@@ -295,7 +295,7 @@ private:
     std::string place_;
     NoteList& notes_;
     std::uint32_t number_ = 0;  // of the brush at hand
-    bool in_brush_ = false;
+    bool in_entity_ = false, in_brush_ = false;
 };
 
 }  // namespace
