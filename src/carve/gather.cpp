@@ -4,6 +4,7 @@
 
 #include "base/fetch_ahead.h"
 #include "tree/box_tree.h"
+#include "tree/rounded_box.h"
 
 namespace firma {
 namespace {
@@ -43,11 +44,9 @@ void fetch_contents_ahead(const Block& block) {
     fetch(block.owners);
 }
 
-/// Calls `found(facet, its box)` in the tree's order. Level by level, as blocks lie scattered in memory: those of a
-/// level are waited for together.
-template <class Found>
-void visit_box(const Block& root, const GridBox& box, const Found& found) {
-    const Bounds bounds(box);
+/// The leaf blocks that may have faces in a box, in the tree's order. Level by level, as blocks lie scattered in
+/// memory: those of a level are waited for together.
+std::vector<const Block*> leaf_blocks(const Block& root, const Bounds& bounds) {
     std::vector<const Block*> blocks{&root}, below;
     for (bool deeper = root.holds_blocks(); deeper;) {
         deeper = false;
@@ -68,31 +67,46 @@ void visit_box(const Block& root, const GridBox& box, const Found& found) {
         }
         blocks.swap(below);
     }
-    for (const Block* block : blocks)
-        for_each_bin(*block, bounds, [&](const Bin& bin) {
-            for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot) {
-                const FaceRecord& face = block->faces[slot];
-                if (!face.solid) continue;
-                const GridBox own = block->box_of(face);
-                if (boxes_meet(own, box)) found(FacetPlace{block, slot}, own);
-            }
-        });
+    return blocks;
+}
+
+/// Calls `function(slot, face)` for those faces of a leaf bin that bound solids.
+template <class Function>
+void for_each_solid(const Block& block, const Bin& bin, const Function& function) {
+    for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot)
+        if (block.faces[slot].solid) function(slot, block.faces[slot]);
 }
 
 }  // namespace
 
 void gather_facets(const Block& root, const GridBox& box, std::vector<FacetPlace>& facets) {
-    visit_box(root, box, [&](const FacetPlace& place, const GridBox&) { facets.push_back(place); });
+    const Bounds bounds(box);
+    for (const Block* block : leaf_blocks(root, bounds))
+        for_each_bin(*block, bounds, [&](const Bin& bin) {
+            for_each_solid(*block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
+                if (boxes_meet(block->box_of(face), box)) facets.push_back({block, slot});
+            });
+        });
 }
 
 void gather_facets(const Block& root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
-                   std::vector<FacetPlace>& facets, std::vector<std::uint8_t>& near) {
-    visit_box(root, box, [&](const FacetPlace& place, const GridBox& own) {
-        const FaceRecord& face = place.record();
-        const auto corner = [&](std::size_t k) { return place.block->corner(face, k); };
-        facets.push_back(place);
-        near.push_back(!bevelled.clear_of(own, face.corner_count, corner, steps));
-    });
+                   std::vector<FacetPlace>& near, std::vector<FacetPlace>& others) {
+    const Bounds bounds(box);
+    for (const Block* block : leaf_blocks(root, bounds))
+        for_each_bin(*block, bounds, [&](const Bin& bin) {
+            const bool clear = bevelled.clear_of(to_grid(bin.box), steps);
+            for_each_solid(*block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
+                const auto is_near = [&] {
+                    const GridBox own = block->box_of(face);
+                    const auto corner = [&](std::size_t k) { return block->corner(face, k); };
+                    return boxes_meet(own, box) && !bevelled.clear_of(own, face.corner_count, corner, steps);
+                };
+                if (!clear && is_near())
+                    near.push_back({block, slot});
+                else if (face.owner != kNoOwner)
+                    others.push_back({block, slot});
+            });
+        });
 }
 
 GridBox grown(const GridBox& box, std::int32_t steps) {

@@ -15,9 +15,10 @@ namespace firma {
 /// The facets of solids whose boxes meet a box, in the tree's order.
 void gather_facets(const Block& root, const GridBox& box, std::vector<FacetPlace>& facets);
 
-/// Likewise, and for each whether it may reach into a bevelled box: see BevelledBox::clear_of().
+/// Those of them that may reach into a bevelled box as well (see BevelledBox::clear_of()).
+/// @param others  of the rest, and of what lies around the box, facets of exact faces that may have several
 void gather_facets(const Block& root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
-                   std::vector<FacetPlace>& facets, std::vector<std::uint8_t>& near);
+                   std::vector<FacetPlace>& near, std::vector<FacetPlace>& others);
 
 /// All facets of one exact face, and the rooms that they are of.
 /// @param face  one of its facets

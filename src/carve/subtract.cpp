@@ -250,36 +250,25 @@ Subtraction::Phase Subtraction::gather() {
     constexpr std::int32_t kSteps = (kFarthestMove + 1) * kSurfacePerInput;
     const GridBox reach = grown(solid_cutter_.box, kSteps);
     rooms_of_facets_.clear();
-    std::vector<std::uint8_t> near;
+    std::vector<FacetPlace> others;
+    std::vector<std::uint32_t> rooms_of_others;
     for (const RoomTree& tree : trees_near(world_.data(), reach)) {
-        gather_facets(*tree.root, reach, solid_cutter_.bevelled, kSteps, facets_, near);
+        gather_facets(*tree.root, reach, solid_cutter_.bevelled, kSteps, facets_, others);
         rooms_of_facets_.resize(facets_.size(), tree.room);
+        rooms_of_others.resize(others.size(), tree.room);
     }
-    take_faces(near);
+    patch_.add(facets_);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+        if (patch_.find(others[k]) == SolidPatch::kNone) continue;
+        facets_.push_back(others[k]);
+        rooms_of_facets_.push_back(rooms_of_others[k]);
+    }
     result_.report.faces_looked_at = patch_.faces.size();
     if (patch_.faces.size() > rules_.most_faces_looked_at)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
                                                 " faces; the world allows " +
                                                 std::to_string(rules_.most_faces_looked_at));
     return Phase::kTile;
-}
-
-/// Into the patch, the faces that have a facet near the cutter; the gathered facets of others go.
-/// @param near  of `facets_`, each: whether it is
-void Subtraction::take_faces(std::span<const std::uint8_t> near) {
-    std::vector<FacetPlace> taken;
-    taken.reserve(facets_.size());
-    for (std::size_t k = 0; k < facets_.size(); ++k)
-        if (near[k]) taken.push_back(facets_[k]);
-    patch_.add(taken);
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < facets_.size(); ++k) {
-        if (!near[k] && patch_.find(facets_[k]) == SolidPatch::kNone) continue;
-        facets_[kept] = facets_[k];
-        rooms_of_facets_[kept++] = rooms_of_facets_[k];
-    }
-    facets_.resize(kept);
-    rooms_of_facets_.resize(kept);
 }
 
 Subtraction::Phase Subtraction::tile() {

@@ -52,7 +52,6 @@ private:
     Phase place();
     Phase judge_cutter();
     Phase gather();
-    void take_faces(std::span<const std::uint8_t> near);
     Phase tile();
     Phase cut_next_faces();
     Phase label();

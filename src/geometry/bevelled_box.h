@@ -29,6 +29,8 @@ public:
     /// @param box  around them
     template <class Point>
     bool clear_of(const GridBox& box, std::size_t point_count, const Point& point, std::int32_t steps) const;
+    /// Likewise for all that lies in a box.
+    bool clear_of(const GridBox& box, std::int32_t steps) const;
 
     /// Calls function(outward, bound) for its 20 slanted planes: a point p lies behind one moved out for steps, as
     /// above, when outward * p <= bound, in surface steps; each coordinate of `outward` is -1, 0 or 1.
@@ -47,6 +49,18 @@ private:
         };
         const std::int64_t x = along(0), y = along(1), z = along(2);
         return {x + y + z, y + z, z + x, x + y};
+    }
+    int octant_of(const GridBox& box) const {
+        const GridPoint middle = middle_of(box);
+        int octant = 0;
+        for (int axis = 0; axis < 3; ++axis) octant |= int(middle[axis] >= middle_[axis]) << axis;
+        return octant;
+    }
+    bool beyond(int octant, const Reach& least, std::int32_t steps) const {
+        const Reach& most = reach_[std::size_t(octant)];
+        for (std::size_t plane = 0; plane < kPlanes; ++plane)
+            if (least[plane] > grown(plane, most[plane], steps)) return true;
+        return false;
     }
     static GridPoint middle_of(const GridBox& box) {
         GridPoint middle;
@@ -76,19 +90,21 @@ BevelledBox::BevelledBox(const GridBox& box, std::size_t point_count, const Poin
 
 template <class Point>
 bool BevelledBox::clear_of(const GridBox& box, std::size_t point_count, const Point& point, std::int32_t steps) const {
-    const GridPoint middle = middle_of(box);
-    int octant = 0;
-    for (int axis = 0; axis < 3; ++axis) octant |= int(middle[axis] >= middle_[axis]) << axis;
+    const int octant = octant_of(box);
     Reach least;
     least.fill(INT64_MAX);
     for (std::size_t k = 0; k < point_count; ++k) {
         const Reach out = reach_of(octant, point(k));
         for (std::size_t plane = 0; plane < kPlanes; ++plane) least[plane] = std::min(least[plane], out[plane]);
     }
-    const Reach& most = reach_[std::size_t(octant)];
-    for (std::size_t plane = 0; plane < kPlanes; ++plane)
-        if (least[plane] > grown(plane, most[plane], steps)) return true;
-    return false;
+    return beyond(octant, least, steps);
+}
+
+inline bool BevelledBox::clear_of(const GridBox& box, std::int32_t steps) const {
+    const int octant = octant_of(box);
+    GridPoint nearest;
+    for (int axis = 0; axis < 3; ++axis) nearest[axis] = (octant >> axis & 1) != 0 ? box.low[axis] : box.high[axis];
+    return beyond(octant, reach_of(octant, nearest), steps);
 }
 
 template <class Function>

@@ -177,7 +177,7 @@ class Draw(CliTest):
         texts = self.texts('rooms.svg')
         for text in ['Rooms', 'yard', '1 yard', 'portal below a floor']:
             self.assertIn(text, texts)
-        self.assertIn(', 35 portals,', self.firma('draw', depot, '-o', 'rooms.svg'))
+        self.assertIn(', 35 portals drawn,', self.firma('draw', depot, '-o', 'rooms.svg'))
         plain = self.firma_json('draw', depot, '--plain', '-o', 'plain.svg')
         self.assertEqual((plain['shows_rooms'], plain['rooms_labelled'], plain['portals_drawn']), (False, 0, 0))
         self.assertNotIn('Rooms', self.texts('plain.svg'))
