@@ -3,11 +3,17 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
 
 namespace firma {
+
+/// Closed maps of every size, most of them with area portals. What is carved is carved in the first five.
+inline constexpr const char* kRoomMaps[] = {"kaos2",   "czest2ctf", "islandctf",  "oa_koth1",    "ctf_compromise",
+                                            "pul1ctf", "oa_dm5",    "ctf_inyard", "sleekgrinder"};
+inline constexpr std::size_t kCarvedMaps = 5;
 
 /// The .bsp files, by name; none where there is no such folder: tests skip then.
 inline std::vector<std::filesystem::path> openarena_maps() {

@@ -23,6 +23,7 @@
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/full/options.h"
+#include "tests/openarena_maps.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/judge_joined.h"
 #include "tests/reference/judge_rooms.h"
@@ -33,15 +34,12 @@ using namespace firma;
 using ull = unsigned long long;
 
 constexpr double kJustBefore = 0.01;  ///< metres before what a ray meets
+constexpr double kSamePoint = 1e-9;   ///< metres: faces that meet in a point are reached alike, but for rounding
 constexpr double kClear = 1e-5;       ///< metres: nearer to a face it is not asked where a point is
 
 struct Options : full::Options {
     std::string what, maps;
 };
-
-/// Of OpenArena: closed ones of every size, most of them with area portals.
-constexpr const char* kMaps[] = {"kaos2",   "czest2ctf", "islandctf",  "oa_koth1",    "ctf_compromise",
-                                 "pul1ctf", "oa_dm5",    "ctf_inyard", "sleekgrinder"};
 
 struct NamedWorld {
     std::string name;
@@ -54,7 +52,7 @@ struct NamedWorld {
 std::vector<NamedWorld> worlds(const Options& options) {
     std::vector<std::string> files{FIRMA_ROOT "/levels/depot.map"};
     const bool cuts = options.what == "cuts";
-    for (const char* map : std::span(kMaps).first(cuts ? 5 : std::size(kMaps)))
+    for (const char* map : std::span(kRoomMaps).first(cuts ? kCarvedMaps : std::size(kRoomMaps)))
         files.push_back(options.maps + "/" + map + ".bsp");
     std::vector<NamedWorld> made;
     for (const std::string& file : files) {
@@ -232,7 +230,8 @@ const char* judge_ray(const World& world, const Vec3& start, RoomId room, const 
     walls.room = room;
     walls.passed = passed;
     const Hit by_room = cast(world, {start, 0}, path, walls);
-    if (by_room.status != all.status || by_room.fraction != all.fraction) return "by room meets something else";
+    const double apart = std::fabs(by_room.fraction - all.fraction) * length(path);
+    if (by_room.status != all.status || apart > kSamePoint) return "by room meets something else";
     const double before = all.fraction - std::min(0.5 * all.fraction, kJustBefore / length(path));
     const Vec3 point = start + path * before;
     if (closest(world, point, kClear)) return nullptr;
