@@ -10,6 +10,7 @@ pictures=docs/pictures
     --eye 24.2,31.6,2.4 --look 20.2,36.4,1.6 -o $pictures/crater.png
 
 "$firma" draw levels/depot.map --view --eye 10.5,13.2,5.9 --look 17,2,2 -o $pictures/depot_hall.png
+"$firma" draw levels/depot.map --view --rooms --eye 33,8,2.2 --look 12,7,2.6 -o $pictures/depot_view_rooms.png
 "$firma" draw levels/depot.map --view --eye 60,-18,14 --look 36,6,5 -o $pictures/depot_yard.png
 "$firma" draw levels/depot.map --below 3 --at 8 -o $pictures/depot_rooms.svg
 bare=$(mktemp -d)/bare.map
