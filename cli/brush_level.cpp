@@ -219,7 +219,7 @@ std::vector<std::string> note_lines(const BrushLevel& level, const BrushWorldRep
     for (const BrushNote& note : report.notes)
         lines.push_back(
             fmt::format("{}: {}: {}", brush_place(level, note.brush), note_sentence(note.what), note.reason));
-    for (const EntityNote& note : report.unheard)
+    for (const EntityNote& note : report.entity_notes)
         lines.push_back(fmt::format("{}: names no room: {}", entity_place(level, note.entity), note.reason));
     lines.insert(lines.end(), level.notes.begin(), level.notes.end());
     return lines;
@@ -288,7 +288,7 @@ std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool a
     } else {
         json.add_null("leak");
     }
-    json.add("note_count", report.notes.size() + report.unheard.size() + level.notes.size());
+    json.add("note_count", report.notes.size() + report.entity_notes.size() + level.notes.size());
     json.open_array("notes");
     for (std::size_t k = 0; k < (all ? report.notes.size() : std::min(report.notes.size(), kShown)); ++k) {
         const BrushNote& note = report.notes[k];
@@ -301,8 +301,9 @@ std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool a
     }
     json.close();
     json.open_array("entity_notes");
-    for (std::size_t k = 0; k < (all ? report.unheard.size() : std::min(report.unheard.size(), kShown)); ++k) {
-        const EntityNote& note = report.unheard[k];
+    for (std::size_t k = 0; k < (all ? report.entity_notes.size() : std::min(report.entity_notes.size(), kShown));
+         ++k) {
+        const EntityNote& note = report.entity_notes[k];
         json.open_object();
         json.add("entity", note.entity);
         json.add("line", level.entities[note.entity].line);

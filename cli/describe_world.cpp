@@ -87,6 +87,8 @@ std::string info_row(const char* what, const std::string& value) {
     return fmt::format("{:<16}{}\n", what, value);
 }
 
+namespace {
+
 /// "23, one of them the exterior; 35 portals between them"
 std::string rooms_text(const World& world) {
     std::string text = grouped(world.room_count());
@@ -97,6 +99,8 @@ std::string rooms_text(const World& world) {
         text += fmt::format("; {} between them", counted(portals, "portal"));
     return text;
 }
+
+}  // namespace
 
 std::string world_text(const World& world) {
     std::string text;

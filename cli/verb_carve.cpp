@@ -33,6 +33,7 @@ namespace {
 struct CarveArguments {
     LevelArguments level;
     std::string blasts, out, report, material, slices, up;
+    bool castable = false;
     bool json = false;
 };
 
@@ -67,7 +68,8 @@ faces that casts meet as triangles with normals, rounded to 32-bit floats (exact
 1/4096 m off at the rim), under a material each of the level's; faces that cuts made have one of their own, with (cut)
 behind its name. In glTF y points up: the node turns the axis of the level that does so there, z or what --up says; the
 positions stay the level's. Anything else gets an .obj: the faces that casts meet, convex polygons of exactly the
-corners they have (decimals, multiples of 1/262144 m), with their materials.
+corners they have (decimals, multiples of 1/262144 m), with their materials; of brushes, and of a .firma with several
+rooms, those that bound the solid, which are closed: glass, clips, liquids and patches come with --castable.
 Only closed solids are carved; a .bsp has none. An .obj read again, its vertices are snapped to 1/4096 m; where that
 makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. All files appear whole or
 not at all; `-` writes standard output, an .obj. When blasts leave no face at all, stderr says so: AFTER.obj then holds
@@ -196,7 +198,14 @@ void tell_if_empty(const CarveArguments& arguments, const World& world) {
                stderr);
 }
 
-void write_level(const World& world, const CarveArguments& arguments, AtomicFile& out) {
+/// Whether an .obj is to have the solid alone: of brushes much is castable only by intent (glass, clips, liquids,
+/// patches), and would leave the file open.
+bool leaves_out(const LoadedLevel& loaded, const CarveArguments& arguments) {
+    if (arguments.castable || names_glb(arguments.out) || names_saved_world(arguments.out)) return false;
+    return loaded.brushes || (loaded.saved && loaded.world.room_count() > 1);
+}
+
+void write_level(const World& world, const LoadedLevel& loaded, const CarveArguments& arguments, AtomicFile& out) {
     if (names_saved_world(arguments.out)) {
         const std::vector<std::byte> bytes = pack_world(world);
         return out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -207,10 +216,11 @@ void write_level(const World& world, const CarveArguments& arguments, AtomicFile
         return write_glb(world, parts, axis_option("--up", arguments.up),
                          [&](std::string_view bytes) { out.write(bytes); });
     }
-    write_obj(world, [&](std::string_view text) {
+    const auto put = [&](std::string_view text) {
         out.write(text);  // throws where that is not possible
         return true;
-    });
+    };
+    write_obj(world, put, leaves_out(loaded, arguments) ? ObjFaces::kSolid : ObjFaces::kAll);
 }
 
 std::string json_text(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally, const World& world) {
@@ -243,16 +253,18 @@ std::string json_text(const CarveArguments& arguments, const LoadedLevel& loaded
     return json.text();
 }
 
-std::string text_for_people(const CarveArguments& arguments, Tally& tally, const World& world) {
-    std::string text = fmt::format("{}: {} blasts: {} done, {} nothing, {} refused\n", arguments.out,
-                                   grouped(tally.done + tally.nothing + tally.refused), grouped(tally.done),
+std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally,
+                            const World& world) {
+    std::string text = fmt::format("{}: {}: {} done, {} nothing, {} refused\n", arguments.out,
+                                   counted(tally.done + tally.nothing + tally.refused, "blast"), grouped(tally.done),
                                    grouped(tally.nothing), grouped(tally.refused));
     const auto row = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<12} {}\n", what, value);
     };
     row("faces", fmt::format("{} before, {} after", grouped(tally.faces_before), grouped(tally.faces_after)));
     if (const std::size_t faces = castable_only(world); faces > 0)
-        row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them", grouped(faces)));
+        row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them{}", grouped(faces),
+                                    leaves_out(loaded, arguments) ? "; not written (--castable writes them)" : ""));
     row("volume", fmt::format("{:.6g} cubic metres taken", tally.volume));
     if (!tally.seconds.empty())
         row("an edit", fmt::format("median {}, 99th percentile {}", seconds_text(percentile(tally.seconds, 0.5)),
@@ -268,6 +280,8 @@ void judge_outputs(const CarveArguments& arguments) {
     if (has_ending(arguments.out, ".gltf"))
         throw Failure(arguments.out, "glTF is written as one binary file; let its name end in .glb");
     if (!arguments.up.empty() && !names_glb(arguments.out)) throw Failure("--up", "is for a .glb");
+    if (arguments.castable && (names_glb(arguments.out) || names_saved_world(arguments.out)))
+        throw Failure("--castable", "is for an .obj; a .glb or .firma has such faces anyway");
     axis_option("--up", arguments.up);
     refuse_json_beside(arguments.json, arguments.out);
     refuse_json_beside(arguments.json, arguments.report);
@@ -299,7 +313,7 @@ int run(const CarveArguments& arguments) {
     if (!arguments.report.empty()) report.emplace(arguments.report);
     World world = loaded.world;
     Tally tally = fire_all(world, blasts, options, arguments, report ? &*report : nullptr);
-    write_level(world, arguments, out);
+    write_level(world, loaded, arguments, out);
     out.finish();
     if (report) report->commit();
     out.commit();
@@ -307,7 +321,7 @@ int run(const CarveArguments& arguments) {
     if (arguments.json) {
         print(json_text(arguments, loaded, tally, world));
     } else if (may_print_beside(arguments.out) && may_print_beside(arguments.report)) {
-        print(text_for_people(arguments, tally, world));
+        print(text_for_people(arguments, loaded, tally, world));
     }
     return 0;
 }
@@ -325,6 +339,8 @@ Verb add_carve(CLI::App& app) {
     command.add_option("--material", arguments->material, "NAME", "material of the faces that blasts leave");
     command.add_option("--slices", arguments->slices, "US",
                        "run each edit in slices of so many microseconds; the result is the same");
+    command.add_flag("--castable", arguments->castable,
+                     "of brushes: write into an .obj what is castable only, too, so that it is not closed");
     command.add_option("--up", arguments->up, "AXIS",
                        "of a .glb: the level's axis that points up: x, y or z (default z)");
     add_json_flag(command, arguments->json);

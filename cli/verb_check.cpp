@@ -195,7 +195,8 @@ std::string solid_text(const Findings& found) {
     return fmt::format("{} of {} bound solids{}", grouped(solid), counted(found.level_faces, "face"), outside);
 }
 
-std::string rooms_text(const Findings& found) {
+/// "; 2 rooms, 1 portal"
+std::string rooms_clause(const Findings& found) {
     if (!found.is_gltf) return "";
     return fmt::format("; {}, {}", counted(found.rooms, "room"), counted(found.portals, "portal"));
 }
@@ -227,7 +228,7 @@ std::string text_for_people(const std::string& path, const Findings& found, bool
     if (!castable.empty()) text += counted(castable.size(), "piece") + " castable only:\n";
     list(castable, solid_note_text);
     text += fmt::format("{}: {}; {}, {} different positions{}; {}, {}; {}\n", path, found.sound() ? "sound" : "faulty",
-                        counted(faces, "face"), grouped(vertices), rooms_text(found),
+                        counted(faces, "face"), grouped(vertices), rooms_clause(found),
                         counted(faults.size() + (found.world_fault ? 1 : 0), "fault"), counted(found.notes(), "note"),
                         solid_text(found));
     return text;

@@ -41,7 +41,7 @@ JUDGE_CUT = reference('carve_oracle', 'directed_edges', 'judge_cut', 'judge_room
 CARVED = TWIN + JUDGE_CUT + reference('judge_carved_casts')
 JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
 
-READ_SOURCES = HEADERS + ['src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
+READ_SOURCES = HEADERS + ['src/base', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
 BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush', 'src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp']
 
@@ -50,7 +50,7 @@ def fuzzer(name, *headers):
     return [f'tests/fuzz/fuzz_{name}.cpp', 'tests/fuzz/CMakeLists.txt'] + [f'tests/fuzz/{header}.h' for header in headers]
 
 JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush',
-                                'tests/full/full_levels.cpp']
+                                'tests/full/full_levels.cpp', 'tests/full/options.h', 'tests/openarena_maps.h']
 
 
 class Claim:
@@ -109,15 +109,15 @@ def store(seed, count):
 
 CLAIMS = [
     Claim('casts_vs_twin', 'casts judged by the exact twin, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
-          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp'] + TWIN, 'test', casts, 'full_casts'),
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + TWIN, 'test', casts, 'full_casts'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
-          CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp'], 'test', watertight, 'full_watertight'),
+          CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + TWIN + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
-          CARVE_SOURCES + ['tests/full/full_carve.cpp'] + JUDGE_CUT, 'test', carve, 'full_carve'),
+          CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
-          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',
-          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
+          CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts, 'firma'),
     Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, to the bit',

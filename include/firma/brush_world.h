@@ -32,10 +32,10 @@ struct EntityNote {
 
 /// What joining a level came to.
 struct BrushWorldReport {
-    std::vector<BrushNote> notes;     ///< by what, then brush
-    std::vector<EntityNote> unheard;  ///< entities `firma_room` that name no room, by entity
-    std::size_t solid_brushes = 0;    ///< joined
-    std::size_t solid_faces = 0;      ///< exact faces of the solid
+    std::vector<BrushNote> notes;          ///< by what, then brush
+    std::vector<EntityNote> entity_notes;  ///< entities `firma_room` that name no room, by entity
+    std::size_t solid_brushes = 0;         ///< joined
+    std::size_t solid_faces = 0;           ///< exact faces of the solid
     std::size_t planes_moved = 0;  ///< by about half a millimetre at most, as faces were too thin for the surface grid
     std::size_t lost_shells = 0;   ///< closed surfaces whose room no ray told: rooms of their own
 };

@@ -156,7 +156,7 @@ private:
             openings_[other].erase(goes);
             Opening& sum = openings_[stays][other];
             sum.area += opening.area;
-            add(sum.narrows, opening.narrows);
+            unite(sum.narrows, opening.narrows);
             openings_[other][stays] = sum;
             offers_.push(offer(stays, other, sum));
         }
@@ -164,10 +164,10 @@ private:
     }
 
     /// A narrow may lead from one room to two that become one.
-    void add(std::vector<std::uint32_t>& narrows, const std::vector<std::uint32_t>& more) {
-        both_.clear();
-        std::set_union(narrows.begin(), narrows.end(), more.begin(), more.end(), std::back_inserter(both_));
-        narrows = both_;
+    void unite(std::vector<std::uint32_t>& narrows, const std::vector<std::uint32_t>& more) {
+        united_.clear();
+        std::set_union(narrows.begin(), narrows.end(), more.begin(), more.end(), std::back_inserter(united_));
+        narrows = united_;
     }
 
     const AirGrid& grid_;
@@ -177,7 +177,7 @@ private:
     std::vector<std::map<std::uint32_t, Opening>> openings_;  ///< of rooms, to others
     std::vector<std::uint32_t> part_of_;
     std::priority_queue<Offer> offers_;
-    std::vector<std::uint32_t> waiting_, both_;
+    std::vector<std::uint32_t> waiting_, united_;
 };
 
 }  // namespace

@@ -155,7 +155,7 @@ Result<World> make_world(const BrushLevel& level, const WorldOptions& options, B
     if (report) *report = report_of(level, *joined.value());
     Result<World> world = assemble_world(WorldMaker(level, *joined.value(), options).take());
     if (!world.ok()) return world;
-    return name_rooms(world.value(), level, report ? &report->unheard : nullptr);
+    return name_rooms(world.value(), level, report ? &report->entity_notes : nullptr);
 }
 
 }  // namespace firma

@@ -31,7 +31,7 @@ std::string name_room(const World& world, const BrushLevel& level, const Entity&
 
 }  // namespace
 
-World name_rooms(const World& world, const BrushLevel& level, std::vector<EntityNote>* unheard) {
+World name_rooms(const World& world, const BrushLevel& level, std::vector<EntityNote>* notes) {
     if (!world.data().room_records) return world;
     std::vector<RoomRecord> records = *world.data().room_records;
     bool named = false;
@@ -39,7 +39,7 @@ World name_rooms(const World& world, const BrushLevel& level, std::vector<Entity
         if (level.entities[k].value("classname") != "firma_room") continue;
         std::string why_not = name_room(world, level, level.entities[k], records);
         named = named || why_not.empty();
-        if (unheard && !why_not.empty()) unheard->push_back({k, std::move(why_not)});
+        if (notes && !why_not.empty()) notes->push_back({k, std::move(why_not)});
     }
     if (!named) return world;
     auto data = std::make_shared<WorldData>(world.data());

@@ -26,13 +26,14 @@ struct PlacedFace {
     const FaceRecord* record;
 };
 
-std::vector<PlacedFace> faces_by_id(const WorldData& data) {
+std::vector<PlacedFace> faces_by_id(const WorldData& data, ObjFaces which) {
     std::vector<PlacedFace> faces;
     faces.reserve(data.face_count);
     for (const Ref<const Room>& room : data.rooms) {
         if (!room->tree) continue;
         for_each_face_block(*room->tree, [&](const Block& block) {
-            for (const FaceRecord& record : block.faces) faces.push_back({record.id, &block, &record});
+            for (const FaceRecord& record : block.faces)
+                if (record.solid || which == ObjFaces::kAll) faces.push_back({record.id, &block, &record});
         });
     }
     std::sort(faces.begin(), faces.end(), [](const PlacedFace& a, const PlacedFace& b) { return a.id < b.id; });
@@ -129,7 +130,7 @@ struct Closer {
 };
 
 /// The whole file under its passing name; 0, or what went wrong.
-int write_aside(const World& world, const std::string& aside, ObjWritten& written) {
+int write_aside(const World& world, const std::string& aside, ObjFaces which, ObjWritten& written) {
     errno = 0;
     std::unique_ptr<std::FILE, Closer> file(std::fopen(aside.c_str(), "wb"));
     if (!file) return errno ? errno : EIO;
@@ -140,7 +141,7 @@ int write_aside(const World& world, const std::string& aside, ObjWritten& writte
         reason = errno ? errno : EIO;
         return false;
     };
-    const std::optional<ObjWritten> done = write_obj(world, put);
+    const std::optional<ObjWritten> done = write_obj(world, put, which);
     if (!done) return reason;
     errno = 0;
     if (std::fclose(file.release()) != 0) return errno ? errno : EIO;
@@ -150,8 +151,8 @@ int write_aside(const World& world, const std::string& aside, ObjWritten& writte
 
 }  // namespace
 
-std::optional<ObjWritten> write_obj(const World& world, const TextSink& put) {
-    const std::vector<PlacedFace> faces = faces_by_id(world.data());
+std::optional<ObjWritten> write_obj(const World& world, const TextSink& put, ObjFaces which) {
+    const std::vector<PlacedFace> faces = faces_by_id(world.data(), which);
     const std::vector<GridPoint> points = different_corners(faces);
     Pieces out(put);
     out.text() = "# Written by Firma. Metres; all digits are exact, multiples of 1/262144.\n";
@@ -159,11 +160,11 @@ std::optional<ObjWritten> write_obj(const World& world, const TextSink& put) {
     return ObjWritten{faces.size(), points.size(), out.bytes()};
 }
 
-Result<ObjWritten> write_obj(const World& world, const std::string& path) {
+Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which) {
     const std::string aside = path + ".part";
     ObjWritten written;
     std::error_code none;
-    if (const int reason = write_aside(world, aside, written); reason != 0) {
+    if (const int reason = write_aside(world, aside, which, written); reason != 0) {
         std::filesystem::remove(aside, none);
         return cannot_write(path, reason);
     }

@@ -110,7 +110,7 @@ void fit_room_boxes(WorldData& data) {
 void finish_rooms(WorldData& data) {
     fit_room_boxes(data);
     if (!data.room_records) return;
-    data.knows_walls = false;
+    data.knows_walls = data.rooms.size() == 1;
     for (const Ref<const Room>& room : data.rooms)
         if (room->tree)
             for_each_face_block(*room->tree, [&](const Block& block) {

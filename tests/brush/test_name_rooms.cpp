@@ -80,12 +80,22 @@ TEST(NameRooms, TheFirstNameStaysAndWhatIsInNoRoomNamesNone) {
     EXPECT_EQ(name_at(world, {150, 20, 20}), "");
     EXPECT_EQ(name_at(world, {500, 20, 20}), "exterior");
     std::vector<std::string> told;
-    for (const EntityNote& note : made.report.unheard) told.push_back(std::to_string(note.entity) + " " + note.reason);
+    for (const EntityNote& note : made.report.entity_notes)
+        told.push_back(std::to_string(note.entity) + " " + note.reason);
     const std::string no_origin = "it has no origin of three numbers";
     EXPECT_EQ(told, (std::vector<std::string>{
                         "2 it stands in the solid", "3 it has no name", "4 " + no_origin, "5 " + no_origin,
                         "6 " + no_origin, "8 the room it stands in has the name 'first' already",
                         "9 the room it stands in has the name 'exterior' already", "10 it stands on a face"}));
+}
+
+TEST(NameRooms, WithoutWallsAllIsTheExterior) {
+    const Made made = make(entity("\"classname\" \"worldspawn\"\n", box(0, 64, 0, 64, 0, 64, "common/clip")) +
+                           room("meadow", "200 64 64"));
+    EXPECT_EQ(locate(made.world, {3, 1, 1}), (Location{Location::Kind::kRoom, {0}}));
+    EXPECT_EQ(locate(made.world, {1, 1, 1}), (Location{Location::Kind::kRoom, {0}}));
+    ASSERT_EQ(made.report.entity_notes.size(), 1u);
+    EXPECT_EQ(made.report.entity_notes[0].reason, "the room it stands in has the name 'exterior' already");
 }
 
 TEST(NameRooms, NamesChangeNothingElse) {

@@ -66,6 +66,23 @@ TEST(BevelledBox, WhatTouchesAPointIsNeverClear) {
     EXPECT_GT(near, 10'000);
 }
 
+TEST(BevelledBox, ABoxIsAsClearAsItsCorners) {
+    Rng rng(3);
+    const BevelledBox round = bevel(ball(rng, {0, 0, 0}, 400'000));
+    int told = 0;
+    for (int tries = 0; tries < 20'000; ++tries) {
+        const GridPoint low = random_point(rng, 800'000), size = random_point(rng, 200'000);
+        std::vector<GridPoint> corners(8);
+        for (int k = 0; k < 8; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                corners[std::size_t(k)][axis] = low[axis] - 400'000 + (k >> axis & 1) * size[axis];
+        EXPECT_EQ(round.clear_of(box_around(corners), 100), clear(round, corners, 100));
+        told += clear(round, corners, 100);
+    }
+    EXPECT_GT(told, 1'000);
+    EXPECT_LT(told, 19'000);
+}
+
 TEST(BevelledBox, TellsMoreThanABox) {
     Rng rng(2);
     const std::vector<GridPoint> points = ball(rng, {0, 0, 0}, 400'000);

@@ -104,7 +104,7 @@ std::string RoomBounds::judge(const Vec3& point) const {
 
 std::string judge_way(const World& world, const Vec3& from, const Vec3& to) {
     const Location start = locate(world, from), end = locate(world, to);
-    if (start.kind != Location::Kind::kRoom || end.kind != Location::Kind::kRoom) return {};
+    if (start.kind != Location::Kind::kRoom || end.kind == Location::Kind::kUnsure) return {};
     CastOptions options;
     options.room = start.room;
     std::array<RoomId, 256> passed;
@@ -113,8 +113,10 @@ std::string judge_way(const World& world, const Vec3& from, const Vec3& to) {
     if (hit.touched()) return {};
     for (std::size_t k = 0; k < std::min<std::size_t>(hit.rooms_passed, passed.size()); ++k)
         if (passed[k] == end.room) return {};
-    return "a way through the air to another room passes no portal into it: from " + text_of(from) + " to " +
-           text_of(to);
+    return (end.kind == Location::Kind::kSolid
+                ? "a way into the solid meets nothing: from "
+                : "a way through the air to another room passes no portal into it: from ") +
+           text_of(from) + " to " + text_of(to);
 }
 
 std::string judge_cast_by_room(const World& world, const Sphere& sphere, const Vec3& path,

@@ -44,7 +44,7 @@ private:
     std::vector<Bounds> rooms_;
 };
 
-/// A straight way through the air ends in the room that asking directly names.
+/// A straight way through the air ends in the room that asking directly names, and none ends in the solid.
 /// @return what is wrong; empty also where a face is in the way
 std::string judge_way(const World& world, const Vec3& from, const Vec3& to);
 
