@@ -68,9 +68,9 @@ faces that casts meet as triangles with normals, rounded to 32-bit floats (exact
 behind its name. In glTF y points up: the node turns the axis of the level that does so there, z or what --up says; the
 positions stay the level's. An .obj, or a name without an ending, gets the faces that casts meet, convex polygons of
 exactly the corners they have (decimals, multiples of 1/262144 m), with their materials. Other endings are refused.
-Only closed solids are carved; a .bsp with --surfaces seldom has any. An .obj read again, its vertices are snapped to 1/4096 m; where that
-makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. All files appear whole or
-not at all; `-` writes standard output, an .obj. When blasts leave no face at all, stderr says so: AFTER.obj then holds
+Only closed solids are carved; a .bsp with --surfaces seldom has any. An .obj read again, its vertices are snapped to
+1/4096 m; where that makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. All
+files appear whole or not at all; `-` writes standard output, an .obj. When blasts leave no face at all, stderr says so: AFTER.obj then holds
 none, and `firma check` does not take it ("no face"); AFTER.glb is an empty scene. Should cuts contradict each other,
 which would be a fault of Firma, the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the
 cutter.

@@ -61,17 +61,17 @@ Hits: one row a query, in the order of the queries, the same bytes for any numbe
 Numbers have 17 significant digits. The file appears whole or not at all; `-` writes standard output.
 
 `face` by format: of glTF the triangle, by node, primitive and triangle. Of a level of brushes (.map, .bsp without
---surfaces) the side of the brush, counted through all brushes of the file; the convex pieces of curved patches count
-on from there, with --rooms auto behind six sides for each portal added. Of a .firma as of the level that it was made
-of; where a cut made the face, the triangle of the cutter.
+--surfaces) the side of the brush, counted through all brushes as they were read, without sides that were left out;
+the convex pieces of curved patches count on from there, with --rooms auto behind six sides for each portal added. Of a
+.firma as of the level that it was made of; where a cut made the face, the triangle of the cutter.
 
---meets takes one or more of these words, with commas between them: a face is met when it stops any of it.
+--meets takes one or more of these words, with commas between them (walk,shots); met are the faces that stop any of it:
   walk    bodies that walk: stopped by walls, glass, clip brushes
   shots   stopped by walls, glass, shot clips
   sight   stopped by walls, but no glass
-  liquid  stopped by the surface of water, slime, lava, and nothing else
+  liquid  stopped by the surface of water, slime, lava, and by no wall
 All solid is a wall, what is painted with the sky too. Faces of formats that know no contents (.obj, the --surfaces of
-a .bsp, glTF without masks) stop everything. For instance, what players can stand on, the bottom of the water included:
+a .bsp, glTF without masks) stop everything. For instance, what stops players; they pass through the water's surface:
   firma cast levels/depot.map --queries q.csv --meets walk -o hits.csv
 
 --json: level, queries, hit, touching, miss, threads, read_seconds, build_seconds, queries_seconds,
