@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "brush/entity_origin.h"
@@ -28,9 +29,15 @@ constexpr std::size_t kShown = 20;
 constexpr std::array<const char*, 8> kKinds = {"solid",     "sky",    "glass",  "player_clip",
                                                "shot_clip", "liquid", "portal", "data"};
 
-std::array<std::size_t, kKinds.size()> count_kinds(const BrushLevel& level) {
+/// Without the portals that --rooms auto added, which come last.
+std::span<const Brush> brushes_of_file(const LoadedBrushes& loaded) {
+    const std::size_t added = loaded.divided ? loaded.divided->portals : 0;
+    return std::span(loaded.level.brushes).first(loaded.level.brushes.size() - added);
+}
+
+std::array<std::size_t, kKinds.size()> count_kinds(std::span<const Brush> brushes) {
     std::array<std::size_t, kKinds.size()> counts{};
-    for (const Brush& brush : level.brushes) ++counts[std::size_t(brush.kind)];
+    for (const Brush& brush : brushes) ++counts[std::size_t(brush.kind)];
     return counts;
 }
 
@@ -69,8 +76,9 @@ std::string info_json(const LoadedLevel& loaded) {
     json.add("level", level.name);
     json.add("entities", level.entities.size());
     json.open_object("brushes");
-    json.add("total", level.brushes.size());
-    const auto kinds = count_kinds(level);
+    const std::span<const Brush> brushes = brushes_of_file(*loaded.brushes);
+    json.add("total", brushes.size());
+    const auto kinds = count_kinds(brushes);
     for (std::size_t k = 0; k < kinds.size(); ++k) json.add(kKinds[k], kinds[k]);
     json.add("not_joined", count_notes(report, BrushNote::What::kNotJoined));
     json.add("no_volume", count_notes(report, BrushNote::What::kNoVolume));
@@ -94,9 +102,9 @@ std::string info_json(const LoadedLevel& loaded) {
     return json.text();
 }
 
-std::string kinds_text(const BrushLevel& level) {
+std::string kinds_text(std::span<const Brush> brushes) {
     std::string text;
-    const auto kinds = count_kinds(level);
+    const auto kinds = count_kinds(brushes);
     for (std::size_t k = 0; k < kinds.size(); ++k)
         if (kinds[k] > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(kinds[k]), kKinds[k]);
     return text.empty() ? "none" : text;
@@ -109,7 +117,8 @@ std::string info_text(const LoadedLevel& loaded) {
     const auto row = [&](const char* what, const std::string& value) { text += info_row(what, value); };
     row("level", level.name);
     row("entities", grouped(level.entities.size()));
-    row("brushes", fmt::format("{} ({})", grouped(level.brushes.size()), kinds_text(level)));
+    const std::span<const Brush> brushes = brushes_of_file(*loaded.brushes);
+    row("brushes", fmt::format("{} ({})", grouped(brushes.size()), kinds_text(brushes)));
     row("joined", fmt::format("{} of solid, {} castable only, {} without volume", grouped(report.solid_brushes),
                               grouped(count_notes(report, BrushNote::What::kNotJoined)),
                               grouped(count_notes(report, BrushNote::What::kNoVolume))));
@@ -135,7 +144,7 @@ struct Leak {
 World undivided(const LoadedLevel& loaded) {
     if (!loaded.brushes->divided) return loaded.world;
     BrushLevel level = loaded.brushes->level;
-    level.brushes.resize(level.brushes.size() - loaded.brushes->divided->portals);
+    level.brushes.resize(brushes_of_file(*loaded.brushes).size());
     return take(make_world(level));
 }
 
@@ -225,10 +234,6 @@ std::vector<std::string> note_lines(const BrushLevel& level, const BrushWorldRep
     return lines;
 }
 
-std::string brushes_text(std::size_t count) {
-    return count == 1 ? "1 brush" : grouped(count) + " brushes";
-}
-
 struct Judgement {
     std::optional<WorldFault> world;
     std::optional<SolidFault> solid;
@@ -254,9 +259,9 @@ std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool a
     for (std::size_t k = 0; k < shown; ++k) text += notes[k] + "\n";
     if (shown < notes.size()) text += fmt::format("  and {} more (--all shows them)\n", grouped(notes.size() - shown));
     return text + fmt::format("{}: {}; {}, {}, {}, {}; {}\n", level.name, found.sound() ? "sound" : "faulty",
-                              brushes_text(level.brushes.size()), counted(loaded.world.face_count(), "face"),
-                              counted(loaded.world.room_count(), "room"), counted(portal_count(loaded.world), "portal"),
-                              counted(notes.size(), "note"));
+                              counted(brushes_of_file(*loaded.brushes).size(), "brush", "brushes"),
+                              counted(loaded.world.face_count(), "face"), counted(loaded.world.room_count(), "room"),
+                              counted(portal_count(loaded.world), "portal"), counted(notes.size(), "note"));
 }
 
 std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
@@ -272,7 +277,7 @@ std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool a
     json.open_object();
     json.add("level", level.name);
     json.add("sound", found.sound());
-    json.add("brushes", level.brushes.size());
+    json.add("brushes", brushes_of_file(*loaded.brushes).size());
     json.add("faces", loaded.world.face_count());
     json.add("rooms", loaded.world.room_count());
     json.add("portals", portal_count(loaded.world));

@@ -69,6 +69,11 @@ bool names_gltf(const std::string& path) {
     return has_ending(path, ".glb") || has_ending(path, ".gltf");
 }
 
+void refuse_unknown_ending(const std::string& path) {
+    if (!names_saved_world(path) && !names_gltf(path) && !level_format(path))
+        throw Failure(path, "the name ends in none of " + level_endings() + ", .gltf, .glb, .firma");
+}
+
 bool names_brushes(const LevelArguments& arguments) {
     return has_ending(arguments.path, ".map") || (has_ending(arguments.path, ".bsp") && !arguments.surfaces);
 }
@@ -122,16 +127,14 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
         loaded.read_seconds = seconds_since(start);
         return loaded;
     }
-    const bool gltf = names_gltf(arguments.path);
-    if (!gltf && !level_format(arguments.path))
-        throw Failure(arguments.path, "the name ends in none of " + level_endings() + ", .gltf, .glb, .firma");
+    refuse_unknown_ending(arguments.path);
     if (arguments.surfaces && !has_ending(arguments.path, ".bsp"))
         throw Failure("--surfaces", "only a .bsp has drawn surfaces beside its brushes");
     if (names_brushes(arguments)) {
         load_brushes(arguments, options, loaded);
         return loaded;
     }
-    if (gltf) {
+    if (names_gltf(arguments.path)) {
         load_gltf(arguments, options, loaded);
         return loaded;
     }

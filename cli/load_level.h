@@ -58,6 +58,8 @@ struct LoadedLevel {
 
 /// Whether a name ends so (".glb"), capitals or not.
 bool has_ending(const std::string& path, std::string_view ending);
+/// @throws Failure that lists the endings that are read, for a name with none of them
+void refuse_unknown_ending(const std::string& path);
 /// Whether a level's brushes are read, rather than faces.
 bool names_brushes(const LevelArguments& arguments);
 /// Whether a name ends in .gltf or .glb, capitals or not.

@@ -13,6 +13,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/atomic_file.h"
@@ -77,6 +78,16 @@ std::string place_of(const CLI::App& app) {
     return "";
 }
 
+/// The parser says "--rooms: 1 required auto missing" of an option without its value.
+std::string reason_of(const CLI::ParseError& error) {
+    constexpr std::string_view kBefore = ": 1 required ", kBehind = " missing";
+    const std::string text = error.what();
+    const std::size_t at = text.find(kBefore);
+    if (at == std::string::npos || !text.ends_with(kBehind)) return text;
+    const std::size_t value = at + kBefore.size();
+    return text.substr(0, at) + ": wants a value: " + text.substr(value, text.size() - kBehind.size() - value);
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Firma: casts particles and spheres through levels and carves craters into them, exactly.", "firma");
     app.footer(kFooter);
@@ -98,8 +109,8 @@ int run(int argc, char** argv) {
         return 0;
     } catch (const CLI::ParseError& error) {
         const std::string place = place_of(app);
-        throw Failure(place,
-                      fmt::format("{} (firma {}{}--help tells more)", error.what(), place, place.empty() ? "" : " "));
+        throw Failure(
+            place, fmt::format("{} (firma {}{}--help tells more)", reason_of(error), place, place.empty() ? "" : " "));
     }
     for (const Verb& verb : verbs) {
         if (verb.command.called()) return verb.run();

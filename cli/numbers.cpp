@@ -76,8 +76,9 @@ std::string grouped(std::uint64_t value) {
     return text;
 }
 
-std::string counted(std::uint64_t count, const char* what) {
-    return grouped(count) + " " + what + (count == 1 ? "" : "s");
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+    if (count == 1) return fmt::format("1 {}", one);
+    return many.empty() ? fmt::format("{} {}s", grouped(count), one) : fmt::format("{} {}", grouped(count), many);
 }
 
 std::string bytes_text(std::uint64_t bytes) {

@@ -29,8 +29,8 @@ void append_17(std::string& out, double value);
 
 /// 1234567 -> "1,234,567"
 std::string grouped(std::uint64_t value);
-/// 1, "face" -> "1 face"; 2000, "face" -> "2,000 faces"
-std::string counted(std::uint64_t count, const char* what);
+/// 1, "face" -> "1 face"; 2000, "face" -> "2,000 faces"; 2, "brush", "brushes" -> "2 brushes"
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many = {});
 /// 1536000 -> "1.5 MB"
 std::string bytes_text(std::uint64_t bytes);
 /// 0.00123 -> "1.23 ms"

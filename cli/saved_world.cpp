@@ -13,6 +13,7 @@
 #include "cli/json.h"
 #include "cli/numbers.h"
 #include "cli/verb.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tree/visit.h"
 #include "world/world_data.h"
@@ -126,9 +127,10 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
         std::string text;
         if (fault) text += fmt::format("{}: the world is broken: {}\n", loaded.level.name, fault->what);
         if (solid) text += fmt::format("{}: the solid is broken: {}\n", loaded.level.name, solid->what);
-        print(text + fmt::format("{}: {}; a saved world of {} faces after {} edits; {} of them bound solids{}\n",
-                                 loaded.level.name, fault || solid ? "faulty" : "sound", grouped(counts.total),
-                                 grouped(world.data().edits), grouped(counts.solid),
+        print(text + fmt::format("{}: {}; a saved world of {}, {} and {} after {}; {} of the faces bound solids{}\n",
+                                 loaded.level.name, fault || solid ? "faulty" : "sound", counted(counts.total, "face"),
+                                 counted(world.room_count(), "room"), counted(portal_count(world), "portal"),
+                                 counted(world.data().edits, "edit"), grouped(counts.solid),
                                  world.data().rock_outside ? ", rock outside" : ""));
         return fault || solid ? 1 : 0;
     }
@@ -143,6 +145,8 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
     json.add("level", loaded.level.name);
     json.add("sound", !fault && !solid);
     json.add("faces", counts.total);
+    json.add("rooms", world.room_count());
+    json.add("portals", portal_count(world));
     add("world_fault", fault);
     add("solid_fault", solid);
     json.add("solid_faces", counts.solid);

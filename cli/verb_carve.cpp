@@ -67,12 +67,13 @@ too: blasts go on from it as if there had been no file between. A .glb is binary
 faces that casts meet as triangles with normals, rounded to 32-bit floats (exact within 64 m of the origin, at most
 1/4096 m off at the rim), under a material each of the level's; faces that cuts made have one of their own, with (cut)
 behind its name. In glTF y points up: the node turns the axis of the level that does so there, z or what --up says; the
-positions stay the level's. Anything else gets an .obj: the faces that casts meet, convex polygons of exactly the
-corners they have (decimals, multiples of 1/262144 m), with their materials; of brushes, and of a .firma with several
-rooms, those that bound the solid, which are closed: glass, clips, liquids and patches come with --castable.
-Only closed solids are carved; a .bsp has none. An .obj read again, its vertices are snapped to 1/4096 m; where that
-makes faces touch or cross, what they bound is closed no longer to Firma and is not carved. All files appear whole or
-not at all; `-` writes standard output, an .obj. When blasts leave no face at all, stderr says so: AFTER.obj then holds
+positions stay the level's. An .obj, or a name without an ending, gets the faces that casts meet, convex polygons of
+exactly the corners they have (decimals, multiples of 1/262144 m), with their materials; of brushes, and of a .firma with
+several rooms, those that bound the solid, which are closed: glass, clips, liquids and patches come with --castable.
+Other endings are refused. Only closed solids are carved; a .bsp with --surfaces seldom has any. An .obj read again, its
+vertices are snapped to 1/4096 m; where that makes faces touch or cross, what they bound is closed no longer to Firma and
+is not carved. All files appear whole or not at all; `-` writes standard output, an .obj. When blasts leave no face at
+all, stderr says so: AFTER.obj then holds
 none, and `firma check` does not take it ("no face"); AFTER.glb is an empty scene. Should cuts contradict each other,
 which would be a fault of Firma, the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the
 cutter.
@@ -275,7 +276,14 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
     return text;
 }
 
-/// Outputs must differ from each other, and from what is read.
+/// Whoever writes after.map expects a .map.
+void refuse_other_endings(const std::string& out) {
+    const std::string ending = std::filesystem::path(out).extension().string();
+    if (ending.empty() || has_ending(out, ".obj") || names_glb(out) || names_saved_world(out)) return;
+    throw Failure(out, "a level is written as .obj, .glb or .firma, not as " + ending);
+}
+
+/// Outputs must differ from each other, and from what is read, and be of a format that is written.
 void judge_outputs(const CarveArguments& arguments) {
     if (has_ending(arguments.out, ".gltf"))
         throw Failure(arguments.out, "glTF is written as one binary file; let its name end in .glb");
@@ -296,6 +304,7 @@ void judge_outputs(const CarveArguments& arguments) {
                                          std::filesystem::absolute(arguments.report, none).lexically_normal())
         throw Failure("--report", "and --out name one file");
     refuse_overwriting(arguments.report, arguments.out);
+    refuse_other_endings(arguments.out);
 }
 
 int run(const CarveArguments& arguments) {
@@ -337,8 +346,9 @@ Verb add_carve(CLI::App& app) {
     add_out_option(command, arguments->out, ".obj, .firma or .glb to write: the level after all blasts", true);
     command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");
     command.add_option("--material", arguments->material, "NAME", "material of the faces that blasts leave");
-    command.add_option("--slices", arguments->slices, "US",
-                       "run each edit in slices of so many microseconds; the result is the same");
+    command.add_option(
+        "--slices", arguments->slices, "US",
+        "run each edit in slices of so many microseconds, 0: as short as they can be; the result is the same");
     command.add_flag("--castable", arguments->castable,
                      "of brushes: write into an .obj what is castable only, too, so that it is not closed");
     command.add_option("--up", arguments->up, "AXIS",

@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/atomic_file.h"
@@ -22,6 +25,7 @@
 #include "cli/progress.h"
 #include "cli/read_queries.h"
 #include "cli/write_hits.h"
+#include "firma/masks.h"
 
 namespace firma::cli {
 
@@ -29,7 +33,7 @@ namespace {
 
 struct CastArguments {
     LevelArguments level;
-    std::string queries, out, skin, threads;
+    std::string queries, out, skin, threads, meets;
     bool two_sided = false;
     bool json = false;
 };
@@ -51,10 +55,24 @@ Hits: one row a query, in the order of the queries, the same bytes for any numbe
   px,py,pz       contact point on the face, metres
   nx,ny,nz       unit contact normal, from the contact point toward the centre
   fnx,fny,fnz    unit normal of the face
-  face           index of the face in the level's file, from 0, dropped ones counted
+  face           index of the face in the level's file, from 0, dropped ones counted; see below
   feature        face, edge or vertex of it
   room           of the contact, from 0
 Numbers have 17 significant digits. The file appears whole or not at all; `-` writes standard output.
+
+`face` by format: of glTF the triangle, by node, primitive and triangle. Of a level of brushes (.map, .bsp without
+--surfaces) the side of the brush, counted through all brushes as they were read, without sides that were left out;
+the convex pieces of curved patches count on from there, with --rooms auto behind six sides for each portal added. Of a
+.firma as of the level that it was made of; where a cut made the face, the triangle of the cutter.
+
+--meets takes one or more of these words, with commas between them (walk,shots); met are the faces that stop any of it:
+  walk    bodies that walk: stopped by walls, glass, clip brushes
+  shots   stopped by walls, glass, shot clips
+  sight   stopped by walls, but no glass
+  liquid  stopped by the surface of water, slime, lava, and by no wall
+All solid is a wall, what is painted with the sky too. Faces of formats that know no contents (.obj, the --surfaces of
+a .bsp, glTF without masks) stop everything. For instance, what stops players; they pass through the water's surface:
+  firma cast levels/depot.map --queries q.csv --meets walk -o hits.csv
 
 --json: level, queries, hit, touching, miss, threads, read_seconds, build_seconds, queries_seconds,
 cast_seconds, out.
@@ -126,6 +144,24 @@ Tally cast_all_rows(const World& world, const std::vector<Query>& queries, const
     return tally;
 }
 
+/// "walk,liquid" -> the bits of masks.h
+std::uint32_t mask_option(const std::string& text) {
+    constexpr std::pair<std::string_view, std::uint32_t> kWords[] = {
+        {"walk", kStopsWalk}, {"shots", kStopsShots}, {"sight", kStopsSight}, {"liquid", kStopsLiquid}};
+    std::uint32_t mask = 0;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view word = std::string_view(text).substr(begin, end - begin);
+        const auto known = std::find_if(std::begin(kWords), std::end(kWords),
+                                        [&](const auto& candidate) { return candidate.first == word; });
+        if (known == std::end(kWords))
+            throw Failure("--meets", fmt::format("'{}' is none of walk, shots, sight, liquid", word));
+        mask |= known->second;
+        begin = end + 1;
+    }
+    return mask;
+}
+
 struct Times {
     double queries = 0, casting = 0;
 };
@@ -156,6 +192,7 @@ int run(const CastArguments& arguments) {
     };
     CastOptions options;
     if (arguments.two_sided) options.sides = Sides::kBoth;
+    if (!arguments.meets.empty()) options.mask = mask_option(arguments.meets);
     if (!arguments.skin.empty()) options.skin = number_option("--skin", arguments.skin, 0, INFINITY);
     const int threads = arguments.threads.empty() ? tbb::this_task_arena::max_concurrency()
                                                   : int(count_option("--threads", arguments.threads, 1, 256));
@@ -195,6 +232,8 @@ Verb add_cast(CLI::App& app) {
     command.add_option("--queries", arguments->queries, "FILE", "csv of casts, see below", true);
     add_out_option(command, arguments->out, "csv of hits to write, see below", true);
     command.add_flag("--two-sided", arguments->two_sided, "meet both sides of every face, not only the front");
+    command.add_option("--meets", arguments->meets, "WORDS",
+                       "meet only faces that stop this: walk, shots, sight, liquid, see below (default: all faces)");
     command.add_option("--skin", arguments->skin, "M",
                        "distance that safe_fraction keeps, metres, 0 or more (default 0.001)");
     command.add_option("--threads", arguments->threads, "N", "1 .. 256 (default: one a core)");

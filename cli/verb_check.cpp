@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/atomic_file.h"
 #include "cli/brush_level.h"
 #include "cli/failure.h"
 #include "cli/json.h"
@@ -56,15 +57,18 @@ whole or a part of it), portals that divide nothing, and what the reader says. -
 idle_portals [names], undivided or null (why there is one room though the file has portals), reader_notes [texts].
 
 Of a level of brushes (.map, .bsp without --surfaces) the world is judged, its solid, and what became of the brushes.
-Faults: a broken world or solid; a leak, that is a way from an info_player... entity to the void. Notes: not_joined (a
-brush that is castable only), no_volume, idle_portal (a portal with one room on both sides), a firma_room that names no
-room, and what the reader says. --json: level, sound, brushes, faces, rooms, portals, world_fault or null, solid_fault or
-null, leak {entity, points [metres]} or null, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line,
-reason}], reader_notes [texts].
+Faults: a broken world or solid; a leak, that is a way to the void from an info_player... entity, or in a level that has
+none, from any entity with an origin. Notes: not_joined (a brush that is castable only), no_volume, idle_portal (a
+portal with one room on both sides), a firma_room that names no room, and what the reader says. --json: level, sound,
+brushes (of the file), faces, rooms, portals, world_fault or null, solid_fault or null, leak {entity, points [metres]}
+or null, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line, reason}], reader_notes [texts].
+
+--pts writes the way of the leak, for an editor to show. Where nothing leaks, or the way is too narrow to be shown, the
+file is empty; one that was there before is replaced. Bad input leaves it as it was.
 
 A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
-read is checked once more. --json: level, sound, faces, world_fault or null, solid_fault or null, solid_faces,
-exact_faces, rock_outside, version, edits.
+read is checked once more. --json: level, sound, faces, rooms, portals, world_fault or null, solid_fault or null,
+solid_faces, exact_faces, rock_outside, version, edits.
 
 Exit codes: 0 sound, notes or not; 1 faults were found; 2 a bad call or bad input, with `firma: place: reason` on
 stderr.
@@ -340,11 +344,20 @@ void add_gltf(const LoadedGltf& gltf, Findings& found) {
     found.reader_notes = gltf.notes;
 }
 
+void judge_pts(const CheckArguments& arguments) {
+    if (arguments.pts.empty()) return;
+    if (!names_brushes(arguments.level))
+        throw Failure("--pts", "only of levels of brushes is it known where they leak");
+    if (is_standard_output(arguments.pts)) throw Failure("--pts", "standard output has the findings; name a file");
+    refuse_overwriting(arguments.pts, arguments.level.path);
+}
+
 int run(const CheckArguments& arguments) {
+    refuse_unknown_ending(arguments.level.path);
+    judge_pts(arguments);
     if (names_saved_world(arguments.level.path)) return check_saved_world(load_level(arguments.level), arguments.json);
     if (names_brushes(arguments.level))
         return check_brushes(load_level(arguments.level), {arguments.json, arguments.all, arguments.pts});
-    if (!arguments.pts.empty()) throw Failure("--pts", "only of levels of brushes is it known where they leak");
     Findings found;
     found.mesh = mesh_check(arguments.level);
     const LoadedLevel loaded = load_level(arguments.level);
@@ -368,7 +381,7 @@ Verb add_check(CLI::App& app) {
     add_rooms_option(command, arguments->level);
     command.add_flag("--all", arguments->all, "every fault and note, not only the first 20 of each");
     command.add_option("--pts", arguments->pts, "FILE",
-                       "of brushes: where the level leaks, a line of points in the file's units");
+                       "of brushes: where the level leaks, a line of points in the file's units; empty if nowhere");
     add_json_flag(command, arguments->json);
     command.set_footer(kFooter);
     return {command, [arguments] { return run(*arguments); }};

@@ -184,6 +184,14 @@ void draw_plan(const DrawArguments& arguments, const World& world, std::size_t b
     }
 }
 
+/// A plan under a view's name would open nowhere, and the other way round.
+void judge_ending(const DrawArguments& arguments) {
+    if (!arguments.view && has_ending(arguments.out, ".png"))
+        throw Failure(arguments.out, "a .png is a view: add --view; a plan is an .svg");
+    if (arguments.view && has_ending(arguments.out, ".svg"))
+        throw Failure(arguments.out, "an .svg is a plan: leave --view out; a view is a .png");
+}
+
 int run(const DrawArguments& arguments) {
     if (!arguments.casts.empty() && arguments.queries.empty())
         throw Failure("--casts", "needs --queries as well: the hits do not say where the casts began");
@@ -201,6 +209,7 @@ int run(const DrawArguments& arguments) {
     refuse_json_beside(arguments.json, arguments.out);
     for (const std::string& input : {arguments.level.path, arguments.queries, arguments.casts, arguments.blasts})
         refuse_overwriting(arguments.out, input);
+    judge_ending(arguments);
     LevelArguments level = arguments.level;
     if (arguments.rooms != "true") level.rooms = arguments.rooms;
     const LoadedLevel loaded = load_level(level);

@@ -73,6 +73,11 @@ class Calls(CliTest):
                 self.refuse(verb, level, *rest, says=level)
             self.refuse(verb, 'bad.obj', *rest, says='bad.obj:1')
 
+    def test_the_same_words_for_a_level_of_no_format(self):
+        for verb, rest in [('info', []), ('check', []), ('check', ['--pts', 'x']), ('draw', ['-o', 'x'])]:
+            for level in 'box', 'box.txt', './box.d/level':
+                self.refuse(verb, level, *rest, says=level + ': the name ends in none of .obj, .map, .bsp, .gltf, .glb, .firma\n')
+
     def outputs(self, out):
         yield ['cast', 'box.obj', '--queries', 'q.csv', '--out', out]
         yield ['carve', 'box.obj', '--blasts', 'b.csv', '-o', out]

@@ -236,6 +236,18 @@ class Calls(CarveTest):
         self.assertTrue(self.firma(*self.call('-o', 'a.obj', '--report', '-')).startswith(REPORT + '\n0,done,'))
         self.assertEqual(sorted(name for name in self.files() if 'part' in name), [])
 
+    def test_endings(self):
+        for out, ending in [('after.map', '.map'), ('after.bsp', '.bsp'), ('a.b.xyz', '.xyz'), ('after.objx', '.objx'), ('./after.', '.')]:
+            self.assertTrue(self.refuse(*self.call('-o', out), says=out + ': a level is written as .obj, .glb or .firma').endswith(' not as %s\n' % ending))
+        self.refuse(*self.call('-o', 'after.gltf'), says='after.gltf: glTF is written as one binary file')
+        os.mkdir(self.path('folder.map'))
+        for out in ['after', 'AFTER.OBJ', 'folder.map/after', '.after']:
+            self.firma(*self.call('-o', out))
+            self.assertRegex(self.read(out), rb'(^|\n)v ')
+        self.assertRegex(self.firma(*self.call('-o', '-')), r'(^|\n)v ')
+        self.assertRegex(self.firma(*self.call('-o', '/dev/stdout')), r'(^|\n)v ')
+        self.firma(*self.call('-o', '/dev/null'))
+
     def test_options(self):
         self.refuse(*self.call(), says='--out is required')
         self.refuse('carve', 'box.obj', '-o', 'a.obj', says='--blasts is required')
@@ -246,6 +258,7 @@ class Calls(CarveTest):
     def test_help_shows_a_call_that_works(self):
         text = self.firma('carve', '--help')
         for column in (HEADER.strip() + ',' + REPORT).split(','): self.assertIn(column, text)
+        self.assertIn('microseconds, 0: as short as they can be', ' '.join(text.split()))
         example = re.search(r"printf '(.*)' > blasts.csv", text).group(1).replace('\\n', '\n')
         self.write('blasts.csv', example)
         self.firma('carve', FIRST, '--blasts', 'blasts.csv', '-o', 'after.obj', '--report', 'report.csv')
@@ -306,6 +319,13 @@ class Draw(CarveTest):
         self.refuse(*view, '--eye', '1,1,1', '--look', '2,2,2', '--zoom', '0', says='--zoom')
         self.refuse(*view, '--at', '1', says='--view')
         self.refuse('draw', 'box.obj', '-o', 'x.svg', '--before-after', says='--view')
+        for name in ['z.png', 'Z.PNG']: self.refuse('draw', 'box.obj', '-o', name, says=name + ': a .png is a view: add --view; a plan is an .svg')
+        at = ['--eye', '1,1,1', '--look', '2,2,2']
+        self.refuse('draw', 'box.obj', '-o', 'z.svg', '--view', *at, says='z.svg: an .svg is a plan: leave --view out; a view is a .png')
+        self.firma('draw', 'box.obj', '-o', 'z')
+        self.assertIn(b'<svg', self.read('z'))
+        self.firma('draw', 'box.obj', '-o', 'z', '--view', *at)
+        self.assertEqual(self.read('z')[:4], b'\x89PNG')
         self.refuse('draw', 'box.obj', '-o', 'x.svg', '--blasts', self.write('bad.csv', HEADER + '1\n'), says='bad.csv:2')
 
 

@@ -6,6 +6,7 @@ import random
 import unittest
 
 from harness import FIRST, CliTest, box
+from test_rooms import DEPOT, brush
 
 HEADER = 'px,py,pz,dx,dy,dz,radius\n'
 COLUMNS = 'query,status,fraction,safe_fraction,cx,cy,cz,px,py,pz,nx,ny,nz,fnx,fny,fnz,face,feature,room'
@@ -51,6 +52,46 @@ class Cast(CliTest):
         self.write('q.csv', HEADER + ROW)
         for bad in ['-0.001', 'nan', 'inf', 'x', '']:
             self.refuse('cast', 'box.obj', '--queries', 'q.csv', '-o', 'x.csv', '--skin=' + bad, says='--skin')
+
+    def test_meets(self):
+        self.write('q.csv', HEADER + '19,-6,1,0,0,-5,0\n')                      # into the depot's cistern
+
+        def meet(level, *words):
+            self.firma('cast', level, '--queries', 'q.csv', '-o', 'h.csv', *(['--meets', ','.join(words)] if words else []))
+            hit, = csv.DictReader(io.StringIO(self.read('h.csv').decode()))
+            return hit['status'], hit['cz'] and float(hit['cz'])
+        water = ('hit', -0.5)
+        for words in [], ['liquid'], ['walk', 'liquid'], ['liquid', 'sight', 'shots', 'walk']:
+            self.assertEqual(meet(DEPOT, *words), water, words)
+        bottom = meet(DEPOT, 'walk')
+        self.assertEqual(bottom[0], 'hit')
+        self.assertLess(bottom[1], -1)
+        for words in ['shots'], ['sight'], ['walk', 'walk']: self.assertEqual(meet(DEPOT, *words), bottom, words)
+        self.write('q.csv', HEADER + ROW)
+        for word in 'walk', 'shots', 'sight', 'liquid':                        # faces of an .obj stop everything
+            self.assertEqual(meet('box.obj', word)[0], 'hit')
+        for bad in ['water', 'Walk', 'walk,', ',walk', 'walk, liquid', 'walk;sight']:
+            self.refuse('cast', 'box.obj', '--queries', 'q.csv', '-o', 'x.csv', '--meets', bad,
+                        says=['--meets: ', ' is none of walk, shots, sight, liquid'])
+        text = self.firma('cast', '--help')
+        for word in 'walk', 'shots', 'sight', 'liquid': self.assertRegex(text, r'(?m)^  %s  +\S' % word)
+
+    def test_glass_and_clips(self):
+        walls = {'glass': ['walk', 'shots'], 'clip': ['walk'], 'weapclip': ['shots'], 'sky1': ['walk', 'shots', 'sight']}
+        self.write('q.csv', HEADER + '0,0.5,0.5,5,0,0,0\n')
+        for texture, stopped in walls.items():
+            self.write('wall.map', '{\n"classname" "worldspawn"\n' + brush((64, 0, 0), (80, 32, 32), texture) + '}\n')
+            for word in 'walk', 'shots', 'sight', 'liquid':
+                report = self.firma_json('cast', 'wall.map', '--queries', 'q.csv', '-o', 'h.csv', '--meets', word)
+                self.assertEqual(report['hit'], int(word in stopped), (texture, word))
+
+    def test_face_of_a_brush_is_its_side(self):
+        """Counted through the file; a box has six."""
+        self.write('two.map', '{\n"classname" "worldspawn"\n' + brush((64, 0, 0), (80, 32, 32)) + brush((96, 0, 0), (112, 32, 32)) + '}\n')
+        self.write('q.csv', HEADER + '0,0.5,0.5,5,0,0,0\n2.7,0.5,0.5,5,0,0,0\n')
+        self.firma('cast', 'two.map', '--queries', 'q.csv', '-o', 'h.csv')
+        faces = [row['face'] for row in csv.DictReader(io.StringIO(self.read('h.csv').decode()))]
+        self.assertEqual(faces, ['0', '6'])                                    # brush() puts the side at low x first
 
     def test_threads(self):
         number = random.Random(3)

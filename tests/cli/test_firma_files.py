@@ -6,6 +6,7 @@ import os
 import unittest
 
 from harness import FIRST, ROOT, CliTest, obj
+from test_rooms import DEPOT
 
 HEADER = 'x,y,z,radius,shape,seed\n'
 ONE = '35,29,0.2,1.6,rocky,1\n'
@@ -69,7 +70,16 @@ class FirmaFile(CliTest):
     def test_check(self):
         check = self.firma_json('check', self.saved())
         self.assertEqual([check[k] for k in ['sound', 'world_fault', 'solid_fault', 'edits']], [True, None, None, 1])
-        self.assertIn('one.firma: sound; a saved world of', self.firma('check', 'one.firma'))
+        self.assertEqual([check['rooms'], check['portals']], [1, 0])
+        self.assertRegex(self.firma('check', 'one.firma'), r'^one.firma: sound; a saved world of [0-9,]+ faces, 1 room and 0 portals after 1 edit; ')
+        self.refuse('check', 'one.firma', '--pts', 'x.pts', says='--pts: only of levels of brushes')
+
+    def test_check_counts_rooms_and_portals(self):
+        self.carve(DEPOT, '19,8,0,1,rocky,1\n', 'depot.firma')
+        check, info = self.firma_json('check', 'depot.firma'), self.firma_json('info', 'depot.firma')
+        self.assertEqual([check['rooms'], check['portals']], [len(info['rooms']), len(info['portals'])])
+        self.assertGreaterEqual(check['rooms'], 12)
+        self.assertIn(' faces, %d rooms and %d portals after 1 edit; ' % (check['rooms'], check['portals']), self.firma('check', 'depot.firma'))
 
     def test_cast_walk_draw(self):
         self.saved()

@@ -4,7 +4,7 @@ import csv
 import io
 import unittest
 
-from harness import CliTest
+from harness import CliTest, box
 from test_rooms import DEPOT, brush, two_halls
 
 PORTAL = ('{\n"classname" "func_areaportal"\n' + brush((256, 112, 0), (272, 144, 64), 'common/areaportal') + '}\n')
@@ -26,6 +26,21 @@ class Leaks(CliTest):
     def test_a_closed_level_leaks_nowhere(self):
         self.assertIsNone(self.leak(two_halls() + PORTAL, code=0))
         self.assertEqual(self.points(), [])
+
+    def test_an_old_line_does_not_stay(self):
+        for arguments in [], ['--rooms', 'auto']:
+            self.write('halls.map', two_halls())
+            self.write('halls.pts', '1 2 3\n4 5 6\n')
+            self.firma('check', 'halls.map', '--pts', 'halls.pts', *arguments)
+            self.assertEqual(self.read('halls.pts'), b'', arguments)
+        self.assertIn('the file is empty', ' '.join(self.firma('check', '--help').split()))
+
+    def test_bad_pts(self):
+        self.write('halls.map', two_halls())
+        self.write('box.obj', box(4, 4, 4))
+        self.refuse('check', 'halls.map', '--pts', 'halls.map', says='is an input as well')
+        for out in '-', '/dev/stdout': self.refuse('check', 'halls.map', '--pts', out, says='--pts: ')
+        self.refuse('check', 'box.obj', '--pts', 'x.pts', says='--pts: only of levels of brushes')
 
     def test_a_missing_roof(self):
         leak = self.leak(two_halls(roof=False))
@@ -55,6 +70,7 @@ class Leaks(CliTest):
         text = two_halls(roof=False).replace('info_player_start', 'light')
         self.assertEqual(self.leak(text)['entity'], 1)
         self.assertIsNone(self.leak(text[:text.rindex('{')], code=0), 'nothing says where the inside is')
+        self.assertIn('in a level that has none, from any entity with an origin', ' '.join(self.firma('check', '--help').split()))
 
     def test_a_crack_too_narrow_to_be_shown(self):
         text = two_halls().replace(brush((-16, -16, 128), (544, 272, 144)), brush((-16, -16, 128), (400, 272, 144)) +

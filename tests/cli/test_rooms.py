@@ -51,7 +51,9 @@ class RoomsAuto(CliTest):
         self.assertEqual((portal['bounds']['low'][1:], portal['bounds']['high'][1:]), ([3.5, 0], [4.5, 2]))
         self.assertEqual((divided['divided']['portals'], divided['divided']['idle']), (1, 0))
         self.assertGreater(divided['divided']['cells'], 100)
-        self.assertEqual(divided['brushes']['portal'], 1)
+        self.assertEqual(divided['brushes'], plain['brushes'])                 # those of the file
+        self.assertEqual((divided['brushes']['portal'], divided['brushes']['total']), (0, 9))
+        self.assertRegex(self.firma('info', 'halls.map', '--rooms', 'auto'), r'brushes +9 \(9 solid\)')
         self.assertEqual(divided['solid'], plain['solid'] | {'faces': divided['solid']['faces']})
         self.assertIn('1 portal added', self.firma('info', 'halls.map', '--rooms', 'auto'))
         self.assertNotIn('divided', self.firma('info', 'halls.map'))
@@ -59,6 +61,10 @@ class RoomsAuto(CliTest):
     def test_check(self):
         report = self.firma_json('check', 'halls.map', '--rooms', 'auto')
         self.assertEqual((report['sound'], report['rooms'], report['portals'], report['leak']), (True, 3, 1, None))
+        self.assertEqual(report['brushes'], 9)
+        self.assertIn('sound; 9 brushes, ', self.firma('check', 'halls.map', '--rooms', 'auto'))
+        self.write('one.map', '{\n"classname" "worldspawn"\n' + brush((0, 0, 0), (64, 64, 64)) + '}\n')
+        self.assertIn('sound; 1 brush, ', self.firma('check', 'one.map'))
         # Half the roof is missing: the player's hall has a roof, but the way out leads through an added portal.
         self.write('open.map', two_halls(roof=False))
         for arguments in [], ['--rooms', 'auto']:
@@ -135,7 +141,8 @@ class RoomsAuto(CliTest):
             self.refuse('info', '--rooms', level, says=['--rooms', 'is auto or not given'])
             self.refuse('draw', level, '--rooms', 'auto', '-o', 'x.svg', says=['--rooms', 'brushes'])
         self.refuse('info', 'halls.map', '--rooms', 'many', says=['--rooms', 'many'])
-        self.refuse('info', 'halls.map', '--rooms', says='--rooms')
+        self.refuse('info', 'halls.map', '--rooms', says='info: --rooms: wants a value: auto (firma info --help tells more)')
+        self.refuse('info', 'halls.map', '--scale', says='info: --scale: wants a value: S (')
         self.refuse('draw', 'halls.map', '--rooms=many', '-o', 'x.svg', says=['--rooms', 'many'])
 
 
