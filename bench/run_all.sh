@@ -4,7 +4,7 @@
 #
 #   bench/run_all.sh [name ...]        only these: article_formulas boxes edges first_level inside pieces stop_distance
 #                                      subdivision tree carve carve_allocations carve_cgal carve_rebuild carved_casts
-#                                      versions save store peers openarena node
+#                                      versions levels save store peers openarena node
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
