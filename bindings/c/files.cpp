@@ -7,6 +7,7 @@
 #include "bindings/c/objects.h"
 #include "firma/brush_world.h"
 #include "firma/save.h"
+#include "level/read_file.h"
 
 namespace firma::c {
 namespace {
@@ -39,7 +40,8 @@ firma_code load(const char* path, const firma_world_options* options, firma_worl
     WorldOptions made;
     ReadOptions read;
     if (const firma_code code = read_options(options, made, read, function)) return code;
-    if (std::string_view(path).ends_with(".map")) {
+    const Result<LevelFormat> format = level_format(path);
+    if (format && format.value() != LevelFormat::kObj) {
         const Result<BrushLevel> brushes = read_brush_level(path, read);
         if (!brushes) return fail(brushes.error());
         return give_world(make_world(brushes.value(), made), world, function);

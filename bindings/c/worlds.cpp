@@ -156,10 +156,23 @@ firma_code firma_world_from_bsp(const void* data, size_t length, const char* nam
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
         return from_bytes(data, length, options, world, function, [&](const ReadOptions& read) {
+            return read_bsp_brushes({static_cast<const std::byte*>(data), length}, text_of(name), read);
+        });
+    });
+}
+
+#if !defined(__wasm__)
+
+firma_code firma_world_from_bsp_surfaces(const void* data, size_t length, const char* name,
+                                         const firma_world_options* options, firma_world* world) {
+    return guarded(__func__, [&, function = __func__] {
+        return from_bytes(data, length, options, world, function, [&](const ReadOptions& read) {
             return read_bsp({static_cast<const std::byte*>(data), length}, text_of(name), read);
         });
     });
 }
+
+#endif
 
 firma_code firma_world_from_map(const char* text, size_t length, const char* name, const firma_world_options* options,
                                 firma_world* world) {

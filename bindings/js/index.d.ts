@@ -70,7 +70,7 @@ export interface Firma {
 
     /** A Wavefront .obj file, as a string or its bytes. Closed pieces can be carved, other faces only cast against. */
     worldFromObj(file: string | Bytes, options?: WorldOptions): World;
-    /** A Quake III .bsp file. */
+    /** A Quake III .bsp file (version 46): its brushes, as of a .map. */
     worldFromBsp(file: Bytes, options?: WorldOptions): World;
     /**
      * A Quake .map file, as a string or its bytes: brushes become one solid, the air rooms, divided by the portals that

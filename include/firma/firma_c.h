@@ -154,12 +154,17 @@ FIRMA_API firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* n
                                            firma_world* world);
 FIRMA_API firma_code firma_world_from_obj(const char* text, size_t length, const char* name,
                                           const firma_world_options* options, firma_world* world);
+/* A Quake .map, a Quake 3 .bsp (version 46): the brushes become one solid, the air rooms, divided by the portals.
+ * docs/rooms.md, docs/formats.md. */
 FIRMA_API firma_code firma_world_from_bsp(const void* data, size_t length, const char* name,
                                           const firma_world_options* options, firma_world* world);
-/* A Quake .map: its brushes become one solid, its air rooms, divided by its portals. docs/rooms.md, docs/formats.md. */
 FIRMA_API firma_code firma_world_from_map(const char* text, size_t length, const char* name,
                                           const firma_world_options* options, firma_world* world);
-/* A file by its ending: .obj, .bsp, .map, or .firma (`options` must then be null: the file has its own). */
+/* Of a .bsp the surfaces that are drawn: one room, seldom a closed piece. Not in the module for browsers and node. */
+FIRMA_API firma_code firma_world_from_bsp_surfaces(const void* data, size_t length, const char* name,
+                                                   const firma_world_options* options, firma_world* world);
+/* A file by its ending: .obj, .bsp (its brushes), .map, or .firma (`options` must then be null: the file has its own).
+ */
 FIRMA_API firma_code firma_world_load(const char* path, const firma_world_options* options, firma_world* world);
 
 /* A .firma file, written aside, flushed and renamed. `exact` 0 leaves the exact part out: the world read back can be

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Levels of brushes, their rooms and portals, doors, and casts by room. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "tests/c/check.h"
 
@@ -218,6 +219,34 @@ static void test_casts_by_room(firma_world world) {
     CHECK_FAILS(firma_cast(world, &through, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "array");
 }
 
+/* kaos2 of OpenArena, where FIRMA_OPENARENA names the folder that it is in. */
+static void test_bsp(void) {
+    const char* const folder = getenv("FIRMA_OPENARENA");
+    char path[1000];
+    if (!folder || (size_t)snprintf(path, sizeof path, "%s/kaos2.bsp", folder) >= sizeof path) return;
+    FILE* const file = fopen(path, "rb");
+    if (!file) return;
+    static char bytes[8 << 20];
+    const size_t length = fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    firma_world brushes = {0}, surfaces = {0}, loaded = {0};
+    firma_world_facts facts;
+    uint64_t hash = 0, hash_loaded = 0;
+    CHECK_OK(firma_world_from_bsp(bytes, length, "kaos2.bsp", NULL, &brushes));
+    CHECK_OK(firma_world_get_facts(brushes, &facts));
+    CHECK(facts.room_count > 30 && facts.portal_count > 30);
+    CHECK_OK(firma_world_load(path, NULL, &loaded));
+    CHECK_OK(firma_world_hash(brushes, &hash));
+    CHECK_OK(firma_world_hash(loaded, &hash_loaded));
+    CHECK(hash == hash_loaded);
+    CHECK_OK(firma_world_from_bsp_surfaces(bytes, length, "kaos2.bsp", NULL, &surfaces));
+    CHECK_OK(firma_world_get_facts(surfaces, &facts));
+    CHECK(facts.room_count == 1 && facts.portal_count == 0);
+    CHECK_OK(firma_world_release(brushes));
+    CHECK_OK(firma_world_release(surfaces));
+    CHECK_OK(firma_world_release(loaded));
+}
+
 static void test_rooms_in_files(const char* folder) {
     char path[1024];
     snprintf(path, sizeof path, "%s/test_c_api.map", folder);
@@ -233,6 +262,7 @@ static void test_rooms_in_files(const char* folder) {
 
 void test_rooms(const char* folder) {
     test_map();
+    test_bsp();
     const firma_world world = make_rooms();
     test_locate(world);
     test_rooms_and_portals(world);

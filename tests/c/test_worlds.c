@@ -78,6 +78,7 @@ static void test_obj(void) {
     CHECK_FAILS(firma_world_from_obj("v 1 2 x\n", 8, "bad.obj", NULL, &world), FIRMA_ERROR_MALFORMED, "bad.obj:1");
     CHECK_FAILS(firma_world_from_obj(NULL, 8, "bad.obj", NULL, &world), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_world_from_bsp("IBSP", 4, "cut.bsp", NULL, &world), FIRMA_ERROR_MALFORMED, "cut.bsp");
+    CHECK_FAILS(firma_world_from_bsp_surfaces("IBSP", 4, "cut.bsp", NULL, &world), FIRMA_ERROR_MALFORMED, "cut.bsp");
     CHECK_OK(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, NULL, NULL, &world));
     const char* name = NULL;
     CHECK_OK(firma_world_material(world, 1, &name));
