@@ -14,10 +14,13 @@ tools/build_playground.sh
 log=$PWD/build/test_playground.log
 quietly() { "$@" >"$log" 2>&1 || { grep -v '^ok ' "$log" | tail -n 100 >&2; return 1; }; }
 
-launcher=()
-command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-quietly cmake --preset release "${launcher[@]}"
-quietly cmake --build --preset release --target firma_cli
+# FIRMA: a command line that is built already.
+if [ -z "${FIRMA:-}" ]; then
+    launcher=()
+    command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    quietly cmake --preset release "${launcher[@]}"
+    quietly cmake --build --preset release --target firma_cli
+fi
 
 cd playground
 quietly node --test --test-concurrency=1 --test-reporter=tap test/*.test.mjs

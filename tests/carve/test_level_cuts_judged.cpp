@@ -64,6 +64,7 @@ TEST(LevelCuts, InTheDepotHoldEveryInvariant) {
 TEST(LevelCuts, InFiveMapsOfOpenArenaHoldEveryInvariant) {
     const std::vector<std::filesystem::path> maps = openarena_maps();
     if (maps.empty()) GTEST_SKIP() << kNoOpenArena;
+    std::size_t next_kind = 0;
     for (const std::string name : std::span(kRoomMaps).first(kCarvedMaps)) {
         const auto path = std::find_if(maps.begin(), maps.end(), [&](const auto& it) { return it.stem() == name; });
         ASSERT_NE(path, maps.end()) << name;
@@ -71,13 +72,15 @@ TEST(LevelCuts, InFiveMapsOfOpenArenaHoldEveryInvariant) {
         reference::JudgeOptions options = kSample;
         options.most_cuts = 2;
         std::size_t done = 0;
-        for (std::size_t kind = 0; kind < scenes::kLevelCutNames.size(); ++kind) {
+        // Three kinds a map: in five maps each kind once at least.
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t kind = next_kind++ % scenes::kLevelCutNames.size();
             SCOPED_TRACE(name + " " + std::string(scenes::kLevelCutNames[kind]));
             const reference::CutTally tally = judge_kind(map, kind, options);
             expect_holds(tally);
             done += tally.done;
         }
-        EXPECT_GE(done, scenes::kLevelCutNames.size()) << name;
+        EXPECT_GE(done, 3u) << name;
     }
 }
 
