@@ -125,7 +125,8 @@ struct Gather {
         return path_box_meets(query, bin.box);
     }
     bool still(double) const { return true; }
-    bool faces(const Block& block, std::uint32_t first, std::uint32_t count) {
+    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
+        const Block& block = as_block(facets);
         for (std::uint32_t slot = first; slot < first + count; ++slot) spots.push_back({&block, slot});
         return false;
     }
@@ -139,8 +140,8 @@ struct Setup {
     std::size_t tests = 0;
 
     Setup(const Level& level, const std::vector<CastQuery>& moves) : world(world_of(level)), boxes(level.faces.size()) {
-        const Block& root = *world.data().rooms[0]->tree;
-        for_each_face_block(root, [&](const Block& block) {
+        const Node& root = *world.data().cells.room(0).tree;
+        for_each_block(root, [&](const Block& block) {
             for (const FaceRecord& face : block.faces) {
                 const CornerBox box(block, face);  // grid coordinates of these scenes fit a float
                 for (int axis = 0; axis < 3; ++axis) {
@@ -153,7 +154,7 @@ struct Setup {
         spots.resize(queries.size());
         for (std::size_t k = 0; k < queries.size(); ++k) {
             Gather gather{queries[k], spots[k]};
-            visit(root, gather);
+            traverse(root, gather);
             tests += spots[k].size();
         }
     }

@@ -8,8 +8,6 @@
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
-#include "tree/append_faces.h"
-#include "tree/build_blocks.h"
 #include "world/world_data.h"
 
 namespace firma::bench {
@@ -20,13 +18,7 @@ using scenes::CastRange;
 
 /// The same facets in a tree built over all of them.
 World rebuilt(const World& world) {
-    FaceSet faces;
-    append_all_faces(*world.data().rooms[0]->tree, faces);
-    const auto data = std::make_shared<WorldData>(world.data());
-    Ref<Room> room(new Room);
-    room->tree = build_blocks(faces, data->tree_options);
-    data->rooms[0] = Ref<const Room>(room.get());
-    return World(data);
+    return rebuild_index(world, world.data().tree_options);
 }
 
 CastQuery cast_from(const Vec3& start, const CastRange& range, scenes::Rng& rng) {

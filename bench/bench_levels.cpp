@@ -15,9 +15,9 @@
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
-#include "tree/append_faces.h"
-#include "tree/build_blocks.h"
-#include "world/world_data.h"
+#include "solid/append_faces.h"
+#include "solid/build_blocks.h"
+#include "world/assemble_world.h"
 
 namespace firma::bench {
 namespace {
@@ -75,18 +75,26 @@ std::vector<OfLevel> join_all(const Settings& settings, Table& table) {
 
 /// The same faces in one tree.
 World as_one_room(const World& world) {
-    FaceSet faces;
-    for (const Ref<const Room>& room : world.data().rooms)
-        if (room->tree) append_all_faces(*room->tree, faces);
-    const auto data = std::make_shared<WorldData>(world.data());
-    Ref<Room> room(new Room);
-    room->tree = build_blocks(faces, data->tree_options);
-    data->rooms.assign(1, Ref<const Room>(room.get()));
-    data->room_records = nullptr;
-    data->portals = nullptr;
-    data->closed = nullptr;
-    data->room_boxes = nullptr;
-    return World(data);
+    const WorldData& data = world.data();
+    StoredWorld one;
+    const auto in_one = [&](const FaceStore& store) {
+        FaceSet faces;
+        if (store.root) append_all_faces(*store.root, faces);
+        for (FaceSet::Entry& face : faces.faces) face.part = 0;
+        return build_store(faces, data.tree_options);
+    };
+    one.solid = in_one(data.solid.data().faces);
+    one.castable = in_one(data.castable);
+    one.records.resize(1);
+    one.rock_outside = data.rock_outside();
+    one.next_face = data.next_face();
+    one.edits = data.edits();
+    one.version = data.version;
+    one.materials = data.materials;
+    one.tolerance = data.tolerance;
+    one.tree_options = data.tree_options;
+    one.rules = data.rules;
+    return world_of(std::move(one));
 }
 
 struct Move {
@@ -179,8 +187,9 @@ void race_changes(const OfLevel& of, const Settings& settings, Table& table) {
         return [&shots, &world, rooms] {
             for (const Shot& shot : shots) {
                 FaceSet faces;
-                append_all_faces(*world.data().rooms[rooms ? shot.room : 0]->tree, faces);
-                keep(build_blocks(faces, world.data().tree_options)->faces_below);
+                append_all_faces(*world.data().cells.room(rooms ? shot.room : 0).tree, faces);
+                for (FaceSet::Entry& face : faces.faces) face.part = 0;
+                keep(build_blocks(faces, world.data().tree_options)[0].root->facets_below);
             }
         };
     };

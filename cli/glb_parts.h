@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "firma/world.h"
-#include "tree/block.h"
-#include "tree/visit.h"
+#include "solid/block.h"
 #include "world/world_data.h"
 
 namespace firma::cli {
@@ -65,15 +64,12 @@ std::string glb_name(std::string_view name);
 /// A colour for a name, the same everywhere: red, green, blue, linear. Grey for "".
 std::array<double, 3> colour_of(std::string_view name);
 
-/// Calls function(block, record) for each face, in the order of the trees.
+/// Calls function(block, record) for each face, block by block.
 template <class Function>
 void for_each_record(const World& world, const Function& function) {
-    for (const Ref<const Room>& room : world.data().rooms) {
-        if (!room->tree) continue;
-        for_each_face_block(*room->tree, [&](const Block& block) {
-            for (const FaceRecord& record : block.faces) function(block, record);
-        });
-    }
+    for_each_block_of(world.data(), [&](const Block& block) {
+        for (const FaceRecord& record : block.faces) function(block, record);
+    });
 }
 
 }  // namespace firma::cli

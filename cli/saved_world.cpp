@@ -15,7 +15,6 @@
 #include "cli/verb.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
-#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma::cli {
@@ -30,16 +29,13 @@ struct FaceCounts {
 
 FaceCounts count_faces(const World& world) {
     FaceCounts counts;
-    for (const Ref<const Room>& room : world.data().rooms) {
-        if (!room->tree) continue;
-        for_each_face_block(*room->tree, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) {
-                ++counts.total;
-                counts.solid += face.solid;
-                counts.exact += face.owner != kNoOwner;
-            }
-        });
-    }
+    for_each_block_of(world.data(), [&](const Block& block) {
+        for (const FaceRecord& face : block.faces) {
+            ++counts.total;
+            counts.solid += face.solid;
+            counts.exact += face.owner != kNoOwner;
+        }
+    });
     return counts;
 }
 
@@ -71,7 +67,7 @@ std::string info_json(const LoadedLevel& loaded) {
     json.add("level", loaded.level.name);
     json.add("bytes", file_bytes(loaded));
     json.add("version", data.version);
-    json.add("edits", data.edits);
+    json.add("edits", data.edits());
     json.add("exact", counts.solid > 0);
     json.open_object("faces");
     json.add("total", counts.total);
@@ -98,7 +94,7 @@ std::string info_text(const LoadedLevel& loaded) {
     const double faces = double(std::max<std::size_t>(counts.total, 1));
     std::string text = info_row("saved world", loaded.level.name);
     text += info_row("file", fmt::format("{}, {:.0f} bytes a face", bytes_text(bytes), double(bytes) / faces));
-    text += info_row("version", fmt::format("{}, after {} edits", grouped(data.version), grouped(data.edits)));
+    text += info_row("version", fmt::format("{}, after {} edits", grouped(data.version), grouped(data.edits())));
     text += info_row("faces", grouped(counts.total));
     text +=
         info_row("exact part", counts.solid == 0 ? "none: it can be cast against, not carved"
@@ -130,8 +126,8 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
         print(text + fmt::format("{}: {}; a saved world of {}, {} and {} after {}; {} of the faces bound solids{}\n",
                                  loaded.level.name, fault || solid ? "faulty" : "sound", counted(counts.total, "face"),
                                  counted(world.room_count(), "room"), counted(portal_count(world), "portal"),
-                                 counted(world.data().edits, "edit"), grouped(counts.solid),
-                                 world.data().rock_outside ? ", rock outside" : ""));
+                                 counted(world.data().edits(), "edit"), grouped(counts.solid),
+                                 world.data().rock_outside() ? ", rock outside" : ""));
         return fault || solid ? 1 : 0;
     }
     JsonWriter json;
@@ -151,9 +147,9 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
     add("solid_fault", solid);
     json.add("solid_faces", counts.solid);
     json.add("exact_faces", counts.exact);
-    json.add("rock_outside", world.data().rock_outside);
+    json.add("rock_outside", world.data().rock_outside());
     json.add("version", world.data().version);
-    json.add("edits", world.data().edits);
+    json.add("edits", world.data().edits());
     json.close();
     print(json.text());
     return fault || solid ? 1 : 0;

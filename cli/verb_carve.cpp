@@ -23,7 +23,6 @@
 #include "cli/write_glb.h"
 #include "firma/save.h"
 #include "firma/write_obj.h"
-#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma::cli {
@@ -110,14 +109,7 @@ const char* status_name(CarveStatus status) {
 
 /// Faces that blasts pass by.
 std::size_t castable_only(const World& world) {
-    std::size_t count = 0;
-    for (const Ref<const Room>& room : world.data().rooms) {
-        if (!room->tree) continue;
-        for_each_face_block(*room->tree, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) count += !face.solid;
-        });
-    }
-    return count;
+    return world.data().castable.count;
 }
 
 std::string hash_text(const World& world) {

@@ -170,7 +170,7 @@ tinygltf::Model describe(const World& world, const GlbParts& parts, const std::v
     model.asset.generator = "Firma " FIRMA_VERSION;
     model.asset.extras = tinygltf::Value(tinygltf::Value::Object{
         {"version", number_value(world.version())},
-        {"edits", number_value(world.data().edits)},
+        {"edits", number_value(world.data().edits())},
         {"hash", tinygltf::Value(fmt::format("{:016x}", hash_world(world)))},
     });
     model.scenes.emplace_back();

@@ -7,7 +7,7 @@
 
 #include "firma/rooms.h"
 #include "join/portal_cutter.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma::gltf {
 namespace {

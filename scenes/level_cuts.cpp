@@ -3,7 +3,6 @@
 #include "scenes/level_cuts.h"
 
 #include "firma/rooms.h"
-#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma::scenes {
@@ -15,8 +14,8 @@ const CutFamily& family(std::string_view name) {
     return cut_families()[0];
 }
 
-void add_faces(const Block& tree, Level& level) {
-    for_each_face_block(tree, [&](const Block& block) {
+void add_faces(const Node& tree, Level& level) {
+    for_each_block(tree, [&](const Block& block) {
         for (const FaceRecord& face : block.faces) {
             if (!face.solid) continue;
             LevelFace& added = level.faces.emplace_back();
@@ -64,7 +63,7 @@ void repeat(std::vector<CutOrder>& cuts, Rng& rng) {
 CutPlaces cut_places(const World& world) {
     CutPlaces places;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
-        if (const Block* tree = world.data().rooms[room]->tree.get())
+        if (const Node* tree = world.data().cells.room(room).tree.get())
             add_faces(*tree, room_info(world, {room}).exterior ? places.outside : places.inside);
     if (places.inside.faces.empty()) places.inside = places.outside;
     if (places.outside.faces.empty()) places.outside = places.inside;

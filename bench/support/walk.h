@@ -6,8 +6,8 @@
 #include "firma/level.h"
 #include "firma/world.h"
 #include "scenes/cast_range.h"
-#include "tree/sweep_box.h"
-#include "tree/visit.h"
+#include "index/sweep_box.h"
+#include "index/traverse.h"
 #include "world/block_faces.h"
 #include "world/world_data.h"
 
@@ -37,7 +37,8 @@ public:
 
     bool enter(const Bin& bin, double& nearest) { return boxes_.enters(bin.box, first.latest, nearest); }
     bool still(double nearest) const { return nearest <= first.latest; }
-    bool faces(const Block& block, std::uint32_t from, std::uint32_t count) {
+    bool facets(const IndexedFacets& facets, std::uint32_t from, std::uint32_t count) {
+        const Block& block = as_block(facets);
         for (std::uint32_t slot = from; slot < from + count; ++slot) test_.face(block, slot, boxes_, first);
         return false;
     }
@@ -56,7 +57,7 @@ First walk(const World& world, const scenes::CastQuery& move, Test& test) {
     if (make_sweep(move.sphere, move.path, sweep) != Status::kHit) return {};
     test.begin(sweep);
     Walk<Test> walk(sweep, test);
-    visit(*world.data().rooms[0]->tree, walk);
+    traverse(*world.data().cells.room(0).tree, walk);
     return walk.first;
 }
 

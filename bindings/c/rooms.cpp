@@ -81,16 +81,13 @@ firma_code firma_world_room(firma_world world, uint32_t room, firma_room* out) {
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_room(object->world, room, function)) return code;
         const RoomInfo info = room_info(object->world, {room});
-        const WorldData& data = object->world.data();
+        const RoomRecord& record = *object->world.data().cells.room(room).record;
         *out = {};
         put_box(info.bounds, out->low, out->high);
         out->face_count = info.faces;
-        out->name = data.room_records ? (*data.room_records)[room].name.c_str() : "";
-        if (data.portals) {
-            const auto portals = data.portals->portals_of(room);
-            out->portals = portals.data();
-            out->portal_count = portals.size();
-        }
+        out->name = record.name.c_str();
+        out->portals = record.portals.data();
+        out->portal_count = record.portals.size();
         out->exterior = info.exterior;
         out->part_of = info.part_of.value;
         return FIRMA_OK;
@@ -106,7 +103,7 @@ firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* 
         const PortalInfo info = portal_info(object->world, {portal});
         *out = {};
         put_box(info.bounds, out->low, out->high);
-        out->name = object->world.data().portals->portals()[portal].name.c_str();
+        out->name = object->world.data().cells.portal(portal).name.c_str();
         for (std::size_t k = 0; k < 2; ++k) out->rooms[k] = info.rooms[k].value;
         out->material = info.material;
         out->mask = info.mask;

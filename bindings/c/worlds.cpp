@@ -209,7 +209,7 @@ firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts) {
         put(bounds.high, facts->high);
         facts->skin = w.tolerance().skin;
         facts->material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
-        facts->edits = w.data().edits;
+        facts->edits = w.data().edits();
         return FIRMA_OK;
     });
 }

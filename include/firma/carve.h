@@ -11,6 +11,7 @@
 
 #include "firma/cutter.h"
 #include "firma/result.h"
+#include "firma/solid.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -55,6 +56,29 @@ struct CarveResult {
 
     bool done() const { return status == CarveStatus::kDone; }
 };
+
+/// What became of a solid.
+struct SolidResult {
+    CarveStatus status = CarveStatus::kRefused;
+    Solid solid;              ///< after the edit; the one before unless kDone
+    Error error;              ///< for kRefused
+    CarveReport report;       ///< as of a world
+    std::string reproduction;  ///< as in CarveResult
+
+    bool done() const { return status == CarveStatus::kDone; }
+};
+
+struct SolidCutOptions {
+    std::uint32_t material = 0;         ///< of the faces that the cutter leaves
+    const CarveRules* rules = nullptr;  ///< null: none
+};
+
+/// Takes a placed cutter away from a solid, by the rules of carve(): the faces of the result are those that a world
+/// around the solid would have. Costs what the cut costs.
+SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options = {});
+
+/// Adds a placed cutter to a solid, by the same rules.
+SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options = {});
 
 struct CarveOptions {
     /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.

@@ -57,10 +57,12 @@ struct PortalId {
     friend auto operator<=>(PortalId, PortalId) = default;
 };
 
-/// Finds a face quickly, in one version of a World only.
+/// Finds a face quickly, in the version of a World that it came from, or any other in which the face has not moved.
 struct FaceRef {
-    const void* block = nullptr;
+    const void* block = nullptr;  ///< where the face was kept: compared, never followed
     std::uint32_t slot = 0;
+    FaceId id;
+    std::array<std::int32_t, 3> at{};  ///< a corner of it, surface steps: where to look
     bool valid() const { return block != nullptr; }
     friend bool operator==(const FaceRef&, const FaceRef&) = default;
 };

@@ -91,7 +91,7 @@ std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///
 /// @return the world with this one change, one version on, sharing all else; the same world when nothing changes. Costs
-///         a byte a portal and a reference a room
+///         a few small copies, however many portals there are
 World set_portal_open(const World& world, PortalId portal, bool open);
 
 }  // namespace firma

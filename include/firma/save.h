@@ -19,13 +19,16 @@ struct SaveOptions {
     /// cast against, not carved: no face of it is `solid`, in_solid() finds no rock, and a hit's `face_normal` is the
     /// facet's own.
     bool exact = true;
+    /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without,
+    /// worlds of equal hashes make equal bytes.
+    bool index = true;
 };
 
 /// What pack_world() writes and unpack_world() reads; files of older versions stay readable.
-inline constexpr std::uint32_t kFirmaFileVersion = 1;
+inline constexpr std::uint32_t kFirmaFileVersion = 2;
 
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees and
-/// the rules for carving. The same world gives the same bytes on every machine. docs/formats.md has the layout.
+/// the rules for carving. The same world, made the same way, gives the same bytes on every machine. docs/formats.md has the layout.
 std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its

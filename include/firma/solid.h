@@ -1,18 +1,51 @@
 // SPDX-License-Identifier: MIT
-// The exact solid of a world: is it sound, how large is it, is it the same? And what of a level can become one.
+// The exact solid: a value of its own. Is it sound, how large is it, is it the same? And what of a level can become one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "firma/hit.h"
+#include "firma/result.h"
+#include "firma/tree_options.h"
 #include "firma/vec.h"
-#include "firma/world.h"
 
 namespace firma {
+
+struct Level;
+struct SolidData;
+class World;
+
+/// A value: copies are cheap, share everything, and never change. It knows neither rooms nor rules for carving.
+class Solid {
+public:
+    /// Nothing at all is solid.
+    Solid();
+    explicit Solid(std::shared_ptr<const SolidData> data);
+
+    /// Facets: what casts meet of it.
+    std::size_t face_count() const;
+    /// What no face separates from infinity is solid.
+    bool rock_outside() const;
+    /// How many edits made it: faces of the next one say that they come from edit `edits() + 1`.
+    std::uint32_t edits() const;
+    /// Of all faces; empty where there are none.
+    Box bounds() const;
+
+    const SolidData& data() const { return *data_; }
+
+private:
+    std::shared_ptr<const SolidData> data_;
+};
+
+/// The closed pieces of a level, by the rules of level_solidity(); other faces are left out.
+/// @return errors as make_world()
+Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
 
 /// What does not hold of a solid's exact boundary, and where.
 struct SolidFault {
@@ -21,10 +54,10 @@ struct SolidFault {
     Vec3 at;      ///< metres: a corner or an edge's end that shows it
 };
 
-/// The first thing that does not hold of the solid's boundary, or nothing. All faces with Face::solid are looked at:
-/// loops close, an outer one first, the right way around, then holes; every edge is used twice, once each way; vertices
+/// The first thing that does not hold of the solid's boundary, or nothing: loops close, an outer one first, the right way around, then holes; every edge is used twice, once each way; vertices
 /// lie exactly on the planes of their faces and edges; the facets of each face cover it, and all facets together are
 /// closed. Says nothing about where the boundary crosses itself. See check_world() for facets one by one.
+std::optional<SolidFault> check_solid(const Solid& solid);
 std::optional<SolidFault> check_solid(const World& world);
 
 struct SolidMeasures {
@@ -38,13 +71,33 @@ struct SolidMeasures {
     std::size_t facets = 0;  ///< of these
 };
 
-/// Measures all faces with Face::solid. Each number is rounded once or twice, from sums of 100 bits and more.
+/// Measures all faces. Each number is rounded once or twice, from sums of 100 bits and more.
+SolidMeasures measure_solid(const Solid& solid);
 SolidMeasures measure_solid(const World& world);
 
-/// A hash of the exact solid: planes, materials and loops of rounded corners. Equal for equal solids, however they came
-/// about: disjoint edits in any order give the same. Ids, sources, blocks and which faces edits have touched do not
-/// count. The same on every machine.
+/// A hash of the solid's set of points: equal for equal solids, however they came about and however their surface is
+/// divided into faces; disjoint edits in any order give the same. Ids, sources, materials and blocks do not count. The
+/// same on every machine. It is kept as edits go: asking costs nothing.
+std::uint64_t hash_solid(const Solid& solid);
 std::uint64_t hash_solid(const World& world);
+
+/// The same for what lies in one cube of 32 m.
+struct RegionHash {
+    std::array<std::int32_t, 3> region;  ///< its lowest corner / 32 m
+    std::uint64_t faces = 0;             ///< of all that a world's faces are: those whose lowest corner lies there
+    std::uint64_t points = 0;            ///< of the solid's set of points: of its corners there
+    friend bool operator==(const RegionHash&, const RegionHash&) = default;
+};
+
+/// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
+std::vector<RegionHash> hash_regions(const Solid& solid);
+
+/// Whether a point lies in the solid: behind the faces that bound it, whichever the point sees first.
+///
+/// @param point  metres; may lie outside the world
+/// @return nothing when it lies on a face, a number is not finite or too large, or in a fold of the surface that
+///         rounding to the grid made (a few millionths of a metre wide)
+std::optional<bool> in_solid(const Solid& solid, const Vec3& point);
 
 /// Why a piece of a level's surface cannot be carved.
 enum class SolidNoteKind : std::uint8_t {

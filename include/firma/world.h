@@ -14,6 +14,7 @@
 #include "firma/hit.h"
 #include "firma/polygon.h"
 #include "firma/result.h"
+#include "firma/solid.h"
 #include "firma/tolerance.h"
 #include "firma/tree_options.h"
 
@@ -51,13 +52,17 @@ public:
     /// Of all faces; empty for a world without any.
     Box bounds() const;
     const Tolerance& tolerance() const;
+    /// What can be carved: a value of its own.
+    const Solid& solid() const;
     /// "" when there is no such material.
     const std::string& material_name(std::uint32_t material) const;
     /// Of all rooms together.
     TreeStatistics statistics() const;
 
-    /// The face that a hit of this World names. Asking with another World's ref is the caller's mistake.
-    Face face(FaceRef ref) const;
+    /// The face that a hit of this World names. Its id is not valid() when this world has no such face where the ref
+    /// says: it is of another version in which the face was moved or cut, of another world, or of a closed portal. Costs
+    /// a walk to the face and one for each of its edges.
+    Face face(const FaceRef& ref) const;
     /// The same by lasting id, through a search of all faces; nothing when this world has no such face.
     std::optional<Face> find_face(FaceId id) const;
     /// Every face, in order of id.
@@ -78,8 +83,16 @@ struct WorldOptions {
     CarveRules rules{};
 };
 
+/// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit or
+/// hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces have
+/// many corners.
+World rebuild_index(const World& world, const TreeOptions& options);
+
 /// The same world under other rules for carving.
 World with_rules(const World& world, CarveRules rules);
+
+/// A world of one room around a solid.
+World make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
 /// @return kTooLarge beyond 2^31 faces; kInvalid when the skin is negative or not finite, or when a face of the level
@@ -154,17 +167,21 @@ Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& 
 std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY,
                                 std::uint32_t mask = ~0u, RoomId room = kAnyRoom);
 
-/// Whether a point lies in the solid: behind the faces that bound it (Face::solid), whichever the point sees first.
-///
-/// @param point  metres; may lie outside the world
-/// @return nothing when it lies on a face, a number is not finite or too large, or in a fold of the surface that
-///         rounding to the grid made (a few millionths of a metre wide)
+/// in_solid() of the world's solid.
 std::optional<bool> in_solid(const World& world, const Vec3& point);
 
-/// A hash of what the world holds: ids, rooms, portals, doors, trees, exact faces, counters, version; not of the rules
-/// for carving and of the options for trees. Worlds made by equal edits in equal order have equal ones on every
-/// machine; it takes some nanoseconds a face.
+/// A hash of what the world holds: faces with ids, exact forms and rooms, portals, doors, counters, version; not of the
+/// rules for carving, nor of how faces are kept and found. Worlds made by equal edits in equal order have equal ones on
+/// every machine. It is kept as edits go: asking costs a few nanoseconds a material.
 std::uint64_t hash_world(const World& world);
+
+/// Of one room: its faces, name and number. Costs the same.
+/// @param room  below World::room_count(); 0 for others
+std::uint64_t hash_room(const World& world, RoomId room);
+
+/// Of each cube of 32 m with anything in it, in an order that is the same everywhere: so two machines can find where
+/// their worlds differ.
+std::vector<RegionHash> hash_regions(const World& world);
 
 /// A broken invariant, named.
 struct WorldFault {
@@ -173,7 +190,7 @@ struct WorldFault {
 };
 
 /// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin; ids unique. In a world of several rooms also: portals join two
+/// around what they hold; every face in exactly one bin of its room; ids unique; hashes those of the faces. In a world of several rooms also: portals join two
 /// rooms that are there, by polygons as sound as faces; around each room, the directed edges of the solid's faces and
 /// of its portals cancel exactly. Of the exact solid behind the faces see check_solid().
 std::optional<WorldFault> check_world(const World& world);

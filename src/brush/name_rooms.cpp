@@ -14,8 +14,7 @@ namespace {
 
 /// Names the room that an entity stands in.
 /// @return why it does not; empty when it does
-std::string name_room(const World& world, const BrushLevel& level, const Entity& entity,
-                      std::vector<RoomRecord>& records) {
+std::string name_room(const World& world, const BrushLevel& level, const Entity& entity, Cells& cells) {
     const std::string_view name = entity.value("name");
     if (name.empty()) return "it has no name";
     const std::optional<Vec3> place = entity_origin(level, entity);
@@ -23,27 +22,34 @@ std::string name_room(const World& world, const BrushLevel& level, const Entity&
     const Location found = locate(world, *place);
     if (found.kind != Location::Kind::kRoom)
         return found.kind == Location::Kind::kSolid ? "it stands in the solid" : "it stands on a face";
-    RoomRecord& record = records[found.room.value];
-    if (!record.name.empty()) return "the room it stands in has the name '" + std::string(record.name) + "' already";
+    const Room& room = cells.room(found.room.value);
+    RoomRecord record = *room.record;
+    if (!record.name.empty()) return "the room it stands in has the name '" + record.name + "' already";
     record.name = name;
+    Ref<Room> named(new Room);
+    named->record = std::make_shared<const RoomRecord>(std::move(record));
+    named->tree = room.tree;
+    named->faces = room.faces;
+    named->face_hash = room.face_hash;
+    cells.set_room(found.room.value, Ref<const Room>(named.get()));
     return "";
 }
 
 }  // namespace
 
 World name_rooms(const World& world, const BrushLevel& level, std::vector<EntityNote>* notes) {
-    if (!world.data().room_records) return world;
-    std::vector<RoomRecord> records = *world.data().room_records;
+    if (!world.data().cells.known()) return world;
+    Cells cells = world.data().cells;
     bool named = false;
     for (std::uint32_t k = 0; k < level.entities.size(); ++k) {
         if (level.entities[k].value("classname") != "firma_room") continue;
-        std::string why_not = name_room(world, level, level.entities[k], records);
+        std::string why_not = name_room(world, level, level.entities[k], cells);
         named = named || why_not.empty();
         if (notes && !why_not.empty()) notes->push_back({k, std::move(why_not)});
     }
     if (!named) return world;
     auto data = std::make_shared<WorldData>(world.data());
-    data->room_records = std::make_shared<const std::vector<RoomRecord>>(std::move(records));
+    data->cells = std::move(cells);
     return World(std::move(data));
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "carve/triangles_cross.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "carve/pair_budget.h"
 #include "carve/place_cutter.h"
-#include "tree/box_tree.h"
-#include "tree/split_bin.h"
+#include "index/box_tree.h"
+#include "index/split_bin.h"
 
 namespace firma {
 

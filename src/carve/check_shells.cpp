@@ -8,7 +8,7 @@
 #include "base/assert.h"
 #include "carve/check_crossing.h"
 #include "carve/triangles_cross.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 namespace {

@@ -58,16 +58,4 @@ bool takes_something_of(const Cut& cut, std::uint32_t face) {
     return true;
 }
 
-std::uint32_t material_index(const std::vector<std::string>& materials, const std::string& name) {
-    return std::uint32_t(std::find(materials.begin(), materials.end(), name) - materials.begin());
-}
-
-std::shared_ptr<const std::vector<std::string>> with_material(
-    const std::shared_ptr<const std::vector<std::string>>& materials, const std::string& name) {
-    if (material_index(*materials, name) < materials->size()) return materials;
-    auto longer = std::make_shared<std::vector<std::string>>(*materials);
-    longer->push_back(name);
-    return longer;
-}
-
 }  // namespace firma

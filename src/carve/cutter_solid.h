@@ -9,7 +9,7 @@
 #include "carve/place_cutter.h"
 #include "geometry/bevelled_box.h"
 #include "solid/solid_face.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The faces that a cut may touch, taken out of the tree.
+// The faces of a solid that a cut may touch.
 #include "carve/gather.h"
 
 #include "base/fetch_ahead.h"
-#include "tree/box_tree.h"
-#include "tree/rounded_box.h"
+#include "base/sort.h"
+#include "index/box_tree.h"
+#include "index/rounded_box.h"
 
 namespace firma {
 namespace {
@@ -23,9 +24,9 @@ struct Bounds {
 
 /// Calls `function(bin)` for the leaf bins that a box meets, left to right.
 template <class Function>
-void for_each_bin(const Block& block, const Bounds& bounds, const Function& function) {
+void for_each_bin(const Node& node, const Bounds& bounds, const Function& function) {
     const auto below = [&](const auto& self, std::uint32_t index) -> void {
-        const Bin& bin = block.bins[index];
+        const Bin& bin = node.bins[index];
         if (!bounds.meets(bin.box)) return;
         if (bin.is_leaf()) return function(bin);
         self(self, index + 1);
@@ -34,79 +35,111 @@ void for_each_bin(const Block& block, const Bounds& bounds, const Function& func
     below(below, 0);
 }
 
-void fetch_contents_ahead(const Block& block) {
-    const auto fetch = [](const auto& array) { fetch_ahead(array.data(), array.size() * sizeof(array[0])); };
-    fetch(block.bins);
-    fetch(block.children);
-    fetch(block.faces);
-    fetch(block.vertices);
-    fetch(block.corner_vertices);
-    fetch(block.owners);
+template <class Array>
+void fetch_array_ahead(const Array& array) {
+    fetch_ahead(array.data(), array.size() * sizeof(array[0]));
 }
 
-/// The leaf blocks that may have faces in a box, in the tree's order. Level by level, as blocks lie scattered in
-/// memory: those of a level are waited for together.
-std::vector<const Block*> leaf_blocks(const Block& root, const Bounds& bounds) {
-    std::vector<const Block*> blocks{&root}, below;
-    for (bool deeper = root.holds_blocks(); deeper;) {
+void fetch_contents_ahead(const Node& node) {
+    fetch_array_ahead(node.bins);
+    fetch_array_ahead(node.children);
+    if (node.facets) fetch_ahead(node.facets.get(), sizeof(Block));
+}
+
+void fetch_contents_ahead(const Block& block) {
+    fetch_array_ahead(block.faces);
+    fetch_array_ahead(block.vertices);
+    fetch_array_ahead(block.corner_vertices);
+    fetch_array_ahead(block.owners);
+}
+
+/// The leaves that may have faces in a box. Level by level, as nodes lie scattered in memory: those of a level are
+/// waited for together.
+std::vector<const Node*> leaves_near(const Node* root, const Bounds& bounds) {
+    std::vector<const Node*> nodes, below;
+    if (!root) return nodes;
+    nodes.push_back(root);
+    for (bool deeper = !root->is_leaf(); deeper;) {
         deeper = false;
         below.clear();
-        for (const Block* block : blocks) {
-            if (!block->holds_blocks()) {
-                below.push_back(block);
+        for (const Node* node : nodes) {
+            if (node->is_leaf()) {
+                below.push_back(node);
                 continue;
             }
-            for_each_bin(*block, bounds, [&](const Bin& bin) {
-                below.push_back(block->children[bin.first].get());
-                fetch_ahead(below.back(), sizeof(Block));
+            for_each_bin(*node, bounds, [&](const Bin& bin) {
+                below.push_back(node->children[bin.first].get());
+                fetch_ahead(below.back(), sizeof(Node));
             });
         }
-        for (const Block* block : below) {
-            deeper |= block->holds_blocks();
-            fetch_contents_ahead(*block);
+        for (const Node* node : below) {
+            deeper |= !node->is_leaf();
+            fetch_contents_ahead(*node);
         }
-        blocks.swap(below);
+        nodes.swap(below);
     }
-    return blocks;
+    for (const Node* leaf : nodes) fetch_contents_ahead(block_of(*leaf));
+    return nodes;
 }
 
-/// Calls `function(slot, face)` for those faces of a leaf bin that bound solids.
+/// Calls `function(slot, face)` for the faces of a leaf bin.
 template <class Function>
-void for_each_solid(const Block& block, const Bin& bin, const Function& function) {
-    for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot)
-        if (block.faces[slot].solid) function(slot, block.faces[slot]);
+void for_each_face(const Block& block, const Bin& bin, const Function& function) {
+    for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot) function(slot, block.faces[slot]);
+}
+
+void sort_by_id(std::vector<FacetPlace>& facets, std::size_t first) {
+    sort_range(std::span(facets).subspan(first),
+               [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
 }
 
 }  // namespace
 
-void gather_facets(const Block& root, const GridBox& box, std::vector<FacetPlace>& facets) {
+void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets) {
     const Bounds bounds(box);
-    for (const Block* block : leaf_blocks(root, bounds))
-        for_each_bin(*block, bounds, [&](const Bin& bin) {
-            for_each_solid(*block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
-                if (boxes_meet(block->box_of(face), box)) facets.push_back({block, slot});
+    const std::size_t first = facets.size();
+    for (const Node* leaf : leaves_near(root, bounds)) {
+        const Block& block = block_of(*leaf);
+        for_each_bin(*leaf, bounds, [&](const Bin& bin) {
+            for_each_face(block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
+                if (boxes_meet(block.box_of(face), box)) facets.push_back({&block, slot});
             });
         });
+    }
+    sort_by_id(facets, first);
 }
 
-void gather_facets(const Block& root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
+void gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
                    std::vector<FacetPlace>& near, std::vector<FacetPlace>& others) {
     const Bounds bounds(box);
-    for (const Block* block : leaf_blocks(root, bounds))
-        for_each_bin(*block, bounds, [&](const Bin& bin) {
+    const std::size_t first = near.size();
+    for (const Node* leaf : leaves_near(root, bounds)) {
+        const Block& block = block_of(*leaf);
+        for_each_bin(*leaf, bounds, [&](const Bin& bin) {
             const bool clear = bevelled.clear_of(to_grid(bin.box), steps);
-            for_each_solid(*block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
+            for_each_face(block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
                 const auto is_near = [&] {
-                    const GridBox own = block->box_of(face);
-                    const auto corner = [&](std::size_t k) { return block->corner(face, k); };
+                    const GridBox own = block.box_of(face);
+                    const auto corner = [&](std::size_t k) { return block.corner(face, k); };
                     return boxes_meet(own, box) && !bevelled.clear_of(own, face.corner_count, corner, steps);
                 };
                 if (!clear && is_near())
-                    near.push_back({block, slot});
+                    near.push_back({&block, slot});
                 else if (face.owner != kNoOwner)
-                    others.push_back({block, slot});
+                    others.push_back({&block, slot});
             });
         });
+    }
+    sort_by_id(near, first);
+}
+
+void gather_face(const Node* root, const FacetPlace& face, std::vector<FacetPlace>& facets) {
+    const FaceOwner* owner = face.block->owner_of(face.record());
+    if (!owner) return facets.push_back(face);
+    std::vector<FacetPlace> near;
+    gather_facets(root, owner->box, near);
+    for (const FacetPlace& place : near)
+        if (place.block->owner_of(place.record()) == owner) facets.push_back(place);
 }
 
 GridBox grown(const GridBox& box, std::int32_t steps) {

@@ -89,6 +89,7 @@ bool FaceMaker::make(std::uint32_t index) {
     made->normal = unit_normal(plane);
     for (const GridPoint& p : points_) made->box.add(p);
     made->facets = std::uint32_t(facets_.first.size()) - 1;
+    made->set_hash();
     add_facets(face, *made);
     return true;
 }
@@ -111,10 +112,12 @@ void FaceMaker::add_facets(const NewFace& face, const SolidFace& owner) {
         like.material = old.material;
         like.mask = old.mask;
         like.two_sided = old.two_sided;
+        like.part = cut_.patch->faces[face.face].facet.block->part;
     } else {
         like.source = face.triangle;
         like.edit = source_.edit;
         like.material = source_.material;
+        like.part = source_.part;
     }
     like.solid = true;
     like.owner = &owner;

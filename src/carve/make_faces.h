@@ -4,14 +4,18 @@
 
 #include "carve/cut_state.h"
 #include "solid/make_facets.h"
-#include "tree/face_set.h"
+#include "solid/face_set.h"
 
 namespace firma {
 
-/// What faces cut by this edit say of themselves.
+/// The part of faces made of the cutter: whoever knows what parts are says which, before they come into a solid.
+inline constexpr std::uint32_t kUnsetPart = ~0u;
+
+/// What faces made of the cutter say of themselves.
 struct NewSource {
     std::uint32_t edit = 0;
     std::uint32_t material = 0;
+    std::uint32_t part = kUnsetPart;
 };
 
 /// Makes the new faces of a cut, one at a time, in their order.

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/sort.h"
 #include "carve/gather.h"
 #include "carve/polygon_reaches.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 namespace {
@@ -22,8 +23,8 @@ std::pair<int, double> longest_axis(const GridBox& box) {
 
 class Tiler {
 public:
-    Tiler(const WorldData& data, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch)
-        : data_(data), box_(grown(cutter.box, steps)), bevelled_(cutter.bevelled), steps_(steps), patch_(patch) {}
+    Tiler(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch)
+        : root_(root), box_(grown(cutter.box, steps)), bevelled_(cutter.bevelled), steps_(steps), patch_(patch) {}
 
     void tile() {
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face)
@@ -201,9 +202,9 @@ private:
             const PatchEdge& edge = patch_.edges[split_[k]];
             GridBox at;
             at.add(patch_.vertices[patch_.edges[edge.half[0]].vertex[1]].point.rounded());
-            const GridBox around = grown(at, 2);
-            for (const RoomTree& tree : trees_near(data_, around)) gather_facets(*tree.root, around, found);
+            gather_facets(root_, grown(at, 2), found);
         }
+        sort_range(found, [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
         for (const FacetPlace& place : found) patch_.add(place);
     }
 
@@ -224,7 +225,7 @@ private:
         patch_.faces[index].replaced = true;
     }
 
-    const WorldData& data_;
+    const Node* const root_;
     const GridBox box_;
     const BevelledBox& bevelled_;
     const std::int32_t steps_;
@@ -238,8 +239,8 @@ private:
 
 }  // namespace
 
-void tile_faces(const WorldData& data, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch) {
-    Tiler(data, cutter, steps, patch).tile();
+void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch) {
+    Tiler(root, cutter, steps, patch).tile();
 }
 
 void keep_pieces(Cut& cut) {

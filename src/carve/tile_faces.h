@@ -3,7 +3,7 @@
 #pragma once
 
 #include "carve/cut_state.h"
-#include "world/world_data.h"
+#include "solid/block.h"
 
 namespace firma {
 
@@ -14,9 +14,9 @@ inline constexpr double kLargestTile = 8;
 /// faces they are pieces of, and neighbours whose edges are split by it, become `replaced`; pieces name their `parent`.
 /// A face with holes, or one that a plane would cut into more than two, is left whole.
 ///
-/// @param data   the world, where neighbours are looked for
+/// @param root   of an index over the solid, where neighbours are looked for; null for no faces
 /// @param steps  how far the cutter may be moved yet along each axis, surface steps
-void tile_faces(const WorldData& data, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch);
+void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch);
 
 /// Adds to a traced cut what tiling alone makes: replaced faces go, and pieces that the cut left whole come.
 void keep_pieces(Cut& cut);

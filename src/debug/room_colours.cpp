@@ -8,7 +8,6 @@
 #include <cstddef>
 
 #include "firma/masks.h"
-#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma::debug {
@@ -29,8 +28,7 @@ constexpr std::array<Vec3, 11> kHues = {{{0.31, 0.47, 0.66},
                                          {0.48, 0.40, 0.80}}};
 
 bool is_exterior(const World& world, RoomId room) {
-    const auto& records = world.data().room_records;
-    return records && (*records)[room.value].exterior;
+    return world.data().cells.room(room.value).record->exterior;
 }
 
 /// Only who walks meets it.
@@ -43,17 +41,14 @@ bool is_clip(const Face& face) {
 std::vector<RoomId> rooms_of_faces(const World& world, std::span<const Face> faces) {
     std::vector<RoomId> rooms(faces.size());
     const WorldData& data = world.data();
-    for (std::uint32_t room = 0; room < data.rooms.size(); ++room) {
-        const Block* tree = data.rooms[room]->tree.get();
-        if (!tree) continue;
-        for_each_face_block(*tree, [&](const Block& block) {
-            for (const FaceRecord& record : block.faces) {
-                const auto found = std::lower_bound(faces.begin(), faces.end(), record.id,
-                                                    [](const Face& f, FaceId id) { return f.id < id; });
-                if (found != faces.end() && found->id == record.id) rooms[std::size_t(found - faces.begin())] = {room};
-            }
-        });
-    }
+    for_each_block_of(data, [&](const Block& block) {
+        const RoomId room{data.cells.current_room(block.part)};
+        for (const FaceRecord& record : block.faces) {
+            const auto found = std::lower_bound(faces.begin(), faces.end(), record.id,
+                                                [](const Face& f, FaceId id) { return f.id < id; });
+            if (found != faces.end() && found->id == record.id) rooms[std::size_t(found - faces.begin())] = room;
+        }
+    });
     return rooms;
 }
 
@@ -82,15 +77,14 @@ std::string hex_colour(const Vec3& colour) {
 }
 
 std::string room_label(const World& world, RoomId room) {
-    const auto& records = world.data().room_records;
-    const std::string name = records ? (*records)[room.value].name : std::string();
+    const std::string& name = world.data().cells.room(room.value).record->name;
     return std::to_string(room.value) + (name.empty() ? "" : " " + name);
 }
 
 std::size_t count_inner_rooms(const World& world) {
     std::size_t count = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
-        count += world.data().rooms[room]->tree.get() != nullptr && !is_exterior(world, {room});
+        count += world.data().cells.room(room).faces > 0 && !is_exterior(world, {room});
     return count;
 }
 

@@ -9,9 +9,9 @@
 #include "firma/tree_options.h"
 #include "geometry/exact_integer.h"
 #include "geometry/polygon_shape.h"
-#include "tree/build_blocks.h"
-#include "tree/sweep_box.h"
-#include "tree/visit.h"
+#include "index/sweep_box.h"
+#include "index/traverse.h"
+#include "solid/build_blocks.h"
 
 namespace firma {
 namespace {
@@ -68,7 +68,8 @@ struct AllOnLine {
 
     bool enter(const Bin& bin, double& nearest) const { return boxes.enters(bin.box, sweep.end, nearest); }
     bool still(double) const { return true; }
-    bool faces(const Block& in, std::uint32_t first, std::uint32_t count) {
+    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
+        const Block& in = as_block(facets);
         for (std::uint32_t k = first; k < first + count; ++k) {
             Vec3 corners[kMaxCorners];
             const FaceRecord& face = in.faces[k];
@@ -108,7 +109,7 @@ RoomFinder::RoomFinder(std::size_t face_count, std::size_t portal_count, const J
         }
     TreeOptions options;
     options.split = Split::kSurfaceArea;
-    tree_ = build_blocks(set, options);
+    tree_ = BlockBuilder().build(set, options);
 }
 
 /// @param at  where on the line the point lies
@@ -122,7 +123,7 @@ bool RoomFinder::cross_level(const Vec3& through, const Vec3& way, std::vector<C
     if (!tree_) return true;
     std::vector<Touch> touches;
     AllOnLine all{sweep, SweepBox(sweep), touches};
-    visit(*tree_, all);
+    traverse(*tree_, all);
     if (!all.sure) return false;
     for (const Touch& touch : touches) crossings.push_back({touch.t, touch.facet, touch.front});
     std::sort(crossings.begin(), crossings.end(),

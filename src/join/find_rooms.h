@@ -51,7 +51,7 @@ private:
     const bool rock_outside_;
     const JoinFacets& facets_;
     std::vector<std::uint32_t> polygon_of_;  ///< a facet each
-    Ref<const Block> tree_;
+    Ref<const Node> tree_;
 };
 
 }  // namespace firma

@@ -8,7 +8,7 @@
 #include "join/merge_pieces.h"
 #include "join/move_planes.h"
 #include "join/portal_cutter.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 namespace {

@@ -99,6 +99,7 @@ Ref<const SolidFace> JoinFaceMaker::make(std::uint32_t face) {
     const Vec3 normal = plane.direction();
     made->normal = normal * (1 / length(normal));
     made->facets = std::uint32_t(facets_.count(face));
+    made->set_hash();
     return Ref<const SolidFace>(made.get());
 }
 

@@ -8,7 +8,7 @@
 
 #include "join/arrangement.h"
 #include "solid/make_facets.h"
-#include "tree/face_set.h"
+#include "solid/face_set.h"
 
 namespace firma {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "join/merge_pieces.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 

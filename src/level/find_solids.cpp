@@ -54,6 +54,7 @@ private:
         std::vector<Vec3> metres;  // the normal to the bit as a face without an owner has it
         for (const std::uint32_t corner : corners) metres.push_back(to_metres(to_surface(mesh_.points[corner])));
         made->normal = make_shape(metres).unit_normal();
+        made->set_hash();
         return Ref<const SolidFace>(made.get());
     }
 

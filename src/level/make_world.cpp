@@ -7,6 +7,8 @@
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
 #include "level/find_solids.h"
+#include "solid/append_faces.h"
+#include "solid/solid_data.h"
 #include "world/assemble_world.h"
 
 namespace firma {
@@ -56,16 +58,32 @@ FaceSet face_set(const Level& level, const LevelSolids& solids) {
     return set;
 }
 
-}  // namespace
-
-Result<World> make_world(const Level& level, const WorldOptions& options) {
+/// Why a level cannot enter a world or a solid.
+std::optional<Error> refusal(const Level& level) {
     if (level.faces.size() >= (1u << 31) || level.corners.size() > 0xFFFFFFFFu)
         return Error{ErrorCode::kTooLarge, level.name, "a world holds fewer than 2^31 faces"};
-    if (const double skin = options.tolerance.skin; !(skin >= 0) || !std::isfinite(skin))
-        return Error{ErrorCode::kInvalid, level.name, "the skin must be a finite number, not below zero"};
     for (std::size_t k = 0; k < level.faces.size(); ++k)
         if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);
+    return {};
+}
 
+}  // namespace
+
+Result<Solid> make_solid(const Level& level, const TreeOptions& tree) {
+    if (std::optional<Error> error = refusal(level)) return *error;
+    const LevelSolids solids = find_solids(level);
+    const FaceSet all = face_set(level, solids);
+    FaceSet faces;
+    faces.owners = all.owners;
+    for (const FaceSet::Entry& face : all.faces)
+        if (face.solid) append_face(all, face, faces);
+    return solid_of(build_store(faces, tree).store, solids.rock_outside, std::uint32_t(all.faces.size()), 0, tree);
+}
+
+Result<World> make_world(const Level& level, const WorldOptions& options) {
+    if (const double skin = options.tolerance.skin; !(skin >= 0) || !std::isfinite(skin))
+        return Error{ErrorCode::kInvalid, level.name, "the skin must be a finite number, not below zero"};
+    if (std::optional<Error> error = refusal(level)) return *error;
     const LevelSolids solids = find_solids(level);
     WorldParts parts;
     parts.name = level.name;

@@ -11,7 +11,7 @@
 #include "firma/solid.h"
 #include "geometry/polygons_cross.h"
 #include "level/pair_edges.h"
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 namespace firma {
 

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "base/decimal.h"
-#include "tree/block.h"
-#include "tree/visit.h"
+#include "solid/block.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -28,14 +27,11 @@ struct PlacedFace {
 
 std::vector<PlacedFace> faces_by_id(const WorldData& data, ObjFaces which) {
     std::vector<PlacedFace> faces;
-    faces.reserve(data.face_count);
-    for (const Ref<const Room>& room : data.rooms) {
-        if (!room->tree) continue;
-        for_each_face_block(*room->tree, [&](const Block& block) {
-            for (const FaceRecord& record : block.faces)
-                if (record.solid || which == ObjFaces::kAll) faces.push_back({record.id, &block, &record});
-        });
-    }
+    faces.reserve(data.face_count());
+    for_each_block_of(data, [&](const Block& block) {
+        for (const FaceRecord& record : block.faces)
+            if (record.solid || which == ObjFaces::kAll) faces.push_back({record.id, &block, &record});
+    });
     std::sort(faces.begin(), faces.end(), [](const PlacedFace& a, const PlacedFace& b) { return a.id < b.id; });
     return faces;
 }

@@ -50,7 +50,7 @@ public:
                 return fault(section, "reaches beyond the end of the file");
             section.bytes = bytes_.subspan(std::size_t(place), std::size_t(length));
             if (crc32c(section.bytes) != read_u32(entry + 24)) return fault(section, "is damaged: wrong checksum");
-            if (read_u32(entry + 28) != 0) return fault(section, "has an entry in the table that is not of version 1");
+            if (read_u32(entry + 28) != 0) return fault(section, "has an entry in the table that means nothing");
             place += length;
             for (; place % 8 != 0; ++place)
                 if (bytes_[std::size_t(place)] != std::byte(0)) return fault(section, "is followed by no zero");
@@ -71,15 +71,17 @@ private:
     std::optional<Error> check_head() {
         if (!is_firma_file(bytes_)) return fault("it does not begin as a .firma file does");
         if (bytes_.size() < kHeadBytes) return fault("it ends within its head");
-        if (const std::uint32_t version = read_u32(bytes_.data() + 8); version != kFirmaFileVersion)
+        const std::uint32_t version = read_u32(bytes_.data() + 8);
+        if (version < 1 || version > kFirmaFileVersion)
             return Error{ErrorCode::kUnsupported, name_,
-                         "it is of version " + std::to_string(version) + " of the format; this Firma reads version 1"};
+                         "it is of version " + std::to_string(version) +
+                             " of the format; this Firma reads versions 1 and 2"};
         count_ = read_u32(bytes_.data() + 12);
         if (count_ > (bytes_.size() - kHeadBytes) / kTableEntryBytes)
             return fault("it ends within its table of sections");
         if (checksum_of_table(bytes_, count_) != read_u32(bytes_.data() + kChecksumAt))
             return fault("its head or its table of sections is damaged: wrong checksum");
-        if (read_u32(bytes_.data() + 24) != 0) return fault("its head is not of version 1");
+        if (read_u32(bytes_.data() + 24) != 0) return fault("its head is not as a .firma file's");
         if (read_u64(bytes_.data() + 16) != bytes_.size())
             return fault("it is not as long as its head says: cut short, or something was added");
         return {};
@@ -131,6 +133,10 @@ std::vector<std::byte> write_container(std::span<const NewSection> sections) {
 
 Result<std::vector<Section>> read_container(std::span<const std::byte> bytes, const std::string& name) {
     return ContainerReader(bytes, name).read();
+}
+
+std::uint32_t version_of_container(std::span<const std::byte> bytes) {
+    return read_u32(bytes.data() + 8);
 }
 
 bool is_firma_file(std::span<const std::byte> bytes) {

@@ -52,4 +52,7 @@ struct Section {
 ///         checksums
 Result<std::vector<Section>> read_container(std::span<const std::byte> bytes, const std::string& name);
 
+/// Of bytes that read_container() took: 1 to kFirmaFileVersion.
+std::uint32_t version_of_container(std::span<const std::byte> bytes);
+
 }  // namespace firma

@@ -99,6 +99,10 @@ public:
         return {type, {}, size};
     }
 
+    bool has(SectionType type) const {
+        return std::any_of(all_.begin(), all_.end(), [&](const Section& section) { return section.type == type; });
+    }
+
     /// Reports a section that is none of `known` and marked as required: others are passed over.
     void refuse_unknown(std::span<const SectionType> known) {
         for (const Section& section : all_)

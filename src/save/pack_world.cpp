@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// From a world to the bytes of a .firma file: each block once, children before what holds them; each exact face, edge,
-// vertex and plane once, numbered in the order in which blocks lead to them.
+// From a world to the bytes of a .firma file: faces in order of id; each exact face, edge, vertex and plane once,
+// numbered in the order in which faces lead to them; then the index, which may be missing.
+#include <algorithm>
+
 #include "base/flat_map.h"
+#include "base/sort.h"
 #include "firma/save.h"
 #include "save/sections.h"
 #include "solid/solid_face.h"
@@ -29,32 +32,41 @@ private:
     std::vector<const Object*> objects_;
 };
 
+struct PlacedFace {
+    FaceId id;
+    FacetPlace place;
+    std::uint32_t room;
+};
+
 class Packer {
 public:
-    Packer(const World& world, const SaveOptions& options) : data_(world.data()), exact_(options.exact) {}
+    Packer(const World& world, const SaveOptions& options)
+        : data_(world.data()), exact_(options.exact), index_(options.index && options.exact) {}
 
     std::vector<std::byte> pack() {
         pack_data();
         pack_materials();
         if (data_.rules) pack_rules(*data_.rules);
-        pack_rooms();
-        if (data_.room_records) pack_records(*data_.room_records);
-        if (data_.portals) pack_portals(*data_.portals);
+        pack_faces();
+        if (data_.cells.known()) pack_records();
+        if (data_.cells.portal_count() > 0) pack_portals();
         if (exact_) pack_exact();
+        if (index_) pack_index();
         return write_container(sections());
     }
 
 private:
     void pack_data() {
+        const bool portals = data_.cells.portal_count() > 0;
         world_.u64(data_.version);
-        world_.u64(data_.face_count);
-        world_.u32(data_.next_face);
-        world_.u32(data_.edits);
+        world_.u64(data_.face_count());
+        world_.u32(data_.next_face());
+        world_.u32(data_.edits());
         // Without its faces there is no solid, and no end to what would be rock.
-        const bool rock_outside = data_.rock_outside && exact_;
+        const bool rock_outside = data_.rock_outside() && exact_;
         world_.u32((rock_outside ? kRockOutside : 0) | (exact_ ? kExactPart : 0) | (data_.rules ? kHasRules : 0) |
-                   (data_.room_records ? kHasRoomRecords : 0) | (data_.portals ? kHasPortals : 0));
-        world_.u32(std::uint32_t(data_.rooms.size()));
+                   (data_.cells.known() ? kHasRoomRecords : 0) | (portals ? kHasPortals : 0));
+        world_.u32(data_.cells.room_count());
         world_.f64(data_.tolerance.skin);
         world_.u32(std::uint32_t(data_.tree_options.split));
         world_.i32(data_.tree_options.max_depth);
@@ -92,72 +104,114 @@ private:
         for (const char c : text) out.u8(static_cast<unsigned char>(c));
     }
 
-    void pack_rooms() {
-        for (const Ref<const Room>& room : data_.rooms) {
-            const std::size_t before = blocks_.size();
-            if (room->tree) pack_block(*room->tree);
-            rooms_.u32(std::uint32_t((blocks_.size() - before) / kBlockBytes));
+    /// In order of id, so that how faces are kept does not show.
+    void pack_faces() {
+        for_each_block_of(data_, [&](const Block& block) {
+            for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
+                all_.push_back({block.faces[slot].id, {&block, slot}, data_.cells.current_room(block.part)});
+        });
+        sort_range(all_, [](const PlacedFace& a, const PlacedFace& b) { return a.id < b.id; });
+        for (const PlacedFace& face : all_) pack_face(face);
+    }
+
+    void pack_face(const PlacedFace& placed) {
+        const FaceRecord& face = placed.place.record();
+        const auto* owner = static_cast<const SolidFace*>(placed.place.block->owner_of(face));
+        for (const std::uint32_t number : {face.id.value, face.source, face.edit, face.material, face.mask, placed.room})
+            faces_.u32(number);
+        faces_.u32(exact_ && owner ? exact_faces_(owner) : kOwnFace);
+        faces_.u8(face.corner_count);
+        faces_.u8(std::uint8_t((face.two_sided ? kTwoSidedFace : 0) | (face.solid && exact_ ? kSolidFace : 0)));
+        faces_.u16(0);
+        for (std::uint32_t k = 0; k < face.corner_count; ++k)
+            corners_.u32(vertex(placed.place.block->corner(face, k)));
+    }
+
+    /// Numbered in order of first use.
+    std::uint32_t vertex(const GridPoint& point) {
+        const std::uint64_t xy = std::uint64_t(std::uint32_t(point.x)) << 32 | std::uint32_t(point.y);
+        for (std::uint64_t key = mix_bits(xy) + std::uint32_t(point.z);; key = mix_bits(key + 1)) {
+            std::uint32_t& known = number_of_vertex_.at(key);
+            if (known == FlatMap::kNone) {
+                known = std::uint32_t(points_.size());
+                points_.push_back(point);
+                add_point(vertices_, point);
+            }
+            if (points_[known] == point) return known;
         }
     }
 
-    void pack_records(const std::vector<RoomRecord>& records) {
-        for (const RoomRecord& record : records) {
+    void pack_records() {
+        const Cells& cells = data_.cells;
+        for (std::uint32_t room = 0; room < cells.room_count(); ++room) {
+            const RoomRecord& record = *cells.room(room).record;
             records_.u32(std::uint32_t(record.name.size()));
             records_.u32(record.exterior ? kExteriorRoom : 0);
             records_.u32(record.merged_into);
         }
-        for (const RoomRecord& record : records) add_text(records_, record.name);
+        for (std::uint32_t room = 0; room < cells.room_count(); ++room)
+            add_text(records_, cells.room(room).record->name);
     }
 
-    void pack_portals(const PortalSet& portals) {
-        portals_.u32(std::uint32_t(portals.portals().size()));
-        for (std::size_t k = 0; k < portals.portals().size(); ++k) {
-            const Portal& portal = portals.portals()[k];
+    void pack_portals() {
+        const Cells& cells = data_.cells;
+        portals_.u32(cells.portal_count());
+        for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
+            const Portal& portal = cells.portal(k);
             for (const RoomId room : portal.rooms) portals_.u32(room.value);
             portals_.u32(portal.material);
             portals_.u32(portal.mask);
-            portals_.u32(data_.closed && data_.closed->is_closed[k] ? kClosedPortal : 0);
-            portals_.u32(portal.polygon_count);
+            portals_.u32(cells.is_closed(k) ? kClosedPortal : 0);
+            portals_.u32(std::uint32_t(portal.polygons().size()));
             portals_.u32(std::uint32_t(portal.name.size()));
             portals_.u32(0);
-            for (const PortalPolygon& polygon : portals.polygons_of(portal)) {
+            for (const PortalPolygon& polygon : portal.polygons()) {
                 portal_polygons_.u32(std::uint32_t(polygon.corners.size()));
                 for (const GridPoint& corner : polygon.corners) add_point(portal_corners_, corner);
             }
         }
-        for (const Portal& portal : portals.portals()) add_text(portals_, portal.name);
+        for (std::uint32_t k = 0; k < cells.portal_count(); ++k) add_text(portals_, cells.portal(k).name);
     }
 
-    void pack_block(const Block& block) {
-        for (const Ref<const Block>& child : block.children) pack_block(*child);
-        const std::size_t owners = exact_ ? block.owners.size() : 0;
-        for (const std::size_t count : {block.bins.size(), block.children.size(), block.faces.size(),
-                                        block.vertices.size(), block.corner_vertices.size(), owners})
-            blocks_.u16(std::uint16_t(count));
-        for (const Bin& bin : block.bins) {
+    /// Blocks and nodes, each once, children before what holds them.
+    void pack_index() {
+        const SolidData& solid = data_.solid.data();
+        for (const Ref<const Node>* root : {&solid.faces.root, &data_.castable.root}) pack_root(root->get());
+        data_.cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) { pack_root(room->tree.get()); });
+    }
+
+    void pack_root(const Node* root) { roots_.u32(root ? pack_node(*root) : kNothing); }
+
+    std::uint32_t pack_node(const Node& node) {
+        const std::uint32_t known = number_of_node_.find(reinterpret_cast<std::uintptr_t>(&node));
+        if (known != FlatMap::kNone) return known;
+        std::vector<std::uint32_t> children;
+        for (const Ref<const Node>& child : node.children) children.push_back(pack_node(*child));
+        nodes_.u16(std::uint16_t(node.bins.size()));
+        nodes_.u16(std::uint16_t(children.size()));
+        nodes_.u32(node.is_leaf() ? pack_block(block_of(node)) : kNothing);
+        for (const Bin& bin : node.bins) {
             for (const float coordinate : bin.box.low) bins_.f32(coordinate);
             for (const float coordinate : bin.box.high) bins_.f32(coordinate);
             bins_.u32(bin.first);
             bins_.u32(bin.count);
         }
-        for (const FaceRecord& face : block.faces) pack_face(face);
-        for (const GridPoint& vertex : block.vertices) add_point(vertices_, vertex);
-        for (const std::uint16_t corner : block.corner_vertices) corners_.u16(corner);
-        for (std::size_t k = 0; k < owners; ++k)
-            owners_.u32(exact_faces_(static_cast<const SolidFace*>(block.owners[k].get())));
+        for (const std::uint32_t child : children) children_.u32(child);
+        number_of_node_.at(reinterpret_cast<std::uintptr_t>(&node)) = node_count_;
+        return node_count_++;
     }
 
-    void pack_face(const FaceRecord& face) {
-        faces_.u32(face.id.value);
-        faces_.u32(face.source);
-        faces_.u32(face.edit);
-        faces_.u32(face.material);
-        faces_.u32(face.mask);
-        faces_.u16(face.first_corner);
-        faces_.u16(exact_ ? face.owner : kNoOwner);
-        faces_.u8(face.corner_count);
-        faces_.u8(std::uint8_t((face.two_sided ? kTwoSidedFace : 0) | (face.solid && exact_ ? kSolidFace : 0)));
-        faces_.u16(0);
+    std::uint32_t pack_block(const Block& block) {
+        std::uint32_t& known = number_of_block_.at(reinterpret_cast<std::uintptr_t>(&block));
+        if (known != FlatMap::kNone) return known;
+        known = block_count_++;
+        blocks_.u32(std::uint32_t(block.faces.size()));
+        for (const FaceRecord& face : block.faces) {
+            const auto at = std::lower_bound(all_.begin(), all_.end(), face.id,
+                                             [](const PlacedFace& other, FaceId id) { return other.id < id; });
+            block_faces_.u32(std::uint32_t(at - all_.begin()));
+        }
+        return known;
     }
 
     template <class Point>
@@ -208,35 +262,47 @@ private:
         add(kWorldSection, world_);
         add(kMaterialsSection, materials_);
         if (data_.rules) add(kRulesSection, rules_);
-        add(kRoomsSection, rooms_);
-        add(kBlocksSection, blocks_);
-        add(kBinsSection, bins_);
         add(kFacesSection, faces_);
         add(kVerticesSection, vertices_);
         add(kCornersSection, corners_);
-        if (data_.room_records) add(kRoomRecordsSection, records_);
-        if (data_.portals) {
+        if (data_.cells.known()) add(kRoomRecordsSection, records_);
+        if (data_.cells.portal_count() > 0) {
             add(kPortalsSection, portals_);
             add(kPortalPolygonsSection, portal_polygons_);
             add(kPortalCornersSection, portal_corners_);
         }
-        if (!exact_) return all;
-        add(kOwnersSection, owners_);
-        add(kPlanesSection, plane_data_);
-        add(kGridPointsSection, grid_points_);
-        add(kMeetPointsSection, meet_points_);
-        add(kEdgesSection, edge_data_);
-        add(kExactFacesSection, exact_data_);
-        add(kUsesSection, uses_);
-        add(kLoopsSection, loops_);
+        if (exact_) {
+            add(kPlanesSection, plane_data_);
+            add(kGridPointsSection, grid_points_);
+            add(kMeetPointsSection, meet_points_);
+            add(kEdgesSection, edge_data_);
+            add(kExactFacesSection, exact_data_);
+            add(kUsesSection, uses_);
+            add(kLoopsSection, loops_);
+        }
+        if (!index_) return all;
+        const auto add_optional = [&](SectionType type, ByteWriter& content) {
+            all.push_back({type, 0, std::move(content)});
+        };
+        add_optional(kIndexBlocksSection, blocks_);
+        add_optional(kIndexFacesSection, block_faces_);
+        add_optional(kIndexNodesSection, nodes_);
+        add_optional(kIndexBinsSection, bins_);
+        add_optional(kIndexChildrenSection, children_);
+        add_optional(kIndexRootsSection, roots_);
         return all;
     }
 
     const WorldData& data_;
-    const bool exact_;
-    ByteWriter world_, materials_, rules_, rooms_, blocks_, bins_, faces_, vertices_, corners_, owners_;
+    const bool exact_, index_;
+    std::vector<PlacedFace> all_;  ///< in order of id
+    ByteWriter world_, materials_, rules_, faces_, vertices_, corners_;
     ByteWriter records_, portals_, portal_polygons_, portal_corners_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
+    ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
+    FlatMap number_of_vertex_, number_of_node_, number_of_block_;
+    std::vector<GridPoint> points_;
+    std::uint32_t node_count_ = 0, block_count_ = 0;
     Numbers<SolidFace> exact_faces_;
     Numbers<SolidEdge> edges_;
     Numbers<SolidPlane> planes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections of version 1, and how large their entries are. docs/formats.md says what is in them.
+// The sections of versions 1 and 2, and how large their entries are. docs/formats.md says what is in them.
 #pragma once
 
 #include "save/container.h"
@@ -9,17 +9,15 @@ namespace firma {
 inline constexpr SectionType kWorldSection = section_type("WRLD");
 inline constexpr SectionType kMaterialsSection = section_type("MATS");
 inline constexpr SectionType kRulesSection = section_type("RULE");
-inline constexpr SectionType kRoomsSection = section_type("ROOM");
+inline constexpr SectionType kFacesSection = section_type("FACE");
+inline constexpr SectionType kVerticesSection = section_type("VERT");
+inline constexpr SectionType kCornersSection = section_type("CORN");
+// Cells.
 inline constexpr SectionType kRoomRecordsSection = section_type("RECS");
 inline constexpr SectionType kPortalsSection = section_type("PORT");
 inline constexpr SectionType kPortalPolygonsSection = section_type("PPOL");
 inline constexpr SectionType kPortalCornersSection = section_type("PCOR");
-inline constexpr SectionType kBlocksSection = section_type("BLCK");
-inline constexpr SectionType kBinsSection = section_type("BINS");
-inline constexpr SectionType kFacesSection = section_type("FACE");
-inline constexpr SectionType kVerticesSection = section_type("VERT");
-inline constexpr SectionType kCornersSection = section_type("CORN");
-inline constexpr SectionType kOwnersSection = section_type("OWNR");
+// The exact part.
 inline constexpr SectionType kPlanesSection = section_type("PLAN");
 inline constexpr SectionType kGridPointsSection = section_type("GRID");
 inline constexpr SectionType kMeetPointsSection = section_type("MEET");
@@ -27,22 +25,37 @@ inline constexpr SectionType kEdgesSection = section_type("EDGE");
 inline constexpr SectionType kExactFacesSection = section_type("EXAC");
 inline constexpr SectionType kUsesSection = section_type("USES");
 inline constexpr SectionType kLoopsSection = section_type("LOOP");
+// The index: may be missing, or passed over.
+inline constexpr SectionType kIndexBlocksSection = section_type("IBLK");
+inline constexpr SectionType kIndexFacesSection = section_type("IFAC");
+inline constexpr SectionType kIndexNodesSection = section_type("INOD");
+inline constexpr SectionType kIndexBinsSection = section_type("IBIN");
+inline constexpr SectionType kIndexChildrenSection = section_type("ICHI");
+inline constexpr SectionType kIndexRootsSection = section_type("IROO");
+// Of version 1 alone.
+inline constexpr SectionType kRoomsSection = section_type("ROOM");
+inline constexpr SectionType kBlocksSection = section_type("BLCK");
+inline constexpr SectionType kBinsSection = section_type("BINS");
+inline constexpr SectionType kOwnersSection = section_type("OWNR");
 
-inline constexpr SectionType kKnownSections[] = {
-    kWorldSection,        kMaterialsSection,  kRulesSection,       kRoomsSection,   kBlocksSection,
-    kBinsSection,         kFacesSection,      kVerticesSection,    kCornersSection, kOwnersSection,
-    kPlanesSection,       kGridPointsSection, kMeetPointsSection,  kEdgesSection,   kExactFacesSection,
-    kUsesSection,         kLoopsSection,      kRoomRecordsSection, kPortalsSection, kPortalPolygonsSection,
-    kPortalCornersSection};
+inline constexpr SectionType kSectionsOfBoth[] = {
+    kWorldSection,          kMaterialsSection,  kRulesSection,     kFacesSection,       kVerticesSection, kCornersSection,
+    kRoomRecordsSection,    kPortalsSection,    kPortalPolygonsSection, kPortalCornersSection, kPlanesSection,
+    kGridPointsSection,     kMeetPointsSection, kEdgesSection,     kExactFacesSection,  kUsesSection,     kLoopsSection};
+inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
+inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
+                                                   kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
 
 inline constexpr std::size_t kWorldBytes = 64;
 inline constexpr std::size_t kRulesBytes = 64;       ///< without zones and hardness
 inline constexpr std::size_t kZoneBytes = 64;        ///< without its name
 inline constexpr std::size_t kRoomRecordBytes = 12;  ///< without its name
 inline constexpr std::size_t kPortalBytes = 32;      ///< without its name
-inline constexpr std::size_t kBlockBytes = 12;
+inline constexpr std::size_t kFaceBytes = 32;
 inline constexpr std::size_t kBinBytes = 32;
-inline constexpr std::size_t kFaceBytes = 28;
+inline constexpr std::size_t kNodeBytes = 8;
+inline constexpr std::size_t kBlockBytesOfVersion1 = 12;
+inline constexpr std::size_t kFaceBytesOfVersion1 = 28;
 inline constexpr std::size_t kPointBytes = 12;
 inline constexpr std::size_t kPlaneBytes = 40;
 inline constexpr std::size_t kEdgeBytes = 20;
@@ -54,6 +67,10 @@ inline constexpr std::uint32_t kExactPart = 2;
 inline constexpr std::uint32_t kHasRules = 4;
 inline constexpr std::uint32_t kHasRoomRecords = 8;
 inline constexpr std::uint32_t kHasPortals = 16;
+/// A face that is its own exact face, or has none.
+inline constexpr std::uint32_t kOwnFace = ~0u;
+/// A node above others, which lies over no block; a room without an index.
+inline constexpr std::uint32_t kNothing = ~0u;
 // Of a room.
 inline constexpr std::uint32_t kExteriorRoom = 1;
 // Of a portal.

@@ -26,7 +26,7 @@ std::size_t limit_of(std::uint64_t value) {
 bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& damage) {
     if (section.count() != 1) return damage.report(section.type(), "is not 64 bytes long");
     const std::byte* at = section.at(0);
-    WorldData& data = unpacked.data;
+    StoredWorld& data = unpacked.world;
     data.version = read_u64(at);
     const std::uint64_t faces = read_u64(at + 8);
     data.next_face = read_u32(at + 16);
@@ -42,10 +42,11 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     unpacked.exact = flags & kExactPart;
     unpacked.has_records = flags & kHasRoomRecords;
     unpacked.has_portals = flags & kHasPortals;
+    data.known = unpacked.has_records;
     if (flags & kHasRules) data.rules = std::make_shared<const CarveRules>();
 
     if (faces > data.next_face) return damage.report(section.type(), "has more faces than there were ids");
-    data.face_count = std::size_t(faces);
+    unpacked.faces = std::size_t(faces);
     if (data.next_face > kMostFaceIds) return damage.report(section.type(), "has no ids left for new faces");
     if (data.version > kMostVersion || data.edits > kMostEdits)
         return damage.report(section.type(), 0, "has no numbers left for new edits");
@@ -53,7 +54,7 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     if (!(data.tolerance.skin >= 0) || !std::isfinite(data.tolerance.skin))
         return damage.report(section.type(), 0, "its skin is no length");
     if (flags & ~(kRockOutside | kExactPart | kHasRules | kHasRoomRecords | kHasPortals) || read_u32(at + 52) != 0)
-        return damage.report(section.type(), "has flags that are not of version 1");
+        return damage.report(section.type(), "has flags that mean nothing");
     if (split > std::uint32_t(Split::kSurfaceArea))
         return damage.report(section.type(), "has no such way to divide bins");
     if (data.rock_outside && !unpacked.exact) return damage.report(section.type(), "has rock without its faces");
@@ -73,7 +74,7 @@ bool unpack_materials(const Entries& section, UnpackedData& unpacked, Damage& da
         if (!texts.take(read_u32(section.at(4 + 4 * k)), (*names)[k]))
             return damage.report(section.type(), k, "ends before its text");
     if (!texts.all_taken()) return damage.report(section.type(), "has bytes behind its last text");
-    unpacked.data.materials = std::move(names);
+    unpacked.world.materials = std::move(names);
     return true;
 }
 
@@ -113,7 +114,7 @@ bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage
             return damage.report(section.type(), k, "ends before its name");
     }
     if (!names.all_taken()) return damage.report(section.type(), "has bytes behind its last name");
-    unpacked.data.rules = std::make_shared<const CarveRules>(std::move(rules));
+    unpacked.world.rules = std::make_shared<const CarveRules>(std::move(rules));
     return true;
 }
 
@@ -125,7 +126,7 @@ UnpackedData unpack_data(Sections& sections, Damage& damage) {
     const Entries materials = sections.entries(kMaterialsSection, 1);
     if (damage.error() || !unpack_counters(world, unpacked, damage) || !unpack_materials(materials, unpacked, damage))
         return unpacked;
-    if (!unpacked.data.rules) return unpacked;
+    if (!unpacked.world.rules) return unpacked;
     const Entries rules = sections.entries(kRulesSection, 1);
     if (!damage.error()) unpack_rules(rules, unpacked, damage);
     return unpacked;

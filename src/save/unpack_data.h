@@ -3,13 +3,13 @@
 #pragma once
 
 #include "save/entries.h"
-#include "world/world_data.h"
+#include "world/assemble_world.h"
 
 namespace firma {
 
 struct UnpackedData {
-    WorldData data;  ///< without rooms
-    std::size_t rooms = 0;
+    StoredWorld world;  ///< without faces, rooms and portals
+    std::size_t faces = 0, rooms = 0;
     bool exact = false;                             ///< whether the exact part is there
     bool has_records = false, has_portals = false;  ///< whether those are
 };

@@ -117,7 +117,7 @@ private:
             edge->plane[i] = planes_[plane];
         }
         const std::uint32_t flags = read_u32(at + 16);
-        if (flags & ~kDoubledEdge) return damage_.report(section.type(), k, "has flags that are not of version 1");
+        if (flags & ~kDoubledEdge) return damage_.report(section.type(), k, "has flags that mean nothing");
         edge->doubled = flags & kDoubledEdge;
         if (edge->vertex[0].get() == edge->vertex[1].get())
             return damage_.report(section.type(), k, "begins where it ends");
@@ -144,6 +144,7 @@ private:
         if (!suits(face->normal, face->plane->plane))
             return damage_.report(section.type(), k, "its normal is not that of its plane");
         if (!read_uses(*face, uses) || !read_loops(*face, loops)) return false;
+        face->set_hash();
         faces_.push_back(std::move(face));
         return true;
     }

@@ -18,12 +18,12 @@ bool unpack_records(const Entries& section, UnpackedData& unpacked, Damage& dama
         const std::uint32_t flags = read_u32(at + 4);
         records[k].exterior = flags & kExteriorRoom;
         records[k].merged_into = read_u32(at + 8);
-        if (flags & ~kExteriorRoom) return damage.report(section.type(), k, "has flags that are not of version 1");
+        if (flags & ~kExteriorRoom) return damage.report(section.type(), k, "has flags that mean nothing");
         if (records[k].merged_into > k) return damage.report(section.type(), k, "is part of a higher room");
         if (!names.take(read_u32(at), records[k].name)) return damage.report(section.type(), k, "ends before its name");
     }
     if (!names.all_taken()) return damage.report(section.type(), "has bytes behind its last name");
-    unpacked.data.room_records = std::make_shared<const std::vector<RoomRecord>>(std::move(records));
+    unpacked.world.records = std::move(records);
     return true;
 }
 
@@ -43,12 +43,10 @@ public:
         const std::size_t fixed = std::size_t(4 + count * kPortalBytes);
         Texts names({portals_.at(fixed), portals_.count() - fixed});
         std::vector<PortalPart> parts(static_cast<std::size_t>(count));
-        std::vector<std::uint8_t> closed;
         for (at_ = 0; at_ < count; ++at_) {
             const std::byte* at = portals_.at(std::size_t(4 + at_ * kPortalBytes));
             if (!read_portal(at, parts[at_])) return;
             if (!names.take(read_u32(at + 24), parts[at_].name)) return fault_here("ends before its name");
-            closed.push_back(!parts[at_].open);
         }
         if (!names.all_taken()) return fault("has bytes behind its last name");
         for (const Entries* part : {&polygons_, &corners_})
@@ -56,9 +54,7 @@ public:
                 damage_.report(part->type(), part->taken(), "belongs to no portal");
                 return;
             }
-        unpacked_.data.portals = std::make_shared<const PortalSet>(parts, unpacked_.rooms);
-        ClosedPortals doors(std::move(closed));
-        if (!doors.all.empty()) unpacked_.data.closed = std::make_shared<const ClosedPortals>(std::move(doors));
+        unpacked_.world.portals = std::move(parts);
     }
 
 private:
@@ -74,7 +70,7 @@ private:
         for (const RoomId room : part.rooms)
             if (room.value >= unpacked_.rooms) return fault_here("leads to a room that is not there"), false;
         if (flags & ~kClosedPortal || read_u32(at + 28) != 0)
-            return fault_here("has flags that are not of version 1"), false;
+            return fault_here("has flags that mean nothing"), false;
         if (polygons > polygons_.left()) return fault_here("has more polygons than there are"), false;
         for (std::uint32_t k = 0; k < polygons; ++k)
             if (!read_polygon(part)) return false;
@@ -105,6 +101,7 @@ private:
 }  // namespace
 
 void unpack_portals(Sections& sections, UnpackedData& unpacked, Damage& damage) {
+    unpacked.world.records.resize(1);
     if (!unpacked.has_records) return;
     const Entries records = sections.entries(kRoomRecordsSection, 1);
     if (damage.error() || !unpack_records(records, unpacked, damage)) return;

@@ -4,10 +4,12 @@
 #include "firma/solid.h"
 #include "save/entries.h"
 #include "save/sections.h"
-#include "save/unpack_blocks.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
+#include "save/unpack_faces.h"
+#include "save/unpack_index.h"
 #include "save/unpack_portals.h"
+#include "solid/append_faces.h"
 
 namespace firma {
 namespace {
@@ -25,29 +27,66 @@ void check_whole(const World& world, bool exact, Damage& damage) {
     }
 }
 
+/// What a version of the format has.
+std::vector<SectionType> known_sections(std::uint32_t version) {
+    std::vector<SectionType> known(std::begin(kSectionsOfBoth), std::end(kSectionsOfBoth));
+    if (version == 1)
+        known.insert(known.end(), std::begin(kSectionsOfVersion1), std::end(kSectionsOfVersion1));
+    else
+        known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
+    return known;
+}
+
+/// All faces of one kind.
+FaceSet faces_of_kind(const FaceSet& all, bool solid) {
+    FaceSet some;
+    for (const FaceSet::Entry& face : all.faces)
+        if (face.solid == solid) append_face(all, face, some);
+    return some;
+}
+
+BuiltStore store_over(Ref<const Node> root) {
+    std::vector<PartIndex> whole;
+    if (root) whole.push_back({0, std::move(root)});
+    return store_of_parts(std::move(whole));
+}
+
 }  // namespace
 
 Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     Result<std::vector<Section>> read = read_container(bytes, name);
     if (!read) return read.error();
+    const std::uint32_t version = version_of_container(bytes);
     Damage damage(name);
     Sections sections(std::move(read).value(), damage);
-    sections.refuse_unknown(kKnownSections);
+    const std::vector<SectionType> known = known_sections(version);
+    sections.refuse_unknown(known);
     if (damage.error()) return *damage.error();
     UnpackedData unpacked = unpack_data(sections, damage);
     if (damage.error()) return *damage.error();
     std::vector<Ref<SolidFace>> exact;
     if (unpacked.exact) exact = unpack_exact(sections, damage);
     if (damage.error()) return *damage.error();
-    unpacked.data.rooms = unpack_rooms(sections, unpacked.rooms, unpacked.exact, exact, damage);
+    const FaceSet faces = version == 1 ? unpack_faces_of_version_1(sections, unpacked, exact, damage)
+                                       : unpack_faces(sections, unpacked, exact, damage);
     if (!damage.error()) unpack_portals(sections, unpacked, damage);
-    sections.refuse_unused(kKnownSections);
+    std::optional<UnpackedIndex> index;
+    if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);
+    sections.refuse_unused(known);
     if (damage.error()) return *damage.error();
-    finish_rooms(unpacked.data);
-    World world(std::make_shared<const WorldData>(std::move(unpacked.data)));
-    check_whole(world, unpacked.exact, damage);
+    StoredWorld& world = unpacked.world;
+    if (index) {
+        world.solid = store_over(index->solid);
+        world.castable = store_over(index->castable);
+        world.indices = std::move(index->rooms);
+    } else {
+        world.solid = build_store(faces_of_kind(faces, true), world.tree_options);
+        world.castable = build_store(faces_of_kind(faces, false), world.tree_options);
+    }
+    World made = world_of(std::move(world));
+    check_whole(made, unpacked.exact, damage);
     if (damage.error()) return *damage.error();
-    return world;
+    return made;
 }
 
 }  // namespace firma

@@ -1,35 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The whole boundary of the solid in some blocks: every face that is marked as bounding it.
+// The whole boundary of a solid.
 #include "solid/boundary.h"
 
-#include "tree/visit.h"
+#include "base/sort.h"
 
 namespace firma {
 
-Boundary take_boundary(std::span<const Block* const> roots) {
+Boundary take_boundary(const Node* root) {
     Boundary boundary;
     std::vector<FacetPlace> found;
+    if (root) {
+        found.reserve(root->facets_below);
+        for_each_block(*root, [&](const Block& block) {
+            for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) found.push_back({&block, slot});
+        });
+    }
+    sort_range(found, [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
+    boundary.patch.reserve(found.size());
     std::vector<std::uint32_t> face_of;
-    std::size_t solid = 0;
-    for (const Block* root : roots) {
-        if (!root) continue;
-        for_each_face_block(*root, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) solid += face.solid;
-        });
-    }
-    found.reserve(solid);
-    face_of.reserve(solid);
-    boundary.patch.reserve(solid);
-    for (const Block* root : roots) {
-        if (!root) continue;
-        for_each_face_block(*root, [&](const Block& block) {
-            for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) {
-                if (!block.faces[slot].solid) continue;
-                found.push_back({&block, slot});
-                face_of.push_back(boundary.patch.add(found.back()));
-            }
-        });
-    }
+    face_of.reserve(found.size());
+    for (const FacetPlace& facet : found) face_of.push_back(boundary.patch.add(facet));
     std::vector<std::uint32_t>& first = boundary.first_facet;
     first.assign(boundary.patch.faces.size() + 1, 0);
     for (const std::uint32_t face : face_of) ++first[face + 1];

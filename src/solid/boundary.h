@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The whole boundary of the solid in some blocks, as a patch, with the facets of each face.
+// The whole boundary of a solid as a patch, with the facets of each face.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "solid/block.h"
 #include "solid/solid_patch.h"
-#include "tree/block.h"
 
 namespace firma {
 
 struct Boundary {
-    SolidPatch patch;
-    std::vector<FacetPlace> facets;          ///< face by face, in the tree's order
+    SolidPatch patch;                        ///< faces in order of the lowest id of their facets
+    std::vector<FacetPlace> facets;          ///< face by face, in order of id
     std::vector<std::uint32_t> first_facet;  ///< of each face of the patch in `facets`, and the end
 
     std::span<const FacetPlace> facets_of(std::uint32_t face) const {
@@ -21,7 +21,7 @@ struct Boundary {
     }
 };
 
-/// @param roots  trees of rooms; null ones are passed over
-Boundary take_boundary(std::span<const Block* const> roots);
+/// @param root  of an index over the faces of a solid; null for none
+Boundary take_boundary(const Node* root);
 
 }  // namespace firma

@@ -7,20 +7,10 @@
 #include "base/assert.h"
 #include "base/fetch_ahead.h"
 #include "base/hasher.h"
+#include "solid/hash_points.h"
 
 namespace firma {
 namespace {
-
-void add_point(Hasher& hasher, const GridPoint& p) {
-    hasher.add(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y));
-    hasher.add(std::uint32_t(p.z));
-}
-
-void add_plane(Hasher& hasher, const Plane& plane) {
-    for (const std::int64_t n : plane.normal) hasher.add(std::uint64_t(n));
-    hasher.add(std::uint64_t(plane.offset()));
-    hasher.add(std::uint64_t(plane.offset() >> 64));
-}
 
 static_assert(sizeof(void*) != 8 || (sizeof(SolidPlane) == 64 && sizeof(SolidVertex) == 64), "a line of a cache");
 
@@ -65,15 +55,18 @@ SolidFace::~SolidFace() {
     for (const SolidUse& use : uses) fetch_ahead(use.address());
 }
 
-void SolidFace::add_to(Hasher& hasher) const {
-    add_plane(hasher, plane->plane);
-    hasher.add(loop_ends().size());
+void SolidFace::set_hash() {
+    Hasher hasher;
+    hasher.add(hash_plane(plane->plane));
     for (const std::uint32_t end : loop_ends()) hasher.add(end);
     for (const SolidUse& use : uses) {
-        add_point(hasher, use.from().point.rounded());
-        hasher.add(use.reversed());
-        for (const Ref<const SolidPlane>& edge_plane : use.edge().plane) add_plane(hasher, edge_plane->plane);
+        const GridPoint& p = use.from().point.rounded();
+        hasher.add(p.x, p.y);
+        hasher.add(std::uint32_t(p.z));
+        // Whichever of an edge's planes is named first.
+        hasher.add(hash_plane(use.edge().plane[0]->plane) + hash_plane(use.edge().plane[1]->plane));
     }
+    hash = hasher.value();
 }
 
 std::size_t SolidFace::bytes() const {

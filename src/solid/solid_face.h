@@ -14,7 +14,7 @@
 #include "base/pool.h"
 #include "base/ref.h"
 #include "geometry/exact_point.h"
-#include "tree/block.h"
+#include "solid/block.h"
 
 namespace firma {
 
@@ -91,8 +91,10 @@ public:
     void set_loop_ends(std::span<const std::uint32_t> ends);
 
     ~SolidFace() override;
-    void add_to(Hasher& hasher) const override;
     std::size_t bytes() const override;
+
+    /// Sets `hash`, once all else is set.
+    void set_hash();
 
 private:
     std::uint32_t only_end_ = 0;      ///< of a face without holes

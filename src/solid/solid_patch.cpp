@@ -219,6 +219,13 @@ std::uint32_t SolidPatch::add_piece(std::uint32_t parent, std::span<const PatchU
     return index;
 }
 
+LineDirection SolidPatch::direction_of(std::uint32_t index) const {
+    const PatchEdge& edge = edges[index];
+    const ExactPoint &a = vertices[edge.vertex[0]].point, &b = vertices[edge.vertex[1]].point;
+    if (a.on_grid() && b.on_grid()) return LineDirection::along(a.rounded(), b.rounded());
+    return LineDirection::of(edge.plane[0]->plane, edge.plane[1]->plane);
+}
+
 void SolidPatch::settle_planes(std::uint32_t index) {
     PatchEdge& edge = edges[index];
     if (edge.plane[0]) return;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/flat_map.h"
+#include "solid/hash_points.h"
 #include "solid/solid_face.h"
 
 namespace firma {
@@ -33,15 +34,6 @@ struct PatchEdge {
     bool doubled = false;
 
     bool split() const { return half[0] != ~0u; }
-};
-
-/// Where a facet lies.
-struct FacetPlace {
-    const Block* block = nullptr;
-    std::uint32_t slot = 0;
-
-    const FaceRecord& record() const { return block->faces[slot]; }
-    friend bool operator==(const FacetPlace&, const FacetPlace&) = default;
 };
 
 struct PatchFace {
@@ -86,6 +78,9 @@ public:
     /// Gives an edge its two planes, if it has none yet: those of its faces, or one through it and a step aside where
     /// there is only one, or both lie in one plane.
     void settle_planes(std::uint32_t edge);
+
+    /// Of the line that an edge lies on.
+    LineDirection direction_of(std::uint32_t edge) const;
 
     /// Keeps a plane that was made for the patch alive as long as the patch.
     const SolidPlane* keep(Ref<const SolidPlane> plane) { return kept_planes_.emplace_back(std::move(plane)).get(); }

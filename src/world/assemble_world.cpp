@@ -4,18 +4,13 @@
 
 #include <algorithm>
 
-#include "tree/build_blocks.h"
-#include "tree/rounded_box.h"
-#include "tree/visit.h"
-#include "world/world_data.h"
+#include "index/join_nodes.h"
+#include "solid/append_faces.h"
 
 namespace firma {
 namespace {
 
 constexpr std::size_t kMost = std::size_t(1) << 31;
-
-/// With fewer rooms, casts go through all of their boxes.
-constexpr std::size_t kManyRooms = 16;
 
 Error portal_error(const WorldParts& parts, std::size_t portal, const char* reason) {
     std::string which = "portal " + std::to_string(portal);
@@ -55,82 +50,134 @@ bool is_plain(const WorldParts& parts) {
     return parts.rooms.size() == 1 && parts.rooms[0].name.empty() && !parts.rooms[0].exterior && parts.portals.empty();
 }
 
-void add_rooms(WorldParts& parts, WorldData& data) {
-    std::uint32_t highest = 0;
-    for (RoomPart& part : parts.rooms) {
-        Ref<Room> room(new Room);
-        room->tree = build_blocks(part.faces, parts.options.tree);
-        data.rooms.emplace_back(room.get());
-        data.face_count += part.faces.faces.size();
-        for (const FaceSet::Entry& face : part.faces.faces) highest = std::max(highest, face.id.value + 1);
-        part.faces = {};
+/// All faces of one kind, each with its room as its part.
+FaceSet take_faces(std::vector<RoomPart>& rooms, bool solid) {
+    const auto is_wanted = [&](const FaceSet::Entry& face) { return face.solid == solid; };
+    FaceSet all;
+    for (std::uint32_t room = 0; room < rooms.size(); ++room) {
+        FaceSet& faces = rooms[room].faces;
+        if (rooms.size() == 1 && std::all_of(faces.faces.begin(), faces.faces.end(), is_wanted)) {
+            std::swap(all, faces);
+            for (FaceSet::Entry& face : all.faces) face.part = 0;
+            return all;
+        }
+        for (const FaceSet::Entry& face : faces.faces) {
+            if (!is_wanted(face)) continue;
+            append_face(faces, face, all);
+            all.faces.back().part = room;
+        }
     }
-    data.next_face = highest;
+    return all;
 }
 
-void add_records(WorldParts& parts, WorldData& data) {
-    std::vector<RoomRecord> records;
-    for (std::uint32_t k = 0; k < parts.rooms.size(); ++k)
-        records.push_back({std::move(parts.rooms[k].name), parts.rooms[k].exterior, k});
-    data.room_records = std::make_shared<const std::vector<RoomRecord>>(std::move(records));
-    if (parts.portals.empty()) return;
-    data.portals = std::make_shared<const PortalSet>(parts.portals, parts.rooms.size());
-    std::vector<std::uint8_t> closed;
-    for (const PortalPart& portal : parts.portals) closed.push_back(!portal.open);
-    if (std::count(closed.begin(), closed.end(), 1) > 0)
-        data.closed = std::make_shared<const ClosedPortals>(std::move(closed));
+std::vector<RoomRecord> records_of(std::vector<RoomPart>& parts) {
+    std::vector<RoomRecord> records(parts.size());
+    for (std::uint32_t k = 0; k < parts.size(); ++k) {
+        records[k].name = std::move(parts[k].name);
+        records[k].exterior = parts[k].exterior;
+        records[k].merged_into = k;
+    }
+    return records;
 }
 
-bool contains(const GridBox& outer, const GridBox& inner) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (inner.low[axis] < outer.low[axis] || inner.high[axis] > outer.high[axis]) return false;
-    return true;
-}
-
-/// Rooms without faces are where no cast comes: a box of one point, and nothing in it.
-GridBox box_of(const Room& room) {
-    if (room.tree) return to_grid(room.tree->bins[0].box);
-    return {{0, 0, 0}, {0, 0, 0}};
+Cells make_cells(StoredWorld& stored) {
+    std::vector<RoomRecord>& records = stored.records;
+    const std::vector<PortalPart>& portals = stored.portals;
+    for (std::uint32_t k = 0; k < portals.size(); ++k) {
+        if (portals[k].polygons.empty()) continue;
+        for (const RoomId room : portals[k].rooms) {
+            std::vector<std::uint32_t>& of_room = records[room.value].portals;
+            if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
+        }
+    }
+    struct Contents {
+        std::vector<Ref<const Node>> indices;
+        std::size_t faces = 0;
+        std::uint64_t hash = 0;
+    };
+    std::vector<Contents> contents(records.size());
+    const auto current = [&](std::uint32_t room) {
+        while (records[room].merged_into != room) room = records[room].merged_into;
+        return room;
+    };
+    for (const BuiltStore* store : {&stored.solid, &stored.castable}) {
+        for (const PartIndex& part : store->parts) contents[current(part.part)].indices.push_back(part.root);
+        for (const PartChange& change : store->changes) {
+            contents[current(change.part)].faces += std::size_t(change.faces);
+            contents[current(change.part)].hash += change.hash;
+        }
+    }
+    Cells cells;
+    if (stored.known) cells.set_known();
+    for (std::uint32_t k = 0; k < records.size(); ++k) {
+        Ref<Room> room(new Room);
+        room->tree = stored.indices.empty() ? join_nodes(contents[k].indices) : stored.indices[k];
+        room->faces = contents[k].faces;
+        room->face_hash = contents[k].hash;
+        room->record = std::make_shared<const RoomRecord>(std::move(records[k]));
+        cells.set_room(k, Ref<const Room>(room.get()));
+    }
+    for (std::uint32_t k = 0; k < portals.size(); ++k)
+        cells.set_portal(k, Ref<const Portal>(new Portal(portals[k])), !portals[k].open && !portals[k].polygons.empty());
+    if (!portals.empty()) cells.set_boxes();
+    return cells;
 }
 
 }  // namespace
 
-void fit_room_boxes(WorldData& data) {
-    if (data.rooms.size() < kManyRooms) return data.room_boxes.reset();
-    std::vector<GridBox> boxes;
-    for (const Ref<const Room>& room : data.rooms) boxes.push_back(box_of(*room));
-    if (data.room_boxes && data.room_boxes->size() == boxes.size()) {
-        bool fits = true;
-        for (const BoxTree::Item& item : data.room_boxes->items()) fits &= contains(item.box, boxes[item.number]);
-        if (fits) return;
-    }
-    data.room_boxes = std::make_shared<const BoxTree>(boxes);
+World world_of(StoredWorld stored) {
+    auto data = std::make_shared<WorldData>();
+    data->cells = make_cells(stored);
+    data->castable = stored.castable.store;
+    data->solid =
+        solid_of(stored.solid.store, stored.rock_outside, stored.next_face, stored.edits, stored.tree_options);
+    data->materials = std::move(stored.materials);
+    data->tolerance = stored.tolerance;
+    data->tree_options = stored.tree_options;
+    data->version = stored.version;
+    data->rules = std::move(stored.rules);
+    return World(std::move(data));
 }
 
-void finish_rooms(WorldData& data) {
-    fit_room_boxes(data);
-    if (!data.room_records) return;
-    data.knows_walls = data.rooms.size() == 1;
-    for (const Ref<const Room>& room : data.rooms)
-        if (room->tree)
-            for_each_face_block(*room->tree, [&](const Block& block) {
-                for (const FaceRecord& face : block.faces) data.knows_walls |= face.solid;
-            });
+World make_world(const Solid& solid, const WorldOptions& options) {
+    StoredWorld stored;
+    stored.solid.store = solid.data().faces;
+    FaceSums sums;
+    if (const Ref<const Node>& root = solid.data().faces.root) {
+        stored.solid.parts.push_back({0, root});
+        for_each_block(*root, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) sums.add(block, face);
+        });
+    }
+    stored.solid.changes = sums.parts();
+    auto data = std::make_shared<WorldData>();
+    stored.records.resize(1);
+    data->cells = make_cells(stored);
+    data->solid = solid;
+    data->materials = std::make_shared<std::vector<std::string>>(1);
+    data->tolerance = options.tolerance;
+    data->tree_options = options.tree;
+    data->rules = std::make_shared<const CarveRules>(options.rules);
+    return World(std::move(data));
 }
 
 Result<World> assemble_world(WorldParts parts) {
     if (std::optional<Error> error = check(parts)) return *error;
-    auto data = std::make_shared<WorldData>();
-    const bool plain = is_plain(parts);
-    add_rooms(parts, *data);
-    if (!plain) add_records(parts, *data);
-    finish_rooms(*data);
-    data->materials = std::make_shared<std::vector<std::string>>(std::move(parts.materials));
-    data->tolerance = parts.options.tolerance;
-    data->tree_options = parts.options.tree;
-    data->rock_outside = parts.rock_outside;
-    data->rules = std::make_shared<const CarveRules>(std::move(parts.options.rules));
-    return World(std::move(data));
+    StoredWorld stored;
+    stored.known = !is_plain(parts);
+    for (const RoomPart& room : parts.rooms)
+        for (const FaceSet::Entry& face : room.faces.faces)
+            stored.next_face = std::max(stored.next_face, face.id.value + 1);
+    stored.solid = build_store(take_faces(parts.rooms, true), parts.options.tree);
+    stored.castable = build_store(take_faces(parts.rooms, false), parts.options.tree);
+    stored.records = records_of(parts.rooms);
+    stored.portals = std::move(parts.portals);
+    stored.rock_outside = parts.rock_outside;
+    stored.materials = std::make_shared<std::vector<std::string>>(std::move(parts.materials));
+    stored.tolerance = parts.options.tolerance;
+    stored.tree_options = parts.options.tree;
+    stored.rules = std::make_shared<const CarveRules>(std::move(parts.options.rules));
+    return world_of(std::move(stored));
 }
 
 }  // namespace firma

@@ -7,8 +7,9 @@
 
 #include "firma/result.h"
 #include "firma/world.h"
-#include "tree/face_set.h"
-#include "world/portal_set.h"
+#include "solid/face_set.h"
+#include "world/cells.h"
+#include "world/world_data.h"
 
 namespace firma {
 
@@ -28,6 +29,23 @@ struct WorldParts {
     bool rock_outside = false;  ///< what no face separates from infinity is solid
     WorldOptions options;
 };
+
+/// A world whose faces are in blocks.
+struct StoredWorld {
+    BuiltStore solid, castable;
+    std::vector<RoomRecord> records;  ///< at least one; lists of portals are made from `portals`
+    std::vector<PortalPart> portals;  ///< sound ones
+    std::vector<Ref<const Node>> indices;  ///< of each room; none at all: made from the parts of the stores
+    bool known = false;                    ///< Cells::known()
+    bool rock_outside = false;
+    std::uint32_t next_face = 0, edits = 0;
+    std::uint64_t version = 0;
+    std::shared_ptr<const std::vector<std::string>> materials;
+    Tolerance tolerance;
+    TreeOptions tree_options;
+    std::shared_ptr<const CarveRules> rules;
+};
+World world_of(StoredWorld stored);
 
 /// @return the world, version 0; kTooLarge beyond 2^31 faces, rooms or portals; kInvalid, naming the portal, where
 /// rooms

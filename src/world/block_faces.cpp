@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Faces of a block as queries want them.
+// Faces of a block as users see them.
 #include "world/block_faces.h"
 
-#include "world/find_neighbour.h"
+#include "solid/find_neighbour.h"
 
 namespace firma {
 
@@ -22,7 +22,7 @@ Face describe_face(const Block& block, const FaceRecord& record) {
     return face;
 }
 
-Face describe_face(const Block& root, const Block& block, const FaceRecord& record) {
+Face describe_face(const Node& root, const Block& block, const FaceRecord& record) {
     Face face = describe_face(block, record);
     face.neighbours.reserve(record.corner_count);
     for (std::uint32_t corner = 0; corner < record.corner_count; ++corner)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Casts through a world: the first, any or all of the touches that the walk finds.
+// Casts through a world: the first, any or all of the touches on the way.
 #include <algorithm>
 
 #include "cast/make_hit.h"
 #include "firma/rooms.h"
 #include "geometry/rounding.h"
-#include "world/find_neighbour.h"
+#include "solid/find_neighbour.h"
 #include "world/sweep_world.h"
 
 namespace firma {
 namespace {
 
-/// Walks as the options say.
+/// Goes as the options say.
 /// @return the rooms looked into; none when all of several were
 template <class Found>
 RoomsPassed sweep_rooms(const World& world, const Sphere& sphere, const Sweep& sweep, const CastOptions& options,
@@ -20,7 +20,7 @@ RoomsPassed sweep_rooms(const World& world, const Sphere& sphere, const Sweep& s
     RoomsPassed passed;
     passed.all = options.passed;
     WorldSweep<Found> on_its_way(data, sweep, options, found);
-    if (data.rooms.size() == 1) {
+    if (data.cells.room_count() == 1) {
         passed.add(0);
         on_its_way.ask_all();
         return passed;
@@ -31,10 +31,8 @@ RoomsPassed sweep_rooms(const World& world, const Sphere& sphere, const Sweep& s
         start = location.kind == Location::Kind::kRoom ? location.room : kAnyRoom;
     }
     if (start != kAnyRoom) {
-        const double latest = found.latest;
-        if (on_its_way.ask_from(current_room(data, start.value), passed)) return passed;
-        found.start_over(latest);
-        passed = {};
+        on_its_way.ask_from(data.cells.current_room(start.value), passed);
+        return passed;
     }
     on_its_way.ask_all();
     return passed;
@@ -54,10 +52,6 @@ struct KeepFirst {
         }
         return false;
     }
-    void start_over(double again) {
-        latest = again;
-        best = {};
-    }
 };
 
 struct StopAtAny {
@@ -68,7 +62,6 @@ struct StopAtAny {
         status = contact.contact.status;
         return true;
     }
-    void start_over(double) {}
 };
 
 struct CollectAll {
@@ -79,20 +72,21 @@ struct CollectAll {
     const CastOptions& options;
 
     bool operator()(const SweepContact& contact);
-    void start_over(double) { hits.clear(); }
 };
 
 void dress_face(const World& world, const SweepContact& found, Hit& hit) {
     const FaceRecord& face = found.face();
     hit.face = face.id;
+    const Cells& cells = world.data().cells;
+    const std::uint32_t room = cells.current_room(found.block->part);
     if (hit.feature == Feature::kEdge)
-        hit.other_face = find_neighbour(*world.data().rooms[found.room]->tree, *found.block, face, hit.feature_index);
-    hit.ref = {found.block, found.slot};
+        hit.other_face = find_neighbour(*cells.room(room).tree, *found.block, face, hit.feature_index);
+    hit.ref = ref_to(*found.block, found.slot);
     if (const FaceOwner* owner = found.block->owner_of(face)) hit.face_normal = owner->normal;
     hit.source = face.source;
     hit.source_edit = face.edit;
     hit.material = face.material;
-    hit.room = {found.room};
+    hit.room = {room};
 }
 
 /// As of the room on the side that it was met from.
@@ -112,9 +106,8 @@ Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, co
         make(FaceShape(*found.block, found.face()).polygon);
         dress_face(world, found, hit);
     } else {
-        const PortalSet& portals = *world.data().portals;
-        const Portal& portal = portals.portals()[found.portal];
-        make(portals.polygons_of(portal)[found.slot].shape);
+        const Portal& portal = world.data().cells.portal(found.portal);
+        make(portal.polygons()[found.slot].shape);
         dress_portal(portal, found, hit);
     }
     hit.version = world.version();

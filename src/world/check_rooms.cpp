@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -34,19 +33,18 @@ std::string room_text(std::size_t room, const char* what) {
 
 class RoomChecker {
 public:
-    explicit RoomChecker(const WorldData& data) : data_(data) {}
+    explicit RoomChecker(const WorldData& data) : data_(data), cells_(data.cells) {}
 
     std::optional<WorldFault> check() {
-        if (!data_.room_records) {
-            if (data_.rooms.size() != 1 || data_.portals) report("rooms have no records", {});
-        } else {
-            check_records(*data_.room_records);
+        if (!cells_.known()) {
+            if (cells_.room_count() != 1 || cells_.portal_count() > 0) report("rooms have no records", {});
+            return fault_;
         }
-        if (!fault_ && data_.portals) check_portals(*data_.portals);
-        if (!fault_ && data_.closed && !data_.portals) report("portals that are not there are closed", {});
+        check_records();
+        if (!fault_) check_portals();
         // Without an exact part there is no solid, and nothing closes.
-        if (!fault_ && data_.room_records && has_solid())
-            for (std::uint32_t room = 0; room < data_.rooms.size() && !fault_; ++room) check_closed(room);
+        if (!fault_ && data_.solid.face_count() > 0)
+            for (std::uint32_t room = 0; room < cells_.room_count() && !fault_; ++room) check_closed(room);
         return fault_;
     }
 
@@ -55,45 +53,42 @@ private:
         if (!fault_) fault_ = WorldFault{std::move(what), face};
     }
 
-    void check_records(const std::vector<RoomRecord>& records) {
-        if (records.size() != data_.rooms.size()) return report("there are not as many records as rooms", {});
-        std::size_t infinite = data_.rock_outside;
-        for (std::size_t room = 0; room < records.size(); ++room) {
-            infinite += records[room].exterior;
-            const std::uint32_t into = records[room].merged_into;
+    void check_records() {
+        std::size_t infinite = data_.rock_outside();
+        std::vector<std::vector<std::uint32_t>> portals(cells_.room_count());
+        cells_.portals().for_each([&](std::uint32_t k, const PortalState& state) {
+            for (const RoomId room : state.portal->rooms)
+                if (!state.portal->gone() && room.value < portals.size()) portals[room.value].push_back(k);
+        });
+        for (std::uint32_t room = 0; room < cells_.room_count(); ++room) {
+            const RoomRecord& record = *cells_.room(room).record;
+            infinite += record.exterior;
+            const std::uint32_t into = record.merged_into;
             if (into > room) return report(room_text(room, "is part of a higher one"), {});
-            if (into != room && (data_.rooms[room]->tree || records[room].exterior))
+            if (into != room && (cells_.room(room).tree || record.exterior))
                 return report(room_text(room, "is part of another, and yet not empty"), {});
+            if (portals[room] != record.portals) return report(room_text(room, "does not list its portals"), {});
         }
         if (infinite > 1) report("more than one room, or rock as well, reaches to infinity", {});
     }
 
-    void check_portals(const PortalSet& portals) {
-        if (data_.closed && data_.closed->is_closed.size() != portals.portals().size())
-            return report("there are not as many doors as portals", {});
-        for (std::size_t k = 0; k < portals.portals().size() && !fault_; ++k) {
-            const Portal& portal = portals.portals()[k];
+    void check_portals() {
+        std::size_t closed = 0;
+        for (std::uint32_t k = 0; k < cells_.portal_count() && !fault_; ++k) {
+            const Portal& portal = cells_.portal(k);
+            closed += cells_.is_closed(k);
             for (const RoomId room : portal.rooms)
-                if (room.value >= data_.rooms.size()) return report(portal_text(k, "leads to no room"), {});
+                if (room.value >= cells_.room_count()) return report(portal_text(k, "leads to no room"), {});
             if (portal.gone()) continue;
             if (portal.rooms[0] == portal.rooms[1]) return report(portal_text(k, "leads from a room to itself"), {});
             for (const RoomId room : portal.rooms)
-                if ((*data_.room_records)[room.value].merged_into != room.value)
+                if (cells_.current_room(room.value) != room.value)
                     return report(portal_text(k, "leads to a room that is part of another"), {});
-            for (const PortalPolygon& polygon : portals.polygons_of(portal))
+            for (const PortalPolygon& polygon : portal.polygons())
                 if (check_polygon(polygon.shape.corners) != PolygonFault::kNone)
                     return report(portal_text(k, "has a polygon that is not convex and planar, with area"), {});
         }
-    }
-
-    bool has_solid() const {
-        bool any = false;
-        for (const Ref<const Room>& room : data_.rooms)
-            if (room->tree)
-                for_each_face_block(*room->tree, [&](const Block& block) {
-                    for (const FaceRecord& face : block.faces) any |= face.solid;
-                });
-        return any;
+        if (!fault_ && cells_.any_closed() != (closed > 0)) report("the count of closed portals is wrong", {});
     }
 
     void add_sides(const Block& block, const FaceRecord& face) {
@@ -112,17 +107,14 @@ private:
     /// Around a room, the edges of its solid faces and of its portals, as seen from it, cancel.
     void check_closed(std::uint32_t room) {
         sides_.clear();
-        if (data_.rooms[room]->tree)
-            for_each_face_block(*data_.rooms[room]->tree, [&](const Block& block) {
+        if (const Node* tree = cells_.room(room).tree.get())
+            for_each_block(*tree, [&](const Block& block) {
                 for (const FaceRecord& face : block.faces)
                     if (face.solid) add_sides(block, face);
             });
-        if (data_.portals)
-            for (const std::uint32_t index : data_.portals->portals_of(room)) {
-                const Portal& portal = data_.portals->portals()[index];
-                for (const PortalPolygon& polygon : data_.portals->polygons_of(portal))
-                    add_sides(polygon, portal.rooms[0].value == room);
-            }
+        for (const std::uint32_t index : cells_.portals_of(room))
+            for (const PortalPolygon& polygon : cells_.portal(index).polygons())
+                add_sides(polygon, cells_.portal(index).rooms[0].value == room);
         std::sort(sides_.begin(), sides_.end());
         for (std::size_t first = 0, end = 0; first < sides_.size(); first = end) {
             std::int64_t sum = 0;
@@ -133,6 +125,7 @@ private:
     }
 
     const WorldData& data_;
+    const Cells& cells_;
     std::optional<WorldFault> fault_;
     std::vector<Side> sides_;
 };

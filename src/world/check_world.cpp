@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Is this world sound: every invariant, one by one, the slow and sure way.
 #include <algorithm>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "base/sort.h"
 #include "firma/world.h"
-#include "tree/visit.h"
+#include "index/traverse.h"
+#include "solid/hash_facet.h"
 #include "world/block_faces.h"
 #include "world/check_rooms.h"
 #include "world/world_data.h"
@@ -46,10 +49,14 @@ bool contains(const BoxF& box, const Vec3& p) {
 class Checker {
 public:
     std::optional<WorldFault> check(const World& world) {
-        for (const Ref<const Room>& room : world.data().rooms)
-            if (room->tree) check_block(*room->tree, nullptr);
+        const WorldData& data = world.data();
+        if (const Node* root = data.solid.data().faces.root.get()) check_store(*root, true);
+        if (const Node* root = data.castable.root.get()) check_store(*root, false);
         if (!fault_ && ids_.size() != world.face_count()) report("the count of faces is not how many there are", {});
         if (!fault_) check_ids(world);
+        data.cells.rooms().for_each([&](std::uint32_t number, const Ref<const Room>& room) { check_room(number, *room); });
+        if (!fault_) check_all_in_rooms(data);
+        if (!fault_) check_hashes(data);
         if (!fault_) fault_ = check_rooms(world);
         return fault_;
     }
@@ -59,59 +66,86 @@ private:
         if (!fault_) fault_ = WorldFault{what, face};
     }
 
-    void check_block(const Block& block, const BoxF* around) {
-        if (fault_) return;
-        if (block.bins.empty()) return report("a block has no bins", {});
-        if (block.holds_blocks() != block.faces.empty())
-            return report("a block holds both faces and blocks, or neither", {});
-        const std::size_t items = block.holds_blocks() ? block.children.size() : block.faces.size();
-        if (items > kBlockItems) return report("a block holds more than 64 items", {});
-        if (around && !contains(*around, block.bins[0].box)) return report("a block reaches out of its bin", {});
-        std::vector<int> held(items, 0);
-        const std::size_t used = check_bin(block, 0, held);
-        if (used != block.bins.size()) report("a block has bins that no other leads to", {});
-        if (block.faces_below != faces_below(block)) report("a block's count of faces is not how many there are", {});
-        if (block.depth != depth_below(block, 0)) report("a block's depth is not how deep it is", {});
-        if (block.depth > kDeepestTree) report("a tree is deeper than walks can go", {});
-        for (const int times : held)
-            if (times != 1) report("an item is not in exactly one bin", {});
+    /// What faces are kept in: each block looked at, face by face.
+    void check_store(const Node& root, bool solid) {
+        in_store_ = true;
+        solid_ = solid;
+        check_node(root, nullptr);
     }
 
-    static std::size_t faces_below(const Block& block) {
-        std::size_t sum = block.faces.size();
-        for (const Ref<const Block>& child : block.children) sum += child->faces_below;
+    /// A room's index: over blocks that were looked at.
+    void check_room(std::uint32_t number, const Room& room) {
+        in_store_ = false;
+        faces_ = 0;
+        hash_ = 0;
+        room_ = number;
+        if (room.tree) check_node(*room.tree, nullptr);
+        if (!fault_ && room.faces != faces_) report("a room's count of faces is not how many there are", {});
+        if (!fault_ && room.face_hash != hash_) report("a room's hash is not that of its faces", {});
+    }
+
+    void check_node(const Node& node, const BoxF* around) {
+        if (fault_) return;
+        if (node.bins.empty()) return report("a node has no bins", {});
+        if (node.is_leaf() != bool(node.facets)) return report("a node holds both facets and nodes, or neither", {});
+        const std::size_t items = node.is_leaf() ? block_of(node).faces.size() : node.children.size();
+        if (items == 0 || items > kNodeItems) return report("a node does not hold 1 to 64 items", {});
+        if (around && !contains(*around, node.bins[0].box)) return report("a node reaches out of its bin", {});
+        std::vector<int> held(items, 0);
+        const std::size_t used = check_bin(node, 0, held);
+        if (used != node.bins.size()) report("a node has bins that no other leads to", {});
+        if (node.facets_below != facets_below(node)) report("a node's count of faces is not how many there are", {});
+        if (node.depth != depth_below(node, 0)) report("a node's depth is not how deep it is", {});
+        if (node.depth > kDeepestTree) report("an index is deeper than traversals can go", {});
+        for (const int times : held)
+            if (times != 1) report("an item is not in exactly one bin", {});
+        if (!fault_ && node.is_leaf()) check_block(block_of(node));
+    }
+
+    void check_block(const Block& block) {
+        if (in_store_) return blocks_.push_back(&block);
+        in_rooms_.push_back(&block);
+        faces_ += block.faces.size();
+        for (const FaceRecord& face : block.faces) hash_ += hash_facet(block, face);
+        parts_.push_back({block.part, room_});
+    }
+
+    static std::size_t facets_below(const Node& node) {
+        if (node.is_leaf()) return block_of(node).faces.size();
+        std::size_t sum = 0;
+        for (const Ref<const Node>& child : node.children) sum += child->facets_below;
         return sum;
     }
 
-    /// Of a block whose bins are sound.
-    int depth_below(const Block& block, std::size_t index) const {
-        if (fault_) return block.depth;
-        const Bin& bin = block.bins[index];
-        if (bin.is_leaf()) return block.holds_blocks() ? block.children[bin.first]->depth : 0;
-        return 1 + std::max(depth_below(block, index + 1), depth_below(block, bin.first));
+    /// Of a node whose bins are sound.
+    int depth_below(const Node& node, std::size_t index) const {
+        if (fault_) return node.depth;
+        const Bin& bin = node.bins[index];
+        if (bin.is_leaf()) return node.is_leaf() ? 0 : node.children[bin.first]->depth;
+        return 1 + std::max(depth_below(node, index + 1), depth_below(node, bin.first));
     }
 
     /// @return bins in this subtree
-    std::size_t check_bin(const Block& block, std::size_t index, std::vector<int>& held) {
+    std::size_t check_bin(const Node& node, std::size_t index, std::vector<int>& held) {
         if (fault_) return 0;
-        if (index >= block.bins.size()) return report("a bin leads out of its block", {}), 0;
-        const Bin& bin = block.bins[index];
+        if (index >= node.bins.size()) return report("a bin leads out of its node", {}), 0;
+        const Bin& bin = node.bins[index];
         if (!bin.is_leaf()) {
-            if (bin.first <= index + 1 || bin.first >= block.bins.size()) return report("a bin leads backward", {}), 0;
-            if (!contains(bin.box, block.bins[index + 1].box) || !contains(bin.box, block.bins[bin.first].box))
+            if (bin.first <= index + 1 || bin.first >= node.bins.size()) return report("a bin leads backward", {}), 0;
+            if (!contains(bin.box, node.bins[index + 1].box) || !contains(bin.box, node.bins[bin.first].box))
                 report("a bin reaches out of its parent", {});
-            const std::size_t left = check_bin(block, index + 1, held);
-            return 1 + left + check_bin(block, bin.first, held);
+            const std::size_t left = check_bin(node, index + 1, held);
+            return 1 + left + check_bin(node, bin.first, held);
         }
-        if (block.holds_blocks() && bin.count != 1) report("a bin holds more than one block", {});
+        if (!node.is_leaf() && bin.count != 1) report("a bin holds more than one node", {});
         if (std::size_t(bin.first) + bin.count > held.size())
             return report("a bin holds items that are not there", {}), 0;
         for (std::uint32_t item = bin.first; item < bin.first + bin.count; ++item) {
             ++held[item];
-            if (block.holds_blocks())
-                check_block(*block.children[item], &bin.box);
-            else
-                check_face(block, block.faces[item], bin.box);
+            if (!node.is_leaf())
+                check_node(*node.children[item], &bin.box);
+            else if (in_store_)
+                check_face(block_of(node), block_of(node).faces[item], bin.box);
         }
         return 1;
     }
@@ -129,6 +163,9 @@ private:
         for (const Vec3& corner : face.corners)
             if (!contains(box, corner)) return report("a face reaches out of its bin", face.id);
         if (!face.id.valid()) return report("a face has no id", face.id);
+        if (face.solid != solid_)
+            return report(solid_ ? "a face of the solid does not say so" : "a castable-only face says it is solid",
+                          face.id);
         ids_.push_back(face.id.value);
     }
 
@@ -137,12 +174,52 @@ private:
         sort_range(ids_);
         const auto twice = std::adjacent_find(ids_.begin(), ids_.end());
         if (twice != ids_.end()) return report("two faces have one id", {*twice});
-        if (!ids_.empty() && ids_.back() >= world.data().next_face)
+        if (!ids_.empty() && ids_.back() >= world.data().next_face())
             report("a face's id is not below the next one", {ids_.back()});
+    }
+
+    /// Each block lies in the index of the one room that its faces are part of.
+    void check_all_in_rooms(const WorldData& data) {
+        for (const auto& [part, room] : parts_)
+            if (part >= data.cells.room_count() || data.cells.current_room(part) != room)
+                return report("a block lies in a room that its faces are not part of", {});
+        sort_range(blocks_, std::less<const Block*>());
+        sort_range(in_rooms_, std::less<const Block*>());
+        if (blocks_ != in_rooms_) report("a block lies in no room, or in several", {});
+    }
+
+    void check_hashes(const WorldData& data) {
+        SolidData anew = data.solid.data();
+        const std::uint64_t points = anew.point_sum;
+        hash_points_anew(anew);
+        if (anew.point_sum != points) return report("the hash of the solid is not that of its faces", {});
+        for (const FaceStore* store : {&data.solid.data().faces, &data.castable}) {
+            FaceSums sums;
+            FaceStore counted;
+            if (store->root)
+                for_each_block(*store->root, [&](const Block& block) {
+                    for (const FaceRecord& face : block.faces) sums.add(block, face);
+                });
+            sums.add_to(counted);
+            if (counted.hash != store->hash || counted.count != store->count)
+                return report("a hash of faces is not that of the faces", {});
+        }
+        std::uint64_t sum = 0;
+        data.cells.rooms().for_each(
+            [&](std::uint32_t number, const Ref<const Room>& room) { sum += hash_room(number, *room); });
+        data.cells.portals().for_each(
+            [&](std::uint32_t number, const PortalState& state) { sum += hash_portal(number, state); });
+        if (sum != data.cells.hash()) report("the hash of rooms and portals is not theirs", {});
     }
 
     std::optional<WorldFault> fault_;
     std::vector<std::uint32_t> ids_;
+    std::vector<const Block*> blocks_, in_rooms_;                   ///< of the stores, and of all rooms
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_;  ///< of each block in a room, and the room
+    bool in_store_ = false, solid_ = false;
+    std::size_t faces_ = 0;
+    std::uint64_t hash_ = 0;
+    std::uint32_t room_ = 0;
 };
 
 }  // namespace

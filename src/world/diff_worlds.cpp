@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changed between two worlds: first the blocks that only one of them has, then the faces in those.
+// What changed between two worlds: first what only one of them has of nodes, rooms and portals, then what is in those.
 #include "firma/diff_worlds.h"
 
 #include <algorithm>
@@ -7,49 +7,12 @@
 #include <functional>
 
 #include "geometry/grid_box.h"
+#include "index/unshared_nodes.h"
+#include "world/block_faces.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
-
-/// A block, and the room that it is of.
-struct BlockOfRoom {
-    const Block* block;
-    RoomId room;
-};
-
-bool by_address(const BlockOfRoom& a, const BlockOfRoom& b) {
-    return std::less<const Block*>()(a.block, b.block);
-}
-
-/// Blocks to look at, the one with most faces first.
-class Waiting {
-public:
-    void add(const BlockOfRoom& block) {
-        blocks_.push_back(block);
-        std::push_heap(blocks_.begin(), blocks_.end(), fewer);
-    }
-    std::uint32_t most() const { return blocks_.empty() ? 0 : blocks_[0].block->faces_below; }
-
-    /// Takes out all of so many faces, in order of address: for comparing with another such list, and nothing else.
-    std::vector<BlockOfRoom> take(std::uint32_t faces) {
-        std::vector<BlockOfRoom> taken;
-        while (most() == faces) {
-            std::pop_heap(blocks_.begin(), blocks_.end(), fewer);
-            taken.push_back(blocks_.back());
-            blocks_.pop_back();
-        }
-        std::sort(taken.begin(), taken.end(), by_address);
-        return taken;
-    }
-
-private:
-    static bool fewer(const BlockOfRoom& a, const BlockOfRoom& b) {
-        return a.block->faces_below < b.block->faces_below;
-    }
-
-    std::vector<BlockOfRoom> blocks_;
-};
 
 struct Slot {
     FaceId id;
@@ -60,51 +23,22 @@ struct Slot {
     const FaceRecord& face() const { return block->faces[slot]; }
 };
 
-/// Opens blocks that the other world does not have.
-void open(const std::vector<BlockOfRoom>& mine, const std::vector<BlockOfRoom>& others, Waiting& waiting,
-          std::vector<Slot>& slots) {
-    for (const BlockOfRoom& it : mine) {
-        if (std::binary_search(others.begin(), others.end(), it, by_address)) continue;
-        for (const Ref<const Block>& child : it.block->children) waiting.add({child.get(), it.room});
-        for (std::uint32_t slot = 0; slot < it.block->faces.size(); ++slot)
-            slots.push_back({it.block->faces[slot].id, slot, it.block, it.room});
+/// The faces in blocks that only one of two worlds has.
+void add_slots(const std::vector<const Node*>& nodes, const WorldData& data, std::vector<Slot>& slots) {
+    for (const Node* node : nodes) {
+        if (!node->is_leaf()) continue;
+        const Block& block = block_of(*node);
+        const RoomId room{data.cells.current_room(block.part)};
+        for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
+            slots.push_back({block.faces[slot].id, slot, &block, room});
     }
 }
 
-/// Faces in blocks that only one of two worlds has. A block has more faces than any below it: when those of so many
-/// faces are compared, all of them are at hand, whatever level they stand at.
-void find_unshared(Waiting& old_blocks, Waiting& new_blocks, std::vector<Slot>& old_faces,
-                   std::vector<Slot>& new_faces) {
-    while (const std::uint32_t most = std::max(old_blocks.most(), new_blocks.most())) {
-        const std::vector<BlockOfRoom> olds = old_blocks.take(most), news = new_blocks.take(most);
-        open(olds, news, old_blocks, old_faces);
-        open(news, olds, new_blocks, new_faces);
-    }
-}
-
-const Room* room_at(const WorldData& data, std::uint32_t room) {
-    return room < data.rooms.size() ? data.rooms[room].get() : nullptr;
-}
-
-std::uint32_t merged_into(const WorldData& data, std::uint32_t room) {
-    return data.room_records ? (*data.room_records)[room].merged_into : room;
-}
-
-/// Null for none, and for one that is gone.
-const Portal* portal_at(const WorldData& data, std::uint32_t portal) {
-    if (!data.portals || portal >= data.portals->portals().size()) return nullptr;
-    const Portal& it = data.portals->portals()[portal];
-    return it.gone() ? nullptr : &it;
-}
-
-bool is_closed(const WorldData& data, std::uint32_t portal) {
-    return data.closed && data.closed->is_closed[portal];
-}
-
-bool same(const PortalSet& a, const Portal& one, const PortalSet& b, const Portal& two) {
+bool same(const Portal& one, const Portal& two) {
+    if (&one == &two) return true;
     if (one.rooms != two.rooms || one.name != two.name || one.material != two.material || one.mask != two.mask)
         return false;
-    const auto polygons = a.polygons_of(one), others = b.polygons_of(two);
+    const auto polygons = one.polygons(), others = two.polygons();
     return std::equal(polygons.begin(), polygons.end(), others.begin(), others.end(),
                       [](const PortalPolygon& p, const PortalPolygon& q) {
                           return std::equal(p.corners.begin(), p.corners.end(), q.corners.begin(), q.corners.end());
@@ -144,17 +78,18 @@ public:
 
 private:
     void compare_faces(const WorldData& before, const WorldData& after) {
-        Waiting old_blocks, new_blocks;
-        for (std::uint32_t room = 0; room < std::max(before.rooms.size(), after.rooms.size()); ++room) {
-            const Room *old_room = room_at(before, room), *new_room = room_at(after, room);
-            const Block* old_tree = old_room ? old_room->tree.get() : nullptr;
-            const Block* new_tree = new_room ? new_room->tree.get() : nullptr;
-            if (old_tree == new_tree) continue;
-            if (old_tree) old_blocks.add({old_tree, {room}});
-            if (new_tree) new_blocks.add({new_tree, {room}});
-        }
+        std::vector<const Node*> old_roots, new_roots;
+        const auto compare = [&](const FaceStore& one, const FaceStore& two) {
+            if (one.root.get() == two.root.get()) return;
+            if (one.root) old_roots.push_back(one.root.get());
+            if (two.root) new_roots.push_back(two.root.get());
+        };
+        compare(before.solid.data().faces, after.solid.data().faces);
+        compare(before.castable, after.castable);
+        const UnsharedNodes nodes = unshared_nodes(old_roots, new_roots);
         std::vector<Slot> olds, news;
-        find_unshared(old_blocks, new_blocks, olds, news);
+        add_slots(nodes.before, before, olds);
+        add_slots(nodes.after, after, news);
         const auto by_id = [](const Slot& a, const Slot& b) { return a.id < b.id; };
         std::sort(olds.begin(), olds.end(), by_id);
         std::sort(news.begin(), news.end(), by_id);
@@ -173,27 +108,26 @@ private:
     }
 
     void compare_rooms(const WorldData& before, const WorldData& after) {
-        for (std::uint32_t room = 0; room < std::max(before.rooms.size(), after.rooms.size()); ++room) {
-            const bool in_both = room_at(before, room) && room_at(after, room);
-            if (!in_both || merged_into(before, room) != merged_into(after, room)) diff_.rooms.push_back({room});
-        }
+        before.cells.rooms().for_each_unshared(
+            after.cells.rooms(), [&](std::uint32_t room, const Ref<const Room>* one, const Ref<const Room>* two) {
+                if (!one || !two || (*one)->record->merged_into != (*two)->record->merged_into)
+                    diff_.rooms.push_back({room});
+            });
     }
 
     void compare_portals(const WorldData& before, const WorldData& after) {
-        if (before.portals == after.portals && before.closed == after.closed) return;
-        const auto count = [](const WorldData& data) { return data.portals ? data.portals->portals().size() : 0; };
-        for (std::uint32_t k = 0; k < std::max(count(before), count(after)); ++k) {
-            const Portal *one = portal_at(before, k), *two = portal_at(after, k);
-            if (!one && !two) continue;
-            if (!one) add({k}, *two, diff_.portals_come);
-            if (!two) add({k}, *one, diff_.portals_gone);
-            if (!one || !two) continue;
-            if (is_closed(before, k) != is_closed(after, k))
-                add({k}, *two, is_closed(after, k) ? diff_.closed : diff_.opened);
-            if (before.portals == after.portals || same(*before.portals, *one, *after.portals, *two)) continue;
-            add({k}, *one, diff_.portals_changed);
-            add_box(two->box);
-        }
+        before.cells.portals().for_each_unshared(
+            after.cells.portals(), [&](std::uint32_t k, const PortalState* one, const PortalState* two) {
+                const bool had = one && !one->portal->gone(), has = two && !two->portal->gone();
+                if (has && !had) add({k}, *two->portal, diff_.portals_come);
+                if (had && !has) add({k}, *one->portal, diff_.portals_gone);
+                if (!had || !has) return;
+                if (one->closed != two->closed)
+                    add({k}, *two->portal, two->closed ? diff_.closed : diff_.opened);
+                if (same(*one->portal, *two->portal)) return;
+                add({k}, *one->portal, diff_.portals_changed);
+                add_box(two->portal->box);
+            });
     }
 
     void add(PortalId id, const Portal& portal, std::vector<PortalId>& portals) {
@@ -203,7 +137,7 @@ private:
 
     void add(const Slot& slot, std::vector<ChangedFace>& faces) {
         const FaceRecord& face = slot.face();
-        faces.push_back({face.id, {slot.block, slot.slot}, slot.room, face.source, face.edit, face.material});
+        faces.push_back({face.id, ref_to(*slot.block, slot.slot), slot.room, face.source, face.edit, face.material});
         if (diff_.rooms.empty() || diff_.rooms.back() != slot.room) diff_.rooms.push_back(slot.room);
         add_box(slot.block->box_of(face));
     }

@@ -1,25 +1,72 @@
 // SPDX-License-Identifier: MIT
-// Which room a point lies in.
-#include "world/first_seen.h"
+// Which room a point lies in, or that it lies in the solid.
+#include "firma/rooms.h"
+#include "solid/first_seen.h"
+#include "world/world_data.h"
 
 namespace firma {
 namespace {
 
+class SeePortals final : public SeePolygons {
+public:
+    explicit SeePortals(const Cells& cells) : cells_(cells) {}
+    void look(FirstSeen& ray) const override {
+        cells_.for_each_portal_where([&](const GridBox& box) { return ray.enter(in_metres(box)); },
+                                     [&](std::uint32_t number, const Portal& portal) {
+                                         for (const PortalPolygon& polygon : portal.polygons())
+                                             ray.look_at(polygon.shape, number);
+                                     });
+    }
+
+private:
+    struct BoxD {
+        double low[3], high[3];
+    };
+    static BoxD in_metres(const GridBox& box) {
+        const Vec3 low = to_metres(box.low), high = to_metres(box.high);
+        return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+    }
+
+    const Cells& cells_;
+};
+
+Location in_room(const WorldData& data, std::uint32_t room) {
+    return {Location::Kind::kRoom, {data.cells.current_room(room)}};
+}
+
 /// What lies beyond all faces, where no rock does.
 Location outside(const WorldData& data) {
-    if (data.room_records)
-        for (std::uint32_t room = 0; room < data.room_records->size(); ++room)
-            if ((*data.room_records)[room].exterior) return {Location::Kind::kRoom, {current_room(data, room)}};
-    if (data.rooms.size() == 1) return {Location::Kind::kRoom, {0}};
+    if (data.rock_outside()) return {Location::Kind::kSolid, {}};
+    if (data.cells.room_count() == 1) return in_room(data, 0);
+    for (std::uint32_t room = 0; room < data.cells.room_count(); ++room)
+        if (data.cells.room(room).record->exterior) return in_room(data, room);
     return {};
 }
 
 }  // namespace
 
 Location locate(const World& world, const Vec3& point) {
-    if (!world.data().knows_walls) return {};
-    const Location seen = see_where(world, point, SeePortals::kYes);
-    return seen.kind == Location::Kind::kRoom && seen.room == kAnyRoom ? outside(world.data()) : seen;
+    const WorldData& data = world.data();
+    if (!data.knows_walls()) return {};
+    const SeePortals portals(data.cells);
+    const Seen seen = see_first(data.solid.data().faces.root.get(), point, &portals);
+    switch (seen.kind) {
+        case Seen::Kind::kAir:
+            return in_room(data, seen.part);
+        case Seen::Kind::kSolid:
+            return {Location::Kind::kSolid, {}};
+        case Seen::Kind::kPolygon:
+            return {Location::Kind::kRoom, data.cells.portal(seen.number).rooms[seen.front ? 0 : 1]};
+        case Seen::Kind::kNothing:
+            return outside(data);
+        case Seen::Kind::kUnsure:
+            break;
+    }
+    return {};
+}
+
+std::optional<bool> in_solid(const World& world, const Vec3& point) {
+    return in_solid(world.data().solid, point);
 }
 
 }  // namespace firma

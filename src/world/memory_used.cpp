@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How much memory worlds hold: each block, room and owner once, by address. Only a sum comes out, so no order shows.
+// How much memory worlds hold: each node, block, room and owner once, by address. Only a sum comes out, so no order shows.
 #include "firma/memory.h"
 
 #include <unordered_set>
 
-#include "tree/statistics.h"
+#include "index/statistics.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -14,17 +14,16 @@ class Counter {
 public:
     void add(const World& world) {
         const WorldData& data = world.data();
-        if (is_new(&data)) bytes_ += sizeof data + data.rooms.capacity() * sizeof(data.rooms[0]);
+        if (is_new(&data)) bytes_ += sizeof data;
         if (data.materials && is_new(data.materials.get())) add(*data.materials);
-        if (data.room_records && is_new(data.room_records.get())) bytes_ += bytes_of(*data.room_records);
-        if (data.portals && is_new(data.portals.get())) bytes_ += data.portals->bytes();
-        if (data.closed && is_new(data.closed.get())) bytes_ += data.closed->bytes();
-        if (data.room_boxes && is_new(data.room_boxes.get())) bytes_ += sizeof(BoxTree) + data.room_boxes->bytes();
-        for (const Ref<const Room>& room : data.rooms) {
-            if (!is_new(room.get())) continue;
-            bytes_ += pool_size(sizeof(Room));
-            if (room->tree) add(*room->tree);
+        const SolidData& solid = data.solid.data();
+        if (is_new(&solid)) bytes_ += sizeof solid;
+        add(solid.points);
+        for (const FaceStore* store : {&solid.faces, &data.castable}) {
+            add(store->regions);
+            if (store->root) add(*store->root);
         }
+        add(data.cells);
     }
     std::size_t bytes() const { return bytes_; }
 
@@ -38,12 +37,36 @@ private:
             if (name.capacity() > inside) bytes_ += name.capacity() + 1;
     }
 
-    void add(const Block& block) {
-        if (!is_new(&block)) return;
-        bytes_ += bytes_of(block);
+    void add(const PersistentMap<std::uint64_t>& sums) {
+        bytes_ += sums.bytes([&](const void* page) { return is_new(page); });
+    }
+
+    void add(const Cells& cells) {
+        const auto is_new_page = [&](const void* page) { return is_new(page); };
+        bytes_ += cells.rooms().bytes(is_new_page) + cells.portals().bytes(is_new_page);
+        if (cells.boxes() && is_new(cells.boxes().get()))
+            bytes_ += sizeof(PortalBoxes) + cells.boxes()->tree.bytes() +
+                      cells.boxes()->portals.capacity() * sizeof(std::uint32_t);
+        cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) {
+            if (!is_new(room.get())) return;
+            bytes_ += pool_size(sizeof(Room));
+            if (is_new(room->record.get())) bytes_ += bytes_of(*room->record);
+            if (room->tree) add(*room->tree);
+        });
+        cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
+            if (is_new(state.portal.get())) bytes_ += state.portal->bytes();
+        });
+    }
+
+    void add(const Node& node) {
+        if (!is_new(&node)) return;
+        bytes_ += bytes_of(node);
+        for (const Ref<const Node>& child : node.children) add(*child);
+        if (!node.is_leaf() || !is_new(node.facets.get())) return;
+        const Block& block = block_of(node);
+        bytes_ += block.bytes();
         for (const Ref<const FaceOwner>& owner : block.owners)
             if (is_new(owner.get())) bytes_ += owner->bytes();
-        for (const Ref<const Block>& child : block.children) add(*child);
     }
 
     std::unordered_set<const void*> seen_;
@@ -51,13 +74,6 @@ private:
 };
 
 }  // namespace
-
-std::size_t bytes_of(const std::vector<RoomRecord>& records) {
-    std::size_t sum = sizeof records + records.capacity() * sizeof(RoomRecord);
-    for (const RoomRecord& record : records)
-        if (record.name.capacity() > std::string().capacity()) sum += record.name.capacity() + 1;
-    return sum;
-}
 
 std::size_t memory_used(std::span<const World> worlds) {
     Counter counter;

@@ -6,25 +6,13 @@
 #include "cast/nearness.h"
 #include "firma/world.h"
 #include "geometry/rounding.h"
-#include "tree/visit.h"
+#include "index/traverse.h"
+#include "solid/near_facets.h"
 #include "world/block_faces.h"
-#include "world/each_room.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
-
-/// How near a box is at least.
-template <class AnyBox>
-double distance_to(const AnyBox& box, const Vec3& point) {
-    Vec3 away;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double below = double(box.low[axis]) - point[axis], above = point[axis] - double(box.high[axis]);
-        const double out = below > above ? below : above;
-        away[axis] = out > 0 ? out : 0;
-    }
-    return length(away) * (1 - rounding(16));
-}
 
 NearFace near_face(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
     NearFace near;
@@ -34,39 +22,12 @@ NearFace near_face(const Block& block, std::uint32_t slot, const PolygonShape& p
     near.feature = closest.feature;
     near.feature_index = closest.index;
     near.face = face.id;
-    near.ref = {&block, slot};
+    near.ref = ref_to(block, slot);
     near.source = face.source;
     near.source_edit = face.edit;
     near.material = face.material;
     return near;
 }
-
-/// Faces within `reach` of a point; `Found` may bring it nearer.
-template <class Found>
-struct NearVisitor {
-    const Vec3& point;
-    std::uint32_t mask;
-    Found& found;
-
-    /// Distances to faces are rounded, so boxes a little farther are looked into as well.
-    bool within(double distance) const {
-        return distance <= found.reach + rounding(64) * (largest(point) + 4 * kWorldRim);
-    }
-    bool enter(const Bin& bin, double& nearest) const {
-        nearest = distance_to(bin.box, point);
-        return within(nearest);
-    }
-    bool still(double nearest) const { return within(nearest); }
-    bool faces(const Block& block, std::uint32_t first, std::uint32_t count) const {
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            if (!(block.faces[slot].mask & mask)) continue;
-            const FaceShape shape(block, block.faces[slot]);
-            const Closest closest = closest_to(point - shape.polygon.corners[0], shape.polygon);
-            if (found.takes(point, shape.polygon, closest)) found.keep(near_face(block, slot, shape.polygon, closest));
-        }
-        return false;
-    }
-};
 
 NearFace near_portal(std::uint32_t index, const Portal& portal, const PolygonShape& polygon, const Closest& closest) {
     NearFace near;
@@ -81,10 +42,9 @@ NearFace near_portal(std::uint32_t index, const Portal& portal, const PolygonSha
 
 /// A portal counts once, by its nearest polygon.
 template <class Found>
-void look_at_portal(const PortalSet& portals, std::uint32_t index, const Vec3& point, Found& found) {
-    const Portal& portal = portals.portals()[index];
+void look_at_portal(std::uint32_t index, const Portal& portal, const Vec3& point, Found& found) {
     std::optional<NearFace> nearest;
-    for (const PortalPolygon& polygon : portals.polygons_of(portal)) {
+    for (const PortalPolygon& polygon : portal.polygons()) {
         const Closest closest = closest_to(point - polygon.shape.corners[0], polygon.shape);
         if (!found.takes(point, polygon.shape, closest)) continue;
         if (nearest && closest.distance >= nearest->distance) continue;
@@ -94,25 +54,29 @@ void look_at_portal(const PortalSet& portals, std::uint32_t index, const Vec3& p
 }
 
 template <class Found>
-void visit_near(const World& world, const Vec3& point, std::uint32_t mask, RoomId room, Found& found) {
+void look_near(const World& world, const Vec3& point, std::uint32_t mask, RoomId room, Found& found) {
     const WorldData& data = world.data();
-    NearVisitor<Found> visitor{point, mask, found};
-    const auto stops = [&](std::uint32_t portal) {
-        return data.closed->is_closed[portal] && (data.portals->portals()[portal].mask & mask);
+    const Cells& cells = data.cells;
+    NearFacets<Found> visitor{point, mask, found};
+    const auto look_at = [&](std::uint32_t number, const Portal& portal) {
+        if (cells.is_closed(number) && (portal.mask & mask)) look_at_portal(number, portal, point, found);
     };
     if (room != kAnyRoom) {
-        const std::uint32_t here = current_room(data, room.value);
-        if (data.rooms[here]->tree) visit(*data.rooms[here]->tree, visitor);
-        if (!data.closed) return;
-        for (const std::uint32_t portal : data.portals->portals_of(here))
-            if (stops(portal)) look_at_portal(*data.portals, portal, point, found);
+        const std::uint32_t here = cells.current_room(room.value);
+        if (const Node* tree = cells.room(here).tree.get()) traverse(*tree, visitor);
+        if (cells.any_closed())
+            for (const std::uint32_t portal : cells.portals_of(here)) look_at(portal, cells.portal(portal));
         return;
     }
-    const auto near = [&](const BoxD& box) { return visitor.within(distance_to(box, point)); };
-    for_each_room_where(data, near, [&](std::uint32_t, const Block& tree) { visit(tree, visitor); });
-    if (!data.closed) return;
-    for (const std::uint32_t portal : data.closed->all)
-        if (stops(portal)) look_at_portal(*data.portals, portal, point, found);
+    for (const Node* index : indices_of(data))
+        if (index) traverse(*index, visitor);
+    if (!cells.any_closed()) return;
+    cells.for_each_portal_where(
+        [&](const GridBox& box) {
+            const Box metres{to_metres(box.low), to_metres(box.high)};
+            return visitor.within(distance_to(metres, point));
+        },
+        look_at);
 }
 
 struct Collect {
@@ -122,6 +86,10 @@ struct Collect {
         return ball_meets(point, reach, polygon, closest);
     }
     void keep(const NearFace& near) { all.push_back(near); }
+    bool keep(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
+        keep(near_face(block, slot, polygon, closest));
+        return false;
+    }
 };
 
 bool comes_before(const NearFace& a, const NearFace& b) {
@@ -137,6 +105,10 @@ struct KeepNearest {
             return;
         best = near;
         reach = near.distance;
+    }
+    bool keep(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
+        keep(near_face(block, slot, polygon, closest));
+        return false;
     }
 };
 
@@ -156,7 +128,7 @@ Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& 
     if (!is_there(world, room)) return Status::kInvalid;
     if (!usable(sphere.centre) || !(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
     Collect collect{sphere.radius, found};
-    visit_near(world, sphere.centre, mask, room, collect);
+    look_near(world, sphere.centre, mask, room, collect);
     sort_range(found, comes_before);
     return found.empty() ? Status::kMiss : Status::kTouching;
 }
@@ -164,7 +136,7 @@ Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& 
 std::optional<NearFace> closest(const World& world, const Vec3& point, double reach, std::uint32_t mask, RoomId room) {
     if (!is_there(world, room) || !usable(point) || std::isnan(reach)) return {};
     KeepNearest nearest{reach, {}};
-    visit_near(world, point, mask, room, nearest);
+    look_near(world, point, mask, room, nearest);
     return nearest.best;
 }
 

@@ -5,30 +5,25 @@
 #include <algorithm>
 
 #include "base/assert.h"
-#include "tree/visit.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
 
 bool is_room(const WorldData& data, RoomId room) {
-    const bool there = room.value < data.rooms.size();
+    const bool there = room.value < data.cells.room_count();
     FIRMA_ASSERT(there, "a RoomId must be below World::room_count()");
     return there;
 }
 
 bool is_portal(const WorldData& data, PortalId portal) {
-    const bool there = data.portals && portal.value < data.portals->portals().size();
+    const bool there = portal.value < data.cells.portal_count();
     FIRMA_ASSERT(there, "a PortalId must be below portal_count()");
     return there;
 }
 
 bool is_open(const WorldData& data, std::uint32_t portal) {
-    return !data.closed || !data.closed->is_closed[portal];
-}
-
-std::span<const std::uint32_t> portals_of(const WorldData& data, std::uint32_t room) {
-    return data.portals ? data.portals->portals_of(room) : std::span<const std::uint32_t>();
+    return !data.cells.is_closed(portal);
 }
 
 void add(Box& bounds, const GridBox& box) {
@@ -39,13 +34,13 @@ void add(Box& bounds, const GridBox& box) {
 /// How many portals each room is from one, through what `leads_on`; ~0 where there is no way.
 template <class LeadsOn>
 std::vector<std::uint32_t> portals_away(const WorldData& data, std::uint32_t from, const LeadsOn& leads_on) {
-    std::vector<std::uint32_t> away(data.rooms.size(), ~0u);
+    std::vector<std::uint32_t> away(data.cells.room_count(), ~0u);
     std::vector<std::uint32_t> reached{from};
     away[from] = 0;
     for (std::size_t next = 0; next < reached.size(); ++next) {
         const std::uint32_t room = reached[next];
-        for (const std::uint32_t portal : portals_of(data, room)) {
-            const std::uint32_t beyond = data.portals->portals()[portal].beyond({room}).value;
+        for (const std::uint32_t portal : data.cells.portals_of(room)) {
+            const std::uint32_t beyond = data.cells.portal(portal).beyond({room}).value;
             if (!leads_on(portal) || away[beyond] != ~0u) continue;
             away[beyond] = away[room] + 1;
             reached.push_back(beyond);
@@ -61,38 +56,37 @@ RoomInfo room_info(const World& world, RoomId room) {
     RoomInfo info;
     info.part_of = room;
     if (!is_room(data, room)) return info;
-    if (const Block* tree = data.rooms[room.value]->tree.get()) {
-        info.faces = tree->faces_below;
-        for_each_face_block(*tree, [&](const Block& block) {
+    const Room& it = data.cells.room(room.value);
+    info.faces = it.faces;
+    if (it.tree)
+        for_each_block(*it.tree, [&](const Block& block) {
             for (const GridPoint& vertex : block.vertices) info.bounds.add(to_metres(vertex));
         });
-    }
-    for (const std::uint32_t portal : portals_of(data, room.value)) {
+    for (const std::uint32_t portal : it.record->portals) {
         info.portals.push_back({portal});
-        add(info.bounds, data.portals->portals()[portal].box);
+        add(info.bounds, data.cells.portal(portal).box);
     }
-    if (!data.room_records) return info;
-    info.name = (*data.room_records)[room.value].name;
-    info.exterior = (*data.room_records)[room.value].exterior;
-    info.part_of = {current_room(data, room.value)};
+    info.name = it.record->name;
+    info.exterior = it.record->exterior;
+    info.part_of = {data.cells.current_room(room.value)};
     return info;
 }
 
 std::size_t portal_count(const World& world) {
-    return world.data().portals ? world.data().portals->portals().size() : 0;
+    return world.data().cells.portal_count();
 }
 
 PortalInfo portal_info(const World& world, PortalId id) {
     const WorldData& data = world.data();
     PortalInfo info;
     if (!is_portal(data, id)) return info;
-    const Portal& portal = data.portals->portals()[id.value];
+    const Portal& portal = data.cells.portal(id.value);
     info.rooms = portal.rooms;
     info.name = portal.name;
     info.material = portal.material;
     info.mask = portal.mask;
     info.open = is_open(data, id.value);
-    for (const PortalPolygon& polygon : data.portals->polygons_of(portal))
+    for (const PortalPolygon& polygon : portal.polygons())
         info.polygons.emplace_back(polygon.shape.corners.begin(), polygon.shape.corners.end());
     if (!portal.gone()) add(info.bounds, portal.box);
     return info;
@@ -102,9 +96,9 @@ std::vector<RoomId> neighbours(const World& world, RoomId room) {
     const WorldData& data = world.data();
     std::vector<RoomId> rooms;
     if (!is_room(data, room)) return rooms;
-    const RoomId here{current_room(data, room.value)};
-    for (const std::uint32_t portal : portals_of(data, here.value))
-        rooms.push_back(data.portals->portals()[portal].beyond(here));
+    const RoomId here{data.cells.current_room(room.value)};
+    for (const std::uint32_t portal : data.cells.portals_of(here.value))
+        rooms.push_back(data.cells.portal(portal).beyond(here));
     std::sort(rooms.begin(), rooms.end());
     rooms.erase(std::unique(rooms.begin(), rooms.end()), rooms.end());
     return rooms;
@@ -114,13 +108,13 @@ std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, 
     const WorldData& data = world.data();
     if (!is_room(data, from) || !is_room(data, to)) return {};
     const auto leads_on = [&](std::uint32_t portal) { return doors == Doors::kAllOpen || is_open(data, portal); };
-    std::uint32_t room = current_room(data, from.value);
-    const std::vector<std::uint32_t> away = portals_away(data, current_room(data, to.value), leads_on);
+    std::uint32_t room = data.cells.current_room(from.value);
+    const std::vector<std::uint32_t> away = portals_away(data, data.cells.current_room(to.value), leads_on);
     if (away[room] == ~0u) return {};
     std::vector<PortalId> path;
     while (away[room] > 0)
-        for (const std::uint32_t portal : portals_of(data, room)) {
-            const std::uint32_t beyond = data.portals->portals()[portal].beyond({room}).value;
+        for (const std::uint32_t portal : data.cells.portals_of(room)) {
+            const std::uint32_t beyond = data.cells.portal(portal).beyond({room}).value;
             if (!leads_on(portal) || away[beyond] + 1 != away[room]) continue;
             path.push_back({portal});
             room = beyond;
@@ -133,11 +127,7 @@ World set_portal_open(const World& world, PortalId portal, bool open) {
     const WorldData& data = world.data();
     if (!is_portal(data, portal) || is_open(data, portal.value) == open) return world;
     auto next = next_version(data);
-    std::vector<std::uint8_t> closed(data.portals->portals().size(), 0);
-    if (data.closed) closed = data.closed->is_closed;
-    closed[portal.value] = !open;
-    const bool any = std::find(closed.begin(), closed.end(), 1) != closed.end();
-    next->closed = any ? std::make_shared<const ClosedPortals>(std::move(closed)) : nullptr;
+    next->cells.set_portal(portal.value, data.cells.portals()[portal.value].portal, !open);
     return World(std::move(next));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk of a sweep through a world: through each room's tree, and from room to room.
+// The way of a sweep through a world: through each room's index, and from room to room.
 //
 // By room: rooms wait in the order in which the sweep reaches the portals that lead to them, and the earliest is looked
 // into next, until none is reached before what was met so far. A room beyond several portals counts as reached when the
@@ -14,11 +14,11 @@
 
 #include "cast/cast_sphere_polygon.h"
 #include "firma/world.h"
-#include "tree/sweep_box.h"
-#include "tree/visit.h"
+#include "index/sweep_box.h"
+#include "index/traverse.h"
 #include "world/block_faces.h"
-#include "world/each_room.h"
 #include "world/reach_portal.h"
+#include "world/rooms_on_the_way.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -28,7 +28,6 @@ struct SweepContact {
     Contact contact;
     const Block* block = nullptr;  ///< null: a portal
     std::uint32_t slot = 0;        ///< of a portal: which of its polygons
-    std::uint32_t room = 0;        ///< of a portal: where it was met from
     std::uint32_t portal = ~0u;
 
     const FaceRecord& face() const { return block->faces[slot]; }
@@ -52,6 +51,10 @@ struct RoomsPassed {
     }
 };
 
+struct BoxD {
+    double low[3], high[3];
+};
+
 inline BoxD box_of_face(const Block& block, const FaceRecord& face) {
     const auto corners = block.corners_of(face);
     GridPoint low = block.vertices[corners[0]], high = low;
@@ -66,13 +69,13 @@ inline BoxD box_of_face(const Block& block, const FaceRecord& face) {
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
 }
 
-/// Walks one room's tree. `Found` is told of every touch up to `latest` and returns true to end the walk; it may bring
+/// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may bring
 /// `latest` forward.
 template <class Found>
 class SweepVisitor {
 public:
-    SweepVisitor(const Sweep& sweep, const CastOptions& options, std::uint32_t room, Found& found)
-        : sweep_(sweep), boxes_(sweep), options_(options), room_(room), found_(found) {}
+    SweepVisitor(const Sweep& sweep, const CastOptions& options, Found& found)
+        : sweep_(sweep), boxes_(sweep), options_(options), found_(found) {}
 
     bool enter(const Bin& bin, double& nearest) {
         ++counts.bins;
@@ -80,7 +83,8 @@ public:
     }
     bool still(double nearest) const { return nearest <= found_.latest; }
 
-    bool faces(const Block& block, std::uint32_t first, std::uint32_t count) {
+    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
+        const Block& block = as_block(facets);
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
             const FaceRecord& face = block.faces[slot];
             if (!(face.mask & options_.mask)) continue;
@@ -91,7 +95,7 @@ public:
             const FaceShape shape(block, face);
             const Sides sides = face.two_sided ? Sides::kBoth : options_.sides;
             const Contact contact = cast_sweep_polygon(sweep_, shape.polygon, sides, found_.latest, &counts);
-            if (contact.touched() && found_({contact, &block, slot, room_})) return ended = true;
+            if (contact.touched() && found_({contact, &block, slot})) return ended = true;
         }
         return false;
     }
@@ -103,7 +107,6 @@ private:
     const Sweep& sweep_;
     const SweepBox boxes_;
     const CastOptions& options_;
-    const std::uint32_t room_;
     Found& found_;
 };
 
@@ -114,67 +117,39 @@ public:
     WorldSweep(const WorldData& data, const Sweep& sweep, const CastOptions& options, Found& found)
         : data_(data), sweep_(sweep), options_(options), found_(found) {}
 
-    /// Through the trees of all rooms.
+    /// Through all rooms at once.
     void ask_all() {
-        if (data_.rooms.size() == 1) {
-            if (const Block* tree = data_.rooms[0]->tree.get()) look_into(0, *tree);
-        } else {
-            const SweepBox boxes(sweep_);
-            for_each_room_nearest_first(
-                data_, [&](const auto& box, double& nearest) { return boxes.enters(box, found_.latest, nearest); },
-                [&](double nearest) { return nearest <= found_.latest; },
-                [&](std::uint32_t room, const Block& tree) {
-                    look_into(room, tree);
-                    return ended_;
-                });
-        }
-        if (data_.closed) meet_closed_portals();
+        for (const Node* index : indices_of(data_))
+            if (index && !ended_) look_into(*index);
+        if (data_.cells.any_closed()) meet_closed_portals();
     }
 
-    /// From a room on, through every portal that the sweep reaches; false where it gave up on that, and all rooms are
-    /// to be asked.
-    bool ask_from(std::uint32_t start, RoomsPassed& passed) {
-        if (data_.rooms.size() > kMostRooms) return false;
-        std::fill_n(looked_into_, (data_.rooms.size() + 63) / 64, 0);
-        std::fill_n(passed_, (data_.rooms.size() + 63) / 64, 0);
+    /// From a room on, through every portal that the sweep reaches.
+    void ask_from(std::uint32_t start, RoomsPassed& passed) {
+        rooms_.start(data_.cells.room_count());
         grown_ = grown_radius(sweep_);
         const SweepBox boxes(sweep_);
-        waiting_[0] = {0, start, false};
-        count_ = 1;
-        while (count_ > 0 && !ended_) {
-            const Waiting next = take_first();
+        rooms_.wait({0, start, false});
+        while (rooms_.any() && !ended_) {
+            const WaitingRoom next = rooms_.take_first();
             if (next.reached > found_.latest) break;
-            const bool first_look = !has(looked_into_, next.room);
+            const bool first_look = !rooms_.looked_into(next.room);
             if (next.behind && !first_look) continue;
-            if (!next.behind) passed.add(next.room), add(passed_, next.room);
-            add(looked_into_, next.room);
-            const Block* tree = data_.rooms[next.room]->tree.get();
-            if (first_look && tree) look_into(next.room, *tree);
-            if (!ended_ && data_.portals && !pass_portals(next, first_look, boxes)) return false;
+            if (!next.behind) {
+                passed.add(next.room);
+                rooms_.mark_passed(next.room);
+            }
+            rooms_.mark_looked_into(next.room);
+            const Node* tree = data_.cells.room(next.room).tree.get();
+            if (first_look && tree) look_into(*tree);
+            if (!ended_) pass_portals(next, first_look, boxes);
         }
-        return true;
     }
 
 private:
-    /// Worlds of more are asked in all rooms.
-    static constexpr std::size_t kMostRooms = 4096;
-    /// With more rooms waiting than this, all are asked.
-    static constexpr std::size_t kMostWaiting = 256;
-
-    /// A room that was reached only by meeting a closed portal lies `behind` it: of its faces, those at the portal's
-    /// rim may be met at the same time, and the lowest id counts; but the sweep did not pass into it.
-    struct Waiting {
-        double reached;
-        std::uint32_t room;
-        bool behind;
-    };
-
-    static void add(std::uint64_t* marks, std::uint32_t room) { marks[room / 64] |= std::uint64_t(1) << room % 64; }
-    static bool has(const std::uint64_t* marks, std::uint32_t room) { return marks[room / 64] >> room % 64 & 1; }
-
-    void look_into(std::uint32_t room, const Block& tree) {
-        SweepVisitor<Found> visitor(sweep_, options_, room, found_);
-        visit(tree, visitor);
+    void look_into(const Node& index) {
+        SweepVisitor<Found> visitor(sweep_, options_, found_);
+        traverse(index, visitor);
         ended_ = visitor.ended;
         if (options_.counts) {
             options_.counts->bins += visitor.counts.bins;
@@ -184,37 +159,23 @@ private:
         }
     }
 
-    Waiting take_first() {
-        std::size_t first = 0;
-        for (std::size_t k = 1; k < count_; ++k) {
-            const Waiting &a = waiting_[k], &b = waiting_[first];
-            if (a.reached != b.reached ? a.reached < b.reached : a.behind != b.behind ? b.behind : a.room < b.room)
-                first = k;
-        }
-        const Waiting taken = waiting_[first];
-        waiting_[first] = waiting_[--count_];
-        return taken;
-    }
-
     /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
     /// wait.
-    /// @return false when the list is full
-    bool pass_portals(const Waiting& from, bool first_look, const SweepBox& boxes) {
+    void pass_portals(const WaitingRoom& from, bool first_look, const SweepBox& boxes) {
         const GridBox around = box_of_sweep();
-        for (const std::uint32_t index : data_.portals->portals_of(from.room)) {
-            const Portal& portal = data_.portals->portals()[index];
+        for (const std::uint32_t index : data_.cells.portals_of(from.room)) {
+            const Portal& portal = data_.cells.portal(index);
             // A large hall may have dozens; most are nowhere near.
             if (!boxes_meet(portal.box, around)) continue;
             const std::uint32_t beyond = portal.beyond({from.room}).value;
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
-            if (closed && first_look && !has(looked_into_, beyond) && meet_portal(index, portal, from.room, boxes))
-                return true;
+            if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal, boxes)) return;
             double reached = 0;
-            if (has(behind ? looked_into_ : passed_, beyond) || !reaches(portal, boxes, reached)) continue;
-            if (!wait({reached > from.reached ? reached : from.reached, beyond, behind})) return false;
+            if (behind ? rooms_.looked_into(beyond) : rooms_.passed(beyond)) continue;
+            if (!reaches(portal, boxes, reached)) continue;
+            rooms_.wait({reached > from.reached ? reached : from.reached, beyond, behind});
         }
-        return true;
     }
 
     /// Around all that the sphere may touch up to the latest time; what lies outside, SweepBox would not enter.
@@ -234,12 +195,12 @@ private:
     }
 
     bool stops(std::uint32_t index, const Portal& portal) const {
-        return data_.closed && data_.closed->is_closed[index] && (portal.mask & options_.mask);
+        return data_.cells.any_closed() && data_.cells.is_closed(index) && (portal.mask & options_.mask);
     }
 
     bool reaches(const Portal& portal, const SweepBox& boxes, double& reached) {
         bool any = false;
-        for (const PortalPolygon& polygon : data_.portals->polygons_of(portal)) {
+        for (const PortalPolygon& polygon : portal.polygons()) {
             count_box();
             double nearest;
             if (!boxes.enters(polygon.box, found_.latest, nearest)) continue;
@@ -250,34 +211,25 @@ private:
         return any;
     }
 
-    bool wait(const Waiting& more) {
-        for (std::size_t k = 0; k < count_; ++k)
-            if (waiting_[k].room == more.room && waiting_[k].behind == more.behind) {
-                if (more.reached < waiting_[k].reached) waiting_[k].reached = more.reached;
-                return true;
-            }
-        if (count_ == kMostWaiting) return false;
-        waiting_[count_++] = more;
-        return true;
-    }
-
     void meet_closed_portals() {
         if (ended_) return;
         const SweepBox boxes(sweep_);
-        for (const std::uint32_t index : data_.closed->all) {
-            const Portal& portal = data_.portals->portals()[index];
-            if (!(portal.mask & options_.mask)) continue;
-            if (meet_portal(index, portal, portal.rooms[0].value, boxes)) return;
-        }
+        const auto meets = [&](const GridBox& box) {
+            const Vec3 low = to_metres(box.low), high = to_metres(box.high);
+            double nearest;
+            return boxes.enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, found_.latest, nearest);
+        };
+        data_.cells.for_each_portal_where(meets, [&](std::uint32_t index, const Portal& portal) {
+            if (!ended_ && stops(index, portal)) meet_portal(index, portal, boxes);
+        });
     }
 
     /// A closed portal counts once, however many polygons it has: by the one met first.
     /// @return whether this ended the cast
-    bool meet_portal(std::uint32_t index, const Portal& portal, std::uint32_t room, const SweepBox& boxes) {
+    bool meet_portal(std::uint32_t index, const Portal& portal, const SweepBox& boxes) {
         SweepContact first;
-        first.room = room;
         first.portal = index;
-        const auto polygons = data_.portals->polygons_of(portal);
+        const auto polygons = portal.polygons();
         for (std::uint32_t k = 0; k < polygons.size(); ++k) {
             count_box();
             double nearest;
@@ -302,9 +254,7 @@ private:
     bool ended_ = false;
 
     double grown_ = 0;
-    std::size_t count_ = 0;
-    std::array<Waiting, kMostWaiting> waiting_;  // this and the marks are written before they are read
-    std::uint64_t looked_into_[kMostRooms / 64], passed_[kMostRooms / 64];
+    RoomsOnTheWay rooms_;
 };
 
 }  // namespace firma

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/sort.h"
-#include "tree/statistics.h"
-#include "tree/visit.h"
+#include "index/statistics.h"
+#include "index/traverse.h"
 #include "world/block_faces.h"
 #include "world/world_data.h"
 
@@ -14,25 +14,21 @@ namespace firma {
 namespace {
 
 template <class Function>
-void for_each_tree(const WorldData& data, const Function& function) {
-    for (const Ref<const Room>& room : data.rooms)
-        if (room->tree) function(*room->tree);
-}
-
-template <class Function>
 void for_each_face(const WorldData& data, const Function& function) {
-    for_each_tree(data, [&](const Block& root) {
-        for_each_face_block(root, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) function(root, block, face);
-        });
+    for_each_block_of(data, [&](const Block& block) {
+        for (const FaceRecord& face : block.faces) function(block, face);
     });
 }
 
-/// Looks for a block, by a corner of one of its faces.
+const Node& root_of(const WorldData& data, const Block& block) {
+    return *data.cells.room(data.cells.current_room(block.part)).tree;
+}
+
+/// Looks for a block, by a corner of one of its faces. Its address alone is compared.
 struct BlockVisitor {
-    const Block* wanted;
+    const void* wanted;
     Vec3 corner;
-    bool found = false;
+    const Block* found = nullptr;
 
     bool enter(const Bin& bin, double& nearest) const {
         nearest = 0;
@@ -41,18 +37,11 @@ struct BlockVisitor {
         return true;
     }
     bool still(double) const { return true; }
-    bool faces(const Block& block, std::uint32_t, std::uint32_t) { return found = &block == wanted; }
-};
-
-/// The root of the tree that holds a block; null when none does.
-const Block* root_above(const WorldData& data, const Block& block, const FaceRecord& face) {
-    BlockVisitor visitor{&block, to_metres(block.corner(face, 0))};
-    for (const Ref<const Room>& room : data.rooms) {
-        if (room->tree) visit(*room->tree, visitor);
-        if (visitor.found) return room->tree.get();
+    bool facets(const IndexedFacets& facets, std::uint32_t, std::uint32_t) {
+        if (&facets == wanted) found = &as_block(facets);
+        return found != nullptr;
     }
-    return nullptr;
-}
+};
 
 void add(TreeStatistics& sum, const TreeStatistics& more) {
     const double inner = double(sum.bins - sum.leaf_bins), more_inner = double(more.bins - more.leaf_bins);
@@ -68,7 +57,9 @@ void add(TreeStatistics& sum, const TreeStatistics& more) {
 
 std::shared_ptr<const WorldData> empty_world() {
     auto data = std::make_shared<WorldData>();
-    data->rooms.push_back(Ref<const Room>(new Room));  // owned before the list grows, which may throw
+    Ref<Room> room(new Room);
+    room->record = std::make_shared<const RoomRecord>();
+    data->cells.set_room(0, Ref<const Room>(room.get()));
     data->materials = std::make_shared<std::vector<std::string>>(1);
     return data;
 }
@@ -82,10 +73,10 @@ std::uint64_t World::version() const {
     return data_->version;
 }
 std::size_t World::face_count() const {
-    return data_->face_count;
+    return data_->face_count();
 }
 std::size_t World::room_count() const {
-    return data_->rooms.size();
+    return data_->cells.room_count();
 }
 const Tolerance& World::tolerance() const {
     return data_->tolerance;
@@ -96,35 +87,40 @@ const std::string& World::material_name(std::uint32_t material) const {
     return material < data_->materials->size() ? (*data_->materials)[material] : none;
 }
 
+const Solid& World::solid() const {
+    return data_->solid;
+}
+
 Box World::bounds() const {
     Box box;
-    for_each_tree(*data_, [&](const Block& root) {
-        for_each_face_block(root, [&](const Block& block) {
-            for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
-        });
+    for_each_block_of(*data_, [&](const Block& block) {
+        for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
     });
     return box;
 }
 
 TreeStatistics World::statistics() const {
     TreeStatistics sum;
-    for_each_tree(*data_, [&](const Block& root) { add(sum, tree_statistics(root)); });
+    data_->cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) {
+        if (room->tree) add(sum, tree_statistics(*room->tree));
+    });
     return sum;
 }
 
-Face World::face(FaceRef ref) const {
-    const auto& block = *static_cast<const Block*>(ref.block);
-    FIRMA_ASSERT(ref.valid() && ref.slot < block.faces.size(), "a FaceRef must come from a hit of this World");
-    const FaceRecord& record = block.faces[ref.slot];
-    const Block* root = root_above(*data_, block, record);
-    FIRMA_ASSERT(root != nullptr, "a FaceRef must come from a hit of this World");
-    return root ? describe_face(*root, block, record) : describe_face(block, record);
+Face World::face(const FaceRef& ref) const {
+    if (!ref.valid()) return {};
+    BlockVisitor visitor{ref.block, to_metres(GridPoint{ref.at[0], ref.at[1], ref.at[2]})};
+    for (const Node* root : {data_->solid.data().faces.root.get(), data_->castable.root.get()})
+        if (root && !visitor.found) traverse(*root, visitor);
+    const Block* block = visitor.found;
+    if (!block || ref.slot >= block->faces.size() || block->faces[ref.slot].id != ref.id) return {};
+    return describe_face(root_of(*data_, *block), *block, block->faces[ref.slot]);
 }
 
 std::optional<Face> World::find_face(FaceId id) const {
     std::optional<Face> found;
-    for_each_face(*data_, [&](const Block& root, const Block& block, const FaceRecord& face) {
-        if (face.id == id) found = describe_face(root, block, face);
+    for_each_face(*data_, [&](const Block& block, const FaceRecord& face) {
+        if (face.id == id) found = describe_face(root_of(*data_, block), block, face);
     });
     return found;
 }
@@ -132,8 +128,8 @@ std::optional<Face> World::find_face(FaceId id) const {
 std::vector<Face> World::faces() const {
     std::vector<Face> all;
     all.reserve(face_count());
-    for_each_face(*data_, [&](const Block& root, const Block& block, const FaceRecord& face) {
-        all.push_back(describe_face(root, block, face));
+    for_each_face(*data_, [&](const Block& block, const FaceRecord& face) {
+        all.push_back(describe_face(root_of(*data_, block), block, face));
     });
     sort_range(all, [](const Face& a, const Face& b) { return a.id < b.id; });
     return all;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// One cut, step by step: from a solid and a placed cutter to the change that makes the solid after it.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "carve/cut_faces.h"
+#include "carve/cut_state.h"
+#include "carve/cutter_mover.h"
+#include "carve/make_faces.h"
+#include "firma/carve.h"
+#include "solid/change_solid.h"
+
+namespace firma {
+
+/// What a cut goes by, beside the solid and the cutter.
+struct CutTerms {
+    const CarveRules* rules = nullptr;                    ///< null: none
+    const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
+    std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
+    std::size_t other_faces = 0;                          ///< that count for CarveRules::most_faces beside the solid's
+};
+
+/// Works in pieces of some ten microseconds. Only reads the solid; what it makes is its own.
+class CutJob {
+public:
+    /// @param terms  what it points to lives as long as the job
+    CutJob(Solid solid, Cutter cutter, const Pose& pose, const CutTerms& terms, CarveKind kind);
+
+    CutJob(const CutJob&) = delete;
+    CutJob& operator=(const CutJob&) = delete;
+
+    /// Does one piece of work; false once there is none left.
+    bool step();
+
+    // Once step() said false:
+    CarveStatus status() const { return status_; }
+    const Error& error() const { return error_; }
+    const CarveReport& report() const { return report_; }
+    const std::string& reproduction() const { return reproduction_; }
+    /// With kDone. Once: it is moved out.
+    SolidChange take_change() { return std::move(change_); }
+
+    const Solid& solid() const { return solid_; }
+    /// As it was cut with.
+    const CutterSolid& cutter() const { return solid_cutter_; }
+    bool fills() const { return cut_.fill; }
+
+private:
+    enum class Phase : std::uint8_t {
+        kPlace,
+        kCheck,
+        kMove,
+        kGather,
+        kTile,
+        kCut,
+        kLabel,
+        kTrace,
+        kRules,
+        kFacets,
+        kChange,
+        kEnd
+    };
+
+    Phase place();
+    Phase judge_cutter();
+    Phase gather();
+    Phase tile();
+    Phase cut_next_faces();
+    Phase label();
+    Phase trace();
+    Phase apply_materials();
+    Phase make_next_faces();
+    Phase make_change();
+
+    Phase refuse(ErrorCode code, std::string reason);
+    Phase start_cut();
+    Phase move_on(Verdict verdict, Phase next);
+    Phase degenerate();
+    Phase move_cutter_aside();
+    Phase try_move();
+    Phase too_many_pairs();
+    const CarveZone* zone_reached(double harder_than) const;
+    Phase contradiction();
+    Phase shrink(double hardness, const std::string& by, Phase otherwise);
+    std::vector<FacetPlace> facets_removed();
+    std::string material_name(std::uint32_t material) const;
+    double* clock_of(Phase phase);
+
+    const SolidData& data() const { return solid_.data(); }
+    const Node* index() const { return data().faces.root.get(); }
+
+    const Solid solid_;
+    const Cutter cutter_;
+    const Pose pose_;
+    const CutTerms terms_;
+    const CarveRules& rules_;
+    CarveStatus status_ = CarveStatus::kRefused;
+    Error error_;
+    CarveReport report_;
+    std::string reproduction_;
+    SolidChange change_;
+    Phase phase_ = Phase::kPlace;
+
+    CutterMover mover_;
+    CutterSolid solid_cutter_;
+    SolidPatch patch_;
+    std::vector<FacetPlace> facets_;  ///< gathered
+    Cut cut_;
+    PairBudget budget_;  ///< of all tries together
+    FaceCutter face_cutter_;
+    std::unique_ptr<FaceMaker> face_maker_;
+    FaceSet added_;
+    std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
+    bool sound_ = true;       ///< whether all facets made so far are
+};
+
+}  // namespace firma

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Cuts of a solid that is no world's.
+#include "carve/cut_job.h"
+#include "firma/carve.h"
+
+namespace firma {
+namespace {
+
+SolidResult cut(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options,
+                CarveKind kind) {
+    CutTerms terms;
+    terms.rules = options.rules;
+    terms.material = options.material;
+    CutJob job(solid, cutter, pose, terms, kind);
+    while (job.step()) {
+    }
+    SolidResult result;
+    result.status = job.status();
+    result.solid = solid;
+    result.error = job.error();
+    result.report = job.report();
+    result.reproduction = job.reproduction();
+    if (!result.done()) return result;
+    SolidChange change = job.take_change();
+    for (FaceSet::Entry& face : change.added.faces)
+        if (face.part == kUnsetPart) face.part = 0;
+    SolidEdit edit(solid, std::move(change));
+    while (edit.step()) {
+    }
+    result.solid = edit.result();
+    return result;
+}
+
+}  // namespace
+
+SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options) {
+    return cut(solid, cutter, pose, options, CarveKind::kCarve);
+}
+
+SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options) {
+    return cut(solid, cutter, pose, options, CarveKind::kFill);
+}
+
+}  // namespace firma

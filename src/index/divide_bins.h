@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The binary tree of bins over items, before it is cut into blocks; how far to divide is given in.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "index/rounded_box.h"
+#include "index/split_bin.h"
+
+namespace firma {
+
+/// A bin on its way into a block.
+struct BinNode {
+    GridBox box;
+    std::uint32_t first = 0, count = 0;  ///< items below
+    std::uint32_t left = 0, right = 0;   ///< 0: a leaf
+};
+
+struct BinTree {
+    std::vector<BuildItem> items;
+    std::vector<BinNode> nodes;  ///< nodes[0] is the root
+
+    std::span<BuildItem> items_of(std::uint32_t first, std::uint32_t count) { return {items.data() + first, count}; }
+    std::span<const BuildItem> items_of(const BinNode& node) const { return {items.data() + node.first, node.count}; }
+};
+
+/// Divides items first .. first + count.
+/// @param split  (items, box, depth) puts those of the left child first and returns how many; 0 leaves the bin whole
+/// @return index of the node
+template <class SplitBin>
+std::uint32_t divide_bins(BinTree& tree, std::uint32_t first, std::uint32_t count, int depth, const SplitBin& split) {
+    const auto index = std::uint32_t(tree.nodes.size());
+    BinNode node;
+    node.first = first;
+    node.count = count;
+    const std::span<BuildItem> items = tree.items_of(first, count);
+    for (const BuildItem& item : items) node.box.add(item.box);
+    tree.nodes.push_back(node);
+    const auto left = std::uint32_t(split(items, node.box, depth));
+    if (left == 0) {
+        // Standard libraries partition in different orders; items lie in a bin by their own.
+        std::sort(items.begin(), items.end(), [](const BuildItem& a, const BuildItem& b) { return a.face < b.face; });
+        return index;
+    }
+    const std::uint32_t left_node = divide_bins(tree, first, left, depth + 1, split);
+    const std::uint32_t right_node = divide_bins(tree, first + left, count - left, depth + 1, split);
+    tree.nodes[index].left = left_node;
+    tree.nodes[index].right = right_node;
+    return index;
+}
+
+/// Appends a bin for a node and those below it.
+/// @param leaf  (index of node, bin, depth) returns whether the bin is a leaf, having said which items it holds
+template <class Leaf>
+void append_bins(const BinTree& tree, std::uint32_t index, int depth, std::vector<Bin>& bins, const Leaf& leaf) {
+    const BinNode& node = tree.nodes[index];
+    const std::size_t at = bins.size();
+    bins.push_back({to_floats(node.box), 0, 0});
+    if (leaf(index, bins[at], depth)) return;
+    append_bins(tree, node.left, depth + 1, bins, leaf);
+    bins[at].first = std::uint32_t(bins.size());
+    append_bins(tree, node.right, depth + 1, bins, leaf);
+}
+
+}  // namespace firma

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// From nodes to nodes over them.
+#include "index/join_nodes.h"
+
+#include <algorithm>
+
+namespace firma {
+
+// By surface area also where facets are split otherwise: leaves that edits made overlap more than bins do, and a
+// traversal pays for overlap here more than anywhere.
+void NodeJoiner::divide(std::span<const NodeItem> nodes) {
+    constexpr int kUnevenLevels = 12;  // then in halves: what the rule peels off one by one must not make a deep index
+    tree_.items.resize(nodes.size());
+    tree_.nodes.clear();
+    for (std::uint32_t k = 0; k < nodes.size(); ++k) tree_.items[k] = {to_grid(nodes[k].box), k};
+    divide_bins(tree_, 0, std::uint32_t(nodes.size()), 0,
+                [&](std::span<BuildItem> items, const GridBox&, int depth) -> std::size_t {
+                    if (items.size() == 1) return 0;
+                    if (items.size() == 2) {  // either way alike
+                        if (items[1].face < items[0].face) std::swap(items[0], items[1]);
+                        return 1;
+                    }
+                    const std::size_t left = depth < kUnevenLevels ? split_by_area(items) : 0;
+                    return left != 0 ? left : split_by_count(items);
+                });
+}
+
+void NodeJoiner::group(std::size_t max_items, std::vector<std::uint32_t>& nodes) {
+    sums_.resize(tree_.nodes.size());
+    for (auto n = std::uint32_t(tree_.nodes.size()); n-- > 0;)  // children stand after their parents
+        sums_[n] = is_leaf(n) ? 1 : sums_[tree_.nodes[n].left] + sums_[tree_.nodes[n].right];
+    nodes.clear();
+    const auto below = [&](const auto& self, std::uint32_t n) -> void {
+        if (sums_[n] <= max_items) return nodes.push_back(n);
+        self(self, tree_.nodes[n].left);
+        self(self, tree_.nodes[n].right);
+    };
+    below(below, 0);
+}
+
+Ref<const Node> NodeJoiner::join(std::span<const NodeItem> items, std::uint32_t root) {
+    Ref<Node> made(new Node);
+    made->children.reserve(sums_[root]);
+    bins_.clear();
+    append_bins(tree_, root, 0, bins_, [&](std::uint32_t n, Bin& bin, int depth) {
+        if (!is_leaf(n)) return false;
+        const Node* child = items[item_at(n)].node;
+        bin.first = std::uint32_t(made->children.size());
+        bin.count = 1;
+        made->children.emplace_back(child);
+        made->facets_below += child->facets_below;
+        made->depth = std::uint16_t(std::max<int>(made->depth, depth + child->depth));
+        return true;
+    });
+    made->bins.assign(bins_.begin(), bins_.end());
+    return Ref<const Node>(made.get());
+}
+
+Ref<const Node> join_nodes(std::span<const Ref<const Node>> nodes) {
+    std::vector<Ref<const Node>> all(nodes.begin(), nodes.end()), above;
+    std::vector<NodeItem> items;
+    std::vector<std::uint32_t> groups;
+    NodeJoiner joiner;
+    while (all.size() > 1) {
+        items.clear();
+        for (const Ref<const Node>& node : all) items.push_back(NodeItem::of(*node));
+        joiner.divide(items);
+        joiner.group(kNodeItems, groups);
+        above.clear();
+        for (const std::uint32_t group : groups) {
+            if (joiner.count_below(group) > 1)
+                above.push_back(joiner.join(items, group));
+            else
+                joiner.for_each_below(group, [&](std::uint32_t item) { above.push_back(all[item]); });
+        }
+        // Every level but the last has fewer: where boxes make groups of one each, 64 and more are halved by count.
+        all.swap(above);
+    }
+    return all.empty() ? Ref<const Node>() : all[0];
+}
+
+}  // namespace firma

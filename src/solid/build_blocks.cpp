@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// From faces to blocks, and an index over them.
+#include "solid/build_blocks.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "solid/append_faces.h"
+
+namespace firma {
+namespace {
+
+TreeOptions in_range(TreeOptions options) {
+    options.max_depth = std::clamp(options.max_depth, 0, 64);
+    options.faces_per_bin = std::max(options.faces_per_bin, 1);
+    return options;
+}
+
+/// The stop rules.
+bool is_done(std::size_t count, const GridBox& box, int depth, const TreeOptions& options) {
+    if (count <= std::size_t(options.faces_per_bin) || depth >= options.max_depth) return true;
+    return options.min_bin_volume > 0 && box.volume() < options.min_bin_volume;
+}
+
+/// The bins below `top` that become blocks of their own: the fullest is opened until there are 64 or all fit a leaf
+/// block.
+std::vector<std::uint32_t> choose_children(const BinTree& tree, std::uint32_t top) {
+    const std::vector<BinNode>& nodes = tree.nodes;
+    std::vector<std::uint32_t> chosen{top};
+    while (chosen.size() < kNodeItems) {
+        const auto fullest = std::max_element(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return nodes[a].count < nodes[b].count;
+        });
+        const BinNode& node = nodes[*fullest];
+        if (node.count <= kNodeItems) break;
+        *fullest = node.left;
+        chosen.insert(fullest + 1, node.right);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+/// In order of first use: never by address.
+std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
+    for (std::size_t k = block.owners.size(); k-- > 0;)
+        if (block.owners[k].get() == owner) return std::uint16_t(k);
+    block.owners.emplace_back(owner);
+    return std::uint16_t(block.owners.size() - 1);
+}
+
+void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, VertexTable& vertices) {
+    FaceRecord record;
+    record.id = face.id;
+    record.source = face.source;
+    record.material = face.material;
+    record.mask = face.mask;
+    record.two_sided = face.two_sided;
+    record.solid = face.solid;
+    record.edit = face.edit;
+    record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
+    record.first_corner = std::uint16_t(block.corner_vertices.size());
+    record.corner_count = std::uint8_t(face.corner_count);
+    for (std::uint32_t c = 0; c < face.corner_count; ++c)
+        block.corner_vertices.push_back(vertices.index_of(faces.corner(face, c)));
+    block.faces.push_back(record);
+}
+
+}  // namespace
+
+Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options) {
+    if (faces.faces.empty()) return {};
+    faces_ = &faces;
+    tree_.items.resize(faces.faces.size());
+    tree_.nodes.clear();
+    tree_.nodes.reserve(faces.faces.size());
+    for (std::uint32_t k = 0; k < tree_.items.size(); ++k) {
+        tree_.items[k] = {faces.box_of(faces.faces[k]), k};
+    }
+    const TreeOptions rules = in_range(options);
+    divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), 0,
+                [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
+                    if (!is_done(items.size(), box, at, rules)) return split_bin(items, box, rules.split);
+                    return items.size() <= kNodeItems ? 0 : split_by_count(items);
+                });
+    return pack(0);
+}
+
+Ref<const Node> BlockBuilder::pack(std::uint32_t top) {
+    return tree_.nodes[top].count <= kNodeItems ? pack_leaf(top) : pack_nodes(top);
+}
+
+Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
+    Ref<Node> leaf(new Node);
+    const BinNode& node = tree_.nodes[top];
+    bins_.clear();
+    int deepest = 0;
+    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
+        const BinNode& it = tree_.nodes[index];
+        if (it.left != 0) return false;
+        bin.first = it.first - node.first;
+        bin.count = it.count;
+        deepest = std::max(deepest, depth);
+        return true;
+    });
+    leaf->bins.assign(bins_.begin(), bins_.end());
+    leaf->depth = std::uint16_t(deepest);
+    leaf->facets_below = node.count;
+    numbers_.clear();
+    for (const BuildItem& item : tree_.items_of(node)) numbers_.push_back(item.face);
+    leaf->facets = Ref<const IndexedFacets>(make_block(*faces_, numbers_, vertices_).get());
+    return Ref<const Node>(leaf.get());
+}
+
+Ref<const Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch) {
+    Ref<Block> block(new Block);
+    std::size_t corners = 0;
+    for (const std::uint32_t number : numbers) corners += faces.faces[number].corner_count;
+    scratch.start(corners);
+    block->part = faces.faces[numbers[0]].part;
+    block->faces.reserve(numbers.size());
+    block->corner_vertices.reserve(corners);
+    for (const std::uint32_t number : numbers) add_face(*block, faces, faces.faces[number], scratch);
+    block->vertices.assign(scratch.vertices.begin(), scratch.vertices.end());
+    block->owners.shrink_to_fit();
+    return Ref<const Block>(block.get());
+}
+
+Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
+    Ref<Node> made(new Node);
+    const std::vector<std::uint32_t> chosen = choose_children(tree_, top);
+    bins_.clear();
+    std::vector<int> depths;
+    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
+        if (!std::binary_search(chosen.begin(), chosen.end(), index)) return false;
+        bin.first = std::uint32_t(depths.size());
+        bin.count = 1;
+        depths.push_back(depth);
+        return true;
+    });
+    made->bins.assign(bins_.begin(), bins_.end());
+    made->facets_below = tree_.nodes[top].count;
+    made->children.reserve(chosen.size());
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        made->children.push_back(pack(chosen[k]));
+        made->depth = std::uint16_t(std::max<int>(made->depth, depths[k] + made->children[k]->depth));
+    }
+    return Ref<const Node>(made.get());
+}
+
+std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options) {
+    std::vector<PartIndex> parts;
+    if (faces.faces.empty()) return parts;
+    BlockBuilder builder;
+    const auto part_of = [](const FaceSet::Entry& face) { return face.part; };
+    const std::uint32_t first = faces.faces[0].part;
+    if (std::all_of(faces.faces.begin(), faces.faces.end(),
+                    [&](const FaceSet::Entry& face) { return face.part == first; })) {
+        parts.push_back({first, builder.build(faces, options)});
+        return parts;
+    }
+    std::vector<std::uint32_t> order(faces.faces.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return part_of(faces.faces[a]) < part_of(faces.faces[b]);
+    });
+    FaceSet some;
+    for (std::size_t k = 0; k < order.size();) {
+        const std::uint32_t part = part_of(faces.faces[order[k]]);
+        some = {};
+        for (; k < order.size() && part_of(faces.faces[order[k]]) == part; ++k)
+            append_face(faces, faces.faces[order[k]], some);
+        parts.push_back({part, builder.build(some, options)});
+    }
+    return parts;
+}
+
+}  // namespace firma

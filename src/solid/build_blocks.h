@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// From faces to blocks, and an index over them: first one binary tree of bins over all faces, then cut into pieces.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/ref.h"
+#include "firma/tree_options.h"
+#include "index/divide_bins.h"
+#include "solid/block.h"
+#include "solid/face_set.h"
+#include "solid/vertex_table.h"
+
+namespace firma {
+
+/// Keeps its scratch memory from call to call: for edits, which build many small trees.
+class BlockBuilder {
+public:
+    /// @param faces  of one part, at most 2^31
+    /// @return the root; null for no faces
+    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options);
+
+private:
+    Ref<const Node> pack(std::uint32_t top);
+    Ref<const Node> pack_leaf(std::uint32_t top);
+    Ref<const Node> pack_nodes(std::uint32_t top);
+
+    const FaceSet* faces_ = nullptr;
+    BinTree tree_;
+    std::vector<Bin> bins_;
+    VertexTable vertices_;
+    std::vector<std::uint32_t> numbers_;
+};
+
+/// One block of some faces, in this order.
+/// @param numbers  of faces of one part, 1 to kNodeItems
+Ref<const Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch);
+
+/// Blocks of all faces, those of each part apart.
+/// @return an index over the faces of each part, parts ascending; none for no faces
+struct PartIndex {
+    std::uint32_t part = 0;
+    Ref<const Node> root;
+};
+std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options);
+
+}  // namespace firma

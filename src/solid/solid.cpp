@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// The Solid's handle, and what is asked of solids.
+#include <map>
+#include <unordered_set>
+
+#include "base/random.h"
+#include "solid/check_boundary.h"
+#include "solid/first_seen.h"
+#include "solid/hash_points.h"
+#include "solid/measure_boundary.h"
+#include "solid/solid_data.h"
+#include "solid/solid_face.h"
+
+namespace firma {
+namespace {
+
+std::shared_ptr<const SolidData> no_solid() {
+    static const auto none = std::make_shared<const SolidData>();
+    return none;
+}
+
+/// A face that no cut has touched: its corners say it all.
+void add_untouched(const Block& block, const FaceRecord& face, PointHash& hash) {
+    Plane plane;
+    for (std::size_t k = 2; k < face.corner_count && !plane.valid(); ++k)  // the first ones may lie on a line
+        plane = plane_through(to_input(block.corner(face, 0)), to_input(block.corner(face, k - 1)),
+                              to_input(block.corner(face, k)));
+    hash.start_face(plane, 1);
+    for (std::size_t k = 0; k < face.corner_count; ++k) {
+        const GridPoint from = block.corner(face, k);
+        const GridPoint to = block.corner(face, k + 1u < face.corner_count ? k + 1 : 0);
+        hash.add_edge(from, to, LineDirection::along(from, to));
+    }
+}
+
+void add_stored(const SolidFace& face, PointHash& hash) {
+    hash.start_face(face.plane->plane, 1);
+    for (const SolidUse& use : face.uses) {
+        const SolidEdge& edge = use.edge();
+        const ExactPoint &from = edge.vertex[use.reversed()]->point, &to = edge.vertex[!use.reversed()]->point;
+        hash.add_edge(from.rounded(), to.rounded(),
+                      from.on_grid() && to.on_grid() ? LineDirection::along(from.rounded(), to.rounded())
+                                                     : LineDirection::of(edge.plane[0]->plane, edge.plane[1]->plane));
+    }
+}
+
+}  // namespace
+
+Solid::Solid() : data_(no_solid()) {}
+Solid::Solid(std::shared_ptr<const SolidData> data) : data_(std::move(data)) {}
+
+std::size_t Solid::face_count() const {
+    return data_->faces.count;
+}
+bool Solid::rock_outside() const {
+    return data_->rock_outside;
+}
+std::uint32_t Solid::edits() const {
+    return data_->edits;
+}
+
+Box Solid::bounds() const {
+    Box box;
+    if (data_->faces.root)
+        for_each_block(*data_->faces.root, [&](const Block& block) {
+            for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
+        });
+    return box;
+}
+
+void hash_points_anew(SolidData& data) {
+    PointHash hash;
+    std::unordered_set<const FaceOwner*> seen;  // asked only, never gone through
+    if (data.faces.root)
+        for_each_block(*data.faces.root, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) {
+                const FaceOwner* owner = block.owner_of(face);
+                if (!owner)
+                    add_untouched(block, face, hash);
+                else if (owner->facets == 1 || seen.insert(owner).second)
+                    add_stored(static_cast<const SolidFace&>(*owner), hash);
+            }
+        });
+    const SumsByKey& sums = hash.finish();
+    data.points = {};
+    sums.add_to(data.points);
+    data.point_sum = sums.total();
+}
+
+Solid solid_of(FaceStore faces, bool rock_outside, std::uint32_t next_face, std::uint32_t edits,
+               const TreeOptions& options) {
+    auto data = std::make_shared<SolidData>();
+    data->faces = std::move(faces);
+    data->rock_outside = rock_outside;
+    data->next_face = next_face;
+    data->edits = edits;
+    data->tree_options = options;
+    hash_points_anew(*data);
+    return Solid(std::move(data));
+}
+
+std::vector<RegionHash> region_hashes(std::initializer_list<const PersistentMap<std::uint64_t>*> faces,
+                                      const PersistentMap<std::uint64_t>& points) {
+    std::map<std::uint32_t, RegionHash> all;
+    const auto at = [&](std::uint32_t key) -> RegionHash& {
+        return all.try_emplace(key, RegionHash{place_of_region(key), 0, 0}).first->second;
+    };
+    for (const PersistentMap<std::uint64_t>* some : faces)
+        some->for_each([&](std::uint32_t key, std::uint64_t sum) { at(key).faces += sum; });
+    points.for_each([&](std::uint32_t key, std::uint64_t sum) { at(key).points = sum; });
+    std::vector<RegionHash> list;
+    for (const auto& [key, region] : all)
+        if (region.faces != 0 || region.points != 0) list.push_back(region);
+    return list;
+}
+
+std::optional<SolidFault> check_solid(const Solid& solid) {
+    return check_boundary(take_boundary(solid.data().faces.root.get()));
+}
+
+SolidMeasures measure_solid(const Solid& solid) {
+    constexpr double kSquareMetre = kInputSteps * kInputSteps;
+    constexpr double kCubicSurface = kSurfaceSteps * kSurfaceSteps * kSurfaceSteps;
+    const Boundary boundary = take_boundary(solid.data().faces.root.get());
+    const BoundaryMeasures sums = measure_boundary(boundary);
+    SolidMeasures measures;
+    measures.volume = rounded(sums.volume) / (kSquareMetre * kInputSteps);
+    measures.area = rounded(sums.area) / kSquareMetre;
+    measures.facet_volume = double(sums.facet_sixths) / kCubicSurface / 6;
+    measures.faces = boundary.patch.faces.size();
+    measures.facets = boundary.facets.size();
+    return measures;
+}
+
+std::uint64_t hash_solid(const Solid& solid) {
+    return mix_bits(solid.data().point_sum + std::uint64_t(solid.rock_outside()));
+}
+
+std::vector<RegionHash> hash_regions(const Solid& solid) {
+    return region_hashes({&solid.data().faces.regions}, solid.data().points);
+}
+
+std::optional<bool> in_solid(const Solid& solid, const Vec3& point) {
+    switch (see_first(solid.data().faces.root.get(), point).kind) {
+        case Seen::Kind::kAir:
+            return false;
+        case Seen::Kind::kSolid:
+            return true;
+        case Seen::Kind::kNothing:
+            return solid.rock_outside();
+        case Seen::Kind::kUnsure:
+        case Seen::Kind::kPolygon:
+            break;
+    }
+    return {};
+}
+
+}  // namespace firma

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Edits of worlds: a cut of the solid by the world's rules, then what it does to rooms, then a new version.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/assert.h"
+#include "carve/cut_job.h"
+#include "firma/carve.h"
+#include "firma/rooms.h"
+#include "world/room_edit.h"
+
+namespace firma {
+namespace {
+
+double microseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The index of a material's name, or the one it will get at the end.
+std::uint32_t material_index(const std::vector<std::string>& materials, const std::string& name) {
+    return std::uint32_t(std::find(materials.begin(), materials.end(), name) - materials.begin());
+}
+
+/// The same list, or a longer one when the name is new.
+std::shared_ptr<const std::vector<std::string>> with_material(
+    const std::shared_ptr<const std::vector<std::string>>& materials, const std::string& name) {
+    if (material_index(*materials, name) < materials->size()) return materials;
+    auto longer = std::make_shared<std::vector<std::string>>(*materials);
+    longer->push_back(name);
+    return longer;
+}
+
+CutTerms terms_of(const WorldData& data, const CarveOptions& options) {
+    CutTerms terms;
+    terms.rules = data.rules.get();
+    terms.materials = data.materials.get();
+    terms.material = material_index(*data.materials, options.material);
+    terms.other_faces = data.castable.count;
+    return terms;
+}
+
+/// Works in pieces of some ten microseconds. Only reads the world; what it makes is its own until it is published.
+class WorldCut {
+public:
+    WorldCut(World world, Cutter cutter, const Pose& pose, const CarveOptions& options, CarveKind kind)
+        : world_(std::move(world)),
+          options_(options),
+          cut_(world_.solid(), std::move(cutter), pose, terms_of(world_.data(), options), kind),
+          rooms_(world_.data()) {}
+
+    /// Does one piece of work; false once there is none left.
+    bool step() {
+        if (phase_ == Phase::kCut) {
+            phase_ = cut_on();
+            return phase_ != Phase::kEnd;
+        }
+        const auto start = std::chrono::steady_clock::now();
+        switch (phase_) {
+            case Phase::kPlaceFaces:
+                phase_ = place_faces();
+                break;
+            case Phase::kSolid:
+                if (solid_->step()) break;
+                rooms_.start(*solid_);
+                phase_ = Phase::kRooms;
+                break;
+            case Phase::kRooms:
+                if (!rooms_.step()) phase_ = publish();
+                break;
+            case Phase::kCut:
+            case Phase::kEnd:
+                return false;
+        }
+        time_ += microseconds_since(start);
+        return phase_ != Phase::kEnd;
+    }
+
+    CarveResult result() const {
+        CarveResult result;
+        result.status = refused_ ? CarveStatus::kRefused : cut_.status();
+        result.error = refused_ ? *refused_ : cut_.error();
+        result.report = cut_.report();
+        result.report.times.tree += time_;
+        result.reproduction = cut_.reproduction();
+        result.world = result.status == CarveStatus::kDone ? after_ : world_;
+        return result;
+    }
+
+private:
+    enum class Phase : std::uint8_t { kCut, kPlaceFaces, kSolid, kRooms, kEnd };
+
+    /// Versions are numbered: after the last number there is no other edit.
+    Phase cut_on() {
+        if (world_.version() == std::numeric_limits<std::uint64_t>::max()) {
+            refused_ = Error{ErrorCode::kTooLarge, "cutter", "the world has no numbers left for new edits"};
+            return Phase::kEnd;
+        }
+        if (cut_.step()) return Phase::kCut;
+        return cut_.status() == CarveStatus::kDone ? Phase::kPlaceFaces : Phase::kEnd;
+    }
+
+    /// Says which room the faces that come are part of.
+    Phase place_faces() {
+        SolidChange change = cut_.take_change();
+        for (const FacetPlace& facet : change.removed) rooms_.touch(facet.block->part);
+        find_room();
+        for (FaceSet::Entry& face : change.added.faces)
+            if (face.part == kUnsetPart) face.part = rooms_.target();
+        solid_ = std::make_unique<SolidEdit>(world_.solid(), std::move(change));
+        return Phase::kSolid;
+    }
+
+    /// Once it is known which faces go. A cut that touches no face lies in the rock: a room of its own. What is filled
+    /// in without touching any stands free in the air of one.
+    void find_room() {
+        if (!world_.data().cells.known()) return rooms_.touch(0);
+        const bool touches_faces = rooms_.any();
+        if (touches_faces || cut_.fills()) rooms_.touch_portals(cut_.cutter().box);
+        if (touches_faces || !cut_.fills()) return;
+        for (const ExactPoint& point : cut_.cutter().points) {
+            const Location where = locate(world_, to_metres(point.rounded()));
+            if (where.kind == Location::Kind::kRoom) return rooms_.touch(where.room.value);
+        }
+        rooms_.touch(0);  // too flat for any of its corners to be clear of it: closed by itself, it is sound anywhere
+    }
+
+    Phase publish() {
+        auto data = next_version(world_.data());
+        data->solid = solid_->result();
+        rooms_.publish(*data);
+        data->materials = with_material(data->materials, options_.material);
+        after_ = World(std::move(data));
+        return Phase::kEnd;
+    }
+
+    const World world_;
+    const CarveOptions options_;
+    CutJob cut_;
+    RoomEdit rooms_;
+    std::unique_ptr<SolidEdit> solid_;
+    World after_;
+    std::optional<Error> refused_;
+    Phase phase_ = Phase::kCut;
+    double time_ = 0;  ///< microseconds, of what comes after the cut
+};
+
+}  // namespace
+
+struct CarveJob::State {
+    WorldCut work;
+    bool finished = false;
+    bool broken = false;  ///< true while a step is done, and for good when an exception leaves it
+
+    State(World world, Cutter cutter, const Pose& pose, const CarveOptions& options, CarveKind kind)
+        : work(std::move(world), std::move(cutter), pose, options, kind) {}
+
+    void step() {
+        broken = true;
+        finished = !work.step();
+        broken = false;
+    }
+};
+
+CarveJob::CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options, CarveKind kind)
+    : state_(new State(std::move(world), std::move(cutter), pose, options, kind)) {}
+CarveJob::~CarveJob() = default;
+CarveJob::CarveJob(CarveJob&&) noexcept = default;
+CarveJob& CarveJob::operator=(CarveJob&&) noexcept = default;
+
+bool CarveJob::run(double microseconds) {
+    const auto start = std::chrono::steady_clock::now();
+    while (!finished()) {
+        state_->step();
+        if (microseconds == INFINITY) continue;
+        const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
+        if (!(spent.count() < microseconds)) break;
+    }
+    return finished();
+}
+
+bool CarveJob::finished() const {
+    return state_->finished || state_->broken;
+}
+
+bool CarveJob::broken() const {
+    return state_->broken;
+}
+
+CarveResult CarveJob::result() const {
+    FIRMA_ASSERT(finished(), "an edit has no result yet: call run() until it returns true");
+    CarveResult result = state_->work.result();
+    if (state_->finished) return result;
+    result.status = CarveStatus::kRefused;
+    result.error = state_->broken ? Error{ErrorCode::kNoMemory, "", "memory ran out in the middle of the edit"}
+                                  : Error{ErrorCode::kInvalid, "", "the edit is not finished"};
+    return result;
+}
+
+CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options) {
+    CarveJob job(world, cutter, pose, options, CarveKind::kCarve);
+    job.run(INFINITY);
+    return job.result();
+}
+
+CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options) {
+    CarveJob job(world, cutter, pose, options, CarveKind::kFill);
+    job.run(INFINITY);
+    return job.result();
+}
+
+}  // namespace firma

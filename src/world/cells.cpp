@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Rooms and portals in persistent pieces.
+#include "world/cells.h"
+
+#include "base/hasher.h"
+#include "world/add_text.h"
+
+namespace firma {
+namespace {
+
+PortalPolygon make_polygon(std::span<const GridPoint> corners, std::span<const Vec3> metres) {
+    PortalPolygon polygon;
+    polygon.shape = make_shape(metres);
+    polygon.corners = corners;
+    Box box;
+    for (const Vec3& corner : metres) box.add(corner);
+    for (int axis = 0; axis < 3; ++axis) {
+        polygon.box.low[axis] = box.low[axis];
+        polygon.box.high[axis] = box.high[axis];
+    }
+    return polygon;
+}
+
+std::size_t text_bytes(const std::string& text) {
+    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
+
+}  // namespace
+
+Portal::Portal(PortalPart from)
+    : rooms(from.rooms), name(std::move(from.name)), material(from.material), mask(from.mask) {
+    std::size_t count = 0;
+    for (const std::vector<GridPoint>& polygon : from.polygons) count += polygon.size();
+    corners_.reserve(count);
+    metres_.reserve(count);
+    polygons_.reserve(from.polygons.size());
+    for (const std::vector<GridPoint>& polygon : from.polygons) {
+        const std::size_t at = corners_.size();
+        for (const GridPoint& corner : polygon) {
+            corners_.push_back(corner);
+            metres_.push_back(to_metres(corner));
+            box.add(corner);
+        }
+        polygons_.push_back(
+            make_polygon({corners_.data() + at, polygon.size()}, {metres_.data() + at, polygon.size()}));
+    }
+}
+
+PortalPart Portal::part() const {
+    PortalPart part;
+    part.rooms = rooms;
+    part.name = name;
+    part.material = material;
+    part.mask = mask;
+    for (const PortalPolygon& polygon : polygons_)
+        part.polygons.emplace_back(polygon.corners.begin(), polygon.corners.end());
+    return part;
+}
+
+std::size_t Portal::bytes() const {
+    return pool_size(sizeof *this) + text_bytes(name) + polygons_.capacity() * sizeof(PortalPolygon) +
+           corners_.capacity() * sizeof(GridPoint) + metres_.capacity() * sizeof(Vec3);
+}
+
+std::size_t bytes_of(const RoomRecord& record) {
+    return sizeof record + text_bytes(record.name) + record.portals.capacity() * sizeof(std::uint32_t);
+}
+
+std::uint64_t hash_room(std::uint32_t number, const Room& room) {
+    Hasher hasher;
+    hasher.add(number, std::uint32_t(room.record->exterior));
+    hasher.add(room.record->merged_into);
+    add_text(hasher, room.record->name);
+    hasher.add(room.faces);
+    hasher.add(room.face_hash);
+    return hasher.value();
+}
+
+std::uint64_t hash_portal(std::uint32_t number, const PortalState& state) {
+    const Portal& portal = *state.portal;
+    Hasher hasher;
+    hasher.add(number, std::uint32_t(state.closed));
+    hasher.add(portal.rooms[0].value, portal.rooms[1].value);
+    hasher.add(portal.material, portal.mask);
+    add_text(hasher, portal.name);
+    for (const PortalPolygon& polygon : portal.polygons()) {
+        hasher.add(polygon.corners.size());
+        for (const GridPoint& p : polygon.corners) {
+            hasher.add(p.x, p.y);
+            hasher.add(std::uint32_t(p.z));
+        }
+    }
+    return hasher.value();
+}
+
+void Cells::set_room(std::uint32_t number, Ref<const Room> room) {
+    if (const Ref<const Room>* before = rooms_.find(number)) hash_ -= hash_room(number, **before);
+    hash_ += hash_room(number, *room);
+    rooms_.set(number, std::move(room));
+}
+
+void Cells::set_portal(std::uint32_t number, Ref<const Portal> portal, bool closed) {
+    if (const PortalState* before = portals_.find(number)) {
+        hash_ -= hash_portal(number, *before);
+        closed_ -= before->closed;
+    }
+    PortalState state{std::move(portal), closed};
+    hash_ += hash_portal(number, state);
+    closed_ += closed;
+    portals_.set(number, std::move(state));
+}
+
+void Cells::set_boxes() {
+    auto boxes = std::make_shared<PortalBoxes>();
+    std::vector<GridBox> all;
+    portals_.for_each([&](std::uint32_t number, const PortalState& state) {
+        if (state.portal->gone()) return;
+        all.push_back(state.portal->box);
+        boxes->portals.push_back(number);
+    });
+    boxes->tree = BoxTree(all);
+    boxes_ = std::move(boxes);
+}
+
+}  // namespace firma
