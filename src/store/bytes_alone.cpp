@@ -76,27 +76,67 @@ std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
     return sum;
 }
 
-/// Indices of the rooms that two worlds do not share, of their solids, and of what is castable only.
-void add_roots(const WorldData& mine, const WorldData& theirs, std::vector<const Node*>& my_roots,
-               std::vector<const Node*>& their_roots) {
-    const auto add = [&](const Ref<const Node>& own, const Ref<const Node>& other) {
-        if (own.get() == other.get()) return;
-        if (own) my_roots.push_back(own.get());
-        if (other) their_roots.push_back(other.get());
-    };
-    add(mine.solid.data().faces.root, theirs.solid.data().faces.root);
-    add(mine.castable.root, theirs.castable.root);
-    mine.cells.rooms().for_each_unshared(
-        theirs.cells.rooms(), [&](std::uint32_t, const Ref<const Room>* own, const Ref<const Room>* other) {
-            add(own ? (*own)->tree : Ref<const Node>(), other ? (*other)->tree : Ref<const Node>());
-        });
-}
-
 /// Each once, in order of address.
 template <class Object>
 void sort_once(std::vector<const Object*>& objects) {
     std::sort(objects.begin(), objects.end(), std::less<const Object*>());
     objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+}
+
+/// Roots of indices that only one of two worlds has.
+struct Roots {
+    std::vector<const Node*> mine, theirs;
+    void add(const Ref<const Node>& own, const Ref<const Node>& other) {
+        if (own.get() == other.get()) return;
+        if (own) mine.push_back(own.get());
+        if (other) theirs.push_back(other.get());
+    }
+};
+
+/// Whether an index has a node, by the boxes of its bins.
+bool has_node(const Node* root, const Node& wanted) {
+    if (!root || root->facets_below < wanted.facets_below) return false;
+    if (root == &wanted) return true;
+    if (root->is_leaf()) return false;
+    const BoxF& box = wanted.bins[0].box;
+    const auto below = [&](const auto& self, std::uint32_t index) -> bool {
+        const Bin& bin = root->bins[index];
+        for (int axis = 0; axis < 3; ++axis)
+            if (box.low[axis] < bin.box.low[axis] || box.high[axis] > bin.box.high[axis]) return false;
+        if (bin.is_leaf()) return has_node(root->children[bin.first].get(), wanted);
+        return self(self, index + 1) || self(self, bin.first);
+    };
+    return below(below, 0);
+}
+
+std::uint32_t part_below(const Node& node) {
+    return node.is_leaf() ? block_of(node).part : part_below(*node.children[0]);
+}
+
+/// Nodes of indices over rooms may be nodes of the solid's index too, or of what is castable only: each once.
+std::vector<const Node*> nodes_alone(const WorldData& mine, const WorldData& theirs, UnsharedNodes& of_stores) {
+    Roots stores, rooms;
+    stores.add(mine.solid.data().faces.root, theirs.solid.data().faces.root);
+    stores.add(mine.castable.root, theirs.castable.root);
+    mine.cells.rooms().for_each_unshared(
+        theirs.cells.rooms(), [&](std::uint32_t, const Ref<const Room>* own, const Ref<const Room>* other) {
+            rooms.add(own ? (*own)->tree : Ref<const Node>(), other ? (*other)->tree : Ref<const Node>());
+        });
+    of_stores = unshared_nodes(stores.mine, stores.theirs);
+    const auto in_their_rooms = [&](const Node& node) {
+        const std::uint32_t part = part_below(node);
+        if (part >= theirs.cells.room_count()) return false;
+        return has_node(theirs.cells.room(theirs.cells.current_room(part)).tree.get(), node);
+    };
+    std::vector<const Node*> alone;
+    for (const Node* node : of_stores.before)
+        if (node->is_leaf() || !in_their_rooms(*node)) alone.push_back(node);
+    for (const Node* node : unshared_nodes(rooms.mine, rooms.theirs).before)
+        if (!node->is_leaf() && !has_node(theirs.solid.data().faces.root.get(), *node) &&
+            !has_node(theirs.castable.root.get(), *node))
+            alone.push_back(node);
+    sort_once(alone);
+    return alone;
 }
 
 std::vector<const Block*> blocks_of(const std::vector<const Node*>& nodes) {
@@ -119,15 +159,9 @@ std::size_t bytes_alone(const World& world, const World& other) {
     const SolidData &my_solid = mine.solid.data(), &their_solid = theirs.solid.data();
     sum += my_solid.points.bytes_unshared(their_solid.points) +
            my_solid.faces.regions.bytes_unshared(their_solid.faces.regions);
-    std::vector<const Node*> my_roots, their_roots;
-    add_roots(mine, theirs, my_roots, their_roots);
-    // A node may be in several indices.
-    sort_once(my_roots);
-    sort_once(their_roots);
-    UnsharedNodes all = unshared_nodes(my_roots, their_roots);
-    sort_once(all.before);
-    for (const Node* node : all.before) sum += bytes_of(*node);
-    const std::vector<const Block*> my_blocks = blocks_of(all.before), their_blocks = blocks_of(all.after);
+    UnsharedNodes of_stores;
+    for (const Node* node : nodes_alone(mine, theirs, of_stores)) sum += bytes_of(*node);
+    const std::vector<const Block*> my_blocks = blocks_of(of_stores.before), their_blocks = blocks_of(of_stores.after);
     for (const Block* block : my_blocks)
         if (!std::binary_search(their_blocks.begin(), their_blocks.end(), block, std::less<const Block*>()))
             sum += block->bytes();

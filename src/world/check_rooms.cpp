@@ -57,8 +57,11 @@ private:
         std::size_t infinite = data_.rock_outside();
         std::vector<std::vector<std::uint32_t>> portals(cells_.room_count());
         cells_.portals().for_each([&](std::uint32_t k, const PortalState& state) {
-            for (const RoomId room : state.portal->rooms)
-                if (!state.portal->gone() && room.value < portals.size()) portals[room.value].push_back(k);
+            for (const RoomId room : state.portal->rooms) {
+                if (state.portal->gone() || room.value >= portals.size()) continue;
+                std::vector<std::uint32_t>& of_room = portals[room.value];
+                if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
+            }
         });
         for (std::uint32_t room = 0; room < cells_.room_count(); ++room) {
             const RoomRecord& record = *cells_.room(room).record;

@@ -8,7 +8,6 @@
 #include "tests/reference/judge_carved_casts.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/world_facets.h"
-#include "tree/build_blocks.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -101,14 +100,9 @@ TEST(FoundByTheJudge, LargeThinFacesCanBeTiled) {
 // The judge must be able to find fault.
 
 World without_face(const World& world, std::size_t which) {
-    auto data = std::make_shared<WorldData>(world.data());
     FaceSet set = reference::set_of(world);
     set.faces.erase(set.faces.begin() + std::ptrdiff_t(which));
-    Ref<Room> room(new Room);
-    room->tree = build_blocks(set, data->tree_options);
-    data->rooms.assign(1, Ref<const Room>(room.get()));
-    --data->face_count;
-    return World(std::move(data));
+    return reference::with_faces(world, set);
 }
 
 TEST(Judge, FindsAnOpenEdge) {

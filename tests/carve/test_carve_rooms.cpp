@@ -59,8 +59,8 @@ TEST(CarveRooms, ACutInOneRoomLeavesTheOtherAlone) {
     ASSERT_TRUE(result.done());
     expect_sound(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
-    EXPECT_EQ(result.world.data().rooms[1].get(), world.data().rooms[1].get());
-    EXPECT_EQ(result.world.data().portals, world.data().portals);
+    EXPECT_EQ(&result.world.data().cells.room(1), &world.data().cells.room(1));
+    EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
     EXPECT_EQ(locate(result.world, {-0.3, 2, 2}), in_room(0));
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{0}});
 }
@@ -107,7 +107,7 @@ TEST(CarveRooms, ACavityIsARoomUntilItIsOpened) {
     EXPECT_EQ(result.world.room_count(), 3u);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(2));
     EXPECT_EQ(cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom}).room, RoomId{2});
-    EXPECT_EQ(result.world.data().portals, world.data().portals);
+    EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{2}});
     result = cut(result.world, CutterShape::kBox, {1.5, 2, -0.8}, 1);
     ASSERT_TRUE(result.done());
@@ -124,7 +124,7 @@ TEST(CarveRooms, FillsInTheAir) {
     expect_sound(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
     EXPECT_EQ(room_info(result.world, {1}).faces, 5 + result.report.faces_new);
-    EXPECT_EQ(result.world.data().rooms[0].get(), world.data().rooms[0].get());
+    EXPECT_EQ(&result.world.data().cells.room(0), &world.data().cells.room(0));
     result = cut(result.world, CutterShape::kBox, {4, 2, 2}, 0.5, true);  // astride the portal
     ASSERT_TRUE(result.done());
     expect_sound(result.world);

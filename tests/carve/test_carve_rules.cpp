@@ -360,30 +360,32 @@ TEST(CarveRules, AZoneBesideATurnedCutterDoesNothing) {
 template <class Change>
 World with_counters(const World& world, const Change& change) {
     auto data = std::make_shared<WorldData>(world.data());
-    change(*data);
+    auto solid = std::make_shared<SolidData>(world.solid().data());
+    change(*data, *solid);
+    data->solid = Solid(std::move(solid));
     return World(std::move(data));
 }
 
 TEST(CarveRules, WithoutNumbersForEditsThereAreNone) {
     constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
-    const World last = with_counters(room(), [](WorldData& data) { data.edits = kLast; });
+    const World last = with_counters(room(), [](WorldData&, SolidData& data) { data.edits = kLast; });
     expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
     expect_refused(last, fill(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
-    const World before = with_counters(room(), [](WorldData& data) { data.edits = kLast - 1; });
+    const World before = with_counters(room(), [](WorldData&, SolidData& data) { data.edits = kLast - 1; });
     const CarveResult done = carve(before, kRock, at(4, 0, 0));
     ASSERT_TRUE(done.done());
-    EXPECT_EQ(done.world.data().edits, kLast);
+    EXPECT_EQ(done.world.data().edits(), kLast);
     EXPECT_FALSE(check_world(done.world));
 }
 
 TEST(CarveRules, WithoutNumbersForVersionsThereAreNoEdits) {
     constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
-    const World last = with_counters(room(), [](WorldData& data) { data.version = kLast; });
+    const World last = with_counters(room(), [](WorldData& data, SolidData&) { data.version = kLast; });
     expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
     WorldEdit none(last);
     EXPECT_FALSE(none.carve(kRock, at(4, 0, 0)).done());
     EXPECT_EQ(&none.finish().data(), &last.data());
-    const World before = with_counters(room(), [](WorldData& data) { data.version = kLast - 1; });
+    const World before = with_counters(room(), [](WorldData& data, SolidData&) { data.version = kLast - 1; });
     WorldEdit one(before);
     EXPECT_TRUE(one.carve(kRock, at(4, 0, 0)).done());
     EXPECT_FALSE(one.carve(kRock, at(-4, 0, 0)).done()) << "it would be the version after the last";
@@ -395,12 +397,12 @@ TEST(CarveRules, WithoutIdsForFacesThereAreNoEdits) {
     const std::uint32_t come = std::uint32_t(carve(room(), kRock, at(4, 0, 0)).report.faces_new);
     ASSERT_GT(come, 0u);
     for (const std::uint32_t left : {0u, 1u, come - 1}) {
-        const World last = with_counters(room(), [&](WorldData& data) { data.next_face = kMost - left; });
+        const World last = with_counters(room(), [&](WorldData&, SolidData& data) { data.next_face = kMost - left; });
         expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no ids left for new faces");
     }
-    const World beyond = with_counters(room(), [](WorldData& data) { data.next_face = kMost + 1; });
+    const World beyond = with_counters(room(), [](WorldData&, SolidData& data) { data.next_face = kMost + 1; });
     expect_refused(beyond, carve(beyond, kRock, at(4, 0, 0)), "no ids left for new faces");
-    const World enough = with_counters(room(), [&](WorldData& data) { data.next_face = kMost - come; });
+    const World enough = with_counters(room(), [&](WorldData&, SolidData& data) { data.next_face = kMost - come; });
     const CarveResult done = carve(enough, kRock, at(4, 0, 0));
     ASSERT_TRUE(done.done());
     for (const Face& face : done.world.faces()) EXPECT_TRUE(face.id.valid());

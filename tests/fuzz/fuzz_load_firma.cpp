@@ -76,10 +76,10 @@ const File& sound_file(int which) {
 
 std::size_t entry_size(SectionType type) {
     switch (type) {
-        case kBlocksSection:
-            return kBlockBytes;
-        case kBinsSection:
+        case kIndexBinsSection:
             return kBinBytes;
+        case kIndexNodesSection:
+            return kNodeBytes;
         case kFacesSection:
             return kFaceBytes;
         case kRoomRecordsSection:
@@ -88,8 +88,6 @@ std::size_t entry_size(SectionType type) {
         case kGridPointsSection:
         case kMeetPointsSection:
             return kPointBytes;
-        case kCornersSection:
-            return 2;
         case kPlanesSection:
             return kPlaneBytes;
         case kEdgesSection:

@@ -311,7 +311,7 @@ Number volume_in_common(const World& world, const PlacedCutter& cutter) {
     for (const PatchFace& face : patch.faces)
         fans<Number>(patch, face, origin,
                      [&](const auto& a, const auto& b, const auto& c) { add_prism<Number>(a, b, c, of_solid); });
-    Number sum = world.data().rock_outside ? six_times_volume_of<Number>(cutter, origin) : Number(0);
+    Number sum = world.data().rock_outside() ? six_times_volume_of<Number>(cutter, origin) : Number(0);
     for (const Prism<Number>& p : of_solid)
         for (const Prism<Number>& q : of_cutter)
             if (!apart(p, q)) sum += in_common(p, q);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Casts through a carved world.
+#include "world/block_faces.h"
 #include "tests/reference/judge_carved_casts.h"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ void shoot_from_air(const World& world, Rng& rng, std::uint64_t rays, RayTally& 
     while (shot < rays) {
         // A start in the air before a face, and a hundred faces around it to aim at.
         const std::uint32_t first = rng.below(std::uint32_t(facets.size()));
-        const Vec3 normal = world.face({facets[first].block, facets[first].slot}).normal;
+        const Vec3 normal = world.face(ref_to(*facets[first].block, facets[first].slot)).normal;
         const Vec3 on = point_of(corners_of(facets[first]), rng);
         const double away = rng.uniform();
         const Vec3 start = on + normal * std::ldexp(away, -int(rng.below(8)));

@@ -62,7 +62,7 @@ Vec3 point_in(const Box& box, Rng& rng) {
 /// Rooms that are there, not part of another one.
 std::size_t rooms_left(const World& world) {
     std::size_t count = 0;
-    for (std::uint32_t room = 0; room < world.room_count(); ++room) count += current_room(world.data(), room) == room;
+    for (std::uint32_t room = 0; room < world.room_count(); ++room) count += world.data().cells.current_room(room) == room;
     return count;
 }
 
@@ -93,7 +93,7 @@ public:
         }
         if (!placed_) return fail("done with a cutter that cannot be placed");
         change_ = compare_facets(before_, after_);
-        has_rooms_ = after_.data().room_records != nullptr;
+        has_rooms_ = after_.data().cells.known();
         judge_faces();
         if (const std::string edge = open_edge(after_, &tally_.shared_edges); !edge.empty()) fail(edge);
         if (const auto fault = check_world(after_))
@@ -145,7 +145,7 @@ private:
         for (const FacetPlace& place : change_.gone)
             if (!place.record().solid) return fail("a face that bounds no solid is gone");
         for (const FacetPlace& place : change_.come)
-            if (place.record().id.value < before_.data().next_face) return fail("a new face with an old id");
+            if (place.record().id.value < before_.data().next_face()) return fail("a new face with an old id");
     }
 
     void judge_volume() {
@@ -213,7 +213,7 @@ private:
         Box box = box_of(*placed_);
         const Vec3 size = box.high - box.low;
         for (const double sign : {-0.5, 0.5}) box.add((box.low + box.high) * 0.5 + size * (sign * 1.3));
-        const int rock = before_.data().rock_outside;
+        const int rock = before_.data().rock_outside();
         std::optional<RoomBounds> rooms;
         if (has_rooms_) rooms.emplace(after_);
         for (int k = 0; k < options_.points; ++k) {

@@ -22,10 +22,7 @@ constexpr double kFarthestMoved = 0.001;
 
 /// Of the exact solid, cubic input steps.
 LongReal solid_volume(const World& world) {
-    std::vector<const Block*> roots;
-    for (const Ref<const Room>& room : world.data().rooms)
-        if (room->tree) roots.push_back(room->tree.get());
-    const DoubleDouble volume = measure_boundary(take_boundary(roots)).volume;
+    const DoubleDouble volume = measure_boundary(take_boundary(world.solid().data().faces.root.get())).volume;
     return LongReal(volume.high) + LongReal(volume.low);
 }
 

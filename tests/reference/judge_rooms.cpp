@@ -58,7 +58,7 @@ std::string unclosed_room(const World& world) {
 std::vector<bool> closed_rooms(const World& world) {
     std::vector<bool> closed;
     for (std::uint32_t k = 0; k < world.room_count(); ++k) {
-        bool open = !world.data().room_records && !world.data().rock_outside;
+        bool open = !world.data().cells.known() && !world.data().rock_outside();
         for (std::uint32_t other = 0; other < world.room_count() && !open; ++other)
             open = room_info(world, {other}).exterior && find_path(world, {k}, {other}, Doors::kAllOpen).has_value();
         closed.push_back(!open);
@@ -70,7 +70,7 @@ RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_co
     for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
         rooms_[room].facets = facets_of_room(world, room);
         rooms_[room].exterior =
-            world.data().room_records ? room_info(world, {room}).exterior : !world.data().rock_outside;
+            world.data().cells.known() ? room_info(world, {room}).exterior : !world.data().rock_outside();
     }
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
         const PortalInfo info = portal_info(world, {portal});

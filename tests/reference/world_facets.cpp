@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <bit>
 
-#include "tree/append_faces.h"
-#include "tree/build_blocks.h"
-#include "world/world_data.h"
+#include "solid/append_faces.h"
+#include "world/assemble_world.h"
 
 namespace firma::reference {
 namespace {
 
 void collect(const Block& block, std::vector<FacetPlace>& facets) {
     for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) facets.push_back({&block, slot});
-    for (const Ref<const Block>& child : block.children) collect(*child, facets);
 }
 
 class Fnv {
@@ -47,8 +45,7 @@ bool same_facet(const FacetPlace& a, const FacetPlace& b) {
 
 std::vector<FacetPlace> all_facets(const World& world) {
     std::vector<FacetPlace> facets;
-    for (const Ref<const Room>& room : world.data().rooms)
-        if (room->tree) collect(*room->tree, facets);
+    for_each_block_of(world.data(), [&](const Block& block) { collect(block, facets); });
     std::sort(facets.begin(), facets.end(),
               [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
     return facets;
@@ -56,7 +53,8 @@ std::vector<FacetPlace> all_facets(const World& world) {
 
 std::vector<FacetPlace> facets_of_room(const World& world, std::uint32_t room) {
     std::vector<FacetPlace> facets;
-    if (const Block* tree = world.data().rooms[room]->tree.get()) collect(*tree, facets);
+    if (const Node* tree = world.data().cells.room(room).tree.get())
+        for_each_block(*tree, [&](const Block& block) { collect(block, facets); });
     return facets;
 }
 
@@ -78,22 +76,33 @@ FacetChange compare_facets(const World& before, const World& after) {
 
 FaceSet set_of(const World& world) {
     FaceSet set;
-    for (const Ref<const Room>& room : world.data().rooms)
-        if (room->tree) append_all_faces(*room->tree, set);
+    for_each_block_of(world.data(), [&](const Block& block) {
+        append_faces(block, set, [](std::uint32_t) { return true; });
+    });
     return set;
 }
 
+World with_faces(const World& world, const FaceSet& faces) {
+    const WorldData& data = world.data();
+    StoredWorld stored;
+    FaceSet solid, castable;
+    for (const FaceSet::Entry& face : faces.faces) append_face(faces, face, face.solid ? solid : castable);
+    stored.solid = build_store(solid, data.tree_options);
+    stored.castable = build_store(castable, data.tree_options);
+    stored.records.resize(1);
+    stored.rock_outside = data.rock_outside();
+    stored.next_face = data.next_face() + 1;
+    stored.edits = data.edits();
+    stored.version = data.version;
+    stored.materials = data.materials;
+    stored.tolerance = data.tolerance;
+    stored.tree_options = data.tree_options;
+    stored.rules = data.rules;
+    return world_of(std::move(stored));
+}
+
 World rebuilt(const World& world) {
-    auto data = std::make_shared<WorldData>(world.data());
-    for (Ref<const Room>& room : data->rooms) {
-        if (!room->tree) continue;
-        FaceSet set;
-        append_all_faces(*room->tree, set);
-        Ref<Room> made(new Room);
-        made->tree = build_blocks(set, data->tree_options);
-        room = Ref<const Room>(made.get());
-    }
-    return World(std::move(data));
+    return rebuild_index(world, world.data().tree_options);
 }
 
 std::uint64_t hash_of_facets(const World& world) {

@@ -6,13 +6,13 @@
 
 #include "firma/world.h"
 #include "solid/solid_patch.h"
-#include "tree/face_set.h"
+#include "solid/face_set.h"
 
 namespace firma::reference {
 
 /// In order of id.
 std::vector<FacetPlace> all_facets(const World& world);
-/// Those of one room, as its tree has them.
+/// Those of one room, as its index has them.
 std::vector<FacetPlace> facets_of_room(const World& world, std::uint32_t room);
 
 /// What two versions of a world do not share, by id.
@@ -25,7 +25,10 @@ FacetChange compare_facets(const World& before, const World& after);
 /// The facets as they are, in a set; owners stay alive through the world.
 FaceSet set_of(const World& world);
 
-/// The same facets, each room's in a tree built from scratch.
+/// The world of one room, with these faces instead.
+World with_faces(const World& world, const FaceSet& faces);
+
+/// The same world, blocks and indices built from scratch.
 World rebuilt(const World& world);
 
 /// FNV-1a over all facets in order of id: corners, sources, materials, flags.

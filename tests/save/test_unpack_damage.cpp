@@ -96,20 +96,40 @@ std::string text_of(SectionType type, const Change& change) {
 
 TEST(UnpackDamage, ErrorsNameTheirPlace) {
     using Bytes = std::vector<std::byte>;
-    EXPECT_EQ(text_of(kCornersSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 2 * 5 + 1] = std::byte(9); }),
+    EXPECT_EQ(text_of(kCornersSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 4 * 5 + 1] = std::byte(9); }),
               "a.firma: section CORN, entry 5: names a vertex that is not there");
     EXPECT_EQ(text_of(kFacesSection,
-                      [](Bytes& b, const SectionPlace& p) { b[p.first + 3 * kFaceBytes + 24] = std::byte(65); }),
+                      [](Bytes& b, const SectionPlace& p) { b[p.first + 3 * kFaceBytes + 28] = std::byte(65); }),
               "a.firma: section FACE, entry 3: does not have 3 to 64 corners");
     EXPECT_EQ(
         text_of(kEdgesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 2 * kEdgeBytes, 77777); }),
         "a.firma: section EDGE, entry 2: names a vertex that is not there");
     EXPECT_EQ(text_of(kPlanesSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 7] = std::byte(0x40); }),
               "a.firma: section PLAN, entry 0: is no plane through points of the grid");
-    EXPECT_EQ(text_of(kBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 0x7FC00000); }),  // NaN
-              "a.firma: section BINS, entry 0: its box is none within the world");
+    EXPECT_EQ(text_of(kFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + kFaceBytes, 0); }),
+              "a.firma: section FACE, entry 1: does not have a higher id than the last");
+    EXPECT_EQ(text_of(kFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 20, 1); }),
+              "a.firma: section FACE, entry 0: lies in a room that is not there");
     EXPECT_EQ(text_of(kWorldSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, 1); }),
-              "a.firma: the world is broken: the count of faces is not how many there are");
+              "a.firma: section FACE: has not as many entries as faces");
+}
+
+TEST(UnpackDamage, ErrorsOfTheIndexNameTheirPlace) {
+    using Bytes = std::vector<std::byte>;
+    EXPECT_EQ(text_of(kIndexBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 0x7FC00000); }),  // NaN
+              "a.firma: section IBIN, entry 0: its box is none within the world");
+    EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 1u << 20); }),
+              "a.firma: section IFAC, entry 1: names a face that is not there");
+    EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 0); }),
+              "a.firma: face 0: the world is broken: two faces have one id");
+    EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 1u << 20); }),
+              "a.firma: section IROO, entry 0: names a node that is not there");
+    EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, ~0u); }),
+              "a.firma: the world is broken: a room's count of faces is not how many there are");
+    EXPECT_EQ(text_of(kIndexNodesSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 2] = std::byte(2); }),
+              "a.firma: section INOD, entry 0: holds both faces and nodes, or neither");
+    EXPECT_EQ(text_of(kIndexBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 24, 7); }),
+              "a.firma: section INOD, entry 0: its bins are not one tree over its items");
 }
 
 TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
@@ -125,9 +145,9 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
     EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 2),
               "a.firma: section RECS, entry 1: is part of a higher room");
     EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 0),
-              "a.firma: the world is broken: room 1 is part of another, and yet not empty");
+              "a.firma: the world is broken: a room's count of faces is not how many there are");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 2),
-              "a.firma: section RECS, entry 0: has flags that are not of version 1");
+              "a.firma: section RECS, entry 0: has flags that mean nothing");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 1),
               "a.firma: the world is broken: more than one room, or rock as well, reaches to infinity");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 0, 3), "a.firma: section RECS: has bytes behind its last name");
@@ -139,7 +159,7 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
               "a.firma: the world is broken: portal 0 leads from a room to itself");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 0), "read");  // the door is open
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 3),
-              "a.firma: section PORT, entry 0: has flags that are not of version 1");
+              "a.firma: section PORT, entry 0: has flags that mean nothing");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 20, 0), "a.firma: section PPOL, entry 0: belongs to no portal");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 20, ~0u),
               "a.firma: section PORT, entry 0: has more polygons than there are");
@@ -180,12 +200,12 @@ TEST(UnpackDamage, SkinAndCountersAreOnesToGoOnWith) {
 
 TEST(UnpackDamage, OtherVersionsSaySo) {
     std::vector<std::byte> bytes = pack_world(tiny_world());
-    put_u32(bytes, 8, 2);
+    put_u32(bytes, 8, 3);
     fix_checksums(bytes);
     const Result<World> read = unpack_world(bytes, "a.firma");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kUnsupported);
-    EXPECT_EQ(read.error().text(), "a.firma: it is of version 2 of the format; this Firma reads version 1");
+    EXPECT_EQ(read.error().text(), "a.firma: it is of version 3 of the format; this Firma reads versions 1 and 2");
     const std::string text = "o level\nv 0 0 0\n";
     EXPECT_EQ(unpack_world(std::as_bytes(std::span(text)), "a.obj").error().text(),
               "a.obj: it does not begin as a .firma file does");

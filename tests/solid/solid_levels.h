@@ -10,8 +10,9 @@
 #include "firma/carve.h"
 #include "firma/solid.h"
 #include "solid/boundary.h"
-#include "tree/append_faces.h"
-#include "tree/build_blocks.h"
+#include "solid/append_faces.h"
+#include "solid/build_blocks.h"
+#include "tests/reference/world_facets.h"
 #include "world/world_data.h"
 
 namespace firma::test {
@@ -60,9 +61,7 @@ inline Level box_level(const Vec3& low, const Vec3& high, bool inward = false) {
 }
 
 inline Boundary boundary_of(const World& world) {
-    std::vector<const Block*> roots;
-    for (const Ref<const Room>& room : world.data().rooms) roots.push_back(room->tree.get());
-    return take_boundary(roots);
+    return take_boundary(world.solid().data().faces.root.get());
 }
 
 /// A world as plain faces, each exact face copied so that it can be changed.
@@ -72,7 +71,7 @@ struct Parts {
     std::vector<Ref<SolidFace>> faces;
 
     explicit Parts(const World& world) : from(world) {
-        append_all_faces(*world.data().rooms[0]->tree, set);
+        append_all_faces(*world.data().cells.room(0).tree, set);
         std::vector<const FaceOwner*> known;
         for (FaceSet::Entry& entry : set.faces) {
             if (!entry.owner) continue;
@@ -103,13 +102,14 @@ struct Parts {
         return **std::find_if(faces.begin(), faces.end(),
                               [&](const auto& face) { return (face->loop_ends().size() > 1) == holes; });
     }
+    FaceStore store() const {
+        FaceSet solid;
+        for (const FaceSet::Entry& face : set.faces)
+            if (face.solid) append_face(set, face, solid);
+        return build_store(solid, from.data().tree_options).store;
+    }
     World world() const {
-        Ref<Room> room(new Room);
-        room->tree = build_blocks(set, from.data().tree_options);
-        auto data = std::make_shared<WorldData>(from.data());
-        data->rooms[0] = Ref<const Room>(room.get());
-        data->face_count = set.faces.size();
-        return World(std::move(data));
+        return reference::with_faces(from, set);
     }
 };
 

@@ -30,8 +30,11 @@ std::string fault_of(const World& world) {
     const std::optional<SolidFault> fault = check_solid(world);
     return fault ? fault->what : "";
 }
+/// Without a world around them, which would hash what is broken.
 std::string fault_of(const Parts& parts) {
-    return fault_of(parts.world());
+    const FaceStore store = parts.store();
+    const std::optional<SolidFault> fault = check_boundary(take_boundary(store.root.get()));
+    return fault ? fault->what : "";
 }
 
 TEST(CheckBoundary, SoundSolidsPass) {
@@ -70,7 +73,7 @@ TEST(CheckBoundary, FacesTurnedOver) {
 TEST(CheckBoundary, FacesThereTwice) {
     Parts parts(pitted());
     FaceSet::Entry again = parts.untouched();
-    again.id = {parts.from.data().next_face};
+    again.id = {parts.from.data().next_face()};
     parts.set.faces.push_back(again);
     EXPECT_EQ(fault_of(parts), "an edge is not used exactly once each way");
 }

@@ -196,23 +196,25 @@ Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>
 TEST(CastTouchesNothing, AllOfTheWorldIsInMemoryThatIsWatched) {
     const WorldData& data = the_world().data();
     EXPECT_TRUE(handle_arena.holds(&data));
-    EXPECT_TRUE(handle_arena.holds(data.rooms.data()));
+    EXPECT_TRUE(handle_arena.holds(&data.solid.data()));
     std::size_t blocks = 0, owners = 0, outside = 0;
-    std::vector<const Block*> waiting;
-    for (const Ref<const Room>& room : data.rooms) {
+    std::vector<const Node*> waiting;
+    data.cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) {
         EXPECT_TRUE(pool_arena.holds(room.get()));
         waiting.push_back(room->tree.get());
-    }
+    });
     while (!waiting.empty()) {
-        const Block& block = *waiting.back();
+        const Node& node = *waiting.back();
         waiting.pop_back();
+        outside += !pool_arena.holds(&node) || !pool_arena.holds(node.bins.data());
+        for (const Ref<const Node>& child : node.children) waiting.push_back(child.get());
+        if (!node.is_leaf()) continue;
+        const Block& block = block_of(node);
         ++blocks;
-        outside += !pool_arena.holds(&block) || !pool_arena.holds(block.bins.data());
-        outside += !block.faces.empty() && !pool_arena.holds(block.faces.data());
-        outside += !block.vertices.empty() && !pool_arena.holds(block.vertices.data());
+        outside += !pool_arena.holds(&block) || !pool_arena.holds(block.faces.data());
+        outside += !pool_arena.holds(block.vertices.data()) || !pool_arena.holds(block.corner_vertices.data());
         for (const Ref<const FaceOwner>& owner : block.owners) outside += !pool_arena.holds(owner.get());
         owners += block.owners.size();
-        for (const Ref<const Block>& child : block.children) waiting.push_back(child.get());
     }
     EXPECT_EQ(outside, 0u);
     EXPECT_GT(blocks, 100u);
@@ -295,9 +297,10 @@ Asked ask_by_room(const World& world, const std::vector<Question>& all, std::vec
 
 TEST(CastTouchesNothing, NorDoThoseFromRoomToRoom) {
     const World& world = the_rooms();
-    EXPECT_NE(world.data().room_boxes, nullptr);
-    EXPECT_NE(world.data().closed, nullptr);
-    EXPECT_TRUE(handle_arena.holds(world.data().portals.get()));
+    EXPECT_GT(world.room_count(), 16u);
+    EXPECT_TRUE(world.data().cells.any_closed());
+    EXPECT_TRUE(pool_arena.holds(&world.data().cells.portal(0)));
+    EXPECT_TRUE(handle_arena.holds(world.data().cells.boxes().get()));
     std::vector<Question> all = questions(10'000);
     for (Question& it : all) it.sphere.centre = it.sphere.centre * 1.2 + Vec3{1, 1, 1};
     std::vector<Hit> hits;
@@ -325,17 +328,17 @@ TEST(CastTouchesNothing, NorDoThoseFromRoomToRoom) {
 // That the above can fail: each of these is what a careless cast might do.
 
 TEST(CastTouchesNothingDeathTest, ACopiedReferenceIsCaught) {
-    const Room& room = *the_world().data().rooms[0];
+    const Room& room = the_world().data().cells.room(0);
     const auto copy_block = [&] {
         const ReadOnly guard;
-        const Ref<const Block> copy(room.tree);
-        std::fprintf(stderr, "%u faces\n", copy->faces_below);
+        const Ref<const Node> copy(room.tree);
+        std::fprintf(stderr, "%u faces\n", copy->facets_below);
     };
     EXPECT_EXIT(copy_block(), testing::ExitedWithCode(kWritten), "a write to the world");
     const auto copy_room = [&] {
         const ReadOnly guard;
-        const Ref<const Room> copy(the_world().data().rooms[0]);
-        std::fprintf(stderr, "%u faces\n", copy->tree->faces_below);
+        const Ref<const Room> copy(*the_world().data().cells.rooms().find(0));
+        std::fprintf(stderr, "%u faces\n", copy->tree->facets_below);
     };
     EXPECT_EXIT(copy_room(), testing::ExitedWithCode(kWritten), "a write to the world");
 }
@@ -351,8 +354,9 @@ TEST(CastTouchesNothingDeathTest, ACopiedHandleIsCaught) {
 }
 
 TEST(CastTouchesNothingDeathTest, AMarkLeftInAFaceIsCaught) {
-    const Block* block = the_world().data().rooms[0]->tree.get();
-    while (block->holds_blocks()) block = block->children[0].get();
+    const Node* node = the_world().data().cells.room(0).tree.get();
+    while (!node->is_leaf()) node = node->children[0].get();
+    const Block* block = &block_of(*node);
     const auto mark = [&] {
         const ReadOnly guard;
         const_cast<FaceRecord&>(block->faces[0]).mask ^= 1;

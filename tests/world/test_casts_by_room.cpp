@@ -48,7 +48,7 @@ void expect_same(const Hit& a, const Hit& b) {
 
 void compare(const DividedBuilding& building, const World& world, int casts, std::uint64_t seed) {
     const World whole = make_world(building.level()).value();
-    const bool has_closed = world.data().closed != nullptr;
+    const bool has_closed = world.data().cells.any_closed();
     scenes::Rng rng(seed);
     std::size_t touched = 0, doors = 0, far = 0;
     std::vector<Hit> hits;
@@ -121,7 +121,6 @@ TEST(CastsByRoom, ManyRooms) {
     const DividedBuilding building({.rooms_x = 6, .rooms_y = 6, .rooms_z = 2, .outdoors = true, .seed = 9});
     const World world = assemble_world(building.parts()).value();
     EXPECT_GT(world.room_count(), 100u);
-    EXPECT_NE(world.data().room_boxes, nullptr);
     compare(building, world, 1500, 1);
 }
 
@@ -198,7 +197,7 @@ TEST(CastsByRoom, ThroughAThinWall) {
     EXPECT_EQ(cast(world, on_face, path, {.room = kLocateRoom}).rooms_passed, 0u);
 }
 
-/// More rooms than a walk from room to room has marks for, and more waiting than it has places.
+/// More rooms than there are marks for on the stack, and more waiting than have places there.
 TEST(CastsByRoom, MoreRoomsThanPlaces) {
     WorldParts parts;
     parts.rock_outside = true;
@@ -218,7 +217,7 @@ TEST(CastsByRoom, MoreRoomsThanPlaces) {
         if (k == 0) continue;
         PortalPart portal;
         portal.rooms = {RoomId{0}, RoomId{k}};
-        portal.polygons = {{at(k, 0, 1), at(k + 1, 0, 1), at(k + 1, 1, 1), at(k, 1, 1)}};
+        portal.polygons = {{at(k, 0, 0.125), at(k + 1, 0, 0.125), at(k + 1, 1, 0.125), at(k, 1, 0.125)}};
         parts.portals.push_back(portal);
     }
     for (const std::uint32_t count : {kCount, 4000u}) {
@@ -235,7 +234,7 @@ TEST(CastsByRoom, MoreRoomsThanPlaces) {
             const Hit by_room = cast(world, {{0.5, 0.5, 1.5}, 0.25}, path, {.room = {0}});
             EXPECT_TRUE(all.touched());
             expect_same(by_room, all);
-            EXPECT_EQ(by_room.rooms_passed == 0, count == kCount || path.x > 1000);
+            EXPECT_EQ(by_room.rooms_passed > 256, path.x > 1000) << by_room.rooms_passed;
             std::vector<Hit> hits, hits_by_room;
             cast_all(world, {{0.5, 0.5, 1.5}, 0.25}, path, hits);
             cast_all(world, {{0.5, 0.5, 1.5}, 0.25}, path, hits_by_room, {.room = {0}});

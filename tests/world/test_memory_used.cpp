@@ -17,14 +17,14 @@ TEST(MemoryUsed, CountsSharedBlocksOnce) {
     const World world = make_world(level).value(), twin = make_world(level).value();
     const std::size_t alone = memory_used(world);
     EXPECT_GE(alone, world.statistics().bytes);
-    EXPECT_LT(alone, world.statistics().bytes + 2000);
+    EXPECT_LT(alone, world.statistics().bytes + 4000) << "but for sums by region, and what a world is besides faces";
     EXPECT_EQ(memory_used(std::vector<World>{world, world}), alone);
     EXPECT_EQ(memory_used(std::vector<World>{world, twin}), 2 * alone) << "equal, but sharing nothing";
 
     auto next = std::make_shared<WorldData>(world.data());
     ++next->version;
     const std::size_t both = memory_used(std::vector<World>{world, World(next)});
-    EXPECT_EQ(both, alone + sizeof(WorldData) + next->rooms.capacity() * sizeof(next->rooms[0]));
+    EXPECT_EQ(both, alone + sizeof(WorldData));
     EXPECT_EQ(memory_used(std::span<const World>{}), 0u);
 }
 

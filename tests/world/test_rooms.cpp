@@ -58,7 +58,7 @@ TEST(Rooms, AClosedDoorIsAWall) {
     EXPECT_EQ(closed.version(), open.version() + 1);
     EXPECT_TRUE(portal_info(open, {0}).open);
     EXPECT_FALSE(portal_info(closed, {0}).open);
-    EXPECT_EQ(&closed.data().rooms[0]->tree->bins, &open.data().rooms[0]->tree->bins);
+    EXPECT_EQ(&closed.data().cells.room(0), &open.data().cells.room(0));
     EXPECT_EQ(set_portal_open(closed, {0}, false).version(), closed.version());
     for (const RoomId room : {RoomId{0}, kAnyRoom, kLocateRoom}) {
         CastOptions options{.room = room};

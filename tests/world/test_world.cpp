@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The World as a value and the questions it answers, on a small closed room.
+#include "firma/carve.h"
 #include "firma/world.h"
 
 #include <gtest/gtest.h>
@@ -192,43 +193,87 @@ TEST(World, TheNextVersionSharesAllButItsNumber) {
     const World world = room();
     const World next(next_version(world.data()));
     EXPECT_EQ(next.version(), world.version() + 1);
-    EXPECT_EQ(next.data().rooms[0].get(), world.data().rooms[0].get());
+    EXPECT_EQ(&next.data().cells.room(0), &world.data().cells.room(0));
     EXPECT_EQ(next.face_count(), world.face_count());
     EXPECT_FALSE(check_world(next));
 }
 
 TEST(World, CheckFindsWhatIsBroken) {
     const World world = room();
+    struct Spoilt {
+        Node& node;
+        Block& block;
+        SolidData& solid;
+        Room& room;
+    };
     const auto broken = [&](auto&& change) {
-        Ref<Room> spoilt(new Room);
-        Ref<Block> block(new Block);
-        const Block& sound = *world.data().rooms[0]->tree;
-        block->bins = sound.bins;
-        block->faces = sound.faces;
-        block->faces_below = sound.faces_below;
-        block->depth = sound.depth;
-        block->vertices = sound.vertices;
-        block->corner_vertices = sound.corner_vertices;
         auto data = std::make_shared<WorldData>(world.data());
-        change(*block, *data);
-        spoilt->tree = Ref<const Block>(block.get());
-        data->rooms[0] = Ref<const Room>(spoilt.get());
+        auto solid = std::make_shared<SolidData>(world.solid().data());
+        const Node& sound = *solid->faces.root;
+        EXPECT_TRUE(sound.is_leaf());
+        Ref<Block> block(new Block);
+        block->faces = block_of(sound).faces;
+        block->vertices = block_of(sound).vertices;
+        block->corner_vertices = block_of(sound).corner_vertices;
+        Ref<Node> node(new Node);
+        node->bins = sound.bins;
+        node->facets_below = sound.facets_below;
+        node->depth = sound.depth;
+        node->facets = Ref<const IndexedFacets>(block.get());
+        Ref<Room> room(new Room);
+        room->record = data->cells.room(0).record;
+        room->faces = data->cells.room(0).faces;
+        room->face_hash = data->cells.room(0).face_hash;
+        Spoilt spoilt{*node, *block, *solid, *room};
+        change(spoilt);
+        solid->faces.root = Ref<const Node>(node.get());
+        room->tree = solid->faces.root;
+        data->solid = Solid(std::move(solid));
+        data->cells.set_room(0, Ref<const Room>(room.get()));
         const auto fault = check_world(World(std::move(data)));
         return fault ? fault->what : "";
     };
-    EXPECT_EQ(broken([](Block&, WorldData&) {}), "");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.vertices[0].z += 64; }), "a face is not planar");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[1].id = b.faces[0].id; }), "two faces have one id");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins[0].box.high[0] = 1; }), "a bin reaches out of its parent");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.back().count = 60; }), "a bin holds items that are not there");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.bins.clear(); }), "a block has no bins");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.corner_vertices[2] = 99; }), "a corner has no vertex");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { b.faces[0].owner = 3; }), "a face has an owner that is not there");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { ++b.faces_below; }),
-              "a block's count of faces is not how many there are");
-    EXPECT_EQ(broken([](Block& b, WorldData&) { ++b.depth; }), "a block's depth is not how deep it is");
-    EXPECT_EQ(broken([](Block&, WorldData& d) { d.face_count = 7; }), "the count of faces is not how many there are");
-    EXPECT_EQ(broken([](Block&, WorldData& d) { d.next_face = 3; }), "a face's id is not below the next one");
+    EXPECT_EQ(broken([](Spoilt&) {}), "");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.vertices[0].z += 64; }), "a face is not planar");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].id = s.block.faces[0].id; }), "two faces have one id");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].solid = false; }), "a face of the solid does not say so");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.part = 1; }), "a block lies in a room that its faces are not part of");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].material = 7; }), "a room's hash is not that of its faces");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins[0].box.high[0] = 1; }), "a bin reaches out of its parent");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.back().count = 60; }), "a bin holds items that are not there");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.clear(); }), "a node has no bins");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.corner_vertices[2] = 99; }), "a corner has no vertex");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[0].owner = 3; }), "a face has an owner that is not there");
+    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }), "a node's count of faces is not how many there are");
+    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.depth; }), "a node's depth is not how deep it is");
+    EXPECT_EQ(broken([](Spoilt& s) { s.solid.faces.count = 7; }), "the count of faces is not how many there are");
+    EXPECT_EQ(broken([](Spoilt& s) { s.solid.next_face = 3; }), "a face's id is not below the next one");
+}
+
+TEST(World, ARefThatIsNoLongerGoodIsTold) {
+    World world = room();
+    const Hit hit = cast(world, {{0, 0, 0}, 0}, {20, 0, 0});
+    ASSERT_TRUE(hit.touched());
+    EXPECT_EQ(world.face(hit.ref).id, hit.face);
+    EXPECT_FALSE(world.face({}).id.valid());
+    FaceRef other = hit.ref;
+    other.slot = 1000;
+    EXPECT_FALSE(world.face(other).id.valid());
+    other = hit.ref;
+    other.id = {hit.face.value + 1};
+    EXPECT_FALSE(world.face(other).id.valid());
+    EXPECT_FALSE(World().face(hit.ref).id.valid()) << "of another world";
+    // Edits until the memory of the first version is used again; under the address sanitizer any read of it is seen.
+    Pose pose;
+    for (int k = 0; k < 40; ++k) {
+        pose.position = {hit.point.x, 0.2 * (k % 5), 0.2 * (k % 7)};
+        pose.scale = 0.3;
+        world = carve(world, make_crater(CutterShape::kRocky, std::uint64_t(k)), pose).world;
+    }
+    const Face stale = world.face(hit.ref);
+    EXPECT_TRUE(!stale.id.valid() || stale.id == hit.face);
+    // A closed door has no face.
+    EXPECT_FALSE(world.face(Hit().ref).id.valid());
 }
 
 }  // namespace
