@@ -118,7 +118,7 @@ Cells make_cells(StoredWorld& stored) {
         cells.set_room(k, Ref<const Room>(room.get()));
     }
     for (std::uint32_t k = 0; k < portals.size(); ++k)
-        cells.set_portal(k, Ref<const Portal>(new Portal(portals[k])), !portals[k].open && !portals[k].polygons.empty());
+        cells.set_portal(k, Ref<const Portal>(new Portal(portals[k])), !portals[k].open);
     if (!portals.empty()) cells.set_boxes();
     return cells;
 }
