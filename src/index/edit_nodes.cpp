@@ -60,6 +60,11 @@ void NodeEdit::start_over_leaf() {
 // ---- what is touched ----
 
 void NodeEdit::find_some() {
+    if (removed_.empty() && added_.empty()) {
+        result_ = root_;
+        phase_ = Phase::kDone;
+        return;
+    }
     if (!root_ || root_->is_leaf()) return start_over_leaf();
     if (touched_.empty()) touched_.push_back({.node = root_.get()});
     for (std::size_t left = kFindsInAStep; left > 0 && next_ < removed_.size(); --left, ++next_) {

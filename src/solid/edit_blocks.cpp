@@ -55,7 +55,17 @@ bool BlockEdit::step() {
     return phase_ != Phase::kDone;
 }
 
+/// In an order of their own, not that in which faces were removed.
+void BlockEdit::sort_blocks() {
+    const std::vector<const Block*> before = blocks_;
+    std::sort(blocks_.begin(), blocks_.end(),
+              [](const Block* a, const Block* b) { return a->faces[0].id < b->faces[0].id; });
+    for (std::uint32_t k = 0; k < blocks_.size(); ++k) number_of_[blocks_[k]] = k;
+    for (Change& change : goes_) change.place = number_of_[before[change.place]];
+}
+
 void BlockEdit::start() {
+    sort_blocks();
     std::sort(goes_.begin(), goes_.end());
     goes_.erase(std::unique(goes_.begin(), goes_.end()), goes_.end());
     std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> of_parts;  // few

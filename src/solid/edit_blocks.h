@@ -34,7 +34,7 @@ public:
     /// @return whether there is more to do
     bool step();
 
-    /// Once step() said false: the blocks that go, and leaf nodes over those that come.
+    /// Once step() said false: the blocks that go, by id of their first faces, and leaf nodes over those that come.
     const std::vector<const Block*>& removed() const { return blocks_; }
     const std::vector<Ref<const Node>>& added() const { return made_; }
 
@@ -63,6 +63,7 @@ private:
     enum class Phase { kStart, kPlace, kRebuild, kDone };
 
     void start();
+    void sort_blocks();
     void group_blocks(std::uint32_t part, const std::vector<std::uint32_t>& blocks);
     std::uint32_t group_below(PartTree& tree, const std::vector<std::uint32_t>& blocks, std::uint32_t node);
     void place_some();

@@ -9,7 +9,7 @@
 
 #include "firma/level.h"
 #include "scenes/room_grid.h"
-#include "tests/tree/edited_tree.h"
+#include "tests/solid/edited_tree.h"
 
 namespace firma {
 namespace {
@@ -93,12 +93,29 @@ TEST(DiffWorlds, SameIdButAnotherFaceIsAChange) {
     EditedTree one = rooms(), other = rooms();
     FaceSet set = one.faces();
     set.faces[5].material = 3;
-    other.tree = build_blocks(set, {});
+    other.store = build_store(set, {}).store;
     const WorldDiff diff = diff_worlds(one.world(), other.world());
     ASSERT_EQ(diff.gone.size(), 1u);
     ASSERT_EQ(diff.come.size(), 1u);
     EXPECT_EQ(diff.gone[0].id, (FaceId{5}));
     EXPECT_EQ(diff.come[0].material, 3u);
+}
+
+TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
+    EditedTree edited = rooms();
+    scenes::Rng rng(4);
+    for (int k = 0; k < 10; ++k) edited.crater({rng.uniform(0, 18), rng.uniform(0, 18), 2}, 1.2, 5, rng);
+    const World world = edited.world();
+    for (const TreeOptions& options : {TreeOptions{}, TreeOptions{.faces_per_bin = 1}, TreeOptions{.max_depth = 2},
+                                       TreeOptions{.split = Split::kSurfaceArea}}) {
+        EXPECT_TRUE(diff_worlds(world, rebuild_index(world, options), 1).empty());
+        EXPECT_TRUE(diff_worlds(rebuild_index(world, options), world, 1).empty());
+    }
+    const World before = rooms().world();
+    const WorldDiff diff = diff_worlds(before, world), other = diff_worlds(before, rebuild_index(world, {}));
+    EXPECT_FALSE(diff.empty());
+    EXPECT_EQ(ids_of(diff.gone), ids_of(other.gone)) << "of faces, not of blocks";
+    EXPECT_EQ(ids_of(diff.come), ids_of(other.come));
 }
 
 TEST(DiffWorlds, FromAndToNothing) {

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "firma/world.h"
-#include "tree/build_blocks.h"
-#include "world/world_data.h"
+#include "world/assemble_world.h"
 
 namespace firma {
 namespace {
@@ -13,7 +12,6 @@ class CountedOwner : public FaceOwner {
 public:
     explicit CountedOwner(int& alive) : alive_(alive) { ++alive_; }
     ~CountedOwner() override { --alive_; }
-    void add_to(Hasher&) const override {}
     std::size_t bytes() const override { return sizeof(*this); }
 
 private:
@@ -22,7 +20,7 @@ private:
 
 constexpr std::int32_t kMetre = std::int32_t(kSurfaceSteps);
 
-/// Squares on the ground, one a metre; even ones belong to `owner`.
+/// Squares on the ground, one a metre; even ones belong to `owner`, every third of the others is solid.
 FaceSet squares(std::uint32_t count, const Ref<const FaceOwner>& owner) {
     FaceSet set;
     set.owners.push_back(owner);
@@ -32,7 +30,7 @@ FaceSet squares(std::uint32_t count, const Ref<const FaceOwner>& owner) {
         face.id = {k};
         face.source = 5;
         face.edit = k % 2;
-        face.solid = k % 3 == 0;
+        face.solid = k % 6 == 3;
         face.first_corner = std::uint32_t(set.corners.size());
         face.corner_count = 4;
         face.owner = k % 2 == 0 ? owner.get() : nullptr;
@@ -45,15 +43,12 @@ FaceSet squares(std::uint32_t count, const Ref<const FaceOwner>& owner) {
     return set;
 }
 
-World world_of(Ref<const Block> tree, std::size_t faces) {
-    Ref<Room> room(new Room);
-    room->tree = std::move(tree);
-    auto data = std::make_shared<WorldData>();
-    data->rooms.emplace_back(room.get());
-    data->materials = std::make_shared<std::vector<std::string>>(1);
-    data->face_count = faces;
-    data->next_face = std::uint32_t(faces);
-    return World(std::move(data));
+World world_with(FaceSet squares) {
+    WorldParts parts;
+    parts.rooms.resize(1);
+    parts.rooms[0].faces = std::move(squares);
+    parts.materials.resize(1);
+    return assemble_world(std::move(parts)).value();
 }
 
 TEST(FaceOwners, LiveAsLongAsABlockHoldsAFacetOfTheirs) {
@@ -63,13 +58,16 @@ TEST(FaceOwners, LiveAsLongAsABlockHoldsAFacetOfTheirs) {
         {
             Ref<CountedOwner> owner(new CountedOwner(alive));
             owner->normal = {0, 0, 1};
-            world = world_of(build_blocks(squares(200, Ref<const FaceOwner>(owner.get())), {}), 200);
+            world = world_with(squares(200, Ref<const FaceOwner>(owner.get())));
         }
         EXPECT_EQ(alive, 1);
         EXPECT_FALSE(check_world(world));
         const World copy = world;
         world = World();
         EXPECT_EQ(alive, 1);
+        world = rebuild_index(copy, {.faces_per_bin = 1});
+        EXPECT_EQ(world.face_count(), 200u);
+        EXPECT_EQ(alive, 1) << "new blocks keep the same one";
     }
     EXPECT_EQ(alive, 0);
 }
@@ -79,7 +77,7 @@ TEST(FaceOwners, GiveTheFaceNormalAndNothingElse) {
     Ref<CountedOwner> owner(new CountedOwner(alive));
     const Vec3 exact = Vec3{1e-6, 0, 1} * (1 / length(Vec3{1e-6, 0, 1}));
     owner->normal = exact;
-    const World world = world_of(build_blocks(squares(200, Ref<const FaceOwner>(owner.get())), {}), 200);
+    const World world = world_with(squares(200, Ref<const FaceOwner>(owner.get())));
     const Hit owned = cast(world, {{100.5, 0.5, 1}, 0.25}, {0, 0, -2});
     ASSERT_EQ(owned.face, (FaceId{100}));
     EXPECT_EQ(owned.face_normal, exact);

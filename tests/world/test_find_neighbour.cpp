@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Neighbours found through the tree are those found by comparing every edge with every other.
-#include "world/find_neighbour.h"
+#include "solid/find_neighbour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The box tree finds what looking at every box finds, each once, and stops when told.
-#include "tree/box_tree.h"
+#include "index/box_tree.h"
 
 #include <gtest/gtest.h>
 

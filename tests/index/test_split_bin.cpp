@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bins divided by surface area against all planes tried one by one, also where centres are a few steps apart.
-#include "tree/split_bin.h"
+#include "index/split_bin.h"
 
 #include <gtest/gtest.h>
 

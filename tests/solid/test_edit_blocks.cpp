@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Edited trees hold what they must, answer as trees from scratch, share what was not touched, and stay shallow.
-#include "tree/edit_blocks.h"
+// Edited stores hold what they must, answer as stores from scratch, share what was not touched, and stay shallow.
+#include "solid/edit_blocks.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
+#include <set>
 #include <unordered_set>
 
+#include "index/statistics.h"
 #include "scenes/room_grid.h"
-#include "tests/tree/edited_tree.h"
-#include "tree/statistics.h"
+#include "solid/hash_facet.h"
+#include "tests/solid/edited_tree.h"
 
 namespace firma {
 namespace {
@@ -27,14 +29,24 @@ Vec3 point_in(const Box& box, scenes::Rng& rng) {
     return p;
 }
 
+/// What is kept beside the faces is what a store from scratch has.
+void expect_sums_of_scratch(const EditedTree& edited) {
+    const FaceStore scratch = build_store(edited.faces(), edited.options).store;
+    ASSERT_EQ(edited.store.count, scratch.count);
+    ASSERT_EQ(edited.store.hash, scratch.hash);
+    ASSERT_EQ(region_hashes({&edited.store.regions}, {}), region_hashes({&scratch.regions}, {}));
+}
+
 /// Every face exactly once and with its own corners; the tree's invariants.
 void expect_sound(const EditedTree& edited) {
     const auto fault = check_world(edited.world());
     ASSERT_FALSE(fault) << fault->what << ", face " << fault->face.value;
-    ASSERT_EQ(bool(edited.tree), !edited.held.empty());
+    ASSERT_EQ(bool(edited.tree()), !edited.held.empty());
+    expect_sums_of_scratch(edited);
     std::size_t count = 0;
-    if (!edited.tree) return;
-    for_each_face_block(*edited.tree, [&](const Block& block) {
+    if (!edited.tree()) return;
+    for_each_block(*edited.tree(), [&](const Block& block) {
+        ASSERT_EQ(block.part, 0u);
         for (const FaceRecord& face : block.faces) {
             ++count;
             const auto held = edited.held.find(face.id.value);
@@ -64,46 +76,53 @@ void expect_same_casts(const EditedTree& edited, int count, std::uint64_t seed) 
     }
 }
 
-void collect(const Block& block, std::unordered_set<const Block*>& all) {
-    all.insert(&block);
-    for (const Ref<const Block>& child : block.children) collect(*child, all);
+void collect(const Node& node, std::unordered_set<const Node*>& all) {
+    all.insert(&node);
+    for (const Ref<const Node>& child : node.children) collect(*child, all);
 }
 
-std::unordered_set<const Block*> blocks_of(const Ref<const Block>& tree) {
-    std::unordered_set<const Block*> all;
+std::unordered_set<const Node*> nodes_of(const Ref<const Node>& tree) {
+    std::unordered_set<const Node*> all;
     if (tree) collect(*tree, all);
     return all;
 }
 
 /// Everything a tree is, in order: equal only for equal trees.
-std::vector<std::uint64_t> everything(const Block& block) {
-    std::vector<std::uint64_t> all;
-    for (const Bin& bin : block.bins) {
+std::vector<std::uint64_t> everything(const Node& node) {
+    std::vector<std::uint64_t> all{std::uint64_t(node.facets_below) << 32 | node.depth};
+    for (const Bin& bin : node.bins) {
         for (int axis = 0; axis < 3; ++axis) {
             all.push_back(std::bit_cast<std::uint32_t>(bin.box.low[axis]));
             all.push_back(std::bit_cast<std::uint32_t>(bin.box.high[axis]));
         }
         all.push_back(std::uint64_t(bin.first) << 32 | bin.count);
     }
+    for (const Ref<const Node>& child : node.children) {
+        const auto below = everything(*child);
+        all.insert(all.end(), below.begin(), below.end());
+    }
+    if (!node.is_leaf()) return all;
+    const Block& block = block_of(node);
     for (const FaceRecord& face : block.faces) all.push_back(std::uint64_t(face.id.value) << 32 | face.first_corner);
     for (const GridPoint& p : block.vertices)
         all.push_back(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y));
     for (const std::uint16_t corner : block.corner_vertices) all.push_back(corner);
-    for (const Ref<const Block>& child : block.children) {
-        const auto below = everything(*child);
-        all.insert(all.end(), below.begin(), below.end());
-    }
     return all;
 }
 
 TEST(EditBlocks, NothingChangedIsTheSameTree) {
     EditedTree edited = rooms();
-    const Block* before = edited.tree.get();
+    const Node* before = edited.tree().get();
     edited.edit({1000, 0, 0}, 1, {});
-    EXPECT_EQ(edited.tree.get(), before);
-    BlockEdit none({}, {});
-    EXPECT_FALSE(none.step());
-    EXPECT_FALSE(none.result());
+    EXPECT_EQ(edited.tree().get(), before);
+    StoreEdit none({}, {});
+    while (none.step()) {
+    }
+    EXPECT_FALSE(none.result().root);
+    EXPECT_EQ(none.result().count, 0u);
+    EXPECT_TRUE(none.added().empty());
+    EXPECT_TRUE(none.removed().empty());
+    EXPECT_TRUE(none.parts().empty());
 }
 
 TEST(EditBlocks, RandomEditsAgreeWithAPlainList) {
@@ -126,17 +145,17 @@ TEST(EditBlocks, RandomEditsAgreeWithAPlainList) {
 
 TEST(EditBlocks, TheTreeBeforeIsUntouchedAndTheRestIsShared) {
     EditedTree edited(face_set_of(scenes::room_grid(scenes::room_grid_of(40000))));
-    const Ref<const Block> before = edited.tree;
+    const Ref<const Node> before = edited.tree();
     const auto before_is = everything(*before);
-    const auto old_blocks = blocks_of(before);
+    const auto old_nodes = nodes_of(before);
     scenes::Rng rng(2);
     edited.crater({9, 9, 5}, 1.6, 7, rng);
     expect_sound(edited);
     EXPECT_EQ(everything(*before), before_is);
     std::size_t fresh = 0;
-    for (const Block* block : blocks_of(edited.tree)) fresh += !old_blocks.contains(block);
+    for (const Node* node : nodes_of(edited.tree())) fresh += !old_nodes.contains(node);
     EXPECT_GT(fresh, 0u);
-    EXPECT_LT(fresh, 40u) << "of " << old_blocks.size();
+    EXPECT_LT(fresh, 40u) << "of " << old_nodes.size();
 }
 
 TEST(EditBlocks, SameEditsSameTree) {
@@ -145,10 +164,10 @@ TEST(EditBlocks, SameEditsSameTree) {
         scenes::Rng rng(6);
         const Box bounds = edited.world().bounds();
         for (int k = 0; k < 30; ++k) edited.crater(point_in(bounds, rng), 1.6, 5, rng);
-        return edited.tree;
+        return edited.tree();
     };
     // Memory of other addresses in between: order by address would show.
-    const Ref<const Block> first = make();
+    const Ref<const Node> first = make();
     const EditedTree between = rooms();
     EXPECT_EQ(everything(*first), everything(*make()));
 }
@@ -156,42 +175,126 @@ TEST(EditBlocks, SameEditsSameTree) {
 TEST(EditBlocks, OrderOfRemovalsDoesNotMatter) {
     const EditedTree edited = rooms();
     BoxVisitor visitor{{2, 2, 2}, {5, 5, 5}, {}};
-    visit(*edited.tree, visitor);
-    BlockEdit there(edited.tree, {}), back(edited.tree, {});
+    traverse(*edited.tree(), visitor);
+    StoreEdit there(edited.store, {}), back(edited.store, {});
     for (std::size_t k = 0; k < visitor.found.size(); ++k) {
-        there.remove(visitor.found[k].first, visitor.found[k].second);
-        const auto& last = visitor.found[visitor.found.size() - 1 - k];
-        back.remove(last.first, last.second);
-        back.remove(last.first, last.second);  // twice is once
+        there.remove(visitor.found[k]);
+        back.remove(visitor.found[visitor.found.size() - 1 - k]);
     }
     while (there.step()) {
     }
     while (back.step()) {
     }
     ASSERT_FALSE(visitor.found.empty());
-    EXPECT_EQ(there.result()->faces_below, edited.held.size() - visitor.found.size());
-    EXPECT_EQ(everything(*there.result()), everything(*back.result()));
+    EXPECT_EQ(there.result().count, edited.held.size() - visitor.found.size());
+    EXPECT_EQ(there.result().hash, back.result().hash);
+    EXPECT_EQ(everything(*there.result().root), everything(*back.result().root));
+}
+
+TEST(EditBlocks, BlocksThatGoAreThoseThatLoseFacesAndTheRestOfTheirsComes) {
+    const EditedTree edited = rooms();
+    BoxVisitor visitor{{2, 2, 2}, {5, 5, 5}, {}};
+    traverse(*edited.tree(), visitor);
+    ASSERT_FALSE(visitor.found.empty());
+    BlockEdit edit({});
+    std::set<const Block*> touched;
+    std::set<std::uint32_t> stay, come;
+    for (const FacetPlace& facet : visitor.found) {
+        edit.remove(facet);
+        edit.remove(facet);  // twice is once
+        touched.insert(facet.block);
+    }
+    for (const Block* block : touched)
+        for (const FaceRecord& face : block->faces) stay.insert(face.id.value);
+    for (const FacetPlace& facet : visitor.found) stay.erase(facet.record().id.value);
+    while (edit.step()) {
+    }
+    EXPECT_EQ(std::set<const Block*>(edit.removed().begin(), edit.removed().end()), touched);
+    EXPECT_EQ(edit.removed().size(), touched.size());
+    for (const Ref<const Node>& leaf : edit.added()) {
+        ASSERT_TRUE(leaf->is_leaf());
+        ASSERT_EQ(leaf->facets_below, block_of(*leaf).faces.size());
+        for (const FaceRecord& face : block_of(*leaf).faces) EXPECT_TRUE(come.insert(face.id.value).second);
+    }
+    EXPECT_EQ(come, stay);
+}
+
+/// Squares in rows that run through each other: only parts keep them apart.
+FaceSet squares_of_parts(std::uint32_t parts, std::uint32_t each, std::uint32_t first_id) {
+    FaceSet set;
+    for (std::uint32_t k = 0; k < parts * each; ++k) {
+        const std::int32_t x = std::int32_t(k) << 14, y = std::int32_t(first_id) << 8;
+        append(set, {first_id + k}, {{x, y, 0}, {x + (1 << 14), y, 0}, {x, y + (1 << 14), 0}});
+        set.faces.back().part = k % parts;
+    }
+    return set;
+}
+
+TEST(EditBlocks, FacesOfDifferentPartsNeverShareABlock) {
+    FaceStore store = build_store(squares_of_parts(3, 300, 0), {}).store;
+    std::map<std::uint32_t, std::uint32_t> part_of;
+    for (std::uint32_t k = 0; k < 900; ++k) part_of[k] = k % 3;
+    scenes::Rng rng(3);
+    for (std::uint32_t round = 0; round < 40; ++round) {
+        StoreEdit edit(store, {});
+        std::map<std::uint32_t, std::int64_t> faces;
+        std::map<std::uint32_t, std::uint64_t> hashes;
+        for_each_block(*store.root, [&](const Block& block) {
+            for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
+                if (rng.chance(0.05)) {
+                    edit.remove({&block, slot});
+                    part_of.erase(block.faces[slot].id.value);
+                    --faces[block.part];
+                    hashes[block.part] -= hash_facet(block, block.faces[slot]);
+                }
+        });
+        const std::uint32_t parts = 1 + round % 5, first = 1000 * (round + 1);  // new ones among them
+        FaceSet come = squares_of_parts(parts, 12, first);
+        for (const FaceSet::Entry& face : come.faces) {
+            part_of[face.id.value] = face.part;
+            ++faces[face.part];
+            hashes[face.part] += hash_facet(come, face);
+        }
+        edit.add(std::move(come));
+        while (edit.step()) {
+        }
+        store = edit.result();
+        std::size_t count = 0;
+        for_each_block(*store.root, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) {
+                ++count;
+                ASSERT_EQ(part_of.at(face.id.value), block.part);
+            }
+        });
+        ASSERT_EQ(count, part_of.size());
+        ASSERT_EQ(store.count, part_of.size());
+        for (const PartChange& change : edit.parts()) {
+            EXPECT_EQ(change.faces, faces[change.part]);
+            EXPECT_EQ(change.hash, hashes[change.part]);
+            faces.erase(change.part);
+        }
+        EXPECT_TRUE(faces.empty()) << "each part once";
+    }
 }
 
 TEST(EditBlocks, DownToNothingAndUpAgain) {
     EditedTree edited = rooms();
     scenes::Rng rng(12);
-    while (edited.tree) {
+    while (edited.tree()) {
         BoxVisitor all{{-9000, -9000, -9000}, {9000, 9000, 9000}, {}};
-        visit(*edited.tree, all);
-        BlockEdit edit(edited.tree, edited.options);
+        traverse(*edited.tree(), all);
+        StoreEdit edit(edited.store, edited.options);
         for (int k = 0; k < 200; ++k) {
-            const auto [block, slot] = all.found[rng.below(std::uint32_t(all.found.size()))];
-            edit.remove(block, slot);
-            edited.held.erase(block->faces[slot].id.value);
+            const FacetPlace facet = all.found[rng.below(std::uint32_t(all.found.size()))];
+            if (edited.held.erase(facet.record().id.value)) edit.remove(facet);
         }
         while (edit.step()) {
         }
-        edited.tree = edit.result();
+        edited.store = edit.result();
         expect_sound(edited);
         if (HasFatalFailure()) return;
-        if (edited.tree && edited.tree->faces_below > 100) {
-            EXPECT_LT(tree_statistics(*edited.tree).blocks, 3 * edited.tree->faces_below / 8) << "small ones merge";
+        if (edited.tree() && edited.store.count > 100) {
+            EXPECT_LT(tree_statistics(*edited.tree()).blocks, 3 * edited.store.count / 8) << "small ones merge";
         }
     }
     for (int k = 0; k < 20; ++k) {
@@ -219,13 +322,13 @@ TEST(EditBlocks, ThousandsInOnePlaceStayShallow) {
         const Vec3 direction = rng.direction();
         const Vec3 centre = Vec3{5, 5, 1} + direction * rng.uniform(0, 0.8);
         edited.crater(centre, 0.7, 2, rng);
-        deepest = std::max<int>(deepest, edited.tree->depth);
+        deepest = std::max<int>(deepest, edited.tree()->depth);
         if (k % 250 == 0) {
             expect_sound(edited);
             if (HasFatalFailure()) return;
         }
     }
-    const int scratch = tree_statistics(*build_blocks(edited.faces(), {})).depth;
+    const int scratch = tree_statistics(*build_store(edited.faces(), {}).store.root).depth;
     EXPECT_LE(deepest, scratch + 16);
     expect_sound(edited);
     expect_same_casts(edited, 300, 2);
@@ -243,13 +346,13 @@ TEST(EditBlocks, FacesOfAllSizesInOnePointStayShallow) {
         edited.edit({-100, -100, -100}, 0, come);
     }
     expect_sound(edited);
-    EXPECT_EQ(edited.tree->faces_below, 6000u);
-    EXPECT_LE(edited.tree->depth, kDeepestTree);
+    EXPECT_EQ(edited.tree()->facets_below, 6000u);
+    EXPECT_LE(edited.tree()->depth, kDeepestTree);
 }
 
 TEST(EditBlocks, AStepIsAboutABlock) {
     EditedTree edited(face_set_of(scenes::room_grid(scenes::room_grid_of(40000))));
-    BlockEdit edit(edited.tree, {});
+    StoreEdit edit(edited.store, {});
     FaceSet set;
     std::uint32_t id = edited.next_id;
     for (const Corners& corners : bowl({9, 9, 5}, 1.6, 7, {0, 0, 1})) append(set, {id++}, corners);
@@ -258,7 +361,7 @@ TEST(EditBlocks, AStepIsAboutABlock) {
     while (edit.step()) ++steps;
     EXPECT_GT(steps, 8);
     EXPECT_LT(steps, 80);
-    EXPECT_EQ(edit.result()->faces_below, id);
+    EXPECT_EQ(edit.result().count, id);
 }
 
 /// What casts look at on average.

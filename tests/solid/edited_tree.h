@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tree that is edited as carving would, and beside it a plain list of what it must hold.
+// Faces in a store that is edited as carving would, and beside it a plain list of what it must hold.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "firma/level.h"
+#include "index/traverse.h"
 #include "join/join_facets.h"
 #include "scenes/rng.h"
-#include "tree/edit_blocks.h"
-#include "tree/visit.h"
-#include "world/world_data.h"
+#include "solid/face_store.h"
+#include "world/assemble_world.h"
 
 namespace firma {
 
@@ -72,7 +72,7 @@ inline std::vector<Corners> bowl(const Vec3& centre, double radius, int panels, 
 /// Which faces reach into a box.
 struct BoxVisitor {
     Vec3 low, high;
-    std::vector<std::pair<const Block*, std::uint32_t>> found;
+    std::vector<FacetPlace> found;
 
     bool enter(const Bin& bin, double& nearest) const {
         nearest = 0;
@@ -81,10 +81,10 @@ struct BoxVisitor {
         return true;
     }
     bool still(double) const { return true; }
-    bool faces(const Block& block, std::uint32_t first, std::uint32_t count) {
+    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
+        const Block& block = as_block(facets);
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            GridBox box;
-            for (const std::uint16_t vertex : block.corners_of(block.faces[slot])) box.add(block.vertices[vertex]);
+            const GridBox box = block.box_of(block.faces[slot]);
             const Vec3 from = to_metres(box.low), to = to_metres(box.high);
             bool apart = false;
             for (int axis = 0; axis < 3; ++axis) apart = apart || high[axis] < from[axis] || low[axis] > to[axis];
@@ -97,7 +97,7 @@ struct BoxVisitor {
 class EditedTree {
 public:
     explicit EditedTree(const FaceSet& faces, const TreeOptions& tree_options = {})
-        : options(tree_options), tree(build_blocks(faces, options)) {
+        : options(tree_options), store(build_store(faces, options).store) {
         for (const FaceSet::Entry& face : faces.faces) {
             Corners& corners = held[face.id.value];
             for (std::uint32_t c = 0; c < face.corner_count; ++c)
@@ -108,14 +108,14 @@ public:
 
     /// Removes what reaches into a box around a point, half as wide as `reach` each way, and adds triangles.
     void edit(const Vec3& centre, double reach, const std::vector<Corners>& come) {
-        BlockEdit edit(tree, options);
-        if (tree) {
+        StoreEdit edit(store, options);
+        if (store.root) {
             const Vec3 half{reach, reach, reach};
             BoxVisitor visitor{centre - half, centre + half, {}};
-            visit(*tree, visitor);
-            for (const auto& [block, slot] : visitor.found) {
-                edit.remove(block, slot);
-                held.erase(block->faces[slot].id.value);
+            traverse(*store.root, visitor);
+            for (const FacetPlace& facet : visitor.found) {
+                edit.remove(facet);
+                held.erase(facet.record().id.value);
             }
         }
         FaceSet set;
@@ -126,7 +126,7 @@ public:
         edit.add(std::move(set));
         while (edit.step()) {
         }
-        tree = edit.result();
+        store = edit.result();
     }
 
     /// A crater: about 6 panels^2 new faces.
@@ -135,28 +135,35 @@ public:
         edit(centre, 0.75 * radius, bowl(centre, radius, panels, away));
     }
 
-    /// What the tree holds, in a set.
+    /// What the store holds, in a set.
     FaceSet faces() const {
         FaceSet set;
         for (const auto& [id, corners] : held) append(set, {id}, corners);
         return set;
     }
 
-    World world_of(const Ref<const Block>& root) const {
-        Ref<Room> room(new Room);
-        room->tree = root;
-        auto data = std::make_shared<WorldData>();
-        data->rooms.emplace_back(room.get());
-        data->materials = std::make_shared<std::vector<std::string>>(1);
-        data->face_count = held.size();
-        data->next_face = next_id;
-        return World(std::move(data));
+    const Ref<const Node>& tree() const { return store.root; }
+    World world_with(BuiltStore built) const {
+        StoredWorld stored;
+        stored.castable = std::move(built);
+        stored.records.resize(1);
+        stored.next_face = next_id;
+        stored.materials = std::make_shared<std::vector<std::string>>(1);
+        stored.tree_options = options;
+        return world_of(std::move(stored));
     }
-    World world() const { return world_of(tree); }
-    World world_from_scratch() const { return world_of(build_blocks(faces(), options)); }
+    /// With the hashes that edits kept.
+    World world() const {
+        BuiltStore built;
+        built.store = store;
+        if (store.root) built.parts.push_back({0, store.root});
+        built.changes.push_back({0, std::int64_t(store.count), store.hash});
+        return world_with(std::move(built));
+    }
+    World world_from_scratch() const { return world_with(build_store(faces(), options)); }
 
     TreeOptions options;
-    Ref<const Block> tree;
+    FaceStore store;
     std::map<std::uint32_t, Corners> held;
     std::uint32_t next_id = 0;
 };

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The bins: stop rules, blocks of up to 64 items, and what happens when nothing can be divided.
-#include "tree/build_blocks.h"
+#include "solid/build_blocks.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "index/statistics.h"
 #include "scenes/rng.h"
-#include "tree/statistics.h"
-#include "tree/visit.h"
 
 namespace firma {
 namespace {
@@ -35,10 +34,17 @@ FaceSet random_faces(std::uint32_t count, std::int32_t spread, std::int32_t size
     return set;
 }
 
-std::size_t count_faces(const Block& root) {
+/// Of faces of one part.
+Ref<const Node> index_over(const FaceSet& faces, const TreeOptions& options) {
+    const std::vector<PartIndex> parts = build_blocks(faces, options);
+    EXPECT_EQ(parts.size(), 1u);
+    return parts.at(0).root;
+}
+
+std::size_t count_faces(const Node& root) {
     std::vector<int> seen;
-    for_each_face_block(root, [&](const Block& block) {
-        EXPECT_LE(block.faces.size(), kBlockItems);
+    for_each_block(root, [&](const Block& block) {
+        EXPECT_LE(block.faces.size(), kNodeItems);
         for (const FaceRecord& face : block.faces) {
             if (face.id.value >= seen.size()) seen.resize(face.id.value + 1, 0);
             ++seen[face.id.value];
@@ -49,13 +55,14 @@ std::size_t count_faces(const Block& root) {
 }
 
 TEST(BuildBlocks, NoFacesNoTree) {
-    EXPECT_FALSE(build_blocks({}, {}));
+    EXPECT_FALSE(BlockBuilder().build({}, {}));
+    EXPECT_TRUE(build_blocks({}, {}).empty());
 }
 
 TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
     for (const Split split : {Split::kLongestAxis, Split::kSurfaceArea})
         for (const std::uint32_t count : {1u, 2u, 63u, 64u, 65u, 1000u, 20000u}) {
-            const Ref<const Block> root = build_blocks(random_faces(count, 100000, 2000), {.split = split});
+            const Ref<const Node> root = index_over(random_faces(count, 100000, 2000), {.split = split});
             EXPECT_EQ(count_faces(*root), count);
             const TreeStatistics statistics = tree_statistics(*root);
             EXPECT_EQ(statistics.faces, count);
@@ -67,19 +74,18 @@ TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
 
 TEST(BuildBlocks, StopRules) {
     const FaceSet faces = random_faces(5000, 100000, 2000);
-    EXPECT_LE(tree_statistics(*build_blocks(faces, {.faces_per_bin = 16})).largest_bin, 16u);
-    EXPECT_EQ(tree_statistics(*build_blocks(faces, {.faces_per_bin = 1})).leaf_bins, 5000u);
-    EXPECT_LE(tree_statistics(*build_blocks(faces, {.max_depth = 8, .faces_per_bin = 1})).depth, 8);
-    const std::size_t all = tree_statistics(*build_blocks(faces, {})).bins;
-    const std::size_t coarse = tree_statistics(*build_blocks(faces, {.min_bin_volume = 1000})).bins;
+    EXPECT_LE(tree_statistics(*index_over(faces, {.faces_per_bin = 16})).largest_bin, 16u);
+    EXPECT_EQ(tree_statistics(*index_over(faces, {.faces_per_bin = 1})).leaf_bins, 5000u);
+    EXPECT_LE(tree_statistics(*index_over(faces, {.max_depth = 8, .faces_per_bin = 1})).depth, 8);
+    const std::size_t all = tree_statistics(*index_over(faces, {})).bins;
+    const std::size_t coarse = tree_statistics(*index_over(faces, {.min_bin_volume = 1000})).bins;
     EXPECT_LT(coarse, all / 4);
-    EXPECT_EQ(count_faces(*build_blocks(faces, {.max_depth = -5, .faces_per_bin = -5})), 5000u)
+    EXPECT_EQ(count_faces(*index_over(faces, {.max_depth = -5, .faces_per_bin = -5})), 5000u)
         << "nonsense counts as the nearest end";
 }
 
 TEST(BuildBlocks, TooFullABinIsHalvedByCountUntilItFitsABlock) {
-    const TreeStatistics statistics =
-        tree_statistics(*build_blocks(random_faces(5000, 100000, 2000), {.max_depth = 0}));
+    const TreeStatistics statistics = tree_statistics(*index_over(random_faces(5000, 100000, 2000), {.max_depth = 0}));
     EXPECT_LE(statistics.largest_bin, 64u);
     EXPECT_LE(statistics.depth, 7);
 }
@@ -90,7 +96,7 @@ TEST(BuildBlocks, CoincidingCentresAreWellBehaved) {
         for (int c = 0; c < 3; ++c) faces.corners[face.first_corner + std::uint32_t(c)] = std::uint32_t(c);
     }
     for (const Split split : {Split::kLongestAxis, Split::kSurfaceArea}) {
-        const Ref<const Block> root = build_blocks(faces, {.split = split});
+        const Ref<const Node> root = index_over(faces, {.split = split});
         EXPECT_EQ(count_faces(*root), 10000u);
         EXPECT_LE(tree_statistics(*root).depth, 14) << "halved by count";
     }
@@ -98,21 +104,43 @@ TEST(BuildBlocks, CoincidingCentresAreWellBehaved) {
 
 TEST(BuildBlocks, SameFacesSameTree) {
     const FaceSet faces = random_faces(3000, 100000, 2000);
-    const Ref<const Block> a = build_blocks(faces, {}), b = build_blocks(faces, {});
+    const Ref<const Node> a = index_over(faces, {}), b = index_over(faces, {});
     std::vector<std::uint32_t> ids_a, ids_b;
-    for_each_face_block(*a, [&](const Block& block) {
+    for_each_block(*a, [&](const Block& block) {
         for (const FaceRecord& f : block.faces) ids_a.push_back(f.id.value);
     });
-    for_each_face_block(*b, [&](const Block& block) {
+    for_each_block(*b, [&](const Block& block) {
         for (const FaceRecord& f : block.faces) ids_b.push_back(f.id.value);
     });
     EXPECT_EQ(ids_a, ids_b);
 }
 
+TEST(BuildBlocks, EachPartHasBlocksAndAnIndexOfItsOwn) {
+    FaceSet faces = random_faces(3000, 100000, 2000);
+    for (FaceSet::Entry& face : faces.faces) face.part = face.id.value * 7 % 5 * 10;  // as they come, mixed
+    const std::vector<PartIndex> parts = build_blocks(faces, {});
+    ASSERT_EQ(parts.size(), 5u);
+    std::vector<int> seen(3000, 0);
+    for (std::uint32_t k = 0; k < 5; ++k) {
+        EXPECT_EQ(parts[k].part, 10 * k) << "ascending";
+        EXPECT_EQ(parts[k].root->facets_below, 600u);
+        for_each_block(*parts[k].root, [&](const Block& block) {
+            EXPECT_EQ(block.part, 10 * k);
+            for (const FaceRecord& face : block.faces) {
+                EXPECT_EQ(face.id.value * 7 % 5 * 10, 10 * k);
+                ++seen[face.id.value];
+                const FaceSet::Entry& entry = faces.faces[face.id.value];
+                for (std::uint32_t c = 0; c < 3; ++c) EXPECT_EQ(block.corner(face, c), faces.corner(entry, c));
+            }
+        });
+    }
+    EXPECT_EQ(seen, std::vector<int>(3000, 1));
+}
+
 TEST(BuildBlocks, SurfaceAreaSplitsOverlapLess) {
     const FaceSet faces = random_faces(5000, 100000, 8000);
-    EXPECT_LT(tree_statistics(*build_blocks(faces, {.split = Split::kSurfaceArea})).overlap,
-              tree_statistics(*build_blocks(faces, {})).overlap);
+    EXPECT_LT(tree_statistics(*index_over(faces, {.split = Split::kSurfaceArea})).overlap,
+              tree_statistics(*index_over(faces, {})).overlap);
 }
 
 }  // namespace
