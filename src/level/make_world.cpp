@@ -61,7 +61,7 @@ FaceSet face_set(const Level& level, const LevelSolids& solids) {
 Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (level.faces.size() >= (1u << 31) || level.corners.size() > 0xFFFFFFFFu)
         return Error{ErrorCode::kTooLarge, level.name, "a world holds fewer than 2^31 faces"};
-    if (const double skin = options.tolerance.skin; !(skin >= 0) || !std::isfinite(skin))
+    if (const double skin = options.tolerance.skin; !(skin >= 0) || !is_finite(skin))
         return Error{ErrorCode::kInvalid, level.name, "the skin must be a finite number, not below zero"};
     for (std::size_t k = 0; k < level.faces.size(); ++k)
         if (const char* reason = refusal(level, level.faces[k])) return face_error(level, k, reason);
