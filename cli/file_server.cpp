@@ -20,6 +20,7 @@
 #include <thread>
 #include <utility>
 
+#include "cli/connection_threads.h"
 #include "cli/failure.h"
 
 namespace firma::cli {
@@ -29,7 +30,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr int kThreads = 16;  // a browser keeps six connections open, each of which keeps a thread
+// Each open connection keeps a thread: six of a browser, and those that say nothing until their time is over.
+constexpr std::size_t kMostConnections = 512;
 
 constexpr std::array<std::pair<std::string_view, const char*>, 14> kTypes{{
     {".html", "text/html; charset=utf-8"},
@@ -137,12 +139,6 @@ void answer(const fs::path& folder, const httplib::Request& request, httplib::Re
         });
 }
 
-/// Without SO_REUSEPORT, which the library sets by itself: a port that is taken is to be an error.
-void set_socket_options(socket_t socket) {
-    const int yes = 1;
-    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-}
-
 }  // namespace
 
 struct FileServer::State {
@@ -157,8 +153,14 @@ FileServer::FileServer(const std::string& folder, int port) : state_(std::make_u
     if (!fs::is_directory(state_->folder)) throw Failure(folder, "is no folder");
 
     httplib::Server& server = state_->server;
-    server.set_socket_options(set_socket_options);
-    server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    socket_t socket = -1;
+    // Without SO_REUSEPORT, which the library sets by itself: a port that is taken is to be an error.
+    server.set_socket_options([&socket](socket_t opened) {
+        socket = opened;
+        const int yes = 1;
+        setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    server.new_task_queue = [] { return new ConnectionThreads(kMostConnections); };
     server.set_keep_alive_timeout(1);  // seconds: also how long the end may take
     server.set_read_timeout(5);
     server.set_payload_max_length(0);
@@ -170,6 +172,9 @@ FileServer::FileServer(const std::string& folder, int port) : state_(std::make_u
     if (port_ <= 0)
         throw Failure("--port", std::to_string(port) + " on " + kHost + " cannot be had: taken by another program, " +
                                     "or not allowed; try another, or 0 for any");
+    // The library lets five wait to be accepted; of more at once some would try again after a second.
+    listen(socket, int(kMostConnections));
+    server.set_socket_options([](socket_t) {});
 }
 
 FileServer::~FileServer() = default;

@@ -44,7 +44,8 @@ neighbours), a broken world. Notes: no_area, dropped (by the snap), bent, turned
 
 Then it says which faces bound solids, which can be carved. A piece of the surface, joined by edges, that cannot be
 is castable only, which is no fault: open_edge, folded_edge (faces around it lie on each other), two_sided, off_grid,
-crossing (it crosses or touches itself or another piece), wrong_way (a solid in a solid, a hollow in the air).
+crossing (it crosses or touches itself or another piece), wrong_way (a solid in a solid, a hollow in the air),
+too_complex (too much lies too close around it to be looked at).
 
 --json: level, sound, faces, vertices, fault_count, faults [{what, face, line, from, to, t_joint}], note_count,
 notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, castable_only_count, castable_only
@@ -138,6 +139,8 @@ const char* solid_note_name(SolidNoteKind what) {
             return "crossing";
         case SolidNoteKind::kWrongWay:
             return "wrong_way";
+        case SolidNoteKind::kTooComplex:
+            return "too_complex";
     }
     return "";
 }
@@ -178,6 +181,8 @@ std::string solid_note_sentence(const SolidNote& note) {
             return fmt::format("crosses or touches face {}{}", note.other, at);
         case SolidNoteKind::kWrongWay:
             return "turned the wrong way for where it lies" + at;
+        case SolidNoteKind::kTooComplex:
+            return "too much lies too close around it to be looked at" + at;
     }
     return "";
 }

@@ -3,6 +3,8 @@
 #include "gltf/buffer_bytes.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "level/message.h"
@@ -24,6 +26,16 @@ int hex_digit(char c) {
     if (c >= '0' && c <= '9') return c - '0';
     if (c >= 'a' && c <= 'f') return c - 'a' + 10;
     return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// Whether a file, links followed, lies in a folder or below it. What is not there is not known to lie elsewhere.
+bool leads_out(const std::string& folder, const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code none;
+    const fs::path file = fs::canonical(path, none);
+    if (none) return false;  // reading it says why
+    const fs::path home = fs::canonical(folder, none);
+    return none || std::mismatch(home.begin(), home.end(), file.begin(), file.end()).first != home.end();
 }
 
 }  // namespace
@@ -88,6 +100,9 @@ Result<std::span<const std::byte>> Buffers::bytes_of(std::string_view uri) {
         const std::optional<std::string> path = path_below(uri);
         if (!path) return fail(ErrorCode::kUnsupported, "names " + quote(uri) + ", which is no file beside this one");
         if (folder_.empty()) return fail(ErrorCode::kUnsupported, "lies in another file, " + quote(uri));
+        if (leads_out(folder_, folder_ + *path))
+            return fail(ErrorCode::kUnsupported,
+                        "names " + quote(uri) + ", a link that leads out of the file's folder");
         Result<std::string> read = read_file(folder_ + *path);
         if (!read) return fail(read.error().code, quote(uri) + " " + read.error().reason);
         bytes = std::move(read).value();

@@ -12,7 +12,7 @@ std::optional<Placement> rotation(const std::vector<double>& q) {
     const double x = q[0], y = q[1], z = q[2], w = q[3];
     const double xx = x * x, yy = y * y, zz = z * z, ww = w * w;
     const double n = xx + yy + zz + ww;
-    if (!(n > 0) || !std::isfinite(n)) return std::nullopt;
+    if (!(n > 0) || !is_finite(n)) return std::nullopt;
     Placement turn;
     turn.column[0] = {(ww + xx - yy - zz) / n, 2 * (x * y + w * z) / n, 2 * (x * z - w * y) / n};
     turn.column[1] = {2 * (x * y - w * z) / n, (ww - xx + yy - zz) / n, 2 * (y * z + w * x) / n};

@@ -40,7 +40,7 @@ bool is_flat(std::span<const Vec3> outline) {
     for (std::size_t k = 0; k < outline.size(); ++k)
         normal = normal + cross(outline[k] - outline[0], outline[(k + 1) % outline.size()] - outline[0]);
     const double twice_area = length(normal);
-    if (!(twice_area > 0) || !std::isfinite(twice_area)) return false;
+    if (!(twice_area > 0) || !is_finite(twice_area)) return false;
     for (const Vec3& corner : outline)
         if (!(std::fabs(dot(corner - outline[0], normal)) <= kFlat * twice_area)) return false;
     return true;
@@ -243,7 +243,7 @@ private:
 
 Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::string name, const GltfOptions& options,
                             const std::string& folder) {
-    if (!(options.scale > 0) || !std::isfinite(options.scale))
+    if (!(options.scale > 0) || !is_finite(options.scale))
         return Error{ErrorCode::kInvalid, name, "the scale must be a finite number above zero"};
     if (options.up < 0 || options.up > 2) return Error{ErrorCode::kInvalid, name, "up must be an axis, 0 to 2"};
     const bool needs_slash = !folder.empty() && !folder.ends_with('/');

@@ -12,6 +12,7 @@ namespace firma::c {
 void set_batch_tasks(const firma_tasks& tasks);
 
 /// Calls work(context, k) for each k below count, once, and returns when all are done. `work` must not throw.
-void run_batch(std::size_t count, void (*work)(void* context, std::size_t k), void* context);
+/// @return false when the caller's hook returned before it had done all of it: some may be done, none is under way
+[[nodiscard]] bool run_batch(std::size_t count, void (*work)(void* context, std::size_t k), void* context);
 
 }  // namespace firma::c

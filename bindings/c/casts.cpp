@@ -123,7 +123,12 @@ firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, s
             return fail(FIRMA_ERROR_TOO_LARGE, function, "no memory can hold so many hits");
         const std::size_t tasks = (count + kCastsATask - 1) / kCastsATask;
         if (counts) batch.counts.resize(tasks);
-        run_batch(tasks, cast_some, &batch);
+        if (!run_batch(tasks, cast_some, &batch)) {
+            Hit none;
+            none.status = Status::kInvalid;
+            for (std::size_t k = 0; k < count; ++k) put_hit(none, hits[k]);
+            return bad_call(function, "the function `run` of firma_set_tasks() returned before all was done");
+        }
         for (const CastCounts& seen : batch.counts) add(seen, *counts);
         return FIRMA_OK;
     });

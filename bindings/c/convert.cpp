@@ -25,9 +25,9 @@ firma_code read_options(const firma_world_options* given, WorldOptions& world, R
     if (given->surface_area > 1 || given->max_depth < 0 || given->max_depth > 64 || given->faces_per_bin < 1 ||
         !(given->min_bin_volume >= 0))
         return fail(FIRMA_ERROR_INVALID, function, "a rule for the tree is out of its range");
-    if (!(given->skin >= 0) || !std::isfinite(given->skin))
+    if (!(given->skin >= 0) || !is_finite(given->skin))
         return fail(FIRMA_ERROR_INVALID, function, "the skin must be a finite number, not below zero");
-    if (!(given->scale >= 0) || !std::isfinite(given->scale))
+    if (!(given->scale >= 0) || !is_finite(given->scale))
         return fail(FIRMA_ERROR_INVALID, function, "the scale must be a finite number above zero, or 0");
     world.tree.split = given->surface_area ? Split::kSurfaceArea : Split::kLongestAxis;
     world.tree.max_depth = given->max_depth;
@@ -42,7 +42,7 @@ firma_code read_options(const firma_cast_options* given, CastOptions& cast, cons
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
     if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
-    if (!std::isfinite(given->skin)) return fail(FIRMA_ERROR_INVALID, function, "the skin is not finite");
+    if (!is_finite(given->skin)) return fail(FIRMA_ERROR_INVALID, function, "the skin is not finite");
     if (!given->passed && given->passed_capacity) return bad_call(function, "a count without its array");
     cast.mask = given->mask;
     cast.room = {given->room};

@@ -74,6 +74,7 @@ std::size_t or_default(std::uint64_t given, std::size_t otherwise) {
 
 firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* function) {
     if (!sized(&given)) return bad_call(function, kWrongSize);
+    if (given.reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
     if ((given.zone_count && !given.zones) || (given.hardness_count && !given.hardness))
         return bad_call(function, "a count without its array");
     const auto hard = [](double h) { return h >= 0 && h <= 1; };

@@ -41,7 +41,7 @@ struct CarveReport {
         double trace = 0;   ///< loops of new faces
         double facets = 0;  ///< what casts meet
         double tree = 0;    ///< new blocks
-        double total() const { return place + gather + cut + label + trace + facets + tree; }
+        FIRMA_INLINE double total() const { return place + gather + cut + label + trace + facets + tree; }
     } times;
 };
 

@@ -73,7 +73,8 @@ typedef struct firma_allocator {
 FIRMA_API firma_code firma_set_allocator(const firma_allocator* allocator);
 
 /* How a batch is spread over threads. `run` calls work(context, k) once for each k below count, in any order and on any
- * threads, and returns when all have returned. */
+ * threads, and returns when all have returned. When it returns earlier, the batch fails with FIRMA_ERROR_BAD_CALL; what
+ * it leaves undone must not be called later. */
 typedef struct firma_tasks {
     uint32_t size; /* sizeof(firma_tasks) */
     void (*run)(size_t count, void (*work)(void* context, size_t k), void* context, void* user);
@@ -213,7 +214,7 @@ typedef struct firma_zone {
 
 typedef struct firma_rules {
     uint32_t size;     /* sizeof(firma_rules) */
-    uint32_t reserved; /* 0 */
+    uint32_t reserved; /* must be 0, else FIRMA_ERROR_INVALID */
     const firma_zone* zones;
     size_t zone_count;
     const double* hardness; /* by number of the material in the world; missing ones are 0 */
@@ -373,7 +374,8 @@ FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* i
  * first `capacity` of them are written (`hits` may be null when that is 0). */
 FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     firma_hit* hits, size_t capacity, size_t* count);
-/* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. */
+/* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. When firma_tasks.run does not do
+ * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. */
 FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
                                       const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts);
 

@@ -30,7 +30,7 @@ struct GridPoint {
 };
 
 /// Metres, exactly.
-inline Vec3 to_metres(const GridPoint& p) {
+FIRMA_INLINE Vec3 to_metres(const GridPoint& p) {
     constexpr double kStep = 1 / kSurfaceSteps;
     return {p.x * kStep, p.y * kStep, p.z * kStep};
 }

@@ -66,7 +66,8 @@ struct GltfLevel {
 ///
 /// @param bytes   the whole file, either form
 /// @param name    for messages
-/// @param folder  where files that it names lie; empty: a file that names any is refused
+/// @param folder  where files that it names lie, links followed; one that lies elsewhere is refused (kUnsupported).
+///                Empty: a file that names any is refused
 /// @return the level, or the first error with its place: what breaks glTF or its JSON, an index, offset or size beyond
 ///         what it is an index of, a vertex that is not finite or outside the world, a required extension that changes
 ///         what is read, nodes in a loop, too many triangles, no triangle at all

@@ -53,9 +53,9 @@ bool is_firma_file(std::span<const std::byte> bytes);
 /// @return nothing on success; kCannotWrite with the system's reason
 std::optional<Error> save_world(const World& world, const std::string& path, const SaveOptions& options = {});
 
-/// Reads a file as unpack_world() does; maps it where the system can. A file that something else cuts short while it is
-/// read ends the program, as with any mapping; save_world() never does that.
-/// @return kCannotRead with the system's reason: missing, a folder, not allowed
+/// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
+/// meanwhile is an error at most.
+/// @return kCannotRead with the system's reason: missing, a folder, not allowed, no memory for it, cut short meanwhile
 Result<World> load_world(const std::string& path);
 
 }  // namespace firma

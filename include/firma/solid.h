@@ -107,6 +107,7 @@ enum class SolidNoteKind : std::uint8_t {
     kOffGrid,     ///< a vertex off the input grid
     kCrossing,    ///< it crosses or touches itself, or another closed piece
     kWrongWay,    ///< turned the wrong way for where it lies: a solid in a solid, or a hollow in the air
+    kTooComplex,  ///< closed, but too much lies too close around it to find out about crossings and nesting in time
 };
 
 /// A piece of a level's surface, joined by edges, that is castable only, and what shows why.

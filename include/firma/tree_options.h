@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firma/vec.h"
+
 namespace firma {
 
 enum class Split : std::uint8_t {
@@ -30,7 +32,7 @@ struct TreeStatistics {
     std::size_t largest_bin = 0;  ///< faces in the fullest leaf
     double overlap = 0;           ///< mean over inner bins: area shared by both children / area of the bin, 0..1
     std::size_t bytes = 0;        ///< tree and faces, resident
-    double bytes_per_face() const { return faces ? double(bytes) / double(faces) : 0; }
+    FIRMA_INLINE double bytes_per_face() const { return faces ? double(bytes) / double(faces) : 0; }
 };
 
 }  // namespace firma

@@ -159,12 +159,16 @@ struct NearFace : ClosestPoint {
 Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found, std::uint32_t mask = ~0u,
                RoomId room = kAnyRoom);
 
+/// For closest(): a reach, in metres, that leaves nothing out. It is finite, as a program built with -ffast-math has no
+/// infinity to give.
+inline constexpr double kEverywhere = 0x1p1000;
+
 /// The point of all faces and closed portals nearest to `point`; of several at the same distance the lowest id, faces
 /// before portals.
-/// @param reach  metres; nothing farther is looked for. INFINITY looks everywhere
+/// @param reach  metres; nothing farther is looked for. kEverywhere, or infinity, looks everywhere
 /// @param room   only what bounds this room; kAnyRoom: all of them
 /// @return nothing when no face lies within reach, a number is not finite or too large, or there is no such room
-std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = INFINITY,
+std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = kEverywhere,
                                 std::uint32_t mask = ~0u, RoomId room = kAnyRoom);
 
 /// in_solid() of the world's solid.

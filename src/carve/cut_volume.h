@@ -6,7 +6,8 @@
 
 namespace firma {
 
-/// Cubic metres that the solid has less, by the faces that go and come; to the rounding of double.
+/// Cubic metres that the solid has less, by the faces that go and come: by integers and sums of 100 bits about the
+/// cutter's middle, rounded to double once or twice, wherever in the world it is.
 double volume_taken(const Cut& cut);
 
 /// Whether a face that goes was cut or taken, not only divided.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "debug/utf8.h"
+#include "firma/vec.h"
 
 namespace firma::debug {
 
@@ -35,7 +36,7 @@ SvgText& SvgText::words(std::string_view text) {
 }
 
 SvgText& SvgText::number(double value) {
-    const double tenths = std::isfinite(value) ? std::floor(value * 10 + 0.5) : 0;
+    const double tenths = is_finite(value) ? std::floor(value * 10 + 0.5) : 0;
     if (std::fabs(tenths) > 1e15) return raw("0");
     const long long whole = static_cast<long long>(tenths);
     const unsigned long long size =
@@ -74,7 +75,7 @@ void SvgText::line(const PagePoint& from, const PagePoint& to, std::string_view 
 
 std::string short_number(double value, int decimals) {
     char digits[64];
-    if (!std::isfinite(value) || std::fabs(value) > 1e15) return "?";
+    if (!is_finite(value) || std::fabs(value) > 1e15) return "?";
     const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals);
     std::string text(digits, end.ptr);
     if (text.find('.') != std::string::npos) {

@@ -6,6 +6,11 @@
 
 #include <cmath>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error \
+    "Firma's own files must be compiled without -ffast-math and -ffinite-math-only; programs that use it need not be."
+#endif
+
 namespace firma {
 
 /// high + low, |low| at most half an ulp of high.

@@ -8,7 +8,6 @@
 #include "base/flat_map.h"
 #include "base/sort.h"
 #include "geometry/polygon_shape.h"
-#include "level/solid_pieces.h"
 
 namespace firma {
 namespace {
@@ -136,6 +135,7 @@ LevelSolids find_solids(const Level& level) {
     const FaceTree tree = good_faces(mesh, pieces);
     refuse_crossing(mesh, tree, pieces);
     found.rock_outside = refuse_wrong_way(mesh, tree, pieces);
+    found.work = pieces.work;
     found.solid.resize(level.faces.size());
     for (std::uint32_t face = 0; face < level.faces.size(); ++face) found.solid[face] = pieces.good(face);
     found.stored = FaceStorer(mesh, pieces).store();

@@ -9,6 +9,7 @@
 #include "base/ref.h"
 #include "firma/level.h"
 #include "firma/solid.h"
+#include "level/solid_pieces.h"
 #include "solid/solid_face.h"
 
 namespace firma {
@@ -19,6 +20,7 @@ struct LevelSolids {
     std::vector<SolidNote> notes;  ///< why some pieces are castable only, in order of their first faces
     /// The exact faces of those that have an edge where solids touch, with their numbers, ascending.
     std::vector<std::pair<std::uint32_t, Ref<const SolidFace>>> stored;
+    SolidWork work;  ///< what it took
 };
 
 /// Pieces of the surface are what is joined by edges; where more than two faces meet in one, those on either side of
@@ -27,7 +29,7 @@ struct LevelSolids {
 ///  - all its faces are one-sided, and its vertices lie on the input grid,
 ///  - it neither crosses nor touches itself or another such piece, but for edges and vertices that they share,
 ///  - and it is turned the right way for where it lies: the outermost piece says whether rock or air is outside.
-/// All of it is decided exactly.
+/// All of it is decided exactly, within SolidLimits: pieces for which it would take more are castable only, too.
 LevelSolids find_solids(const Level& level);
 
 }  // namespace firma

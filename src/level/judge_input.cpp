@@ -10,7 +10,7 @@
 namespace firma {
 
 std::optional<Error> judge_options(const ReadOptions& options, const std::string& name) {
-    if (!std::isfinite(options.scale) || options.scale < 0) {
+    if (!is_finite(options.scale) || options.scale < 0) {
         return Error{ErrorCode::kInvalid, name, "scale " + number_text(options.scale) + " is not a positive number"};
     }
     if (!(options.patch_tolerance > 0)) {
@@ -28,7 +28,7 @@ std::string point_fault(const Vec3& position, double scale) {
         if (!snap(alone)) axis = k;
     }
     const std::string name(1, "xyz"[axis]);
-    if (!std::isfinite(position[axis])) return name + " is " + number_text(position[axis]);
+    if (!is_finite(position[axis])) return name + " is " + number_text(position[axis]);
     return "lies outside the world: " + name + " = " + number_text(position[axis] * scale) + " m";
 }
 

@@ -47,7 +47,7 @@ private:
 
     /// Lengths, before anything is made of them.
     std::optional<Error> check_arrays() {
-        if (!(scale_ > 0) || !std::isfinite(scale_))
+        if (!(scale_ > 0) || !is_finite(scale_))
             return fail(ErrorCode::kInvalid, "", "the scale must be a finite number above zero");
         if (mesh_.corners.size() >= LevelBuilder::kMaxCount || mesh_.vertices.size() >= LevelBuilder::kMaxCount)
             return fail(ErrorCode::kTooLarge, "", "a level holds fewer than 2^31 vertices and corners");

@@ -81,7 +81,7 @@ Result<Solid> make_solid(const Level& level, const TreeOptions& tree) {
 }
 
 Result<World> make_world(const Level& level, const WorldOptions& options) {
-    if (const double skin = options.tolerance.skin; !(skin >= 0) || !std::isfinite(skin))
+    if (const double skin = options.tolerance.skin; !(skin >= 0) || !is_finite(skin))
         return Error{ErrorCode::kInvalid, level.name, "the skin must be a finite number, not below zero"};
     if (std::optional<Error> error = refusal(level)) return *error;
     const LevelSolids solids = find_solids(level);

@@ -48,7 +48,7 @@ int longest_axis(const GridPoint& a, const GridPoint& b) {
 
 /// The corners of an outline strictly inside one of its own sides, from its beginning to its end, one a position.
 Outline inside_side(const Outline& outline, const Side& side, const std::vector<GridPoint>& vertices) {
-    const auto& [from, to] = side;
+    const GridPoint from = side.first, to = side.second;  // by name: clang 14 captures no structured bindings
     if (from == to) return {};
     const int axis = longest_axis(from, to);
     const std::int64_t length = along(from, to, axis);

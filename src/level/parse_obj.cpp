@@ -113,7 +113,7 @@ std::optional<Error> ObjParser::number(std::string_view word, std::size_t place,
     };
     const std::optional<double> parsed = parse_number(word);
     if (!parsed) return malformed(what() + " is not a number");
-    if (!std::isfinite(*parsed)) return out_of_range(what() + " is too large for a number");
+    if (!is_finite(*parsed)) return out_of_range(what() + " is too large for a number");
     value = *parsed;
     return std::nullopt;
 }
@@ -186,7 +186,7 @@ std::optional<Error> ObjParser::other(std::string_view keyword) {
 
 Result<ObjCounts> parse_obj(std::string_view text, std::string_view name, const ReadOptions& options,
                             ObjVisitor& visitor) {
-    if (!std::isfinite(options.scale) || options.scale < 0)
+    if (!is_finite(options.scale) || options.scale < 0)
         return Error{ErrorCode::kInvalid, std::string(name),
                      "scale " + number_text(options.scale) + " is not a positive number"};
     if (text.size() > std::numeric_limits<std::uint32_t>::max())

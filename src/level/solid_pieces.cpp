@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
+#include "level/slab_tree.h"
 
 namespace firma {
 namespace {
@@ -122,6 +123,67 @@ private:
     std::vector<EdgeUse> around_;
 };
 
+/// Asks all pairs of faces of good pieces that may cross.
+class PairJudge {
+public:
+    PairJudge(const SolidMesh& mesh, const FaceTree& good, SolidPieces& pieces)
+        : mesh_(mesh), good_(good), pieces_(pieces) {
+        polygons_.reserve(good.faces.size());
+        for (const std::uint32_t face : good.faces) polygons_.push_back(mesh.polygon(face));
+    }
+
+    /// By boxes, which nearly always do.
+    /// @return false when they leave too many pairs
+    bool with_boxes() {
+        const std::uint64_t most = pieces_.limits.pairs_with_boxes * (good_.faces.size() + 1024);
+        // In the order of the tree, so that one search finds in the cache what the last one looked at.
+        for (const BoxTree::Item& item : good_.tree.items()) {
+            good_.tree.for_each_meeting(item.box, [&](std::uint32_t other) {
+                judge(item.number, other);
+                return pieces_.work.pairs > most;
+            });
+            if (pieces_.work.pairs > most) return false;
+        }
+        return true;
+    }
+
+    void with_slabs() {
+        const SlabTree slabs(mesh_.points, polygons_);
+        SolidWork& work = pieces_.work;
+        const std::uint64_t most = pieces_.limits.most(good_.faces.size());
+        for (std::uint32_t place = 0; place < slabs.order().size(); ++place) {
+            const std::uint32_t number = slabs.order()[place];
+            // A pair is found from the lower number: whoever is not asked any more must not be carved.
+            if (work.of_pairs() > most)
+                refuse(number, number, SolidNoteKind::kTooComplex);
+            else
+                work.compared += slabs.for_each_meeting(place, [&](std::uint32_t other) { judge(number, other); });
+        }
+    }
+
+private:
+    void judge(std::uint32_t number, std::uint32_t other) {
+        if (other <= number) return;
+        if (!pieces_.good(good_.faces[number]) && !pieces_.good(good_.faces[other])) return;
+        ++pieces_.work.pairs;
+        if (!polygons_cross(mesh_.points, polygons_[number], polygons_[other])) return;
+        refuse(number, other, SolidNoteKind::kCrossing);
+        refuse(other, number, SolidNoteKind::kCrossing);
+    }
+
+    void refuse(std::uint32_t number, std::uint32_t other, SolidNoteKind what) {
+        const std::uint32_t face = good_.faces[number];
+        const Vec3 at = mesh_.metres(mesh_.corners(face)[0]);
+        const auto& faces = mesh_.level->faces;
+        pieces_.refuse(pieces_.of_face[face], {what, 0, faces[face].source, faces[good_.faces[other]].source, at, at});
+    }
+
+    const SolidMesh& mesh_;
+    const FaceTree& good_;
+    SolidPieces& pieces_;
+    std::vector<MeshPolygon> polygons_;
+};
+
 }  // namespace
 
 SolidMesh solid_mesh(const Level& level) {
@@ -162,28 +224,9 @@ FaceTree good_faces(const SolidMesh& mesh, const SolidPieces& pieces) {
     return good;
 }
 
-void refuse_crossing(const SolidMesh& mesh, const FaceTree& good, SolidPieces& pieces) {
-    std::vector<MeshPolygon> polygons;
-    polygons.reserve(good.faces.size());
-    for (const std::uint32_t face : good.faces) polygons.push_back(mesh.polygon(face));
-    const auto refuse = [&](std::uint32_t face, std::uint32_t other) {
-        const Vec3 at = mesh.metres(mesh.corners(face)[0]);
-        const auto& faces = mesh.level->faces;
-        pieces.refuse(pieces.of_face[face],
-                      {SolidNoteKind::kCrossing, 0, faces[face].source, faces[other].source, at, at});
-    };
-    // In the order of the tree, so that one search finds in the cache what the last one looked at.
-    for (const BoxTree::Item& item : good.tree.items()) {
-        const std::uint32_t t = item.number, face = good.faces[t];
-        good.tree.for_each_meeting(item.box, [&](std::uint32_t u) {
-            const std::uint32_t other = good.faces[u];
-            if (u <= t || (!pieces.good(face) && !pieces.good(other))) return false;
-            if (!polygons_cross(mesh.points, polygons[t], polygons[u])) return false;
-            refuse(face, other);
-            refuse(other, face);
-            return false;
-        });
-    }
+void refuse_crossing(const SolidMesh& mesh, const FaceTree& tree, SolidPieces& pieces) {
+    PairJudge judge(mesh, tree, pieces);
+    if (!judge.with_boxes()) judge.with_slabs();
 }
 
 }  // namespace firma

@@ -36,6 +36,27 @@ struct DoubledEdge {
     std::uint32_t upward, downward;  ///< faces
 };
 
+/// How much may be looked at, of pairs of faces and on rays each: a level that asks for more keeps pieces castable
+/// only.
+struct SolidLimits {
+    std::uint64_t pairs_with_boxes = 64;  ///< for each face; usual levels have some ten. More, and slabs are asked
+    std::uint64_t at_all = std::uint64_t(1) << 24;
+    std::uint64_t a_face = 2048;  ///< in addition
+
+    std::uint64_t most(std::size_t faces) const { return at_all + a_face * faces; }
+};
+
+/// What was looked at.
+struct SolidWork {
+    std::uint64_t pairs = 0;     ///< of faces with boxes, or slabs, that meet
+    std::uint64_t compared = 0;  ///< slabs with slabs
+    std::uint64_t on_rays = 0;   ///< faces with boxes that rays meet
+
+    /// A pair takes about as long as comparing so many slabs.
+    static constexpr std::uint64_t kPairInSlabs = 16;
+    std::uint64_t of_pairs() const { return compared + kPairInSlabs * pairs; }
+};
+
 struct SolidPieces {
     std::vector<std::uint32_t> of_face;
     struct Piece {
@@ -45,6 +66,8 @@ struct SolidPieces {
     };
     std::vector<Piece> pieces;  ///< by their first faces
     std::vector<DoubledEdge> doubled;
+    SolidLimits limits;
+    SolidWork work;
 
     bool good(std::uint32_t face) const { return !pieces[of_face[face]].note; }
     void refuse(std::uint32_t piece, const SolidNote& note) {
@@ -66,10 +89,11 @@ struct FaceTree {
 /// Those of pieces that are good so far.
 FaceTree good_faces(const SolidMesh& mesh, const SolidPieces& pieces);
 
-/// Refuses pieces that cross or touch themselves or each other.
+/// Refuses pieces that cross or touch themselves or each other, and those for which finding out would take too long.
 void refuse_crossing(const SolidMesh& mesh, const FaceTree& tree, SolidPieces& pieces);
 
-/// Refuses pieces that are turned the wrong way for where they lie.
+/// Refuses pieces that are turned the wrong way for where they lie, and those for which finding out would take too
+/// long.
 /// @return whether rock is outside: what the outermost piece says
 bool refuse_wrong_way(const SolidMesh& mesh, const FaceTree& tree, SolidPieces& pieces);
 

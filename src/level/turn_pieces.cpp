@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Closed pieces in each other: from the outermost inward, each must be turned as where it lies asks for. Solid and air
-// are told apart by how often the pieces around wind around a point of it, counted along a ray.
+// are told apart by how often the pieces around wind around a point of it, counted along a ray. Pieces do not cross, so
+// those around a point lie in each other: one ray from the innermost tells of all of them which lies in which.
+#include <algorithm>
 #include <numeric>
 
 #include "base/sort.h"
@@ -44,7 +46,11 @@ int passage(const SolidMesh& mesh, std::uint32_t face, const Middle& m) {
 class PieceTurner {
 public:
     PieceTurner(const SolidMesh& mesh, const FaceTree& good, SolidPieces& pieces)
-        : mesh_(mesh), good_(good), pieces_(pieces), accepted_(pieces.pieces.size(), false) {}
+        : mesh_(mesh),
+          good_(good),
+          pieces_(pieces),
+          nested_(pieces.pieces.size()),
+          most_on_rays_(pieces.limits.most(good.faces.size())) {}
 
     bool turn() {
         measure();
@@ -55,15 +61,28 @@ public:
         std::vector<std::uint32_t> order;
         for (std::uint32_t piece = 0; piece < pieces_.pieces.size(); ++piece)
             if (!pieces_.pieces[piece].note) order.push_back(piece);
-        const auto size = [&](std::uint32_t piece) { return volume_[piece] < 0 ? -volume_[piece] : volume_[piece]; };
-        sort_range(order,
-                   [&](std::uint32_t a, std::uint32_t b) { return size(a) != size(b) ? size(a) > size(b) : a < b; });
+        sort_range(order, [&](std::uint32_t a, std::uint32_t b) { return is_larger(a, b); });
         find_edges();
+        for (std::size_t k = order.size(); k-- > 0;) find_around(order[k]);
         for (const std::uint32_t piece : order) judge(piece);
         return rock_outside_;
     }
 
 private:
+    static constexpr std::uint32_t kNone = ~0u;
+
+    /// Where a piece lies.
+    struct Nested {
+        bool known = false;
+        std::uint32_t in = kNone;  ///< the innermost piece around it
+        int winding = 0;           ///< how often this one winds around what lies in it
+        bool accepted = false;
+        int around = 0;  ///< how often the accepted pieces around it wind around it
+    };
+
+    Int128 size(std::uint32_t piece) const { return volume_[piece] < 0 ? -volume_[piece] : volume_[piece]; }
+    bool is_larger(std::uint32_t a, std::uint32_t b) const { return size(a) != size(b) ? size(a) > size(b) : a < b; }
+
     /// Six times the volume of each piece about some point, cubic input steps.
     void measure() {
         volume_.assign(pieces_.pieces.size(), 0);
@@ -83,7 +102,6 @@ private:
     std::uint32_t find_outermost() const {
         std::uint32_t outermost = ~0u;
         InputPoint least;
-        const auto size = [&](std::uint32_t piece) { return volume_[piece] < 0 ? -volume_[piece] : volume_[piece]; };
         for (const std::uint32_t face : good_.faces) {
             const std::uint32_t piece = pieces_.of_face[face];
             if (!pieces_.good(face)) continue;
@@ -99,11 +117,11 @@ private:
 
     /// An edge of each piece that no other piece shares: nothing else passes through its middle.
     void find_edges() {
-        edge_.assign(pieces_.pieces.size(), ~0u);
+        edge_.assign(pieces_.pieces.size(), kNone);
         for (std::uint32_t k = 0; k + 1 < mesh_.uses.size(); ++k) {
             const EdgeUse& use = mesh_.uses[k];
             std::uint32_t& known = edge_[pieces_.of_face[use.face]];
-            if (known != ~0u) continue;
+            if (known != kNone) continue;
             const auto same = [&](std::size_t other) {
                 return other < mesh_.uses.size() && mesh_.uses[other].low == use.low &&
                        mesh_.uses[other].high == use.high;
@@ -114,41 +132,78 @@ private:
         }
     }
 
-    void judge(std::uint32_t piece) {
-        const auto refuse = [&](const Vec3& at) {
-            const std::uint32_t face = pieces_.pieces[piece].first;
-            pieces_.refuse(piece, {SolidNoteKind::kWrongWay, 0, mesh_.level->faces[face].source, 0, at, at});
-        };
-        const Vec3 at = mesh_.metres(mesh_.corners(pieces_.pieces[piece].first)[0]);
-        if (edge_[piece] == ~0u) return refuse(at);
-        const int around = (rock_outside_ ? 1 : 0) + winding_around(piece);
-        const int wanted = volume_[piece] > 0 ? 0 : 1;
-        if (around != wanted) return refuse(at);
-        accepted_[piece] = true;
+    /// Pieces around which some piece was found to lie are known, too.
+    void find_around(std::uint32_t piece) {
+        if (nested_[piece].known || edge_[piece] == kNone || pieces_.work.on_rays > most_on_rays_) return;
+        around_.clear();
+        follow_ray(piece);
+        sort_range(around_, [&](std::uint32_t a, std::uint32_t b) { return is_larger(a, b); });
+        std::uint32_t outer = kNone;
+        for (const std::uint32_t inner : around_) {
+            Nested& nested = nested_[inner];
+            if (!nested.known) nested.in = outer;
+            nested.known = true;
+            nested.winding = crossings_[inner];
+            outer = inner;
+        }
+        nested_[piece].in = outer;
+        nested_[piece].known = true;
+        for (const std::uint32_t met : met_) crossings_[met] = 0;
+        met_.clear();
     }
 
-    /// How often the pieces accepted so far wind around this one.
-    int winding_around(std::uint32_t piece) const {
+    /// Finds the pieces around a piece: those that a ray from the middle of its edge leaves more often than it enters
+    /// them, or less often. What is not larger is not around it.
+    void follow_ray(std::uint32_t piece) {
         const EdgeUse& use = mesh_.uses[edge_[piece]];
         const InputPoint &a = mesh_.points[use.low], &b = mesh_.points[use.high];
         const Middle m{std::int64_t(a.x) + b.x, std::int64_t(a.y) + b.y, std::int64_t(a.z) + b.z};
         const auto steps = [](std::int64_t half_steps) { return std::int32_t(half_steps * (kSurfacePerInput / 2)); };
         const GridBox ray{{steps(m.x), steps(m.y), steps(m.z)}, {INT32_MAX, steps(m.y), steps(m.z)}};
-        int winding = 0;
+        crossings_.resize(pieces_.pieces.size());
         good_.tree.for_each_meeting(ray, [&](std::uint32_t number) {
-            const std::uint32_t face = good_.faces[number];
-            if (accepted_[pieces_.of_face[face]]) winding += passage(mesh_, face, m);
+            ++pieces_.work.on_rays;
+            const std::uint32_t face = good_.faces[number], other = pieces_.of_face[face];
+            if (other == piece || !pieces_.good(face) || !is_larger(other, piece)) return false;
+            const int passed = passage(mesh_, face, m);
+            if (passed != 0) met_.push_back(other);
+            crossings_[other] += passed;
             return false;
         });
-        return winding;
+        sort_range(met_);
+        met_.erase(std::unique(met_.begin(), met_.end()), met_.end());
+        for (const std::uint32_t other : met_)
+            if (crossings_[other] != 0) around_.push_back(other);
+    }
+
+    /// After those around it.
+    void judge(std::uint32_t piece) {
+        const auto refuse = [&](SolidNoteKind what) {
+            const std::uint32_t face = pieces_.pieces[piece].first;
+            const Vec3 at = mesh_.metres(mesh_.corners(face)[0]);
+            pieces_.refuse(piece, {what, 0, mesh_.level->faces[face].source, 0, at, at});
+        };
+        Nested& nested = nested_[piece];
+        if (nested.in != kNone) {
+            const Nested& outer = nested_[nested.in];
+            nested.around = outer.around + (outer.accepted ? outer.winding : 0);
+        }
+        if (edge_[piece] == kNone) return refuse(SolidNoteKind::kWrongWay);
+        if (!nested.known) return refuse(SolidNoteKind::kTooComplex);
+        const int wanted = volume_[piece] > 0 ? 0 : 1;
+        if ((rock_outside_ ? 1 : 0) + nested.around != wanted) return refuse(SolidNoteKind::kWrongWay);
+        nested.accepted = true;
     }
 
     const SolidMesh& mesh_;
     const FaceTree& good_;
     SolidPieces& pieces_;
-    std::vector<bool> accepted_;
+    std::vector<Nested> nested_;
+    const std::uint64_t most_on_rays_;
     std::vector<Int128> volume_;
     std::vector<std::uint32_t> edge_;  ///< a use of it
+    std::vector<std::uint32_t> around_, met_;
+    std::vector<int> crossings_;  ///< of the ray with a piece: 1 outward, -1 inward
     bool rock_outside_ = false;
 };
 

@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
-// A .firma file from disk: mapped where that is possible, so that its bytes are read once, by the checksums, and never
-// copied as a whole; else read.
+// A .firma file from disk, read into memory first: a mapping would end the program when someone else cuts the file.
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <system_error>
 
 #include "firma/save.h"
+#include "save/container.h"
+#include "save/little_endian.h"
 
 namespace firma {
 namespace {
+
+/// Read before anything is believed about the size of a file.
+constexpr std::size_t kFirstPiece = std::size_t(1) << 20;
+/// A single read() takes no more.
+constexpr std::size_t kPiece = std::size_t(1) << 30;
 
 Error cannot_read(const std::string& path, int reason) {
     return {ErrorCode::kCannotRead, path, "cannot be read: " + std::generic_category().message(reason)};
@@ -34,38 +43,63 @@ private:
     int descriptor_;
 };
 
-/// The bytes of a regular file in memory, as they are asked for.
-class Mapping {
+/// The bytes read so far. By malloc, as a vector would write zeros first, and realloc moves pages instead of bytes.
+class Bytes {
 public:
-    Mapping(int descriptor, std::size_t size) : size_(size) {
-        memory_ = size == 0 ? MAP_FAILED : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-        if (works()) posix_madvise(memory_, size, POSIX_MADV_WILLNEED);
+    std::span<const std::byte> all() const { return {memory_.get(), size_}; }
+
+    /// Reads until there are `size` bytes, or the file ends.
+    /// @return errno on failure
+    std::optional<int> read_up_to(int descriptor, std::size_t size) {
+        auto* grown = static_cast<std::byte*>(std::realloc(memory_.get(), std::max<std::size_t>(size, 1)));
+        if (!grown) return ENOMEM;
+        static_cast<void>(memory_.release());
+        memory_.reset(grown);
+        while (size_ < size) {
+            const ssize_t count = read(descriptor, memory_.get() + size_, std::min(size - size_, kPiece));
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) return errno;
+            if (count == 0) break;
+            size_ += std::size_t(count);
+        }
+        return std::nullopt;
     }
-    ~Mapping() {
-        if (works()) munmap(memory_, size_);
-    }
-    Mapping(const Mapping&) = delete;
-    Mapping& operator=(const Mapping&) = delete;
-    bool works() const { return memory_ != MAP_FAILED; }
-    std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(memory_), size_}; }
 
 private:
-    void* memory_;
-    std::size_t size_;
+    struct Free {
+        void operator()(std::byte* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<std::byte, Free> memory_;
+    std::size_t size_ = 0;
 };
 
-/// What cannot be mapped, a pipe or an empty file, in pieces; stops at bytes that begin no .firma file.
-Result<World> read_whole(int descriptor, const std::string& path) {
-    constexpr std::size_t kPiece = std::size_t(1) << 20;
-    std::vector<std::byte> bytes;
-    for (;;) {
-        const std::size_t before = bytes.size();
-        bytes.resize(before + kPiece);
-        const ssize_t count = read(descriptor, bytes.data() + before, kPiece);
-        bytes.resize(before + std::size_t(count > 0 ? count : 0));
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return cannot_read(path, errno);
-        if (count == 0 || (before == 0 && bytes.size() >= 8 && !is_firma_file(bytes))) return unpack_world(bytes, path);
+/// Whether the head of a file says that it has so many bytes; where it does not, its beginning is enough for the error.
+bool is_said_to_have(std::span<const std::byte> head, std::uint64_t size) {
+    return is_firma_file(head) && head.size() >= kHeadBytes && read_u64(head.data() + 16) == size;
+}
+
+Result<World> load_regular(int descriptor, std::uint64_t size, const std::string& path) {
+    Bytes bytes;
+    std::uint64_t wanted = std::min<std::uint64_t>(size, kFirstPiece);
+    if (const auto failed = bytes.read_up_to(descriptor, std::size_t(wanted))) return cannot_read(path, *failed);
+    if (wanted < size && is_said_to_have(bytes.all(), size)) {
+        wanted = size;
+        if (wanted > std::numeric_limits<std::size_t>::max()) return cannot_read(path, ENOMEM);
+        if (const auto failed = bytes.read_up_to(descriptor, std::size_t(wanted))) return cannot_read(path, *failed);
+    }
+    if (bytes.all().size() < wanted)
+        return Error{ErrorCode::kCannotRead, path,
+                     "cannot be read: cut short meanwhile, to " + std::to_string(bytes.all().size()) + " of " +
+                         std::to_string(size) + " bytes"};
+    return unpack_world(bytes.all(), path);
+}
+
+/// A pipe or the like, of which nobody knows the size; stops at bytes that begin no .firma file.
+Result<World> load_stream(int descriptor, const std::string& path) {
+    Bytes bytes;
+    for (std::size_t wanted = 8;; wanted = std::max(2 * wanted, kFirstPiece)) {
+        if (const auto failed = bytes.read_up_to(descriptor, wanted)) return cannot_read(path, *failed);
+        if (bytes.all().size() < wanted || !is_firma_file(bytes.all())) return unpack_world(bytes.all(), path);
     }
 }
 
@@ -77,11 +111,9 @@ Result<World> load_world(const std::string& path) {
     struct stat status{};
     if (fstat(file.descriptor(), &status) != 0) return cannot_read(path, errno);
     if (S_ISDIR(status.st_mode)) return cannot_read(path, EISDIR);
-    if (S_ISREG(status.st_mode) && std::uint64_t(status.st_size) <= std::numeric_limits<std::size_t>::max()) {
-        const Mapping mapping(file.descriptor(), std::size_t(status.st_size));
-        if (mapping.works()) return unpack_world(mapping.bytes(), path);
-    }
-    return read_whole(file.descriptor(), path);
+    if (S_ISREG(status.st_mode) && status.st_size > 0)
+        return load_regular(file.descriptor(), std::uint64_t(status.st_size), path);
+    return load_stream(file.descriptor(), path);
 }
 
 }  // namespace firma

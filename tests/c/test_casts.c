@@ -31,6 +31,24 @@ static void run_on_threads(size_t count, void (*work)(void*, size_t), void* cont
     for (size_t t = 0; t < kThreads; ++t) pthread_join(threads[t], NULL);
 }
 
+static void run_nothing(size_t count, void (*work)(void*, size_t), void* context, void* user) {
+    (void)count, (void)work, (void)context, (void)user;
+}
+
+/* Each but the last, twice, and some that there are not. */
+static void run_too_little(size_t count, void (*work)(void*, size_t), void* context, void* user) {
+    (void)user;
+    for (size_t k = 0; k + 1 < count; ++k) work(context, k), work(context, k);
+    work(context, count);
+    work(context, SIZE_MAX);
+}
+
+/* Each, and more. */
+static void run_too_much(size_t count, void (*work)(void*, size_t), void* context, void* user) {
+    run_too_little(count, work, context, user);
+    work(context, count - 1);
+}
+
 static double between(uint32_t* seed, double low, double high) {
     *seed = *seed * 1664525u + 1013904223u;
     return low + (high - low) * (*seed >> 8) / 16777216.0;
@@ -122,6 +140,19 @@ static void test_batch(firma_world room) {
     firma_hit* again = calloc(kCasts, sizeof *again);
     CHECK_OK(firma_cast_batch(room, inputs, kCasts, NULL, again, &threaded));
     CHECK(runs == 1 && memcmp(again, hits, kCasts * sizeof *hits) == 0 && threaded.bins == batched.bins);
+    const firma_tasks lazy[] = {{sizeof tasks, run_nothing, NULL}, {sizeof tasks, run_too_little, NULL}};
+    for (int t = 0; t < 2; ++t) {
+        CHECK_OK(firma_set_tasks(&lazy[t]));
+        memset(again, 0x55, kCasts * sizeof *again);
+        CHECK_FAILS(firma_cast_batch(room, inputs, kCasts, NULL, again, &threaded), FIRMA_ERROR_BAD_CALL, "run");
+        int written = 0;
+        for (int k = 0; k < kCasts; ++k) written += again[k].status == FIRMA_INVALID && again[k].fraction == 0;
+        CHECK(written == kCasts && threaded.bins == batched.bins);
+    }
+    const firma_tasks eager = {sizeof eager, run_too_much, NULL};
+    CHECK_OK(firma_set_tasks(&eager));
+    CHECK_OK(firma_cast_batch(room, inputs, kCasts, NULL, again, NULL));
+    CHECK(memcmp(again, hits, kCasts * sizeof *hits) == 0);
     CHECK_OK(firma_set_tasks(NULL));
     CHECK_OK(firma_cast_batch(room, NULL, 0, NULL, NULL, NULL));
     CHECK_FAILS(firma_cast_batch(room, inputs, kCasts, NULL, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");

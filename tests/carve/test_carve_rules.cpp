@@ -2,12 +2,14 @@
 // What refuses a cut or shrinks it: zones, materials, limits, and cutters that cannot be placed.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "firma/carve.h"
 #include "firma/level.h"
 #include "firma/solid.h"
+#include "tests/solid/solid_levels.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -247,6 +249,29 @@ TEST(Carve, ABoxOutOfARoomsWallHasItsVolume) {
     EXPECT_NEAR(flush.report.volume, 8, 0.02);
     // It opened the wall: there is a way in.
     EXPECT_EQ(cast(flush.world, {{0, 0, 0}, 0.5}, {5, 0, 0}).status, Status::kMiss);
+}
+
+TEST(CarveVolume, IsAsExactFarOutAsInTheMiddle) {
+    // The same tiny cuts, through an edge of a box that lies in the middle of the world, and one at its rim.
+    const auto taken = [](std::int32_t x, CutterShape shape, std::uint64_t seed) {
+        const double far = x;
+        const World world = make_world(test::box_level({far, far, far}, {far + 4, far + 4, far + 4})).value();
+        const Pose pose{{far + 4, far + 2, far + 4}, {0.1, 0.2, 0.3, 0.9}, 0.04};
+        const CarveResult one = carve(world, make_crater(shape, seed), pose);
+        Pose next = pose;
+        next.position.y += 0.03;  // through what the first one left
+        const CarveResult two = carve(one.world, make_crater(shape, seed + 1), next);
+        EXPECT_TRUE(one.done() && two.done());
+        return std::array{one.report.volume, two.report.volume};
+    };
+    for (const CutterShape shape : {CutterShape::kRocky, CutterShape::kBox, CutterShape::kWedge}) {
+        const auto near = taken(-2, shape, 7), far = taken(8180, shape, 7), other = taken(-8190, shape, 7);
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            EXPECT_GT(near[k], 0);
+            EXPECT_EQ(near[k], far[k]);
+            EXPECT_EQ(near[k], other[k]);
+        }
+    }
 }
 
 TEST(Carve, ACavityInRockAndAPillarInTheAir) {

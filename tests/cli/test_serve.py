@@ -187,6 +187,25 @@ class Serve(CliTest):
             self.assertEqual(line.getresponse().read(), self.read('site/firma.wasm'))
             line.close()
 
+    def test_silent_connections_hold_up_nobody(self):
+        _, port = self.serve()
+        for said in [b'', b'G', b'GET / HTTP/1.1\r\n', b'GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX-Unfinished: ']:
+            started = time.monotonic()
+            lines = [socket.create_connection(('127.0.0.1', port), timeout=20) for _ in range(100)]
+            for line in lines: line.sendall(said)
+            for _ in range(5): self.assertEqual(self.ask(port, '/firma.wasm')[0], 200)
+            took = time.monotonic() - started
+            for line in lines: line.close()
+            self.assertLess(took, 0.9, said)                                   # less than any of the time limits
+
+    def test_more_silent_connections_than_threads(self):
+        process, port = self.serve()
+        lines = [socket.create_connection(('127.0.0.1', port), timeout=20) for _ in range(700)]
+        self.assertEqual(self.ask(port, '/')[0], 200)                          # later, but it comes
+        with open('/proc/%d/status' % process.pid) as file: status = file.read()
+        self.assertLess(int(status.split('Threads:')[1].split()[0]), 600)
+        for line in lines: line.close()
+
 
 if __name__ == '__main__':
     unittest.main()

@@ -71,6 +71,26 @@ TEST(GltfBuffers, FilesBeside) {
     const std::string named = file.json(R"(,"uri":"a b.bin")");
     EXPECT_EQ(error_of(named), "a.glb: buffer 0: lies in another file, 'a b.bin'");
     EXPECT_TRUE(read_gltf(std::as_bytes(std::span(named)), "a.gltf", {}, folder.path.string()));
+
+    namespace fs = std::filesystem;
+    folder.write("parts/box.bin", file.buffer());
+    fs::create_symlink("parts/box.bin", folder.path / "inside.bin");
+    fs::create_symlink("box.bin", folder.path / "parts/near.bin");
+    EXPECT_EQ(error("inside.bin"), "none");
+    EXPECT_EQ(error("parts/near.bin"), "none");
+    const fs::path outside = folder.path.string() + "_outside";
+    fs::create_directories(outside);
+    fs::rename(folder.path / "parts/box.bin", outside / "box.bin");
+    fs::create_symlink(outside / "box.bin", folder.path / "outside.bin");
+    fs::create_symlink("../" + outside.filename().string(), folder.path / "folder");
+    for (const std::string uri : {"outside.bin", "folder/box.bin"})
+        EXPECT_EQ(error(uri), "/box.gltf: buffer 0: names '" + uri + "', a link that leads out of the file's folder");
+    const fs::path linked = folder.path.string() + "_linked";
+    fs::create_directory_symlink(folder.path, linked);  // the folder itself may be one
+    folder.write("box.gltf", file.json(R"(,"uri":"a b.bin")"));
+    EXPECT_TRUE(read_gltf((linked / "box.gltf").string()));
+    fs::remove(linked);
+    fs::remove_all(outside);
     const Result<GltfLevel> missing = read_gltf("/nowhere/at/all.glb");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().code, ErrorCode::kCannotRead);

@@ -216,6 +216,89 @@ TEST(FindSolids, ShellsInShells) {
     expect_sound(level, 1000 - 512 + 1);
 }
 
+/// Octahedra in each other, turned outward and inward by turns, their corners along three directions at right angles.
+Level onion(int shells, bool tilted) {
+    constexpr double kTilted[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
+    Level level = test::empty_level();
+    for (int shell = shells; shell > 0; --shell) {
+        const auto corner = [&](int axis, bool back) {
+            const double radius = (back ? -0.05 : 0.05) * shell;
+            Vec3 p;
+            for (int k = 0; k < 3; ++k) p[k] = tilted ? radius * kTilted[axis][k] : axis == k ? radius : 0;
+            return to_metres(snap(p).value());
+        };
+        for (int octant = 0; octant < 8; ++octant) {
+            std::vector<Vec3> face{corner(0, octant & 1), corner(1, octant & 2), corner(2, octant & 4)};
+            const bool mirrored = ((octant ^ octant >> 1 ^ octant >> 2) & 1) != 0;
+            if (mirrored != ((shells - shell) % 2 != 0)) std::swap(face[1], face[2]);
+            add_polygon(level, face);
+        }
+    }
+    return level;
+}
+
+std::uint64_t work_of(const SolidWork& work) {
+    return work.of_pairs() + work.on_rays;
+}
+
+TEST(FindSolids, AnOnionTakesLittleMoreThanInProportion) {
+    for (const bool tilted : {false, true}) {
+        const LevelSolids small = find_solids(onion(250, tilted)), large = find_solids(onion(1000, tilted));
+        EXPECT_EQ(solid_count(small), 8u * 250);
+        EXPECT_EQ(solid_count(large), 8u * 1000);
+        EXPECT_LT(work_of(large.work), 6 * work_of(small.work)) << "four times the faces, and a few bins more a face";
+        EXPECT_LE(large.work.on_rays, 2u * 8 * 1000) << "a ray or two";
+    }
+}
+
+TEST(FindSolids, ARottenOnionIsJudgedAsShellByShell) {
+    Level level = onion(700, false);
+    add_box(level, {9, 9, 9}, {9.5, 9.5, 9.5});            // between two shells
+    add_box(level, {13.01, 11, 9}, {13.02, 11.01, 9.01});  // through none
+    add_box(level, {1, 1, 1}, {1.5, 1.5, 1.5});            // through some
+    add_box(level, {40, 0, 0}, {41, 1, 1}, true);          // outside, and inward
+    const LevelSolids found = find_solids(level);
+    std::size_t crossing = 0;
+    for (const SolidNote& note : found.notes) crossing += note.what == SolidNoteKind::kCrossing;
+    // x + y + z of the boxes, in twentieths of a metre: from 540 to 570, and from 60 to 90; shells at whole numbers.
+    EXPECT_EQ(crossing, 31u + 1 + 31u + 1);
+    // Without 31 shells the next one is turned as the last one around it; so is the box outside, as a hollow in the
+    // air.
+    EXPECT_EQ(found.notes.size(), crossing + 3);
+    EXPECT_EQ(found.notes.back().what, SolidNoteKind::kWrongWay);
+    EXPECT_EQ(solid_count(found), 8u * (700 - 64) + 6);
+}
+
+TEST(FindSolids, WhatWouldTakeTooLongIsCastableOnly) {
+    Level level = onion(40, false);
+    add_box(level, {30, 0, 0}, {31, 1, 1});
+    const SolidMesh mesh = solid_mesh(level);
+    for (const std::uint64_t pairs_with_boxes : {0, 64}) {
+        SolidPieces pieces = join_pieces(mesh);
+        pieces.limits = {pairs_with_boxes, 300, 0};
+        const FaceTree tree = good_faces(mesh, pieces);
+        refuse_crossing(mesh, tree, pieces);
+        refuse_wrong_way(mesh, tree, pieces);
+        std::size_t refused = 0;
+        for (const SolidPieces::Piece& piece : pieces.pieces) {
+            if (!piece.note) continue;
+            EXPECT_EQ(piece.note->what, SolidNoteKind::kTooComplex);
+            ++refused;
+        }
+        if (pairs_with_boxes == 0)
+            EXPECT_GT(refused, 30u) << "by pairs";
+        else
+            EXPECT_EQ(refused, 0u) << "boxes are enough, and so is one ray";
+    }
+    SolidPieces pieces = join_pieces(mesh);
+    pieces.limits = {64, 0, 0};
+    const FaceTree tree = good_faces(mesh, pieces);
+    refuse_wrong_way(mesh, tree, pieces);
+    ASSERT_TRUE(pieces.pieces.back().note) << "the box is larger than the innermost shell, whose ray was the last";
+    EXPECT_EQ(pieces.pieces.back().note->what, SolidNoteKind::kTooComplex);
+    EXPECT_FALSE(pieces.pieces.front().note) << "known from that ray";
+}
+
 TEST(FindSolids, RockOutsideIsWhatTheOutermostPieceSays) {
     // The largest piece is a block inside a room that reaches farther, thin as it is.
     Level level = box_level({0, 0, 0}, {10, 10, 10}, true);

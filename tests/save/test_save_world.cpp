@@ -109,6 +109,53 @@ TEST_F(SaveWorld, PipesAreRead) {
     EXPECT_EQ(hash_world(read.value()), hash_world(world));
 }
 
+TEST_F(SaveWorld, AFileCutShortMeanwhileIsAnErrorAtMost) {
+    const World world = cut_room(150, 3);
+    ASSERT_FALSE(save_world(world, path("a.firma")));
+    const std::vector<std::byte> bytes = pack_world(world);
+    const pid_t reader = fork();  // a process of its own, as a fault in its memory would be a signal
+    ASSERT_GE(reader, 0);
+    if (reader == 0) {
+        for (;;) {
+            const Result<World> read = load_world(path("a.firma"));
+            if (read ? hash_world(read.value()) != hash_world(world) : read.error().text().empty()) _exit(1);
+        }
+    }
+    for (int k = 0; k < 500; ++k) {
+        fs::resize_file(path("a.firma"), bytes.size() / 2);
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+        std::fstream(path("a.firma"), std::ios::binary | std::ios::in | std::ios::out)
+            .seekp(std::streamoff(bytes.size() / 2))
+            .write(reinterpret_cast<const char*>(bytes.data()) + bytes.size() / 2,
+                   std::streamsize(bytes.size() - bytes.size() / 2));
+        std::this_thread::sleep_for(std::chrono::milliseconds(k % 7));
+    }
+    int status = 0;
+    EXPECT_EQ(waitpid(reader, &status, WNOHANG), 0) << "ended by itself with status " << status;
+    kill(reader, SIGKILL);
+    waitpid(reader, &status, 0);
+}
+
+TEST_F(SaveWorld, LongFilesAreReadWholeOrNotAtAll) {
+    const World world = cut_room(250, 3);
+    std::vector<std::byte> bytes = pack_world(world);
+    const std::size_t whole = bytes.size();
+    ASSERT_GT(whole, std::size_t(1) << 20) << "more than one piece";
+    const auto write = [&](const char* name) {
+        std::ofstream(path(name), std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        return load_world(path(name));
+    };
+    EXPECT_EQ(hash_world(write("a.firma").value()), hash_world(world));
+    bytes.pop_back();
+    const std::string length = ": it is not as long as its head says: cut short, or something was added";
+    EXPECT_EQ(write("short.firma").error().text(), path("short.firma") + length);
+    bytes.resize(whole + 8);
+    EXPECT_EQ(write("long.firma").error().text(), path("long.firma") + length);
+    fs::resize_file(path("long.firma"), std::uintmax_t(1) << 42);  // without blocks on the disk
+    EXPECT_EQ(load_world(path("long.firma")).error().text(), path("long.firma") + length) << "at once";
+}
+
 TEST_F(SaveWorld, SeveralAtOnceWaitForEachOther) {
     const World worlds[] = {room_world(), cut_room(4, 3)};
     std::vector<std::thread> threads;
