@@ -40,8 +40,8 @@ struct BrushSide {
 
 /// The common part of its sides' half spaces.
 struct Brush {
-    std::uint32_t first_side = 0, side_count = 0;  ///< in BrushLevel::sides
-    std::uint32_t entity = 0;                      ///< index into BrushLevel::entities
+    std::uint32_t first_side = 0, side_count = 0;  ///< in BrushLevel::sides, behind those of the brush before
+    std::uint32_t entity = 0;                      ///< index into BrushLevel::entities, or 0
     BrushKind kind = BrushKind::kSolid;
     bool detail = false;     ///< the author marked it as detail: joined all the same
     std::uint32_t line = 0;  ///< where it begins in the file, from 1; 0 where the format has none
@@ -67,6 +67,9 @@ struct Entity {
     }
 };
 
+/// make_world() and divide_rooms() check all of it: whoever fills one by hand gets an Error that names brush, side or
+/// face for an index that is not there, a point off the input grid, points in line, a surface that is no convex
+/// polygon.
 struct BrushLevel {
     std::string name;                    ///< the file's, for messages
     std::vector<Entity> entities;        ///< the first is the world
@@ -77,7 +80,7 @@ struct BrushLevel {
     /// on from sides.size().
     Level surfaces;
     std::vector<std::string> notes;   ///< for people: what was dropped, replaced or not understood, with its place
-    double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values
+    double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values, > 0
     /// Metres by which a plane was moved onto the grid, at that corner of its faces where it is most; of a .bsp also by
     /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
     double greatest_shift = 0;

@@ -41,7 +41,8 @@ struct LevelNote {
     std::uint32_t line = 0;    ///< line of the file, from 1; 0 where the format has none
 };
 
-/// A level: what every reader makes and make_world() takes.
+/// A level: what every reader makes and make_world() takes. make_world() checks it: a face whose corners, material or
+/// group are not there, or that is no convex polygon, is an Error that names it.
 struct Level {
     std::string name;                    ///< the file's, for messages
     std::vector<GridPoint> vertices;     ///< snapped; one entry a `v` of the file
