@@ -95,6 +95,7 @@ std::string info_json(const LoadedLevel& loaded) {
     json.add("greatest_shift", level.greatest_shift);
     json.add("idle_portals", count_notes(report, BrushNote::What::kIdlePortal));
     add_divided(json, divided);
+    add_left_out(json, left_out(loaded));
     add_world(json, loaded.world);
     json.add("read_seconds", loaded.read_seconds);
     json.add("build_seconds", loaded.build_seconds);
@@ -126,6 +127,7 @@ std::string info_text(const LoadedLevel& loaded) {
     row("planes", fmt::format("{} moved a little; onto the grid by {:.2g} mm at most", grouped(report.planes_moved),
                               level.greatest_shift * 1000));
     row("materials", grouped(material_names(level).size()));
+    row("left out", left_out_text(left_out(loaded)));
     if (divided)
         row("divided", fmt::format("{} added; {} tried that the air goes around", counted(divided->portals, "portal"),
                                    grouped(divided->idle)));
@@ -254,6 +256,8 @@ std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool a
                             found.leak->entity, found.leak->points.empty() ? ", by a way too narrow to be shown" : ":");
         for (const Vec3& p : found.leak->points) text += fmt::format("  ({:.2f}, {:.2f}, {:.2f}) m\n", p.x, p.y, p.z);
     }
+    if (const auto omissions = left_out(loaded); !omissions.empty())
+        text += fmt::format("{}: left out: {}\n", level.name, left_out_text(omissions));
     const std::vector<std::string> notes = note_lines(level, report);
     const std::size_t shown = all ? notes.size() : std::min(notes.size(), kShown);
     for (std::size_t k = 0; k < shown; ++k) text += notes[k] + "\n";
@@ -293,6 +297,7 @@ std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool a
     } else {
         json.add_null("leak");
     }
+    add_left_out(json, left_out(loaded));
     json.add("note_count", report.notes.size() + report.entity_notes.size() + level.notes.size());
     json.open_array("notes");
     for (std::size_t k = 0; k < (all ? report.notes.size() : std::min(report.notes.size(), kShown)); ++k) {

@@ -2,9 +2,12 @@
 // Reads, builds, and keeps the time of both.
 #include "cli/load_level.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "cli/failure.h"
@@ -115,7 +118,66 @@ void load_gltf(const LevelArguments& arguments, const WorldOptions& options, Loa
 
 }  // namespace
 
-LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
+std::vector<Omission> left_out(const LoadedLevel& loaded) {
+    std::vector<Omission> all = loaded.level.omissions;
+    if (!loaded.brushes) return all;
+    const BrushLevel& level = loaded.brushes->level;
+    for (const auto* omissions : {&level.omissions, &level.surfaces.omissions})
+        all.insert(all.end(), omissions->begin(), omissions->end());
+    Omission empty{"brushes without volume", 0, ""};
+    for (const BrushNote& note : loaded.brushes->report.notes) {
+        if (note.what != BrushNote::What::kNoVolume) continue;
+        if (empty.count++ > 0) continue;
+        const std::uint32_t line = level.brushes[note.brush].line;
+        empty.first =
+            line > 0 ? fmt::format("{}:{}", level.name, line) : fmt::format("{}: brush {}", level.name, note.brush);
+    }
+    if (empty.count > 0) all.push_back(empty);
+    return all;
+}
+
+std::string left_out_text(const std::vector<Omission>& omissions) {
+    std::string text;
+    for (const Omission& omission : omissions)
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", omission.what, grouped(omission.count));
+    return text.empty() ? "nothing" : text;
+}
+
+void add_left_out(JsonWriter& json, const std::vector<Omission>& omissions) {
+    json.open_array("left_out");
+    for (const Omission& omission : omissions) {
+        json.open_object();
+        json.add("what", omission.what);
+        json.add("count", omission.count);
+        json.add("first", omission.first);
+        json.close();
+    }
+    json.close();
+}
+
+namespace {
+
+/// A level of nothing would answer every cast with a miss, and say nothing.
+void refuse_empty(const std::string& path, const LoadedLevel& loaded) {
+    if (loaded.saved || loaded.world.face_count() > 0) return;
+    std::string reason = "no face is left that a cast could meet";
+    if (loaded.brushes) {
+        const std::vector<Brush>& brushes = loaded.brushes->level.brushes;
+        const auto data = std::size_t(std::count_if(brushes.begin(), brushes.end(), [](const Brush& brush) {
+            return brush.kind == BrushKind::kData || brush.kind == BrushKind::kPortal;
+        }));
+        reason +=
+            fmt::format("; {}, {} of them portals or data", counted(brushes.size(), "brush", "brushes"), grouped(data));
+    }
+    reason += "; left out: " + left_out_text(left_out(loaded));
+    if (loaded.brushes && !loaded.brushes->report.notes.empty()) {
+        const BrushNote& note = loaded.brushes->report.notes[0];
+        reason += fmt::format(" (brush {}: {})", note.brush, note.reason);
+    }
+    throw Failure(path, reason);
+}
+
+LoadedLevel load_quietly(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded;
     const auto start = std::chrono::steady_clock::now();
     refuse_rooms(arguments);
@@ -143,6 +205,20 @@ LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& opti
     const auto read = std::chrono::steady_clock::now();
     loaded.world = take(make_world(loaded.level, options));
     loaded.build_seconds = seconds_since(read);
+    return loaded;
+}
+
+}  // namespace
+
+LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
+    LoadedLevel loaded = load_quietly(arguments, options);
+    refuse_empty(arguments.path, loaded);
+    const std::vector<Omission> omissions = left_out(loaded);
+    if (!omissions.empty() && !arguments.tells_left_out)
+        std::fputs(fmt::format("firma: warning: {}: left out: {} (firma info --json says where)\n", arguments.path,
+                               left_out_text(omissions))
+                       .c_str(),
+                   stderr);
     return loaded;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/json.h"
 #include "firma/brush_world.h"
 #include "firma/divide_rooms.h"
 #include "firma/level.h"
@@ -21,6 +22,8 @@ struct LevelArguments {
     std::string scale;      ///< as typed; empty for the format's own
     std::string rooms;      ///< "auto": the air is divided where it narrows; empty: as the author's portals do
     bool surfaces = false;  ///< of a .bsp the drawn surfaces rather than the brushes
+    /// The verb tells on standard output what was left out: then nothing of it is said on stderr.
+    bool tells_left_out = false;
 };
 
 /// Adds LEVEL (required unless told otherwise), --scale and --surfaces.
@@ -67,8 +70,18 @@ bool names_gltf(const std::string& path);
 /// Whether a name ends in .firma, capitals or not.
 bool names_saved_world(const std::string& path);
 
+/// All that the file holds and the world does not.
+std::vector<Omission> left_out(const LoadedLevel& loaded);
+/// "lines (l): 3; faces without area: 2"; "nothing".
+std::string left_out_text(const std::vector<Omission>& omissions);
+/// left_out [{what, count, first}]
+void add_left_out(JsonWriter& json, const std::vector<Omission>& omissions);
+
+/// Says on stderr what was left out, in one line, unless the verb tells it.
+///
 /// @param options  of no use to a .firma file, which has its own
-/// @throws Failure with the reader's place and reason; for --scale with a .firma file, for --rooms with what has no
+/// @throws Failure with the reader's place and reason; for a level of which no face is left; for --scale with a .firma
+/// file, for --rooms with what has no
 ///         brushes
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options = {});
 

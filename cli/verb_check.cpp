@@ -50,7 +50,7 @@ too_complex (too much lies too close around it to be looked at).
 --json: level, sound, faces, vertices, fault_count, faults [{what, face, line, from, to, t_joint}], note_count,
 notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, castable_only_count, castable_only
 [{what, faces, face, other (crossing: the face it meets, else null), at, to}]; lists hold the first 20 unless --all
-is given. `faces` of a piece, and solid_faces, count faces as divided.
+is given; left_out [{what, count, first}], as of info. `faces` of a piece, and solid_faces, count faces as divided.
 
 glTF is judged as it was snapped to the grid, since nodes place its vertices by rounded products; a face is a triangle,
 numbered by node, primitive and triangle, without a line. Notes in addition: idle_portal (one room on both sides of the
@@ -62,7 +62,7 @@ Faults: a broken world or solid; a leak, that is a way to the void from an info_
 none, from any entity with an origin. Notes: not_joined (a brush that is castable only), no_volume, idle_portal (a
 portal with one room on both sides), a firma_room that names no room, and what the reader says. --json: level, sound,
 brushes (of the file), faces, rooms, portals, world_fault or null, solid_fault or null, leak {entity, points [metres]}
-or null, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line, reason}], reader_notes [texts].
+or null, left_out, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line, reason}], reader_notes [texts].
 
 --pts writes the way of the leak, for an editor to show. Where nothing leaks, or the way is too narrow to be shown, the
 file is empty; one that was there before is replaced. Bad input leaves it as it was.
@@ -84,6 +84,7 @@ struct Findings {
     std::vector<std::string> idle;  ///< of glTF: names of portals, in whole or part, with one room on both sides
     std::string undivided;          ///< of glTF: why its portals divide nothing; or empty
     std::vector<std::string> reader_notes;  ///< of glTF
+    std::vector<Omission> left_out;
     bool is_gltf = false;
     bool sound() const { return mesh.closed() && !world_fault; }
     std::size_t notes() const { return mesh.notes.size() + idle.size() + !undivided.empty() + reader_notes.size(); }
@@ -236,6 +237,7 @@ std::string text_for_people(const std::string& path, const Findings& found, bool
                             found.world_fault->face.value);
     if (!castable.empty()) text += counted(castable.size(), "piece") + " castable only:\n";
     list(castable, solid_note_text);
+    if (!found.left_out.empty()) text += fmt::format("{}: left out: {}\n", path, left_out_text(found.left_out));
     text += fmt::format("{}: {}; {}, {} different positions{}; {}, {}; {}\n", path, found.sound() ? "sound" : "faulty",
                         counted(faces, "face"), grouped(vertices), rooms_clause(found),
                         counted(faults.size() + (found.world_fault ? 1 : 0), "fault"), counted(found.notes(), "note"),
@@ -332,6 +334,7 @@ std::string json_text(const std::string& path, const Findings& found, bool all) 
         json.add_null("world_fault");
     }
     add_solidity(json, found.solidity, all);
+    add_left_out(json, found.left_out);
     add_rooms(json, found, all);
     json.close();
     return json.text();
@@ -357,7 +360,8 @@ void judge_pts(const CheckArguments& arguments) {
     refuse_overwriting(arguments.pts, arguments.level.path);
 }
 
-int run(const CheckArguments& arguments) {
+int run(CheckArguments& arguments) {
+    arguments.level.tells_left_out = true;
     refuse_unknown_ending(arguments.level.path);
     judge_pts(arguments);
     if (names_saved_world(arguments.level.path)) return check_saved_world(load_level(arguments.level), arguments.json);
@@ -369,6 +373,7 @@ int run(const CheckArguments& arguments) {
     found.world_fault = check_world(loaded.world);
     found.solidity = level_solidity(loaded.level);
     found.level_faces = loaded.level.faces.size();
+    found.left_out = left_out(loaded);
     found.rooms = loaded.world.room_count();
     found.portals = portal_count(loaded.world);
     if (loaded.gltf) add_gltf(*loaded.gltf, found);

@@ -35,11 +35,15 @@ all the same, as blocks hold no more. `overlap` is the mean share of a bin's sur
 cover, 0 .. 1.
 
 --json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
-corners, materials [names], groups, ignored_entries, bounds {low, high} or null, rooms [{id, name, exterior, faces,
+corners, materials [names], groups, ignored_entries, left_out [{what, count, first}], bounds {low, high} or null, rooms [{id, name, exterior, faces,
 bounds, portals [ids]}], portals [{id, name, rooms [ids], open, polygons, bounds}], tree {faces, blocks, bins,
 leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
 build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
 reaches to infinity: then it is that of the air.
+
+`left_out` is what the file holds and casts do not meet: what Firma does not read, has no area or volume, or belongs to
+entities that move; what, how many, and the place of the first, or "". Other verbs warn of it on stderr. A level of
+which no face is left is bad input.
 
 Of glTF --json has in addition: gltf {nodes, portals [{name, polygons, idle}], undivided or null, notes [texts]}; faces in
 the file are its triangles, without those of portals. An idle portal, or a part of it, has one room on both sides;
@@ -47,7 +51,7 @@ the file are its triangles, without those of portals. An idle portal, or a part 
 
 Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
-planes_moved, greatest_shift, idle_portals, divided, bounds, rooms, portals, tree, solid, read_seconds, build_seconds.
+planes_moved, greatest_shift, idle_portals, divided, left_out, bounds, rooms, portals, tree, solid, read_seconds, build_seconds.
 `brushes` counts those of the file, no portals that were added; `faces` counts convex facets; those of `solid` bound
 the joined solid. `divided` is null, or with --rooms auto {cells, narrows, idle, portals}: how many cells were looked
 at, how many places where the air narrows, how many of these were tried in vain, as the air goes around by a way that
@@ -156,6 +160,7 @@ std::string json_text(const LoadedLevel& loaded) {
     json.close();
     json.add("groups", level.groups.size());
     json.add("ignored_entries", level.ignored_entries);
+    add_left_out(json, left_out(loaded));
     if (loaded.gltf) add_gltf(json, *loaded.gltf);
     add_world(json, loaded.world);
     json.add("read_seconds", loaded.read_seconds);
@@ -196,6 +201,7 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
     row("materials", grouped(material_names(level).size()));
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));
+    row("left out", left_out_text(left_out(loaded)));
     if (loaded.gltf) {
         row("nodes", grouped(loaded.gltf->nodes));
         if (const std::size_t portals = loaded.gltf->portals.size(); portals > 0)
@@ -208,7 +214,8 @@ std::string text_for_people(const LoadedLevel& loaded) {
     return text;
 }
 
-int run(const InfoArguments& arguments) {
+int run(InfoArguments& arguments) {
+    arguments.level.tells_left_out = true;
     WorldOptions options;
     options.tree = tree_options(arguments);
     if (names_saved_world(arguments.level.path)) {

@@ -2,9 +2,14 @@
 // From a glTF level to a World: one room, or those that its portals divide it into.
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "firma/polygon.h"
 #include "firma/read_gltf.h"
+#include "geometry/exact_plane.h"
+#include "geometry/polygon_shape.h"
 #include "gltf/divide_mesh.h"
 #include "world/assemble_world.h"
 
@@ -89,11 +94,27 @@ private:
     std::uint32_t next_face_ = 0;
 };
 
+std::optional<Error> judge_portals(const GltfLevel& gltf) {
+    for (std::size_t k = 0; k < gltf.portals.size(); ++k)
+        for (const std::vector<GridPoint>& polygon : gltf.portals[k].polygons) {
+            const bool on_grid = std::all_of(polygon.begin(), polygon.end(), on_input_grid);
+            std::vector<Vec3> corners;
+            for (const GridPoint& point : polygon) corners.push_back(to_metres(point));
+            if (on_grid && corners.size() <= std::size_t(kMaxCorners) && check_polygon(corners) == PolygonFault::kNone)
+                continue;
+            const std::string place = "portal " + std::to_string(k);
+            return Error{ErrorCode::kInvalid, gltf.level.name.empty() ? place : gltf.level.name + ": " + place,
+                         "a polygon of it is not convex and planar, of 3 to 64 corners on the input grid"};
+        }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options, GltfRooms* report) {
     Result<World> plain = make_world(gltf.level, options);
     if (!plain || gltf.portals.empty()) return plain;
+    if (auto error = judge_portals(gltf)) return *std::move(error);
     GltfRooms own;
     GltfRooms& rooms = report ? *report : own;
     const LevelSolids solids = find_solids(gltf.level);

@@ -59,7 +59,7 @@ public:
         for (const SceneNode& node : nodes.value())
             if (std::optional<Error> error = add_node(node)) return *std::move(error);
         if (sources_ == 0) return Error{ErrorCode::kMalformed, file_.name, "has no triangle in its scene"};
-        made_.level = builder_.finish(sources_, ignored_ + file_.rest.cameras + file_.rest.animations);
+        made_.level = builder_.finish(sources_, ignored_ + file_.rest.cameras + file_.rest.animations, omissions());
         find_note_places();
         note_what_is_left_out();
         return std::move(made_);
@@ -97,6 +97,7 @@ private:
         std::vector<std::vector<GridPoint>> polygons = gltf::portal_polygons(portal_);
         if (polygons.empty()) {
             notes_.insert("a portal without area is left out");
+            ++empty_portals_;
             return;
         }
         made_.portals.push_back({file_.model.nodes[node.named].name, node.index, std::move(polygons)});
@@ -205,6 +206,20 @@ private:
         }
     }
 
+    std::vector<Omission> omissions() const {
+        std::vector<Omission> omissions;
+        const auto add = [&](const char* what, std::uint64_t count) {
+            if (count > 0) omissions.push_back({what, count, ""});
+        };
+        add("primitives of points, lines or nothing", ignored_);
+        add("portals without area", empty_portals_);
+        add("skins", file_.rest.skins);
+        add("primitives' morph targets", file_.rest.morphs);
+        add("animations", file_.rest.animations);
+        add("uses of EXT_mesh_gpu_instancing", file_.rest.gpu_instances);
+        return omissions;
+    }
+
     void note_what_is_left_out() {
         const auto note = [&](std::size_t count, const char* what) {
             if (count > 0) notes_.insert(std::to_string(count) + " " + what);
@@ -224,7 +239,7 @@ private:
     SharedVertices vertices_;
     GltfLevel made_;
     std::set<std::string> notes_;
-    std::uint64_t taken_ = 0, ignored_ = 0;
+    std::uint64_t taken_ = 0, ignored_ = 0, empty_portals_ = 0;
     std::uint32_t sources_ = 0;
     std::vector<std::pair<std::uint32_t, GridPoint>> first_points_;  ///< of each face, for notes
 

@@ -40,15 +40,15 @@ struct BrushSide {
 
 /// The common part of its sides' half spaces.
 struct Brush {
-    std::uint32_t first_side = 0, side_count = 0;  ///< in BrushLevel::sides
-    std::uint32_t entity = 0;                      ///< index into BrushLevel::entities
+    std::uint32_t first_side = 0, side_count = 0;  ///< in BrushLevel::sides, behind those of the brush before
+    std::uint32_t entity = 0;                      ///< index into BrushLevel::entities, or 0
     BrushKind kind = BrushKind::kSolid;
     bool detail = false;     ///< the author marked it as detail: joined all the same
     std::uint32_t line = 0;  ///< where it begins in the file, from 1; 0 where the format has none
 };
 
-/// A part of an entity in a form that is not understood (brushDef, patchDef3): its text, from the word that names the
-/// form to the brace that closes the part, without that.
+/// A part of an entity in a form that is not understood (brushDef2, say): its text, from the word that names the form
+/// to the brace that closes the part, without that.
 struct UnknownPart {
     std::string text;
     std::uint32_t line = 0;
@@ -67,6 +67,9 @@ struct Entity {
     }
 };
 
+/// make_world() and divide_rooms() check all of it: whoever fills one by hand gets an Error that names brush, side or
+/// face for an index that is not there, a point off the input grid, points in line, a surface that is no convex
+/// polygon.
 struct BrushLevel {
     std::string name;                    ///< the file's, for messages
     std::vector<Entity> entities;        ///< the first is the world
@@ -76,15 +79,18 @@ struct BrushLevel {
     /// What is no brush (patches, drawn surfaces), castable only; with materials of its own. Its faces' sources count
     /// on from sides.size().
     Level surfaces;
-    std::vector<std::string> notes;   ///< for people: what was dropped, replaced or not understood, with its place
-    double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values
+    std::vector<std::string> notes;  ///< for people: what was dropped, replaced or not understood, with its place
+    /// What the file holds and casts will not meet: what was not understood, brushes and patches of entities that move.
+    /// `surfaces` has its own.
+    std::vector<Omission> omissions;
+    double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values, > 0
     /// Metres by which a plane was moved onto the grid, at that corner of its faces where it is most; of a .bsp also by
     /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
     double greatest_shift = 0;
 };
 
-/// Reads a Quake .map: Standard and Valve 220 forms, as TrenchBroom writes them; entities, brushes, patchDef2 patches.
-/// docs/formats.md says what is kept, dropped and refused.
+/// Reads a Quake .map: brushes in the forms Standard, Valve 220, brushDef (Quake 3's brush primitives) and brushDef3
+/// (Doom 3's), patches (patchDef2, patchDef3), entities. docs/formats.md says what is kept, dropped and refused.
 ///
 /// @param text  the whole file
 /// @param name  for messages

@@ -53,7 +53,8 @@ struct BrushWorldReport {
 /// A face's source is the index of its brush's side; that of a surface counts on from there.
 ///
 /// @param report  filled, when given
-/// @return kTooLarge for a level of 2^20 brush sides or more
+/// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
+///         together (see BrushLevel), and for a skin that is no length
 Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {}, BrushWorldReport* report = nullptr);
 
 }  // namespace firma

@@ -36,8 +36,8 @@ struct DivideReport {
 /// hull is not divided, if a player begins inside of it (entities `info_player...`).
 ///
 /// @param report  filled, when given
-/// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge as of
-///         make_world(); kInvalid for an option that is no number or negative
+/// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge and
+///         kInvalid as of make_world(); kInvalid for an option that is no number or negative
 /// Takes as long as making the level's world, up to eight times that where narrows were chosen in vain, and a second or
 /// so for the cells.
 Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},

@@ -41,7 +41,16 @@ struct LevelNote {
     std::uint32_t line = 0;    ///< line of the file, from 1; 0 where the format has none
 };
 
-/// A level: what every reader makes and make_world() takes.
+/// Things of one kind that a file holds and a reader leaves out: no cast meets them, though in their game one would, or
+/// a reader does not understand them.
+struct Omission {
+    std::string what;         ///< in the plural: "primitives 'brushDef9'", "faces without area"
+    std::uint64_t count = 0;  ///< how many
+    std::string first;        ///< the place of the first; "" where the format has none
+};
+
+/// A level: what every reader makes and make_world() takes. make_world() checks it: a face whose corners, material or
+/// group are not there, or that is no convex polygon, is an Error that names it.
 struct Level {
     std::string name;                    ///< the file's, for messages
     std::vector<GridPoint> vertices;     ///< snapped; one entry a `v` of the file
@@ -53,6 +62,7 @@ struct Level {
     std::uint32_t source_faces = 0;      ///< faces in the file, dropped ones counted
     std::uint64_t ignored_entries =
         0;  ///< things in the file that are not geometry for casts (points, lines, flares ...)
+    std::vector<Omission> omissions;  ///< what the file holds and this does not
 
     std::size_t count(FaceNote what) const {
         std::size_t n = 0;

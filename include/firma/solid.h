@@ -128,7 +128,7 @@ struct LevelSolidity {
 
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
 /// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
-/// @param level  as a reader made it
+/// @param level  one that make_world() refuses has no solid face and no note
 LevelSolidity level_solidity(const Level& level);
 
 }  // namespace firma

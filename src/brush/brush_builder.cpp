@@ -69,6 +69,7 @@ Result<BrushLevel> BrushBuilder::finish(double patch_tolerance) {
     if (!surfaces) return surfaces.error();
     level.surfaces = std::move(surfaces).value();
     level.notes = notes.texts();
+    level.omissions = notes.omissions();
     return std::move(level);
 }
 

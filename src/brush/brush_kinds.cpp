@@ -12,13 +12,15 @@ namespace {
 using What = SideKind::What;
 
 struct NameRule {
-    enum class Where : std::uint8_t { kName, kPrefix, kFolder };  ///< of the last part; the folder it lies in
+    /// The whole of the last part, its beginning, its end; the folder that it lies in, the beginning of that.
+    enum class Where : std::uint8_t { kName, kPrefix, kSuffix, kFolder, kFolderPrefix };
     Where where;
     std::string_view text;
     SideKind kind;
 };
 
-constexpr auto kName = NameRule::Where::kName, kPrefix = NameRule::Where::kPrefix, kFolder = NameRule::Where::kFolder;
+constexpr auto kName = NameRule::Where::kName, kPrefix = NameRule::Where::kPrefix, kSuffix = NameRule::Where::kSuffix,
+               kFolder = NameRule::Where::kFolder, kFolderPrefix = NameRule::Where::kFolderPrefix;
 constexpr SideKind kFiller = {What::kFiller, BrushKind::kSolid}, kNothing = {What::kNothing, BrushKind::kData};
 constexpr SideKind known(BrushKind kind) {
     return {What::kKnown, kind};
@@ -29,6 +31,9 @@ constexpr NameRule kNames[] = {
     {kName, "portal", known(BrushKind::kPortal)},
     {kName, "hint", known(BrushKind::kPortal)},
     {kName, "areaportal", known(BrushKind::kPortal)},
+    {kName, "visportal", known(BrushKind::kPortal)},
+    {kName, "subtlehint", known(BrushKind::kPortal)},
+    {kName, "hintlocal", known(BrushKind::kPortal)},
 
     {kName, "caulk", kFiller},
     {kName, "nodraw", kFiller},
@@ -47,6 +52,8 @@ constexpr NameRule kNames[] = {
     {kName, "weapclip", known(BrushKind::kShotClip)},
     {kName, "shotclip", known(BrushKind::kShotClip)},
     {kName, "missileclip", known(BrushKind::kShotClip)},
+    {kName, "weaponclip", known(BrushKind::kShotClip)},
+    {kName, "weapon_clip", known(BrushKind::kShotClip)},
 
     {kName, "trigger", known(BrushKind::kData)},
     {kName, "aaatrigger", known(BrushKind::kData)},
@@ -57,6 +64,7 @@ constexpr NameRule kNames[] = {
     {kName, "lightgrid", known(BrushKind::kData)},
     {kName, "botclip", known(BrushKind::kData)},
     {kName, "monsterclip", known(BrushKind::kData)},
+    {kName, "monster_clip", known(BrushKind::kData)},
     {kName, "donotenter", known(BrushKind::kData)},
     {kName, "clusterportal", known(BrushKind::kData)},
     {kName, "antiportal", known(BrushKind::kData)},
@@ -64,17 +72,74 @@ constexpr NameRule kNames[] = {
 
     {kPrefix, "*", known(BrushKind::kLiquid)},
     {kPrefix, "!", known(BrushKind::kLiquid)},
-    {kFolder, "liquids", known(BrushKind::kLiquid)},
+    {kFolderPrefix, "liquids", known(BrushKind::kLiquid)},  // liquids_lava
     {kName, "watercaulk", known(BrushKind::kLiquid)},
     {kName, "lavacaulk", known(BrushKind::kLiquid)},
     {kName, "slimecaulk", known(BrushKind::kLiquid)},
 
     {kPrefix, "sky", known(BrushKind::kSky)},
     {kFolder, "skies", known(BrushKind::kSky)},
+    {kFolder, "sky", known(BrushKind::kSky)},
+    {kFolder, "skybox", known(BrushKind::kSky)},
 
     {kPrefix, "{", known(BrushKind::kGlass)},  // fences and gratings with holes
     {kName, "glass", known(BrushKind::kGlass)},
     {kFolder, "glass", known(BrushKind::kGlass)},
+};
+
+// In the folder `common` (or `editor`) of games with shaders, before the names above. What these games agree on: of
+// names that they use differently it is as in Quake 3. Solid that is not drawn and lets light through stops walkers and
+// shots, and no sight: as glass.
+constexpr NameRule kShaderNames[] = {
+    {kName, "nodraw", kNothing},
+    {kName, "skip", kNothing},
+    {kName, "hintskip", kNothing},
+    {kPrefix, "shadow", kNothing},
+
+    {kName, "forcecaulk", kFiller},
+    {kName, "collision", kFiller},
+    {kName, "skipdetail", kFiller},
+    {kPrefix, "terrain", kFiller},
+
+    {kName, "fullclip", known(BrushKind::kGlass)},
+    {kName, "weapclip", known(BrushKind::kGlass)},
+    {kName, "weap_clip", known(BrushKind::kGlass)},
+    {kName, "weaponclip", known(BrushKind::kGlass)},
+    {kName, "weapon_clip", known(BrushKind::kGlass)},
+    {kPrefix, "clipweap", known(BrushKind::kGlass)},
+    {kName, "slick", known(BrushKind::kGlass)},
+    {kName, "cushion", known(BrushKind::kGlass)},
+
+    {kName, "clipshot", known(BrushKind::kShotClip)},
+    {kName, "clipmonster", known(BrushKind::kData)},
+    {kPrefix, "clip", known(BrushKind::kPlayerClip)},  // clipfull, clipmissile, clip_metal
+    {kName, "missileclip", known(BrushKind::kPlayerClip)},
+    {kName, "slickplayerclip", known(BrushKind::kPlayerClip)},
+    {kName, "nowalljumpclip", known(BrushKind::kPlayerClip)},
+    {kName, "no_walljump", known(BrushKind::kPlayerClip)},
+    {kName, "ladder", known(BrushKind::kPlayerClip)},
+    {kName, "outside", known(BrushKind::kPlayerClip)},
+
+    {kPrefix, "trig", known(BrushKind::kData)},
+    {kPrefix, "alpha_", known(BrushKind::kData)},
+    {kSuffix, "build", known(BrushKind::kData)},  // nobuild, noalienbuild
+    {kSuffix, "donotenter", known(BrushKind::kData)},
+    {kName, "ai_nosight", known(BrushKind::kData)},
+    {kName, "aas_solid", known(BrushKind::kData)},
+    {kName, "ik_clip", known(BrushKind::kData)},
+    {kPrefix, "moveable", known(BrushKind::kData)},
+
+    {kName, "water", known(BrushKind::kLiquid)},
+    {kName, "slime", known(BrushKind::kLiquid)},
+    {kName, "lava", known(BrushKind::kLiquid)},
+    {kSuffix, "water", known(BrushKind::kLiquid)},  // nodrawwater
+};
+
+// Of the same games, in the folder `sfx`.
+constexpr NameRule kShaderEffects[] = {
+    {kPrefix, "fog_", known(BrushKind::kData)},
+    {kSuffix, "fog", known(BrushKind::kData)},
+    {kSuffix, "fogdense", known(BrushKind::kData)},
 };
 
 struct ClassRule {
@@ -88,7 +153,9 @@ struct ClassRule {
 constexpr ClassRule kClasses[] = {
     {"worldspawn", false, EntityRule::kStatic},
     {"func_group", false, EntityRule::kStatic},
-    {"func_detail_illusionary", false, EntityRule::kMoves},
+    {"func_detail_illusionary", false, EntityRule::kPasses},
+    {"func_illusionary", false, EntityRule::kPasses},
+    {"trigger_", true, EntityRule::kPasses},
     {"func_detail", true, EntityRule::kDetail},
     {"func_static", false, EntityRule::kStatic},
     {"func_wall", false, EntityRule::kStatic},
@@ -105,23 +172,69 @@ std::string normal_form(std::string_view name) {
     return form;
 }
 
+// The last part of a name, and the folder that it lies in.
+struct NameParts {
+    std::string form;
+    std::string_view last, folder;
+
+    explicit NameParts(std::string_view name) : form(normal_form(name)) {
+        const std::string_view whole = form;
+        const std::size_t slash = whole.rfind('/');
+        const bool plain = slash == std::string_view::npos;
+        last = plain ? whole : whole.substr(slash + 1);
+        const std::string_view above = plain ? std::string_view() : whole.substr(0, slash);
+        folder = above.substr(above.rfind('/') + 1);  // npos + 1 is 0
+    }
+    NameParts(const NameParts&) = delete;
+    NameParts& operator=(const NameParts&) = delete;
+};
+
+bool fits(const NameRule& rule, const NameParts& name) {
+    switch (rule.where) {
+        case kName:
+            return name.last == rule.text;
+        case kPrefix:
+            return name.last.starts_with(rule.text);
+        case kSuffix:
+            return name.last.ends_with(rule.text);
+        case kFolder:
+            return name.folder == rule.text;
+        case kFolderPrefix:
+            return name.folder.starts_with(rule.text);
+    }
+    return false;
+}
+
+std::optional<SideKind> first_that_fits(std::span<const NameRule> rules, const NameParts& name) {
+    for (const NameRule& rule : rules)
+        if (fits(rule, name)) return rule.kind;
+    return std::nullopt;
+}
+
+bool is_tool_folder(std::string_view folder) {
+    return folder == "common" || folder == "editor";
+}
+
 }  // namespace
 
-SideKind side_kind(std::string_view texture) {
-    const std::string form = normal_form(texture);
-    const std::string_view whole = form;
-    const std::size_t slash = whole.rfind('/');
-    const bool plain = slash == std::string_view::npos;
-    const std::string_view last = plain ? whole : whole.substr(slash + 1);
-    const std::string_view above = plain ? std::string_view() : whole.substr(0, slash);
-    const std::string_view folder = above.substr(above.rfind('/') + 1);  // npos + 1 is 0
-    for (const NameRule& rule : kNames) {
-        const bool fits = rule.where == kName     ? last == rule.text
-                          : rule.where == kPrefix ? last.starts_with(rule.text)
-                                                  : folder == rule.text;
-        if (fits) return rule.kind;
+MapGame map_game(std::string_view format, bool has_primitives, std::span<const std::string_view> textures) {
+    if (format.starts_with("Quake3")) return MapGame::kShaders;
+    if (!format.empty() && format != "Unknown") return MapGame::kNumbers;
+    if (has_primitives) return MapGame::kShaders;
+    for (const std::string_view texture : textures) {
+        const NameParts name(texture);
+        if (name.folder == "common" || name.form.starts_with("textures/")) return MapGame::kShaders;
     }
-    return {};
+    return MapGame::kNumbers;
+}
+
+SideKind side_kind(std::string_view texture, MapGame game) {
+    const NameParts name(texture);
+    std::optional<SideKind> kind;
+    if (game == MapGame::kShaders && is_tool_folder(name.folder)) kind = first_that_fits(kShaderNames, name);
+    if (game == MapGame::kShaders && name.folder == "sfx") kind = first_that_fits(kShaderEffects, name);
+    if (!kind) kind = first_that_fits(kNames, name);
+    return kind.value_or(SideKind{});
 }
 
 // Portals and hints are solid to nobody. What is solid and lets light through is glass, gratings, weapon clips.

@@ -33,8 +33,24 @@ struct SideKind {
     BrushKind kind = BrushKind::kSolid;
 };
 
-/// By the texture's name: case does not matter, nor "textures/" and other folders above the last.
-SideKind side_kind(std::string_view texture);
+/// What decides what a side of a .map is made of.
+enum class MapGame : std::uint8_t {
+    kNumbers,  ///< contents and flags behind the texture, where they say something, else its name: Quake 2 and others
+    kShaders,  ///< the name alone, as shaders do: Quake 3 and what came of it. The numbers are what an editor left
+               ///< there
+};
+
+/// By what only files of one kind have; in this order: TrenchBroom's comment on the file's format; primitives of games
+/// with shaders; textures in a folder `common`, or whose names begin with `textures/`.
+///
+/// @param format          of that comment; "" where there is none
+/// @param has_primitives  brushDef, patchDef2 and their like
+/// @param textures        names of textures, as written
+MapGame map_game(std::string_view format, bool has_primitives, std::span<const std::string_view> textures);
+
+/// By the texture's name: case does not matter, nor "textures/" and other folders above the last. In games with shaders
+/// some names in the folder `common` mean something else than elsewhere.
+SideKind side_kind(std::string_view texture, MapGame game = MapGame::kNumbers);
 
 /// By contents and a side's flags; nothing when they have none of the bits that matter here.
 std::optional<BrushKind> kind_by_flags(std::uint32_t contents, std::uint32_t flags);
@@ -51,7 +67,8 @@ enum class EntityRule : std::uint8_t {
     kDetail,  ///< part of the world, marked as detail
     kPortal,  ///< portals, whatever their textures
     kMarks,   ///< volumes of ours that mark something: kept as data, as their author means it
-    kMoves,   ///< doors, plats, triggers: kept as data, with a note
+    kPasses,  ///< triggers and what is there to be walked through: kept as data, with a note; nothing is lost
+    kMoves,   ///< doors, plats: kept as data, with a note; their brushes are left out of the world
 };
 EntityRule entity_rule(std::string_view classname);
 

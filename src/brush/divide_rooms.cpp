@@ -12,6 +12,7 @@
 #include "brush/choose_narrows.h"
 #include "brush/entity_origin.h"
 #include "brush/find_narrows.h"
+#include "brush/judge_brush_level.h"
 #include "join/join_brushes.h"
 
 namespace firma {
@@ -140,6 +141,7 @@ bool is_usable(double number) {
 Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options, DivideReport* report) {
     if (!is_usable(options.narrow) || !is_usable(options.smallest_room))
         return Error{ErrorCode::kInvalid, level.name, "rooms are divided by numbers that are finite and not negative"};
+    if (auto error = judge_brush_level(level)) return *std::move(error);
     DivideReport found;
     BrushLevel divided = level;
     const std::optional<AirGrid> grid = AirGrid::make(level, options.most_cells);

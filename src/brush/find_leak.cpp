@@ -92,6 +92,7 @@ private:
 }  // namespace
 
 std::vector<Vec3> find_leak(const World& world, const Vec3& from, std::uint32_t mask) {
+    if (!is_finite(from)) return {};
     for (const double spacing : kSpacings) {
         std::vector<Vec3> way = LeakSearch(world, from, mask, spacing).search();
         if (!way.empty()) return way;

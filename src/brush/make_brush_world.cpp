@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "brush/judge_brush_level.h"
 #include "brush/name_rooms.h"
 #include "firma/brush_world.h"
 #include "firma/masks.h"
 #include "join/join_brushes.h"
+#include "level/judge_level.h"
 #include "world/assemble_world.h"
 
 namespace firma {
@@ -41,6 +43,7 @@ private:
     /// Surfaces have a list of their own: what both name is one.
     void add_materials() {
         parts_.materials = level_.materials;
+        if (parts_.materials.empty()) parts_.materials.emplace_back();
         std::unordered_map<std::string, std::uint32_t> known;
         for (std::uint32_t k = 0; k < parts_.materials.size(); ++k)
             known.try_emplace(std::string(parts_.materials[k]), k);
@@ -49,6 +52,7 @@ private:
             if (is_new) parts_.materials.push_back(name);
             surface_material_.push_back(it->second);
         }
+        if (surface_material_.empty()) surface_material_.push_back(0);
     }
 
     /// A hole in the sky would look into the void.
@@ -150,6 +154,8 @@ BrushWorldReport report_of(const BrushLevel& level, const JoinedLevel& joined) {
 }  // namespace
 
 Result<World> make_world(const BrushLevel& level, const WorldOptions& options, BrushWorldReport* report) {
+    if (auto error = judge_brush_level(level)) return *std::move(error);
+    if (auto error = judge_skin(options.tolerance.skin, level.name)) return *std::move(error);
     const Result<std::unique_ptr<JoinedLevel>> joined = join_brushes(level);
     if (!joined.ok()) return joined.error();
     if (report) *report = report_of(level, *joined.value());

@@ -31,6 +31,7 @@ public:
         for (const MapSide& side : file_.sides) snap_points(side);
         for (std::size_t k = 0; k < file_.brushes.size(); ++k) cut_faces(file_.brushes[k], wants_area[k]);
         if (!turned_.empty()) fit_turned();
+        fit_bare();
         return std::move(out_);
     }
 
@@ -49,6 +50,7 @@ private:
 
     void snap_points(const MapSide& side) {
         MapPlane& made = out_.of_side.emplace_back();
+        if (side.plane) return take_plane(*side.plane, made);
         // Quake's points run clockwise seen from outside.
         const Vec3 points[3] = {side.points[0], side.points[2], side.points[1]};
         bool exact = true;
@@ -59,6 +61,33 @@ private:
         made.valid = !in_line(made.points);
         exact_.push_back(exact);
         planes_.push_back(float_plane(points[0], points[1], points[2]));
+    }
+
+    // A side that has no points: an axial plane's are at once on the grid, those of others come from their faces.
+    void take_plane(const FloatPlane& plane, MapPlane& made) {
+        const auto axis = axis_of(plane);
+        const auto fitted = axis ? fit_axial_plane(plane, *axis, scale_) : std::nullopt;
+        if (fitted) take(*fitted, made);
+        exact_.push_back(fitted.has_value());
+        planes_.push_back(plane);
+    }
+
+    static void take(const FittedPlane& fitted, MapPlane& made) {
+        std::copy(std::begin(fitted.points), std::end(fitted.points), std::begin(made.points));
+        made.valid = true;
+        made.shift = fitted.shift;
+    }
+
+    // What has neither points nor a face: it touches its brush at most, but a brush of planes that look inward must not
+    // become one without them.
+    void fit_bare() {
+        for (std::uint32_t k = 0; k < file_.sides.size(); ++k) {
+            if (!file_.sides[k].plane || out_.of_side[k].valid) continue;
+            if (const auto fitted = fit_bare_plane(*file_.sides[k].plane, scale_)) {
+                take(*fitted, out_.of_side[k]);
+                out_.of_side[k].shift = 0;  // no corner of a face is off it
+            }
+        }
     }
 
     // Of brushes that have a side off the grid, and of those whose areas are wanted.
@@ -90,7 +119,10 @@ private:
     void fit_turned() {
         std::vector<Shared> shared;
         for (std::uint32_t k = 0; k < file_.sides.size(); ++k) {
-            if (!exact_[k] || !out_.of_side[k].valid || families_.find(*planes_[k], file_.sides[k].points)) continue;
+            if (!exact_[k] || !out_.of_side[k].valid) continue;
+            Vec3 points[3];
+            for (int c = 0; c < 3; ++c) points[c] = to_metres(out_.of_side[k].points[c]) * (1 / scale_);
+            if (families_.find(*planes_[k], points)) continue;
             families_.add(*planes_[k]);
             shared.emplace_back().exact_side = k;
         }

@@ -11,7 +11,7 @@ namespace firma {
 
 struct MapPlane {
     GridPoint points[3];  ///< counter-clockwise seen from outside
-    bool valid = false;   ///< false: the points lie on a line
+    bool valid = false;   ///< false: the points lie on a line; of a plane, there is none such in the world
     double shift = 0;     ///< metres between a corner of the side's face, as the file has it, and the plane, at most
     double area = 0;      ///< of the face in square units, where asked for
 };
@@ -23,8 +23,8 @@ struct MapPlanes {
 
 /// Where a side's three points lie on the grid, they are its points. Else rounding them would turn the plane: editors
 /// write points of turned brushes a unit apart. Then the points are chosen among the corners of the face, as
-/// fit_plane() does; once for all sides that were meant to be on one plane. If that is also the plane of a side on the
-/// grid, its points are taken.
+/// fit_plane() does, and so for sides given as planes that are not axial; once for all sides that were meant to be on
+/// one plane. If that is also the plane of a side on the grid, its points are taken.
 ///
 /// @param file        all its points are in the world
 /// @param wants_area  by brush: whether its faces' areas are needed

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Parses .map files: Standard and Valve 220 brushes, patchDef2; walks by loops alone, whatever the nesting.
+// Parses .map files: Standard and Valve 220 brushes, brushDef, brushDef3, patchDef2, patchDef3; walks by loops alone,
+// whatever the nesting.
 //
-//   map    = { entity }
+//   map    = [ "Version" number ] { entity }
 //   entity = "{" { key value | brush } "}"
-//   brush  = "{" { side } "}" | "{" "patchDef2" patch "}" | "{" unknown-word ... "}"
+//   brush  = "{" { side } "}" | "{" ( "patchDef2" | "patchDef3" ) patch "}"
+//          | "{" ( "brushDef" | "brushDef3" ) "{" { key value | primitive } "}" "}" | "{" unknown-word ... "}"
 //   side   = 3 * ( "(" x y z ")" ) texture alignment { further }
 //   alignment = xoff yoff rotation xscale yscale                                             (Standard)
 //             | "[" ux uy uz offset "]" "[" vx vy vz offset "]" rotation xscale yscale       (Valve 220)
+//   primitive = plane "(" 2 * ( "(" 3 numbers ")" ) ")" texture { further }
+//   plane  = 3 * ( "(" x y z ")" )                                                             (brushDef)
+//          | "(" a b c d ")", outside where a x + b y + c z + d > 0                            (brushDef3)
 //   further = contents flags value, or what other games put there
-//   patch  = "{" texture "(" width height contents flags value ")" "(" width * column ")" "}"
+//   patch  = "{" texture "(" width height [ divisions divisions ] contents flags value ")" "(" width * column ")" "}"
 //   column = "(" height * ( "(" x y z s t ")" ) ")"
 #include "brush/parse_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -48,8 +54,7 @@ public:
             if (token.kind == Kind::kOpen) {
                 if (Fault fault = entity(token.line)) return fault;
             } else if (token.kind == Kind::kWord && token.text == "Version") {
-                notes_.add("'Version' is not understood", at(token.line));  // Doom 3 begins so
-                tokens_.next();
+                if (Fault fault = version()) return fault;
             } else {
                 return expected("{ of an entity", token);
             }
@@ -77,6 +82,12 @@ private:
         const std::string entity =
             (in_entity_ ? " of entity " : " after entity ") + std::to_string(file.entities.size() - 1);
         return in_brush_ ? " in brush " + std::to_string(number_) + entity : entity;
+    }
+
+    Fault version() {
+        file.has_version = true;
+        double ignored = 0;
+        return number(ignored, "the version");
     }
 
     Fault entity(std::uint32_t line) {
@@ -118,21 +129,51 @@ private:
         const MapToken first = tokens_.peek();
         if (first.kind == Kind::kWord) {
             tokens_.next();
-            if (first.text == "patchDef2") return patch(line);
-            notes_.add("primitive " + quote(first.text) + " is not understood", at(first.line) + context());
+            if (first.text == "patchDef2") return patch(line, 0);
+            if (first.text == "patchDef3") return patch(line, 2);
+            if (first.text == "brushDef") return primitive(line, Form::kPrimitive);
+            if (first.text == "brushDef3") return primitive(line, Form::kPlane);
+            notes_.leave_out("primitive " + quote(first.text) + " is not understood", "primitives " + quote(first.text),
+                             at(first.line) + context());
             return skip_to_close(first);
         }
+        return sides(line, Form::kSide);
+    }
+
+    // How a side is written.
+    enum class Form : std::uint8_t { kSide, kPrimitive, kPlane };
+
+    Fault primitive(std::uint32_t line, Form form) {
+        file.has_primitives = true;
+        const MapToken open = tokens_.next();
+        if (open.kind != Kind::kOpen) return expected("{ of a brush's sides", open);
+        if (Fault fault = sides(line, form)) return fault;
+        const MapToken close = tokens_.next();
+        if (close.kind != Kind::kClose) return expected("} of the brush", close);
+        return std::nullopt;
+    }
+
+    // To the brace that closes them.
+    Fault sides(std::uint32_t line, Form form) {
         MapBrush found;
         found.first_side = std::uint32_t(file.sides.size());
         found.entity = std::uint32_t(file.entities.size() - 1);
         found.number = number_;
         found.line = line;
-        while (tokens_.peek().is('(')) {
+        for (;;) {
+            const MapToken token = tokens_.peek();
+            if (form != Form::kSide && token.kind == Kind::kString) {  // keys of a brush, for editors
+                tokens_.next();
+                const MapToken value = tokens_.next();
+                if (value.kind != Kind::kString) return expected("a value for the key " + quote(token.text), value);
+                continue;
+            }
+            if (!token.is('(')) break;
             if (found.side_count == kMostBrushSides) {
-                return Error{ErrorCode::kTooLarge, at(tokens_.peek().line),
+                return Error{ErrorCode::kTooLarge, at(token.line),
                              "more than " + std::to_string(kMostBrushSides) + " sides" + context()};
             }
-            if (Fault fault = side()) return fault;
+            if (Fault fault = side(form)) return fault;
             ++found.side_count;
         }
         const MapToken close = tokens_.next();
@@ -203,22 +244,54 @@ private:
         return std::nullopt;
     }
 
-    Fault side() {
+    Fault side(Form form) {
         MapSide found;
         found.line = tokens_.peek().line;
-        for (Vec3& point : found.points) {
-            double xyz[3] = {};
-            if (Fault fault = numbers('(', xyz, ')', "a point")) return fault;
-            point = {xyz[0], xyz[1], xyz[2]};
-        }
+        if (Fault fault = form == Form::kPlane ? plane(found) : points(found)) return fault;
+        if (form != Form::kSide)
+            if (Fault fault = texture_matrix()) return fault;
         if (Fault fault = name(found.texture)) return fault;
-        if (Fault fault = alignment()) return fault;
+        if (form == Form::kSide)
+            if (Fault fault = alignment()) return fault;
         further(found);
         file.sides.push_back(std::move(found));
         return std::nullopt;
     }
 
+    Fault points(MapSide& into) {
+        for (Vec3& point : into.points) {
+            double xyz[3] = {};
+            if (Fault fault = numbers('(', xyz, ')', "a point")) return fault;
+            point = {xyz[0], xyz[1], xyz[2]};
+        }
+        return std::nullopt;
+    }
+
+    Fault plane(MapSide& into) {
+        double abcd[4] = {};
+        if (Fault fault = numbers('(', abcd, ')', "a plane")) return fault;
+        const Vec3 normal = {abcd[0], abcd[1], abcd[2]};
+        const double size = length(normal);
+        const double distance = -abcd[3] / size;
+        if (!(size > 0) || !std::isfinite(size) || !std::isfinite(distance))
+            return malformed(into.line, "a plane" + context() + " has no normal");
+        into.plane = FloatPlane{normal * (1 / size), distance};
+        for (int axis = 0; axis < 3; ++axis)  // 0.3 * (1 / 0.3) may not be 1
+            if (std::fabs(normal[axis]) == size) into.plane->normal[axis] = normal[axis] > 0 ? 1 : -1;
+        return std::nullopt;
+    }
+
     // How the texture lies: must be there and be numbers, and is left.
+    Fault texture_matrix() {
+        constexpr std::string_view kOf = "the texture's matrix";
+        double row[3] = {};
+        if (Fault fault = expect('(', kOf)) return fault;
+        for (int k = 0; k < 2; ++k)
+            if (Fault fault = numbers('(', row, ')', kOf)) return fault;
+        return expect(')', kOf);
+    }
+
+    // Likewise.
     Fault alignment() {
         constexpr std::string_view kOf = "the texture's alignment";
         double values[5] = {};
@@ -238,7 +311,9 @@ private:
         }
     }
 
-    Fault patch(std::uint32_t line) {
+    // Doom 3's say in how many pieces a patch is to be divided each way; as with others, the tolerance does.
+    Fault patch(std::uint32_t line, std::size_t divisions) {
+        file.has_primitives = true;
         const MapToken open = tokens_.next();
         if (open.kind != Kind::kOpen) return expected("{ of a patch", open);
         MapPatch found;
@@ -247,8 +322,8 @@ private:
         found.line = line;
         if (Fault fault = name(found.texture)) return fault;
         const std::uint32_t head = tokens_.peek().line;
-        double sizes[5] = {};
-        if (Fault fault = numbers('(', sizes, ')', "a patch's size")) return fault;
+        double sizes[7] = {};
+        if (Fault fault = numbers('(', std::span(sizes).first(5 + divisions), ')', "a patch's size")) return fault;
         for (int k = 0; k < 2; ++k) {
             const double size = sizes[k];
             if (!(size >= 3 && size <= kMostPatchSize) || std::floor((size - 1) / 2) * 2 + 1 != size) {
@@ -259,8 +334,8 @@ private:
         }
         found.patch.width = std::uint32_t(sizes[0]);
         found.patch.height = std::uint32_t(sizes[1]);
-        found.contents = flags_of(sizes[2]);
-        found.flags = flags_of(sizes[3]);
+        found.contents = flags_of(sizes[2 + divisions]);
+        found.flags = flags_of(sizes[3 + divisions]);
         if (Fault fault = control_points(found.patch)) return fault;
         for (const std::string_view of : {"the patch", "the patch's brush"}) {
             const MapToken close = tokens_.next();
@@ -298,6 +373,18 @@ private:
     bool in_entity_ = false, in_brush_ = false;
 };
 
+// Of the comments at the top.
+std::string format_of(std::string_view text) {
+    constexpr std::string_view kKey = "// Format: ";
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+        if (line.starts_with(kKey)) return std::string(line.substr(kKey.size()));
+        if (!line.empty() && !line.starts_with("//")) break;
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<MapFile> parse_map(std::string_view text, std::string_view place, NoteList& notes) {
@@ -306,6 +393,7 @@ Result<MapFile> parse_map(std::string_view text, std::string_view place, NoteLis
     }
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     MapParser parser(text, place, notes);
+    parser.file.format = format_of(text);
     if (Fault fault = parser.parse()) return *std::move(fault);
     return std::move(parser.file);
 }

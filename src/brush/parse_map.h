@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "brush/note_list.h"
+#include "brush/winding.h"
 #include "firma/brush_level.h"
 #include "firma/vec.h"
 #include "level/patch.h"
@@ -18,9 +20,10 @@ namespace firma {
 /// square.
 inline constexpr std::uint32_t kMostBrushSides = 1024;
 
-/// A half space as three points in the file's units, clockwise seen from outside.
+/// A half space as three points in the file's units, clockwise seen from outside; of a brushDef3 as a plane.
 struct MapSide {
     Vec3 points[3];
+    std::optional<FloatPlane> plane;  ///< in the file's units, its normal 1 long; then there are no points
     std::string texture;
     std::uint32_t contents = 0, flags = 0;  ///< 0 where the file has none
     std::uint32_t line = 0;
@@ -41,6 +44,10 @@ struct MapPatch {
 };
 
 struct MapFile {
+    /// What TrenchBroom writes at the top: "// Format: Quake3". Empty where there is no such comment.
+    std::string format;
+    bool has_version = false;     ///< it begins with "Version", as Doom 3's do
+    bool has_primitives = false;  ///< brushDef, brushDef3, patchDef2 or patchDef3, which only games with shaders have
     std::vector<Entity> entities;
     std::vector<MapBrush> brushes;
     std::vector<MapSide> sides;

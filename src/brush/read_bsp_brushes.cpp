@@ -106,7 +106,8 @@ private:
         if (fault != std::errc() || end != model.data() + model.size()) return;
         if (index == 0 || index >= owners_.size() || owners_[index].named) return;
         owners_[index] = {number, true, entity_rule(entity.value("classname"))};
-        if (!entity.value("origin").empty()) owners_[index].rule = EntityRule::kMoves;
+        EntityRule& rule = owners_[index].rule;
+        if (!entity.value("origin").empty() && rule != EntityRule::kPasses) rule = EntityRule::kMoves;
     }
 
     void add_brush(std::uint32_t entry, const BspBrushes& brushes, const ExactPlanes& planes) {
@@ -138,7 +139,7 @@ private:
         brush.detail = (contents & bsp_flags::kDetail) != 0;
         find_owner(entry, brush, at);
         if (sides.size() < 4 && brush.kind != BrushKind::kData) {
-            builder_.notes.add("brush that encloses nothing is kept as data", at);
+            builder_.notes.leave_out("brush that encloses nothing is kept as data", "brushes that enclose nothing", at);
             brush.kind = BrushKind::kData;
         }
         builder_.add(brush, sides);
@@ -146,7 +147,7 @@ private:
 
     void find_owner(std::uint32_t entry, Brush& brush, const std::string& at) {
         if (model_[entry] == kNoModel) {
-            builder_.notes.add("brush of no model is kept as data", at);
+            builder_.notes.leave_out("brush of no model is kept as data", "brushes of no model", at);
             brush.kind = BrushKind::kData;
             return;
         }
@@ -163,7 +164,11 @@ private:
         }
         const std::string what = owner.named ? quote(builder_.level.entities[owner.entity].value("classname"))
                                              : std::string("models that no entity names");
-        builder_.notes.add("brushes of " + what + " are kept as data", at);
+        const std::string brushes = "brushes of " + what, note = brushes + " are kept as data";
+        if (owner.rule == EntityRule::kPasses || brush.kind == BrushKind::kData)
+            builder_.notes.add(note, at);
+        else
+            builder_.notes.leave_out(note, brushes, at);
         brush.kind = BrushKind::kData;
     }
 
@@ -180,7 +185,17 @@ private:
             if (face.type != BspFace::kPatch) continue;
             if (auto error = add_patch(entry, face)) return error;
         }
+        note_other_patches(std::size_t(world.first_face), std::size_t(world.face_count));
         return std::nullopt;
+    }
+
+    // Those of models that move.
+    void note_other_patches(std::size_t first, std::size_t count) {
+        const auto faces = file_.records<BspFace>();
+        for (std::size_t k = 0; k < faces.size(); ++k)
+            if ((k < first || k >= first + count) && faces[k].type == BspFace::kPatch)
+                builder_.notes.leave_out("patch of another model than the first is left out",
+                                         "patches of models other than the first", place(BspLump::kFaces, k));
     }
 
     std::optional<Error> add_patch(std::size_t entry, const BspFace& face) {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Reads a Quake .map into a BrushLevel: what the parsed file means.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "brush/brush_builder.h"
 #include "brush/brush_kinds.h"
+#include "brush/entity_origin.h"
 #include "brush/map_planes.h"
 #include "brush/parse_map.h"
 #include "firma/brush_level.h"
@@ -17,15 +20,29 @@
 namespace firma {
 namespace {
 
-// What a face is made of by the name of its texture, unless the file's own flags say otherwise.
-SideKind kind_of(const MapSide& side) {
-    if (const auto kind = kind_by_flags(side.contents, side.flags)) return {SideKind::What::kKnown, *kind};
-    return side_kind(side.texture);
+constexpr double kFarthest = 1.7320508075688772 * kWorldRim;  // metres from the origin to the world's corners, about
+
+MapGame game_of(const MapFile& file) {
+    std::vector<std::string_view> textures;
+    for (const MapSide& side : file.sides) textures.push_back(side.texture);
+    for (const MapPatch& patch : file.patches) textures.push_back(patch.texture);
+    return map_game(file.format, file.has_primitives, textures);
+}
+
+// Whether an entity of a Doom 3 file turns what belongs to it.
+bool is_turned(const Entity& entity) {
+    const std::string_view rotation = entity.value("rotation");
+    if (!rotation.empty() && rotation != "1 0 0 0 1 0 0 0 1") return true;
+    for (const char* const key : {"angle", "angles"}) {
+        const std::string_view value = entity.value(key);
+        if (value.find_first_not_of("0. ") != std::string_view::npos) return true;
+    }
+    return false;
 }
 
 class MapReader {
 public:
-    MapReader(MapFile file, BrushBuilder& builder) : file_(std::move(file)), builder_(builder) {}
+    MapReader(MapFile file, BrushBuilder& builder) : file_(std::move(file)), builder_(builder), game_(game_of(file_)) {}
 
     std::optional<Error> read() {
         builder_.level.entities = std::move(file_.entities);
@@ -34,6 +51,7 @@ public:
         rules_[0] = EntityRule::kStatic;
         if (entity_class(0) != "worldspawn")
             builder_.notes.add("the first entity is no worldspawn", line_place(entity(0).line));
+        if (file_.has_version) place_by_origins();
         if (auto error = judge_points()) return error;
         make_planes();
         for (const MapBrush& brush : file_.brushes) add_brush(brush);
@@ -54,10 +72,42 @@ private:
                (class_name.empty() ? "" : " (" + class_name.substr(0, 40) + ")") + ", brush " + std::to_string(number);
     }
 
+    // In Doom 3's files what belongs to an entity is placed relative to the entity's origin.
+    void place_by_origins() {
+        std::vector<Vec3> origins(builder_.level.entities.size());
+        for (std::uint32_t k = 1; k < origins.size(); ++k) {
+            const std::optional<Vec3> metres = entity_origin(builder_.level, entity(k));
+            if (metres) origins[k] = *metres * (1 / builder_.level.metres_a_unit);
+        }
+        for (const MapBrush& brush : file_.brushes) {
+            const Vec3& origin = origins[brush.entity];
+            for (MapSide& side : std::span(file_.sides).subspan(brush.first_side, brush.side_count)) {
+                for (Vec3& point : side.points) point = point + origin;
+                if (side.plane) side.plane->distance += dot(side.plane->normal, origin);
+            }
+        }
+        for (MapPatch& patch : file_.patches)
+            for (Vec3& point : patch.patch.control) point = point + origins[patch.entity];
+        for (std::uint32_t k = 1; k < origins.size(); ++k)
+            if (rules_[k] != EntityRule::kPasses && is_turned(entity(k))) rules_[k] = EntityRule::kMoves;
+    }
+
+    // What a face is made of by the name of its texture, unless the file's own flags say otherwise in a game whose do.
+    SideKind kind_of(std::string_view texture, std::uint32_t contents, std::uint32_t flags) const {
+        if (game_ == MapGame::kNumbers)
+            if (const auto kind = kind_by_flags(contents, flags)) return {SideKind::What::kKnown, *kind};
+        return side_kind(texture, game_);
+    }
+    SideKind kind_of(const MapSide& side) const { return kind_of(side.texture, side.contents, side.flags); }
+
     std::optional<Error> judge_points() const {
         for (const MapBrush& brush : file_.brushes) {
             for (std::uint32_t k = 0; k < brush.side_count; ++k) {
                 const MapSide& side = file_.sides[brush.first_side + k];
+                if (side.plane && !(std::fabs(side.plane->distance) * builder_.level.metres_a_unit < kFarthest)) {
+                    return Error{ErrorCode::kOutOfRange, place(side.line, brush.entity, brush.number),
+                                 "side " + std::to_string(k) + ": its plane lies outside the world"};
+                }
                 for (int corner = 0; corner < 3; ++corner) {
                     if (snap(side.points[corner] * builder_.level.metres_a_unit)) continue;
                     return Error{ErrorCode::kOutOfRange, place(side.line, brush.entity, brush.number),
@@ -100,8 +150,9 @@ private:
             const MapPlane& plane = planes_.of_side[from.first_side + k];
             brush.detail = brush.detail || (side.contents & bsp_flags::kDetail) != 0;
             if (!plane.valid) {
-                builder_.notes.add("side whose three points lie on a line is left out",
-                                   place(side.line, from.entity, from.number));
+                builder_.notes.leave_out("side whose three points lie on a line is left out",
+                                         "sides whose three points lie on a line",
+                                         place(side.line, from.entity, from.number));
                 continue;
             }
             BrushBuilder::Side& made = sides.emplace_back();
@@ -114,7 +165,8 @@ private:
         }
         brush.kind = kind_in_entity(brush_kind(kinds), from, brush.detail);
         if (sides.size() < 4 && brush.kind != BrushKind::kData) {
-            builder_.notes.add("brush of fewer than four sides is kept as data", at);
+            builder_.notes.leave_out("brush of fewer than four sides is kept as data",
+                                     "brushes of fewer than four sides", at);
             brush.kind = BrushKind::kData;
         }
         builder_.add(brush, sides);
@@ -131,11 +183,16 @@ private:
                 return BrushKind::kPortal;
             case EntityRule::kMarks:
                 return BrushKind::kData;
+            case EntityRule::kPasses:
             case EntityRule::kMoves:
                 break;
         }
-        builder_.notes.add("brushes of " + quoted_class(from.entity) + " are kept as data",
-                           place(from.line, from.entity, from.number));
+        const std::string brushes = "brushes of " + quoted_class(from.entity), note = brushes + " are kept as data";
+        const std::string at = place(from.line, from.entity, from.number);
+        if (rules_[from.entity] == EntityRule::kPasses || own == BrushKind::kData)
+            builder_.notes.add(note, at);
+        else
+            builder_.notes.leave_out(note, brushes, at);
         return BrushKind::kData;
     }
 
@@ -147,15 +204,16 @@ private:
         surface.place = place(from.line, from.entity, from.number);
         surface.texture = from.texture;
         surface.line = from.line;
-        if (rules_[from.entity] == EntityRule::kMoves || rules_[from.entity] == EntityRule::kMarks) {
-            builder_.notes.add("patches of " + quoted_class(from.entity) + " are left out", surface.place);
+        const EntityRule rule = rules_[from.entity];
+        if (rule == EntityRule::kMoves || rule == EntityRule::kMarks || rule == EntityRule::kPasses) {
+            const std::string patches = "patches of " + quoted_class(from.entity), note = patches + " are left out";
+            if (rule == EntityRule::kMoves)
+                builder_.notes.leave_out(note, patches, surface.place);
+            else
+                builder_.notes.add(note, surface.place);
             return;
         }
-        MapSide side;
-        side.texture = from.texture;
-        side.contents = from.contents;
-        side.flags = from.flags;
-        const SideKind kinds[1] = {kind_of(side)};
+        const SideKind kinds[1] = {kind_of(from.texture, from.contents, from.flags)};
         const BrushKind kind = brush_kind(kinds);
         surface.mask = side_mask(kind, kind == BrushKind::kSky);
         builder_.add_patch(std::move(surface));
@@ -163,6 +221,7 @@ private:
 
     MapFile file_;
     BrushBuilder& builder_;
+    MapGame game_;
     std::vector<EntityRule> rules_;  // of the entities
     MapPlanes planes_;
 };

@@ -175,7 +175,8 @@ Result<BspSurfaces> read_surfaces(const BspFile& file, const ReadOptions& option
     const auto shaders = file.records<BspShader>();
     for (std::size_t k = 0; k < shaders.size(); ++k) out.shaders.emplace_back(shaders[k].name);
     out.face_count = std::uint32_t(faces.size());
-    out.ignored = faces.size() - std::size_t(model.face_count);
+    out.of_other_models = faces.size() - std::size_t(model.face_count);
+    out.ignored = out.of_other_models;
 
     SurfaceGatherer gatherer(file, out);
     for (std::int32_t k = 0; k < model.face_count; ++k) {

@@ -37,6 +37,7 @@ struct BspSurfaces {
     std::vector<std::string> shaders;    ///< names
     std::uint32_t face_count = 0;        ///< of the whole lump
     std::uint64_t ignored = 0;           ///< flares, surfaces without a triangle, surfaces of other models
+    std::uint64_t of_other_models = 0;   ///< of those
 
     std::span<const std::uint32_t> corners_of(const BspSurface& surface) const {
         return std::span(corners).subspan(surface.first_corner, surface.corner_count);

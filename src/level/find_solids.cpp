@@ -8,6 +8,7 @@
 #include "base/flat_map.h"
 #include "base/sort.h"
 #include "geometry/polygon_shape.h"
+#include "level/judge_level.h"
 
 namespace firma {
 namespace {
@@ -148,6 +149,7 @@ LevelSolids find_solids(const Level& level) {
 }
 
 LevelSolidity level_solidity(const Level& level) {
+    if (judge_level(level, level.name)) return {};
     LevelSolids found = find_solids(level);
     LevelSolidity solidity;
     solidity.solid_faces = std::size_t(std::count(found.solid.begin(), found.solid.end(), true));

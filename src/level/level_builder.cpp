@@ -80,7 +80,15 @@ void LevelBuilder::add_piece(std::span<const std::uint32_t> corners, const FaceI
     level_.faces.push_back(face);
 }
 
-Level LevelBuilder::finish(std::uint32_t source_faces, std::uint64_t ignored_entries) {
+Level LevelBuilder::finish(std::uint32_t source_faces, std::uint64_t ignored_entries, std::vector<Omission> omissions) {
+    level_.omissions = std::move(omissions);
+    for (const LevelNote& note : level_.notes) {
+        if (note.what != FaceNote::kNoArea) continue;
+        const std::string first = note.line == 0 ? level_.name + ": face " + std::to_string(note.source)
+                                                 : level_.name + ":" + std::to_string(note.line);
+        level_.omissions.push_back({"faces without area", level_.count(FaceNote::kNoArea), first});
+        break;
+    }
     level_.source_faces = source_faces;
     level_.ignored_entries = ignored_entries;
     if (!dropped_.empty()) mend_dropped(std::exchange(dropped_, {}), level_);

@@ -45,7 +45,8 @@ public:
     void mend_what_is_dropped() { mends_ = true; }
 
     /// The level; the builder is empty afterwards.
-    Level finish(std::uint32_t source_faces, std::uint64_t ignored_entries);
+    /// @param omissions  what the reader left out beside faces without area
+    Level finish(std::uint32_t source_faces, std::uint64_t ignored_entries, std::vector<Omission> omissions = {});
 
     std::size_t vertex_count() const { return level_.vertices.size(); }
     std::size_t corner_count() const { return level_.corners.size(); }

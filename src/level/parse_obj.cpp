@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "level/divide_polygon.h"
@@ -34,6 +35,18 @@ std::optional<std::int64_t> parse_index(std::string_view word) {
         value = std::min<std::int64_t>(value * 10 + (c - '0'), std::numeric_limits<std::int64_t>::max() / 20);
     }
     return negative ? -value : value;
+}
+
+/// What an entry that is not read would add to the level, in the plural; null where it is nothing.
+const char* shape_of(std::string_view keyword) {
+    constexpr std::pair<std::string_view, const char*> kShapes[] = {
+        {"p", "points (p)"},           {"l", "lines (l)"},          {"curv", "curves (curv)"},
+        {"curv2", "curves (curv2)"},   {"surf", "surfaces (surf)"}, {"bzp", "patches (bzp)"},
+        {"bsp", "patches (bsp)"},      {"cdc", "curves (cdc)"},     {"cdp", "patches (cdp)"},
+        {"call", "other files (call)"}};
+    for (const auto& [of, what] : kShapes)
+        if (keyword == of) return what;
+    return nullptr;
 }
 
 class ObjParser {
@@ -179,6 +192,14 @@ std::optional<Error> ObjParser::other(std::string_view keyword) {
     const bool is_word = std::all_of(keyword.begin(), keyword.end(), [](char c) { return c > 0x20 && c < 0x7f; });
     if (!is_word) return malformed(quote(keyword) + " begins no entry of an .obj");
     ++counts_.ignored_entries;
+    if (const char* const what = shape_of(keyword)) {
+        const auto known = std::find_if(counts_.omissions.begin(), counts_.omissions.end(),
+                                        [&](const Omission& omission) { return omission.what == what; });
+        if (known != counts_.omissions.end())
+            ++known->count;
+        else
+            counts_.omissions.push_back({what, 1, std::string(name_) + ":" + std::to_string(lines_.line())});
+    }
     return std::nullopt;
 }
 

@@ -49,6 +49,7 @@ protected:
 struct ObjCounts {
     std::uint32_t faces = 0;
     std::uint64_t ignored_entries = 0;
+    std::vector<Omission> omissions;  ///< of those the ones that have a shape: points, lines, curves, surfaces, calls
 };
 
 /// Reads a whole file, in order, up to its end or the first error. A face may name only vertices that come before it.

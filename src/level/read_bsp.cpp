@@ -27,7 +27,10 @@ public:
             // One note for a surface that came to nothing, however many pieces it had.
             if (pieces_ == 0) builder_.add_face({}, info_);
         }
-        return builder_.finish(surfaces_.face_count, surfaces_.ignored);
+        std::vector<Omission> omissions;
+        if (surfaces_.of_other_models > 0)
+            omissions.push_back({"surfaces of models other than the first", surfaces_.of_other_models, ""});
+        return builder_.finish(surfaces_.face_count, surfaces_.ignored, std::move(omissions));
     }
 
 private:

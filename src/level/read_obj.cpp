@@ -28,7 +28,9 @@ public:
     void material(std::string_view name) override { info_.material = builder_.material(name); }
     void group(std::string_view name) override { info_.group = builder_.group(name); }
 
-    Level finish(const ObjCounts& counts) { return builder_.finish(counts.faces, counts.ignored_entries); }
+    Level finish(const ObjCounts& counts) {
+        return builder_.finish(counts.faces, counts.ignored_entries, counts.omissions);
+    }
 
 private:
     std::string name_;

@@ -304,10 +304,12 @@ TEST(DivideRooms, OddLevels) {
     divide(dust);
 
     BrushLevel flat = storey(kBuilding);  // brushes without volume, without end, without sides
-    flat.brushes.push_back(flat.brushes[0]);
-    flat.brushes.back().side_count = 5;
-    flat.brushes.push_back(flat.brushes[0]);
-    flat.brushes.back().side_count = 0;
+    for (const std::uint32_t sides : {5u, 0u}) {
+        Brush& brush = flat.brushes.emplace_back(flat.brushes[0]);
+        brush.first_side = std::uint32_t(flat.sides.size());
+        brush.side_count = sides;
+        for (std::uint32_t k = 0; k < sides; ++k) flat.sides.push_back(BrushSide(flat.sides[k]));
+    }
     EXPECT_EQ(divide(flat).world.room_count(), divide(storey(kBuilding)).world.room_count());
 }
 

@@ -263,9 +263,18 @@ TEST(ReadBspBrushes, SubmodelsBelongToTheirEntities) {
                   "brushes of 'func_door' are kept as data: a.bsp: lump 8 (brushes), entry 2",
                   "brushes of models that no entity names are kept as data: a.bsp: lump 8 (brushes), entry 4",
                   "brush of no model is kept as data: a.bsp: lump 8 (brushes), entry 5"}));
+    ASSERT_EQ(level.omissions.size(), 3u);
+    EXPECT_EQ(level.omissions[0].what, "brushes of 'func_door'");
+    EXPECT_EQ(level.omissions[1].what, "brushes of models that no entity names");
+    EXPECT_EQ(level.omissions[2].what, "brushes of no model");
+    EXPECT_EQ(level.omissions[2].first, "a.bsp: lump 8 (brushes), entry 5");
     // An origin moves it from where its planes are.
     writer.entities.insert(writer.entities.find("\"*2\"") + 4, " \"origin\" \"1 2 3\"");
     EXPECT_EQ(read(writer).value().brushes[3].kind, BrushKind::kData);
+    // A trigger is there to be walked through, wherever it is.
+    writer.entities.replace(writer.entities.find("func_static"), 11, "trigger_hurt");
+    EXPECT_EQ(read(writer).value().brushes[3].kind, BrushKind::kData);
+    EXPECT_EQ(read(writer).value().omissions.size(), 3u);
 }
 
 TEST(ReadBspBrushes, BrushThatEnclosesNothingIsData) {
@@ -301,6 +310,13 @@ TEST(ReadBspBrushes, PatchesAreSurfaces) {
     EXPECT_EQ(level.surfaces.faces[1].mask, kStopsLiquid);
     EXPECT_EQ(level.notes,
               (std::vector<std::string>{"patch that nothing meets is left out: a.bsp: lump 13 (faces), entry 2"}));
+    EXPECT_TRUE(level.omissions.empty());  // nothing meets it in the game either
+    writer.models = {{0, 3, 0, 1}, {3, 1, 1, 0}};
+    const BrushLevel moves = read(writer).value();
+    EXPECT_EQ(moves.surfaces.faces.size(), 1u);
+    ASSERT_EQ(moves.omissions.size(), 1u);
+    EXPECT_EQ(moves.omissions[0].what, "patches of models other than the first");
+    EXPECT_EQ(moves.omissions[0].first, "a.bsp: lump 13 (faces), entry 3");
 }
 
 TEST(ReadBspBrushes, ErrorsNameLumpAndEntry) {

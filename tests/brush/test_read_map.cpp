@@ -167,7 +167,7 @@ TEST(ReadMap, KindsByTexture) {
         EXPECT_EQ(kind_of(name), BrushKind::kSolid) << name;
     for (const char* name : {"clip", "common/clip", "textures\\common\\PlayerClip", "common/full_clip", "metalclip"})
         EXPECT_EQ(kind_of(name), BrushKind::kPlayerClip) << name;
-    for (const char* name : {"common/weapclip", "shotclip", "missileclip"})
+    for (const char* name : {"weapclip", "shotclip", "missileclip", "clips/weaponclip"})
         EXPECT_EQ(kind_of(name), BrushKind::kShotClip) << name;
     for (const char* name : {"trigger", "common/origin", "nodrop", "textures/fogs/red", "lightgrid", "botclip",
                              "donotenter", "common/nodrawnonsolid"})
@@ -267,6 +267,10 @@ TEST(ReadMap, EntitiesThatMoveAreData) {
     ASSERT_EQ(level.notes.size(), 3u);
     EXPECT_EQ(level.notes[0],
               "brushes of 'func_door' are kept as data: first a.map:69: entity 6 (func_door), brush 0, 2 in all");
+    // Triggers and illusions are there to be walked through.
+    ASSERT_EQ(level.omissions.size(), 1u);
+    EXPECT_EQ(level.omissions[0].what, "brushes of 'func_door'");
+    EXPECT_EQ(level.omissions[0].count, 2u);
 }
 
 TEST(ReadMap, FirstEntityIsTheWorld) {
@@ -279,35 +283,43 @@ TEST(ReadMap, FirstEntityIsTheWorld) {
 
 TEST(ReadMap, UnknownPrimitivesAreNotedAndKept) {
     const std::string text = world(
-        "{ brushDef3 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }}\n"
-        "{\nbrushDef\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n}\n"
-        "{ patchDef3 { a } }\n" +
+        "{ brushDef9 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }}\n"
+        "{\nbrushDef8\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n}\n"
+        "{ patchDef7 { a } }\n" +
         box());
     const BrushLevel level = read(text).value();
     EXPECT_EQ(level.brushes.size(), 1u);
     EXPECT_EQ(level.brushes[0].line, 11u);
     ASSERT_EQ(level.notes.size(), 3u);
-    EXPECT_EQ(level.notes[0], "primitive 'brushDef3' is not understood: a.map:3 in brush 0 of entity 0");
-    EXPECT_EQ(level.notes[1], "primitive 'brushDef' is not understood: a.map:5 in brush 1 of entity 0");
-    EXPECT_EQ(level.notes[2], "primitive 'patchDef3' is not understood: a.map:10 in brush 2 of entity 0");
+    EXPECT_EQ(level.notes[0], "primitive 'brushDef9' is not understood: a.map:3 in brush 0 of entity 0");
+    EXPECT_EQ(level.notes[1], "primitive 'brushDef8' is not understood: a.map:5 in brush 1 of entity 0");
+    EXPECT_EQ(level.notes[2], "primitive 'patchDef7' is not understood: a.map:10 in brush 2 of entity 0");
     const std::vector<UnknownPart>& kept = level.entities[0].unknown;
     ASSERT_EQ(kept.size(), 3u);
-    EXPECT_EQ(kept[0].text, "brushDef3 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }");
-    EXPECT_EQ(kept[1].text, "brushDef\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n");
+    EXPECT_EQ(kept[0].text, "brushDef9 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }");
+    EXPECT_EQ(kept[1].text, "brushDef8\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n");
     EXPECT_EQ(kept[1].line, 5u);
-    EXPECT_EQ(kept[2].text, "patchDef3 { a } ");
-    EXPECT_EQ(read("Version 2\n" + text).value().notes.size(), 4u);
+    EXPECT_EQ(kept[2].text, "patchDef7 { a } ");
+    ASSERT_EQ(level.omissions.size(), 3u);
+    EXPECT_EQ(level.omissions[0].what, "primitives 'brushDef9'");
+    EXPECT_EQ(level.omissions[0].count, 1u);
+    EXPECT_EQ(level.omissions[0].first, "a.map:3 in brush 0 of entity 0");
+    EXPECT_EQ(read("Version 2\n" + text).value().notes.size(), 3u);
 }
 
 TEST(ReadMap, NotesOfOneKindAreOne) {
     std::string bad;
-    for (int k = 0; k < 1000; ++k) bad += "{ brushDef { } }\n";
+    for (int k = 0; k < 1000; ++k) bad += "{ brushDef8 { } }\n";
     for (int k = 0; k < 1000; ++k) bad += "{ what" + std::to_string(k) + " { } }\n";
     const BrushLevel level = read(world(bad)).value();
     ASSERT_EQ(level.notes.size(), 257u);
     EXPECT_EQ(level.notes[0],
-              "primitive 'brushDef' is not understood: first a.map:3 in brush 0 of entity 0, 1000 in all");
+              "primitive 'brushDef8' is not understood: first a.map:3 in brush 0 of entity 0, 1000 in all");
     EXPECT_EQ(level.notes[256], "745 further notes of other kinds");
+    ASSERT_EQ(level.omissions.size(), 257u);
+    EXPECT_EQ(level.omissions[0].count, 1000u);
+    EXPECT_EQ(level.omissions[256].what, "things of other kinds");
+    EXPECT_EQ(level.omissions[256].count, 745u);
 }
 
 TEST(ReadMap, FurtherWordsOfASideAreLeft) {
@@ -467,8 +479,8 @@ TEST(ReadMap, ErrorsNameTheLine) {
               "a.map:4: expected [ of the texture's alignment in brush 0 of entity 0, found '0'");
     EXPECT_EQ(error_of(open + points + "wall 0 0 0 1 1\n\"a\""),
               "a.map:5: expected ( of a side or } in brush 0 of entity 0, found 'a'");
-    EXPECT_EQ(error_of(open + "brushDef\n{\n}\n"),
-              "a.map:4: 'brushDef' in brush 0 of entity 0 has no end: braces do not match");
+    EXPECT_EQ(error_of(open + "brushDef8\n{\n}\n"),
+              "a.map:4: 'brushDef8' in brush 0 of entity 0 has no end: braces do not match");
     EXPECT_EQ(error_of(world(patch("a", "3 4 0 0 0"))),
               "a.map:7: patch of 3 x 4 control points in brush 0 of entity 0; both must be odd, from 3 to 1023");
     EXPECT_EQ(error_of(world(patch("a", "1e9 3 0 0 0"))),
@@ -511,7 +523,10 @@ TEST(ReadMap, CountsAreLimited) {
 // Truncated anywhere, or with bytes changed: an error with a place, or a level.
 TEST(ReadMap, HostileBytes) {
     const std::string text =
-        world(box() + box("{fence", " [ 1 0 0 0 ] [ 0 -1 0 -16.5 ] 0 1 1 0 0 0") + patch() + "{ brushDef { } }\n") +
+        world(box() + box("{fence", " [ 1 0 0 0 ] [ 0 -1 0 -16.5 ] 0 1 1 0 0 0") + patch() + "{ brushDef8 { } }\n") +
+        world(
+            "{ brushDef { ( 0 0 0 ) ( 0 1 0 ) ( 1 0 0 ) ( ( 1 0 0 ) ( 0 1 0 ) ) a/b 0 0 0 } }\n"
+            "{ brushDef3 { \"k\" \"v\" ( 0 0.6 0.8 -5.25 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" 0 0 0 } }\n") +
         "{ \"classname\" \"func_door\" \"a\" \"b \\\" c\"\n" + box("*water") + "}\n";
     std::size_t errors = 0;
     const auto judge = [&](const std::string& bytes) {

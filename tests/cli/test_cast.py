@@ -153,7 +153,12 @@ class Cast(CliTest):
         self.write('box.obj', 'v 9 9 9\nf 1 1 1\n' + ''.join(
             line if line[0] == 'v' else 'f ' + ' '.join(str(int(k) + 1) for k in line.split()[1:]) + '\n'
             for line in box(4, 4, 4).splitlines(True)))
-        self.assertEqual(self.cast('1,1,1,8,0,0,0.5\n')[0]['face'], '6')
+        self.write('q.csv', HEADER + '1,1,1,8,0,0,0.5\n')
+        done = self.run_firma('cast', 'box.obj', '--queries', 'q.csv', '--out', 'h.csv')
+        self.assertEqual(done.returncode, 0)
+        self.assertIn('warning: box.obj: left out: faces without area: 1', done.stderr.decode())
+        [hit] = csv.DictReader(io.StringIO(self.read('h.csv').decode()))
+        self.assertEqual(hit['face'], '6')
 
 
 if __name__ == '__main__':

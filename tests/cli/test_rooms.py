@@ -86,6 +86,9 @@ class RoomsAuto(CliTest):
         turned = [' '.join(words[k] for k in [*range(5, 10), *range(5), *range(10, len(words))])
                   for words in (line.split(' ') for line in two_halls().splitlines()) if words[0] == '(']
         self.write('turned.map', '{\n{\n' + '\n'.join(turned[:6]) + '\n}\n}\n')
+        self.refuse('check', 'turned.map', says=['no face is left', 'its planes leave no volume; perhaps they look inward'])
+        sound = [line for line in two_halls().splitlines() if line.startswith('(')][6:12]
+        self.write('turned.map', '{\n{\n' + '\n'.join(turned[:6]) + '\n}\n{\n' + '\n'.join(sound) + '\n}\n}\n')
         report = self.firma_json('check', 'turned.map')
         self.assertEqual([note['what'] for note in report['notes']], ['no_volume'])
         self.assertIn('its planes leave no volume; perhaps they look inward', report['notes'][0]['reason'])

@@ -127,6 +127,30 @@ TEST(GltfRooms, APortalDividesARoom) {
     }
 }
 
+// Filled by hand, and wrongly: a GltfLevel is a public struct.
+TEST(GltfRooms, PortalsThatAreNoPolygonsAreRefused) {
+    const std::string text = scene(node(1, {0, 0, 0}, {8, 4, 4}) + "," + node(2, {4, 0, 0}, {1, 4, 4}, "portal A"));
+    const GltfLevel gltf = read_good(text);
+    ASSERT_EQ(gltf.portals.size(), 1u);
+    ASSERT_TRUE(make_world(gltf).ok());
+    const auto said = [&](const auto& change) {
+        GltfLevel changed = gltf;
+        change(changed.portals[0].polygons[0]);
+        const Result<World> world = make_world(changed);
+        return world.ok() ? "" : world.error().text();
+    };
+    const std::string refused =
+        "a.glb: portal 0: a polygon of it is not convex and planar, of 3 to 64 corners on the input grid";
+    EXPECT_EQ(said([](std::vector<GridPoint>& polygon) { polygon.clear(); }), refused);
+    EXPECT_EQ(said([](std::vector<GridPoint>& polygon) { polygon.resize(65); }), refused);
+    EXPECT_EQ(said([](std::vector<GridPoint>& polygon) { polygon[1] = polygon[0]; }), refused);
+    EXPECT_EQ(said([](std::vector<GridPoint>& polygon) { polygon[1].x += 64; }), refused);
+    EXPECT_EQ(said([](std::vector<GridPoint>& polygon) {
+                  for (GridPoint& point : polygon) point.x += 1;
+              }),
+              refused);
+}
+
 TEST(GltfRooms, PillarsHangWhereTheyStand) {
     const Made made = make({node(1, {0, 0, 0}, {8, 4, 4}), node(0, {1, 1, 1}, {1, 1, 1}), node(0, {6, 1, 1}, {1, 1, 2}),
                             node(2, {4, 0, 0}, {1, 4, 4}, "portal")});

@@ -107,6 +107,9 @@ TEST(ReadGltf, PointsAndLinesAreCounted) {
     EXPECT_EQ(gltf.level.source_faces, 12u);
     ASSERT_EQ(gltf.notes.size(), 1u);
     EXPECT_EQ(gltf.notes[0], "5 primitives of points, lines or nothing are left out");
+    ASSERT_EQ(gltf.level.omissions.size(), 1u);
+    EXPECT_EQ(gltf.level.omissions[0].what, "primitives of points, lines or nothing");
+    EXPECT_EQ(gltf.level.omissions[0].count, 5u);
 }
 
 TEST(ReadGltf, StridesAndOffsets) {
@@ -259,6 +262,11 @@ TEST(ReadGltf, WhatMovesIsNoted) {
     const GltfLevel gltf = read_good(file.text());
     EXPECT_EQ(gltf.notes.size(), 4u);
     EXPECT_EQ(gltf.level.ignored_entries, 3u);
+    std::vector<std::string> left_out;
+    for (const Omission& omission : gltf.level.omissions)
+        left_out.push_back(omission.what + ": " + std::to_string(omission.count));
+    EXPECT_EQ(left_out, (std::vector<std::string>{"skins: 1", "primitives' morph targets: 1", "animations: 2",
+                                                  "uses of EXT_mesh_gpu_instancing: 1"}));
 }
 
 /// A square of the x-z plane, its normal up, as two triangles with normals of their own.

@@ -237,6 +237,9 @@ TEST(ReadBsp, IgnoresFlaresOtherModelsAndEmptyFaces) {
     EXPECT_EQ(level.faces[0].source, 1u);
     EXPECT_EQ(level.source_faces, 4u);
     EXPECT_EQ(level.ignored_entries, 3u);
+    ASSERT_EQ(level.omissions.size(), 1u);
+    EXPECT_EQ(level.omissions[0].what, "surfaces of models other than the first");
+    EXPECT_EQ(level.omissions[0].count, 1u);
     EXPECT_EQ(level.vertices.size(), 3u);
 }
 

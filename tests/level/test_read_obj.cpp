@@ -255,6 +255,10 @@ TEST(ReadObj, NotesWhatItDropsAndDivides) {
                                           {FaceNote::kSplit, 3, 11},
                                           {FaceNote::kCrossing, 4, 13},
                                           {FaceNote::kSplit, 5, 14}};
+    ASSERT_EQ(level.omissions.size(), 1u);
+    EXPECT_EQ(level.omissions[0].what, "faces without area");
+    EXPECT_EQ(level.omissions[0].count, 2u);
+    EXPECT_TRUE(level.omissions[0].first.ends_with(":8"));
     for (std::size_t k = 0; k < 5; ++k) {
         EXPECT_EQ(level.notes[k].what, expected[k].what) << k;
         EXPECT_EQ(level.notes[k].source, expected[k].source) << k;

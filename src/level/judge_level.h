@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Judges a Level that anybody may have made: indices, counts, faces.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "firma/level.h"
+
+namespace firma {
+
+/// What every index of a list must be below. An empty list of names counts as the one name of none.
+inline std::size_t name_count(const std::vector<std::string>& names) {
+    return names.empty() ? 1 : names.size();
+}
+
+/// The first thing that keeps a level from being used: more than a world holds (kTooLarge); a face whose corners,
+/// vertices, material or group are not there, or that is not convex and planar, with area and 3 to 64 corners
+/// (kInvalid, with the face's source).
+///
+/// @param what  of which level, in front of the face in messages: "" or "surfaces, "
+std::optional<Error> judge_level(const Level& level, const std::string& name, const std::string& what = "");
+
+/// kInvalid for a skin that is not a finite length.
+std::optional<Error> judge_skin(double skin, const std::string& name);
+
+}  // namespace firma
