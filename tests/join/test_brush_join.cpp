@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// A join that is kept: after repairs and changes it is what joining from scratch gives, and only what was touched was
+// done again.
+#include "join/brush_join.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "firma/brush_world.h"
+#include "firma/rooms.h"
+#include "scenes/brush_piles.h"
+#include "scenes/rng.h"
+#include "tests/join/same_join.h"
+#include "tests/openarena_maps.h"
+
+namespace firma {
+namespace {
+
+std::size_t whole_joins(const JoinedLevel& joined) {
+    return std::size_t(
+        std::count_if(joined.rounds.begin(), joined.rounds.end(), [](const JoinRound& round) { return round.whole; }));
+}
+
+/// Joins a level, and once more from scratch with the planes that came out.
+/// @return rounds of the first
+std::size_t expect_same_from_scratch(const BrushLevel& level) {
+    const std::unique_ptr<JoinedLevel> joined = join_brushes(level).value();
+    const BrushLevel mended = mended_level(level, *joined);
+    const std::unique_ptr<JoinedLevel> scratch = join_brushes(mended).value();
+    EXPECT_EQ(scratch->rounds.size(), 1u);
+    EXPECT_EQ(scratch->planes_moved, 0u);
+    EXPECT_EQ(JoinComparison(*joined, *scratch).difference(), "");
+    if (joined->left_out.empty()) {
+        EXPECT_EQ(hash_world(make_world(level).value()), hash_world(make_world(mended).value()));
+    }
+    return joined->rounds.size();
+}
+
+TEST(BrushJoin, RepairedPilesAreAsFromScratch) {
+    std::size_t repaired = 0;
+    for (int pile = 0; pile < scenes::kBrushPiles; ++pile)
+        for (std::uint64_t seed = 1; seed <= 12; ++seed)
+            for (const int brushes : {10, 60}) {
+                SCOPED_TRACE(testing::Message() << "pile " << pile << ", seed " << seed << ", brushes " << brushes);
+                repaired += expect_same_from_scratch(scenes::brush_pile(scenes::BrushPile(pile), seed, brushes)) > 1;
+            }
+    EXPECT_GE(repaired, 10u);
+}
+
+TEST(BrushJoin, TheDepotIsAsFromScratch) {
+    EXPECT_EQ(expect_same_from_scratch(read_brush_level(FIRMA_ROOT "/levels/depot.map").value()), 1u);
+}
+
+/// Of those in which planes are moved: all brushes are joined once, and repairs get smaller.
+TEST(BrushJoin, MapsAreJoinedOnce) {
+    const std::set<std::string> some{"czest1dm",  "czest1tourney", "czest2ctf", "delta",
+                                     "islandctf", "oa_ctf4ish",    "oa_koth1",  "wrackdm17"};
+    std::size_t seen = 0;
+    for (const std::filesystem::path& path : openarena_maps()) {
+        if (!some.contains(path.stem().string())) continue;
+        SCOPED_TRACE(path);
+        ++seen;
+        const BrushLevel level = read_brush_level(path.string()).value();
+        EXPECT_GE(expect_same_from_scratch(level), 2u);
+        const std::unique_ptr<JoinedLevel> joined = join_brushes(level).value();
+        EXPECT_TRUE(joined->rounds.front().whole);
+        EXPECT_EQ(whole_joins(*joined), 1u);
+        const JoinRound &first = joined->rounds.front(), &last = joined->rounds.back();
+        EXPECT_LT(last.faces * 10, first.faces);
+        EXPECT_LT(last.pieces * 4, first.pieces);
+        EXPECT_LT(last.lines * 4, first.lines);
+        EXPECT_LT(last.polygons * 4, first.polygons);
+    }
+    if (seen == 0) GTEST_SKIP() << kNoOpenArena;
+    EXPECT_EQ(seen, some.size());
+}
+
+/// Brushes of every kind go and come back.
+void expect_same_after_changes(const BrushLevel& level, std::uint64_t seed, int changes) {
+    scenes::Rng rng(seed);
+    BrushJoin kept(level);
+    std::vector<bool> used(level.brushes.size(), true);
+    kept.update();
+    for (int change = 0; change < changes; ++change) {
+        SCOPED_TRACE(testing::Message() << "change " << change);
+        for (std::uint64_t k = 0; k <= rng.below(3); ++k) {
+            const auto brush = std::uint32_t(rng.below(level.brushes.size()));
+            used[brush] = !used[brush];
+            kept.use(brush, used[brush]);
+        }
+        kept.update();
+        const JoinedLevel& joined = kept.divide();
+        for (const LeftOut& left : joined.left_out) used[left.brush] = false;
+        BrushLevel scratch = mended_level(level, joined);
+        for (std::size_t b = 0; b < used.size(); ++b)
+            if (!used[b]) scratch.brushes[b].kind = BrushKind::kData;
+        EXPECT_EQ(JoinComparison(joined, *join_brushes(scratch).value()).difference(), "");
+    }
+}
+
+TEST(BrushJoin, ChangedPilesAreAsFromScratch) {
+    for (int pile = 0; pile < scenes::kBrushPiles; ++pile)
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            SCOPED_TRACE(testing::Message() << "pile " << pile << ", seed " << seed);
+            expect_same_after_changes(scenes::brush_pile(scenes::BrushPile(pile), seed, 30), seed, 12);
+        }
+}
+
+TEST(BrushJoin, TheChangedDepotIsAsFromScratch) {
+    const BrushLevel level = read_brush_level(FIRMA_ROOT "/levels/depot.map").value();
+    expect_same_after_changes(level, 5, 6);
+    // Portals alone: all of them away, then back one by one.
+    BrushJoin kept(level);
+    kept.update();
+    const std::size_t rooms = kept.divide().rooms.count;
+    std::vector<std::uint32_t> portals;
+    for (std::uint32_t b = 0; b < level.brushes.size(); ++b)
+        if (level.brushes[b].kind == BrushKind::kPortal) portals.push_back(b);
+    for (const std::uint32_t b : portals) kept.use(b, false);
+    kept.update();
+    EXPECT_LT(kept.divide().rooms.count, rooms / 2);
+    for (const std::uint32_t b : portals) {
+        kept.use(b, true);
+        kept.update();
+        const JoinedLevel& joined = kept.divide();
+        EXPECT_LT(joined.rounds.back().faces * 10, joined.rounds.front().faces);
+    }
+    EXPECT_EQ(kept.divide().rooms.count, rooms);
+    EXPECT_EQ(JoinComparison(kept.divide(), *join_brushes(level).value()).difference(), "");
+}
+
+}  // namespace
+}  // namespace firma
