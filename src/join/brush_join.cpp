@@ -86,9 +86,9 @@ void BrushJoin::use(std::uint32_t brush, bool used) {
     change(brush);
 }
 
-void BrushJoin::take_back(std::size_t keep) {
-    for (std::size_t k = keep; k < made_->left_out.size(); ++k) use(made_->left_out[k].brush, true);
-    made_->left_out.resize(std::min(keep, made_->left_out.size()));
+void BrushJoin::take_back() {
+    for (const LeftOut& left : made_->left_out) use(left.brush, true);
+    made_->left_out.clear();
 }
 
 void BrushJoin::change(std::uint32_t brush) {
@@ -457,8 +457,9 @@ void BrushJoin::find_portals() {
         if (it == made.portals.end()) it = made.portals.insert(it, {source, {}, {front, back}});
         it->polygons.push_back(k);
     }
+    std::sort(used.begin(), used.end());
     for (const std::uint32_t source : idle)  // of one that divides two rooms, parts elsewhere do not matter
-        if (std::find(used.begin(), used.end(), source) == used.end() &&
+        if (!std::binary_search(used.begin(), used.end(), source) &&
             (made.idle_portals.empty() || made.idle_portals.back() != source))
             made.idle_portals.push_back(source);
 }

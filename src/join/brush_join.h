@@ -32,9 +32,8 @@ public:
     void grow();
     /// Whether a brush is part of the level: from the next update() on.
     void use(std::uint32_t brush, bool used);
-    /// Takes brushes back into use that were left out as they could not be joined, but for the first `keep` ones.
-    void take_back(std::size_t keep);
-    std::size_t left_out() const { return made_->left_out.size(); }
+    /// Takes brushes back into use that could not be joined: with others they may be.
+    void take_back();
 
     /// Joins what has changed; moves planes or leaves out brushes until the faces are sound.
     void update();
