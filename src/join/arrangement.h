@@ -48,7 +48,7 @@ struct OpenEdge {
 /// Arranges polygons that come and go: only lines on which a side was added or removed are arranged anew.
 class Arranger {
 public:
-    Arranger(const JoinTables& tables, LineTable& lines) : lines_(lines), tables_(tables), sides_(tables, lines) {}
+    Arranger(const JoinTables& tables, LineTable& lines) : lines_(lines), tables_(tables), sides_(lines) {}
 
     /// @param face  it bounds a solid, its front in the air, and overlaps no other face; else it is a portal, in the
     /// air

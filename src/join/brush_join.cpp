@@ -398,11 +398,7 @@ void BrushJoin::assemble() {
     made.moved_sides.clear();
     for (std::uint32_t side = 0; side < level_.sides.size(); ++side) {
         made.plane_of_side.push_back(mover_.of_side(side));
-        const BrushSide& as_read = level_.sides[side];
-        const std::array<GridPoint, 3> points = mover_.points_of_side(side);
-        if (plane_through(to_input(points[0]), to_input(points[1]), to_input(points[2])) !=
-            plane_through(to_input(as_read.points[0]), to_input(as_read.points[1]), to_input(as_read.points[2])))
-            made.moved_sides.push_back({side, points});
+        if (mover_.is_moved(side)) made.moved_sides.push_back({side, mover_.points_of_side(side)});
     }
     made.hidden_portals.clear();
     for (const std::uint32_t b : portal_brushes_) {

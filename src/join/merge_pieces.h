@@ -30,7 +30,7 @@ using KeepSide = std::function<bool(std::uint32_t from, std::uint32_t to, PlaneI
 /// what was added or removed, or with each other because of it.
 class PieceMerger {
 public:
-    PieceMerger(const JoinTables& tables, LineTable& lines) : tables_(tables), sides_(tables, lines) {}
+    PieceMerger(const JoinTables& tables, LineTable& lines) : tables_(tables), sides_(lines) {}
 
     /// @param piece  overlaps no other in its plane
     /// @param order  a number that no other piece has

@@ -42,6 +42,7 @@ void PlaneMover::grow() {
     for (auto side = std::uint32_t(plane_of_side_.size()); side < level_.sides.size(); ++side) {
         const PlaneId plane = add_plane(std::to_array(level_.sides[side].points));
         auto& [any, lowest] = sides_of_plane_[plane / 2];
+        plane_as_read_.push_back(plane);
         plane_of_side_.push_back(plane);
         next_side_.push_back(any);
         any = side;

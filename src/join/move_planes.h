@@ -24,6 +24,7 @@ public:
 
     /// As the level has it, or as it was moved.
     PlaneId of_side(std::uint32_t side) const { return plane_of_side_[side]; }
+    bool is_moved(std::uint32_t side) const { return plane_of_side_[side] != plane_as_read_[side]; }
     /// Points that a side's plane goes through, as BrushSide::points.
     std::array<GridPoint, 3> points_of_side(std::uint32_t side) const;
 
@@ -64,7 +65,7 @@ private:
 
     const BrushLevel& level_;
     JoinTables& tables_;
-    std::vector<PlaneId> plane_of_side_;
+    std::vector<PlaneId> plane_as_read_, plane_of_side_;
     std::vector<PlaneId> candidates_;           ///< that may be changed
     std::vector<PlaneId> axial_;                ///< that may not
     std::vector<PlanePoints> points_of_plane_;  ///< by number of the plane

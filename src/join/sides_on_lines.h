@@ -23,7 +23,7 @@ struct LineSide {
 
 class SidesOnLines {
 public:
-    SidesOnLines(const JoinTables& tables, LineTable& lines) : tables_(tables), lines_(lines) {}
+    explicit SidesOnLines(LineTable& lines) : lines_(lines) {}
 
     /// @return the number of the polygon's first side; the others follow it
     std::uint32_t add(std::uint32_t owner, const ConvexPiece& piece);
@@ -52,7 +52,6 @@ public:
     LineSide make(std::uint32_t owner, const ConvexPiece& piece, std::size_t k);
 
 private:
-    const JoinTables& tables_;
     LineTable& lines_;
     std::vector<LineSide> sides_;       ///< of all polygons that ever were
     std::vector<std::uint32_t> first_;  ///< a line each

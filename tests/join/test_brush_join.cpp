@@ -120,6 +120,153 @@ TEST(BrushJoin, ChangedPilesAreAsFromScratch) {
         }
 }
 
+/// Boxes, prisms that stand on an edge, and portals through each other and in one plane, all of one material and on a
+/// lattice of metres: much merges, and what keeps it from merging often only touches it.
+class Lattice {
+public:
+    Lattice() {
+        level.name = "lattice";
+        level.entities.resize(1);
+        level.materials = {""};
+    }
+
+    explicit Lattice(std::uint64_t seed) : Lattice() {
+        scenes::Rng rng(seed);
+        for (int k = 0; k < 40; ++k) {
+            GridPoint low, high;
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] = int(rng.below(4)) * kMetre;
+                high[axis] = low[axis] + int(1 + rng.below(2)) * kMetre;
+            }
+            if (k < 20)
+                add_box(low, high);
+            else if (k < 28)
+                add_prism(low, high);
+            else
+                add_portal(low, high, int(rng.below(3)));
+        }
+    }
+
+    static constexpr std::int32_t kMetre = std::int32_t(kSurfaceSteps);
+
+    BrushLevel level;
+
+    void add_box(const GridPoint& low, const GridPoint& high) {
+        add_brush(BrushKind::kSolid);
+        add_sides(low, high);
+    }
+
+    /// Its lowest edge runs along x through `low`; it is a metre high and as wide.
+    void add_prism(const GridPoint& low, const GridPoint& high) {
+        add_brush(BrushKind::kSolid);
+        const std::int32_t half = kMetre / 2;
+        const GridPoint ends[2] = {low, {high.x, low.y, low.z}};
+        const auto at = [](const GridPoint& p, std::int32_t dy, std::int32_t dz) {
+            return GridPoint{p.x, p.y + dy, p.z + dz};
+        };
+        add_side(at(ends[0], 0, kMetre), at(ends[1], 0, kMetre), at(ends[0], half, kMetre));
+        add_side(at(ends[0], -half, kMetre), ends[0], ends[1]);
+        add_side(at(ends[0], half, kMetre), ends[1], ends[0]);
+        add_side(ends[0], at(ends[0], -half, kMetre), at(ends[0], half, kMetre));
+        add_side(ends[1], at(ends[1], half, kMetre), at(ends[1], -half, kMetre));
+    }
+
+    void add_portal(const GridPoint& low, GridPoint high, int axis) {
+        GridPoint thin = low;
+        high[axis] = low[axis];
+        thin[axis] -= kMetre / 8;
+        add_brush(BrushKind::kPortal);
+        add_sides(thin, high, axis);
+    }
+
+private:
+    void add_side(const GridPoint& a, const GridPoint& b, const GridPoint& c, bool portal = false) {
+        BrushSide side;
+        side.points[0] = a;
+        side.points[1] = b;
+        side.points[2] = c;
+        side.mask = 1;
+        side.portal = portal;
+        level.sides.push_back(side);
+        ++level.brushes.back().side_count;
+    }
+
+    void add_brush(BrushKind kind) {
+        level.brushes.emplace_back();
+        level.brushes.back().first_side = std::uint32_t(level.sides.size());
+        level.brushes.back().kind = kind;
+    }
+
+    /// @param portal  the axis that the portal's side looks along; none: 3
+    void add_sides(const GridPoint& low, const GridPoint& high, int portal = 3) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            for (const bool up : {true, false}) {
+                GridPoint a = up ? high : low, b = a, c = a;
+                b[u] += kMetre;
+                c[v] += kMetre;
+                add_side(a, up ? b : c, up ? c : b, up && axis == portal);
+            }
+        }
+    }
+};
+
+/// A prism that stands on the border of two boxes keeps their tops apart, though it takes nothing off them.
+TEST(BrushJoin, WhatStandsOnABorderKeepsItThere) {
+    constexpr std::int32_t m = Lattice::kMetre;
+    Lattice lattice;
+    lattice.add_box({0, 0, 0}, {m, m, m});
+    lattice.add_box({0, m, 0}, {m, 2 * m, m});
+    lattice.add_prism({0, m, m}, {m, m, m});
+    BrushJoin kept(lattice.level);
+    for (const bool there : {true, false, true, false}) {
+        kept.use(2, there);
+        kept.update();
+        EXPECT_EQ(kept.divide().faces.size(), there ? 7u + 5u : 6u);
+    }
+}
+
+/// Of two portals in one place the first counts.
+TEST(BrushJoin, APortalTakesThePlaceOfOneBeforeIt) {
+    constexpr std::int32_t m = Lattice::kMetre;
+    Lattice lattice;
+    lattice.add_portal({0, 0, 0}, {2 * m, 2 * m, 0}, 2);
+    lattice.add_portal({0, 0, 0}, {2 * m, 3 * m, 0}, 2);
+    lattice.add_portal({m, 0, -m}, {m, 3 * m, m}, 0);
+    BrushJoin kept(lattice.level);
+    const auto area = [&](std::uint32_t brush) {
+        double sum = 0;
+        const JoinedLevel& joined = kept.divide();
+        for (std::size_t k = 0; k < joined.portal_pieces.size(); ++k) {
+            const std::uint32_t source = joined.portal_pieces[k].source,
+                                first = lattice.level.brushes[brush].first_side;
+            if (source < first || source >= first + 6) continue;
+            GridBox box;
+            for (const auto& corner : joined.portal_pieces[k].piece.sides)
+                box.add(joined.tables.points.point(corner.corner).rounded());
+            sum += box.half_area();
+        }
+        return sum;
+    };
+    for (const bool there : {true, false, true}) {
+        kept.use(0, there);
+        kept.update();
+        EXPECT_EQ(area(0), there ? 4.0 : 0.0);
+        EXPECT_EQ(area(1), there ? 2.0 : 6.0);
+        EXPECT_EQ(area(2), 6.0);
+    }
+}
+
+TEST(BrushJoin, ChangedLatticesAreAsFromScratch) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        const Lattice lattice(seed);
+        const std::unique_ptr<JoinedLevel> joined = join_brushes(lattice.level).value();
+        EXPECT_TRUE(joined->left_out.empty());
+        expect_same_after_changes(lattice.level, seed, 24);
+    }
+}
+
 TEST(BrushJoin, TheChangedDepotIsAsFromScratch) {
     const BrushLevel level = read_brush_level(FIRMA_ROOT "/levels/depot.map").value();
     expect_same_after_changes(level, 5, 6);
