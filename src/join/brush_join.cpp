@@ -139,7 +139,8 @@ void BrushJoin::make_shapes() {
         listed_[b] = bodies_.in_solid(b);
         note(listed_[b]);
     }
-    touched_tree_ = BoxTree(touched_);
+    const bool all = changes_.size() == level_.brushes.size();  // then nobody asks what else is touched
+    touched_tree_ = all ? BoxTree() : BoxTree(touched_);
     if (solids_changed) bodies_.list_solids();
 }
 
@@ -376,7 +377,8 @@ bool BrushJoin::mend(bool may_move) {
 }
 
 /// What is kept, in a row.
-void BrushJoin::assemble() {
+/// @param last  it need not be kept any longer
+void BrushJoin::assemble(bool last) {
     JoinedLevel& made = *made_;
     std::vector<std::uint32_t> order;
     for (std::uint32_t polygon = 0; polygon < polygons_.size(); ++polygon)
@@ -387,10 +389,13 @@ void BrushJoin::assemble() {
     made.facets = {};
     made.facets.first.push_back(0);
     for (std::uint32_t k = 0; k < order.size(); ++k) {
-        const Polygon& polygon = polygons_[order[k]];
+        Polygon& polygon = polygons_[order[k]];
         (polygon.face ? made.faces : made.portal_pieces).push_back(piece_of(order[k]));
         if (polygon.facets.empty()) made.facets.unsound.push_back(k);
-        made.facets.add(polygon.facets);
+        if (last)
+            made.facets.add(std::move(polygon.facets));
+        else
+            made.facets.add(polygon.facets);
     }
     made.arrangement = arranger_.arrangement(order);
     made.planes_moved = mover_.moved();
@@ -411,8 +416,8 @@ void BrushJoin::assemble() {
     }
 }
 
-RoomFinder BrushJoin::find_rooms() {
-    assemble();
+RoomFinder BrushJoin::find_rooms(bool last) {
+    assemble(last);
     RoomFinder finder(made_->faces.size(), made_->portal_pieces.size(), made_->facets);
     made_->rooms = finder.find(made_->arrangement.seen_together);
     find_portals();
@@ -420,12 +425,12 @@ RoomFinder BrushJoin::find_rooms() {
 }
 
 const JoinedLevel& BrushJoin::divide() {
-    find_rooms();
+    find_rooms(false);
     return *made_;
 }
 
 std::unique_ptr<JoinedLevel> BrushJoin::finish() {
-    const RoomFinder finder = find_rooms();
+    const RoomFinder finder = find_rooms(true);
     std::vector<std::uint32_t> left_out;
     for (const LeftOut& left : made_->left_out)
         if (!bodies_.shapes[left.brush].faces.empty()) left_out.push_back(left.brush);

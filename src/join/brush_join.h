@@ -70,8 +70,8 @@ private:
     void leave_out_of(std::uint32_t polygon, const char* reason);
     const JoinPiece& piece_of(std::uint32_t polygon) const;
     void sort_polygons(std::vector<std::uint32_t>& polygons) const;
-    void assemble();
-    RoomFinder find_rooms();
+    void assemble(bool last);
+    RoomFinder find_rooms(bool last);
     void find_portals();
     bool are_one(std::uint32_t a, std::uint32_t b) const;
 

@@ -32,7 +32,7 @@ JoinFacets make_join_facets(const JoinTables& tables, std::span<const PlaneId> p
         corners.clear();
         for (const JoinStep& step : arrangement.outline(p)) corners.push_back(step.corner);
         if (!maker.make(planes[p], corners, facets)) made.unsound.push_back(p);
-        made.add(facets);
+        made.add(std::move(facets));
     }
     return made;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "join/arrangement.h"
@@ -38,8 +39,8 @@ struct JoinFacets {
 
     std::size_t count(std::uint32_t polygon) const { return first[polygon + 1] - first[polygon]; }
     /// Of the next polygon.
-    void add(const std::vector<std::vector<GridPoint>>& facets) {
-        corners.insert(corners.end(), facets.begin(), facets.end());
+    void add(std::vector<std::vector<GridPoint>> facets) {
+        for (std::vector<GridPoint>& facet : facets) corners.push_back(std::move(facet));
         first.push_back(std::uint32_t(corners.size()));
     }
 };
