@@ -38,8 +38,8 @@ struct DivideReport {
 /// @param report  filled, when given
 /// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge and
 ///         kInvalid as of make_world(); kInvalid for an option that is no number or negative
-/// Takes as long as making the level's world, up to eight times that where narrows were chosen in vain, and a second or
-/// so for the cells.
+/// Takes about as long as making the level's world, and a second or so for the cells: the brushes are joined once,
+/// however many narrows are chosen in vain.
 Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
                                 DivideReport* report = nullptr);
 

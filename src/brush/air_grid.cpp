@@ -7,6 +7,7 @@
 
 #include "brush/winding.h"
 #include "firma/grid.h"
+#include "join/brush_bodies.h"
 
 namespace firma {
 namespace {
@@ -18,10 +19,6 @@ constexpr double kMostWork = 2e8;     ///< sides asked by lines
 constexpr double kMostCells = 2e9;    ///< so that 32 bits number them
 constexpr std::size_t kMostSides = 1024;
 constexpr double kBeyond = 1;  ///< metres: thickness of the outermost layers, or that of the thinnest
-
-bool is_solid(BrushKind kind) {
-    return kind == BrushKind::kSolid || kind == BrushKind::kSky;
-}
 
 double on_input_grid(double metres) {
     return std::floor(metres * kInputSteps + 0.5) / kInputSteps;

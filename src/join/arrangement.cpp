@@ -6,233 +6,273 @@
 #include "join/arrangement.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace firma {
 namespace {
 
-/// A polygon's side on its line.
-struct LineUse {
-    std::uint32_t line;
-    std::uint32_t polygon;
-    std::uint32_t from, to;             ///< corners, along the polygon
-    PlaneId plane;                      ///< the polygon's
-    bool forward;                       ///< along the line
-    std::uint32_t first = 0, last = 0;  ///< where it begins and ends among the line's corners
-    std::uint32_t pieces = 0;           ///< its first one in `edge_of_piece`, in order along the line
-};
-
-/// A polygon around a piece of a line.
-struct Spoke {
-    std::uint32_t use;
-    PlaneId turned;  ///< its half plane, turned by a right angle about the line, is this plane's normal
-};
-
-class Arranger {
-public:
-    Arranger(const JoinTables& tables, std::span<const JoinPiece> faces, std::span<const ConvexPiece> portals,
-             std::vector<OpenEdge>& open)
-        : tables_(tables), faces_(faces), portals_(portals), open_(open), lines_(tables) {
-        result_.seen_together = DisjointSets(faces.size() + 2 * portals.size());
-    }
-
-    Arrangement arrange() {
-        find_uses();
-        for (std::size_t first = 0; first < by_line_.size();) {
-            std::size_t end = first;
-            while (end < by_line_.size() && uses_[by_line_[end]].line == uses_[by_line_[first]].line) ++end;
-            arrange_line({by_line_.data() + first, end - first});
-            first = end;
-        }
-        write_outlines();
-        return std::move(result_);
-    }
-
-private:
-    const ConvexPiece& polygon(std::size_t index) const {
-        return index < faces_.size() ? faces_[index].piece : portals_[index - faces_.size()];
-    }
-    bool is_face(std::uint32_t index) const { return index < faces_.size(); }
-
-    void find_uses() {
-        for (std::uint32_t p = 0; p < faces_.size() + portals_.size(); ++p) {
-            const ConvexPiece& it = polygon(p);
-            for (std::size_t k = 0; k < it.sides.size(); ++k) {
-                const std::uint32_t line = lines_.add(it.plane, it.sides[k].plane, it.corner(k));
-                const bool forward = lines_.runs_along(line, it.plane, it.sides[k].plane);
-                uses_.push_back({line, p, it.corner(k), it.corner(it.next(k)), it.plane, forward});
-            }
-        }
-        by_line_.resize(uses_.size());
-        std::vector<std::uint32_t> start(lines_.size() + 1);
-        for (const LineUse& use : uses_) ++start[use.line + 1];
-        for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
-        for (std::uint32_t k = 0; k < uses_.size(); ++k) by_line_[start[uses_[k].line]++] = k;
-    }
-
-    void arrange_line(std::span<const std::uint32_t> uses) {
-        const std::uint32_t line = uses_[uses[0]].line;
-        corners_.clear();
-        for (const std::uint32_t use : uses) {
-            corners_.push_back(uses_[use].from);
-            corners_.push_back(uses_[use].to);
-        }
-        std::sort(corners_.begin(), corners_.end());
-        corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-        std::sort(corners_.begin(), corners_.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return lines_.before(line, a, b); });
-        for (std::uint32_t k = 0; k < corners_.size(); ++k) place_of_.at(corners_[k]) = k;
-
-        in_piece_.clear();
-        for (const std::uint32_t index : uses) {
-            LineUse& use = uses_[index];
-            use.first = place_of_.find(use.forward ? use.from : use.to);
-            use.last = place_of_.find(use.forward ? use.to : use.from);
-            use.pieces = std::uint32_t(edge_of_piece_.size());
-            edge_of_piece_.resize(edge_of_piece_.size() + (use.last - use.first), ~0u);
-            for (std::uint32_t k = use.first; k < use.last; ++k) in_piece_.push_back({k, index});
-            kept_corners_.insert(kept_corners_.end(), corners_.begin() + use.first, corners_.begin() + use.last + 1);
-        }
-        place_of_.clear();
-        std::sort(in_piece_.begin(), in_piece_.end());
-        for (std::size_t first = 0; first < in_piece_.size();) {
-            std::size_t end = first;
-            spokes_.clear();
-            for (; end < in_piece_.size() && in_piece_[end].first == in_piece_[first].first; ++end) {
-                const std::uint32_t use = in_piece_[end].second;
-                spokes_.push_back({use, uses_[use].forward ? uses_[use].plane : from_behind(uses_[use].plane)});
-            }
-            arrange_piece(line, in_piece_[first].first);
-            first = end;
-        }
-    }
-
-    /// The quarter or half of the circle, counted from the first spoke, that a spoke lies in.
-    int half(std::uint32_t line, PlaneId zero, PlaneId spoke) const {
-        if (zero == spoke) return 0;
-        const int turn = lines_.turn(line, zero, spoke);
-        if (turn != 0) return turn > 0 ? 1 : 3;
-        return parallel_same_way(zero, spoke) ? 0 : 2;
-    }
-    bool parallel_same_way(PlaneId a, PlaneId b) const {
-        const Plane &p = tables_.planes.plane(a), &q = tables_.planes.plane(b);
-        const int axis = p.dominant_axis();
-        return (p.normal[axis] > 0) == (q.normal[axis] > 0);
-    }
-
-    void arrange_piece(std::uint32_t line, std::uint32_t piece) {
-        const PlaneId zero = spokes_[0].turned;
-        std::sort(spokes_.begin(), spokes_.end(), [&](const Spoke& a, const Spoke& b) {
-            if (a.turned == b.turned) return a.use < b.use;
-            const int x = half(line, zero, a.turned), y = half(line, zero, b.turned);
-            if (x != y) return x < y;
-            return lines_.turn(line, a.turned, b.turned) > 0;
-        });
-        const std::size_t count = spokes_.size();
-        bool sound = true;
-        for (std::size_t k = 0; k < count; ++k) {
-            const Spoke &a = spokes_[k], &b = spokes_[k + 1 < count ? k + 1 : 0];
-            const std::uint32_t after = side_after(a), before = side_before(b);
-            if ((after == kSolid) != (before == kSolid)) sound = false;
-            if (count > 1 && a.turned == b.turned) sound = false;  // one on the other
-        }
-        if (!sound) return note_open(piece);
-        pair_faces(line, piece);
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::uint32_t after = side_after(spokes_[k]),
-                                before = side_before(spokes_[k + 1 < count ? k + 1 : 0]);
-            if (after != kSolid) result_.seen_together.join(after, before);
-        }
-    }
-
-    static constexpr std::uint32_t kSolid = ~0u;
-
-    // Turning about the line, the front of a polygon that runs along it comes after it, that of one that runs against
-    // it before it.
-    std::uint32_t side_after(const Spoke& spoke) const { return side(spoke, uses_[spoke.use].forward); }
-    std::uint32_t side_before(const Spoke& spoke) const { return side(spoke, !uses_[spoke.use].forward); }
-    std::uint32_t side(const Spoke& spoke, bool front) const {
-        const std::uint32_t polygon = uses_[spoke.use].polygon;
-        if (is_face(polygon)) return front ? polygon : kSolid;
-        return std::uint32_t(faces_.size()) + 2 * (polygon - std::uint32_t(faces_.size())) + !front;
-    }
-
-    /// Each face that runs along the line bounds one wedge of air with the next face that runs against it.
-    void pair_faces(std::uint32_t line, std::uint32_t piece) {
-        around_.clear();
-        for (const Spoke& spoke : spokes_)
-            if (is_face(uses_[spoke.use].polygon)) around_.push_back(spoke.use);
-        for (std::size_t k = 0; k < around_.size(); ++k) {
-            const LineUse& use = uses_[around_[k]];
-            if (!use.forward) continue;
-            const LineUse& next = uses_[around_[k + 1 < around_.size() ? k + 1 : 0]];
-            const auto edge = std::uint32_t(result_.edges.size());
-            result_.edges.push_back({{corners_[piece], corners_[piece + 1]},
-                                     {use.polygon, next.polygon},
-                                     {lines_.plane(line, 0), lines_.plane(line, 1)},
-                                     around_.size() > 2});
-            edge_of_piece_[use.pieces + piece - use.first] = edge;
-            edge_of_piece_[next.pieces + piece - next.first] = edge;
-        }
-    }
-
-    void note_open(std::uint32_t piece) {
-        OpenEdge edge{{corners_[piece], corners_[piece + 1]}, {}};
-        for (const Spoke& spoke : spokes_) edge.polygons.push_back(uses_[spoke.use].polygon);
-        open_.push_back(std::move(edge));
-    }
-
-    /// Uses stand in order of polygons and their sides; their pieces were found line by line.
-    void write_outlines() {
-        // kept_corners_ holds for each use, in the order of by_line_, the corners along its line.
-        std::vector<std::uint32_t> first_corner(uses_.size());
-        std::uint32_t at = 0;
-        for (const std::uint32_t use : by_line_) {
-            first_corner[use] = at;
-            at += uses_[use].last - uses_[use].first + 1;
-        }
-        std::uint32_t polygon = 0;
-        result_.first_step.push_back(0);
-        for (std::uint32_t k = 0; k < uses_.size(); ++k) {
-            const LineUse& use = uses_[k];
-            if (use.polygon != polygon) {
-                polygon = use.polygon;
-                result_.first_step.push_back(std::uint32_t(result_.steps.size()));
-            }
-            const std::uint32_t pieces = use.last - use.first;
-            for (std::uint32_t i = 0; i < pieces; ++i) {
-                const std::uint32_t piece = use.forward ? i : pieces - 1 - i;
-                result_.steps.push_back(
-                    {kept_corners_[first_corner[k] + piece + !use.forward], edge_of_piece_[use.pieces + piece]});
-            }
-        }
-        result_.first_step.push_back(std::uint32_t(result_.steps.size()));
-        if (uses_.empty()) result_.first_step.pop_back();
-    }
-
-    const JoinTables& tables_;
-    const std::span<const JoinPiece> faces_;
-    const std::span<const ConvexPiece> portals_;
-    std::vector<OpenEdge>& open_;
-    LineTable lines_;
-    Arrangement result_;
-    std::vector<LineUse> uses_;
-    std::vector<std::uint32_t> by_line_;
-    std::vector<std::uint32_t> edge_of_piece_;  ///< of each use in turn, along the line
-    std::vector<std::uint32_t> kept_corners_;   ///< likewise, one more a use
-
-    // Of the line at hand.
-    std::vector<std::uint32_t> corners_;
-    FlatMap place_of_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> in_piece_;
-    std::vector<Spoke> spokes_;
-    std::vector<std::uint32_t> around_;
-};
+constexpr std::uint32_t kNoEdge = ~0u;
+constexpr std::uint32_t kSolid = ~0u;
 
 }  // namespace
 
+std::uint32_t Arranger::add(const ConvexPiece& piece, bool face) {
+    const auto number = std::uint32_t(polygons_.size());
+    Polygon polygon;
+    polygon.first_side = sides_.add(number, piece);
+    polygon.side_count = std::uint32_t(piece.sides.size());
+    polygon.face = face;
+    polygons_.push_back(polygon);
+    divisions_.resize(sides_.size());
+    note_lines(number);
+    note_outline(number);
+    return number;
+}
+
+void Arranger::remove(std::uint32_t polygon) {
+    Polygon& it = polygons_[polygon];
+    it.live = false;
+    sides_.remove(it.first_side, it.side_count);
+    note_lines(polygon);
+}
+
+void Arranger::note_lines(std::uint32_t polygon) {
+    const Polygon& it = polygons_[polygon];
+    line_.resize(sides_.line_count());
+    for (std::uint32_t k = it.first_side; k < it.first_side + it.side_count; ++k) {
+        Line& line = line_[sides_.side(k).line];
+        if (line.dirty) continue;
+        line.dirty = true;
+        dirty_.push_back(sides_.side(k).line);
+    }
+}
+
+void Arranger::note_outline(std::uint32_t polygon) {
+    if (polygons_[polygon].noted) return;
+    polygons_[polygon].noted = true;
+    noted_.push_back(polygon);
+}
+
+std::span<const std::uint32_t> Arranger::update() {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+        if (line_[line_of_open_[k]].dirty) continue;
+        if (kept != k) open_[kept] = std::move(open_[k]);
+        line_of_open_[kept++] = line_of_open_[k];
+    }
+    open_.resize(kept);
+    line_of_open_.resize(kept);
+    for (const std::uint32_t line : dirty_) arrange_line(line);
+    work_ += dirty_.size();
+    dirty_.clear();
+    changed_.clear();
+    for (const std::uint32_t polygon : noted_) {
+        polygons_[polygon].noted = false;
+        if (polygons_[polygon].live) changed_.push_back(polygon);
+    }
+    noted_.clear();
+    return changed_;
+}
+
+void Arranger::arrange_line(std::uint32_t line) {
+    on_line_.clear();
+    corners_.clear();
+    sides_.for_each_on(line, [&](std::uint32_t k, const LineSide& side) {
+        on_line_.push_back(k);
+        corners_.push_back(side.from);
+        corners_.push_back(side.to);
+        return false;
+    });
+    std::sort(corners_.begin(), corners_.end());
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    std::sort(corners_.begin(), corners_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return lines_.before(line, a, b); });
+    for (std::uint32_t k = 0; k < corners_.size(); ++k) place_of_.at(corners_[k]) = k;
+
+    line_[line].dirty = false;
+    line_[line].first_seen = std::uint32_t(seen_.size());
+    in_piece_.clear();
+    for (const std::uint32_t index : on_line_) {
+        const std::uint32_t first = place_of_.find(sides_.side(index).from);
+        const std::uint32_t last = place_of_.find(sides_.side(index).to);
+        divide_side(index, first, last);
+        for (std::uint32_t k = first; k < last; ++k) in_piece_.push_back({k, index});
+    }
+    place_of_.clear();
+    std::sort(in_piece_.begin(), in_piece_.end());
+    for (std::size_t first = 0; first < in_piece_.size();) {
+        std::size_t end = first;
+        spokes_.clear();
+        for (; end < in_piece_.size() && in_piece_[end].first == in_piece_[first].first; ++end) {
+            const LineSide& side = sides_.side(in_piece_[end].second);
+            spokes_.push_back({in_piece_[end].second, side.forward ? side.plane : from_behind(side.plane)});
+        }
+        arrange_piece(line, in_piece_[first].first);
+        first = end;
+    }
+    line_[line].seen_count = std::uint32_t(seen_.size()) - line_[line].first_seen;
+}
+
+/// @param first, last  corners of the line
+void Arranger::divide_side(std::uint32_t side, std::uint32_t first, std::uint32_t last) {
+    Division& division = divisions_[side];
+    division.first = first;
+    const std::uint32_t* corners = corners_.data() + first;
+    const std::uint32_t count = last - first;
+    if (division.count == count && std::equal(corners, corners + count + 1, corners_along_.data() + division.corners)) {
+        std::fill_n(edge_of_piece_.data() + division.pieces, count, kNoEdge);
+        return;
+    }
+    note_outline(sides_.side(side).owner);
+    division.count = count;
+    division.corners = std::uint32_t(corners_along_.size());
+    corners_along_.insert(corners_along_.end(), corners, corners + count + 1);
+    division.pieces = std::uint32_t(edge_of_piece_.size());
+    edge_of_piece_.resize(edge_of_piece_.size() + count, kNoEdge);
+}
+
+/// The quarter or half of the circle, counted from the first spoke, that a spoke lies in.
+int Arranger::half(std::uint32_t line, PlaneId zero, PlaneId spoke) const {
+    if (zero == spoke) return 0;
+    const int turn = lines_.turn(line, zero, spoke);
+    if (turn != 0) return turn > 0 ? 1 : 3;
+    return parallel_same_way(zero, spoke) ? 0 : 2;
+}
+
+bool Arranger::parallel_same_way(PlaneId a, PlaneId b) const {
+    const Plane &p = tables_.planes.plane(a), &q = tables_.planes.plane(b);
+    const int axis = p.dominant_axis();
+    return (p.normal[axis] > 0) == (q.normal[axis] > 0);
+}
+
+void Arranger::arrange_piece(std::uint32_t line, std::uint32_t piece) {
+    const PlaneId zero = spokes_[0].turned;
+    std::sort(spokes_.begin(), spokes_.end(), [&](const Spoke& a, const Spoke& b) {
+        if (a.turned == b.turned) return a.side < b.side;
+        const int x = half(line, zero, a.turned), y = half(line, zero, b.turned);
+        if (x != y) return x < y;
+        return lines_.turn(line, a.turned, b.turned) > 0;
+    });
+    const std::size_t count = spokes_.size();
+    bool sound = true;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Spoke &a = spokes_[k], &b = spokes_[k + 1 < count ? k + 1 : 0];
+        const std::uint32_t after = side_after(a), before = side_before(b);
+        if ((after == kSolid) != (before == kSolid)) sound = false;
+        if (count > 1 && a.turned == b.turned) sound = false;  // one on the other
+    }
+    if (!sound) return note_open(line, piece);
+    pair_faces(piece);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t after = side_after(spokes_[k]), before = side_before(spokes_[k + 1 < count ? k + 1 : 0]);
+        if (after != kSolid) seen_.push_back({after, before});
+    }
+}
+
+// Turning about the line, the front of a polygon that runs along it comes after it, that of one that runs against it
+// before it.
+std::uint32_t Arranger::side_after(const Spoke& spoke) const {
+    return side_of(spoke, sides_.side(spoke.side).forward);
+}
+std::uint32_t Arranger::side_before(const Spoke& spoke) const {
+    return side_of(spoke, !sides_.side(spoke.side).forward);
+}
+std::uint32_t Arranger::side_of(const Spoke& spoke, bool front) const {
+    const std::uint32_t polygon = sides_.side(spoke.side).owner;
+    if (!front && polygons_[polygon].face) return kSolid;
+    return 2 * polygon + !front;
+}
+
+/// Each face that runs along the line bounds one wedge of air with the next face that runs against it.
+void Arranger::pair_faces(std::uint32_t piece) {
+    around_.clear();
+    for (const Spoke& spoke : spokes_)
+        if (polygons_[sides_.side(spoke.side).owner].face) around_.push_back(spoke.side);
+    for (std::size_t k = 0; k < around_.size(); ++k) {
+        const LineSide& side = sides_.side(around_[k]);
+        if (!side.forward) continue;
+        const std::uint32_t other = around_[k + 1 < around_.size() ? k + 1 : 0];
+        const auto edge = std::uint32_t(edges_.size());
+        edges_.push_back({{corners_[piece], corners_[piece + 1]},
+                          {side.owner, sides_.side(other).owner},
+                          side.across,
+                          around_.size() > 2});
+        for (const std::uint32_t index : {around_[k], other})
+            edge_of_piece_[divisions_[index].pieces + piece - divisions_[index].first] = edge;
+    }
+}
+
+void Arranger::note_open(std::uint32_t line, std::uint32_t piece) {
+    OpenEdge edge{{corners_[piece], corners_[piece + 1]}, {}};
+    for (const Spoke& spoke : spokes_) edge.polygons.push_back(sides_.side(spoke.side).owner);
+    open_.push_back(std::move(edge));
+    line_of_open_.push_back(line);
+}
+
+void Arranger::outline(std::uint32_t polygon, std::vector<std::uint32_t>& corners) const {
+    corners.clear();
+    const Polygon& it = polygons_[polygon];
+    for (std::uint32_t k = it.first_side; k < it.first_side + it.side_count; ++k) {
+        const Division& division = divisions_[k];
+        for (std::uint32_t i = 0; i < division.count; ++i)
+            corners.push_back(corners_along_[division.corners + (sides_.side(k).forward ? i : division.count - i)]);
+    }
+}
+
+Arrangement Arranger::arrangement(std::span<const std::uint32_t> order) const {
+    Arrangement made;
+    std::vector<std::uint32_t> number(polygons_.size(), ~0u), number_of_edge(edges_.size(), kNoEdge);
+    std::uint32_t faces = 0;
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+        number[order[k]] = k;
+        faces += polygons_[order[k]].face;
+    }
+    made.first_step.reserve(order.size() + 1);
+    made.first_step.push_back(0);
+    for (const std::uint32_t polygon : order) {
+        const Polygon& it = polygons_[polygon];
+        for (std::uint32_t k = it.first_side; k < it.first_side + it.side_count; ++k) {
+            const Division& division = divisions_[k];
+            const bool forward = sides_.side(k).forward;
+            for (std::uint32_t i = 0; i < division.count; ++i) {
+                const std::uint32_t piece = forward ? i : division.count - 1 - i;
+                std::uint32_t edge = edge_of_piece_[division.pieces + piece];
+                if (edge != kNoEdge) {
+                    std::uint32_t& known = number_of_edge[edge];
+                    if (known == kNoEdge) {
+                        known = std::uint32_t(made.edges.size());
+                        JoinEdge& copy = made.edges.emplace_back(edges_[edge]);
+                        for (std::uint32_t& face : copy.face) face = number[face];
+                    }
+                    edge = known;
+                }
+                made.steps.push_back({corners_along_[division.corners + piece + !forward], edge});
+            }
+        }
+        made.first_step.push_back(std::uint32_t(made.steps.size()));
+    }
+    made.seen_together = DisjointSets(faces + 2 * (order.size() - faces));
+    const auto side = [&](std::uint32_t seen) {
+        const std::uint32_t polygon = number[seen / 2];
+        return polygon < faces ? polygon : faces + 2 * (polygon - faces) + seen % 2;
+    };
+    for (const Line& line : line_)
+        for (std::uint32_t k = line.first_seen; k < line.first_seen + line.seen_count; ++k)
+            made.seen_together.join(side(seen_[k].first), side(seen_[k].second));
+    return made;
+}
+
 Arrangement arrange(const JoinTables& tables, std::span<const JoinPiece> faces, std::span<const ConvexPiece> portals,
                     std::vector<OpenEdge>& open) {
-    return Arranger(tables, faces, portals, open).arrange();
+    LineTable lines(tables);
+    Arranger arranger(tables, lines);
+    for (const JoinPiece& face : faces) arranger.add(face.piece, true);
+    for (const ConvexPiece& portal : portals) arranger.add(portal, false);
+    arranger.update();
+    open.insert(open.end(), arranger.open().begin(), arranger.open().end());
+    std::vector<std::uint32_t> order(faces.size() + portals.size());
+    std::iota(order.begin(), order.end(), 0u);
+    return arranger.arrangement(order);
 }
 
 }  // namespace firma

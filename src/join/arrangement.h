@@ -4,12 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/disjoint_sets.h"
-#include "join/line_table.h"
 #include "join/merge_pieces.h"
 
 namespace firma {
@@ -18,8 +16,8 @@ namespace firma {
 struct JoinEdge {
     std::uint32_t corner[2] = {0, 0};  ///< as the first face runs
     std::uint32_t face[2] = {0, 0};
-    PlaneId planes[2] = {0, 0};  ///< that meet in it; one at least is not the faces'
-    bool doubled = false;        ///< there are more between the same corners
+    PlaneId across = kNoPlane;  ///< a plane other than the first face's that holds it
+    bool doubled = false;       ///< there are more between the same corners
 };
 
 /// One step of a polygon's outline.
@@ -33,7 +31,7 @@ struct JoinStep {
 struct Arrangement {
     std::vector<JoinStep> steps;            ///< of all polygons in a row, portals after faces
     std::vector<std::uint32_t> first_step;  ///< a polygon each, and the end
-    std::vector<JoinEdge> edges;
+    std::vector<JoinEdge> edges;            ///< in the order in which the outlines come to them
     DisjointSets seen_together{0};  ///< sides of polygons between which there is nothing but air, around some edge
 
     std::span<const JoinStep> outline(std::uint32_t polygon) const {
@@ -47,6 +45,92 @@ struct OpenEdge {
     std::vector<std::uint32_t> polygons;  ///< that meet there
 };
 
+/// Arranges polygons that come and go: only lines on which a side was added or removed are arranged anew.
+class Arranger {
+public:
+    Arranger(const JoinTables& tables, LineTable& lines) : lines_(lines), tables_(tables), sides_(lines) {}
+
+    /// @param face  it bounds a solid, its front in the air, and overlaps no other face; else it is a portal, in the
+    /// air
+    /// @return its number, which is never used again
+    std::uint32_t add(const ConvexPiece& piece, bool face);
+    void remove(std::uint32_t polygon);
+
+    /// @return the polygons that were added or whose outlines changed, each once
+    std::span<const std::uint32_t> update();
+
+    /// What keeps the faces from bounding a solid; polygons by number. Empty when they do.
+    const std::vector<OpenEdge>& open() const { return open_; }
+    bool has(std::uint32_t polygon) const { return polygons_[polygon].live; }
+    void outline(std::uint32_t polygon, std::vector<std::uint32_t>& corners) const;
+
+    /// All of it.
+    /// @param order  of all polygons, faces first: they are numbered by it
+    Arrangement arrangement(std::span<const std::uint32_t> order) const;
+
+    /// Lines arranged so far, those that were arranged anew counted again.
+    std::size_t work() const { return work_; }
+
+private:
+    struct Polygon {
+        std::uint32_t first_side = 0, side_count = 0;  ///< of `sides_`
+        bool face = false, live = true, noted = false;
+    };
+    /// What became of a side.
+    struct Division {
+        std::uint32_t corners = 0, pieces = 0;  ///< first of `corners_along_`, of `edge_of_piece_`; along the line
+        std::uint32_t count = 0;                ///< of pieces; one corner more
+        std::uint32_t first = 0;                ///< piece of the line, while that is arranged
+    };
+    struct Line {
+        std::uint32_t first_seen = 0, seen_count = 0;  ///< of `seen_`
+        bool dirty = false;
+    };
+    /// A polygon around a piece of a line.
+    struct Spoke {
+        std::uint32_t side;
+        PlaneId turned;  ///< its half plane, turned by a right angle about the line, is this plane's normal
+    };
+
+    void note_lines(std::uint32_t polygon);
+    void arrange_line(std::uint32_t line);
+    void divide_side(std::uint32_t side, std::uint32_t first, std::uint32_t last);
+    void note_outline(std::uint32_t polygon);
+    int half(std::uint32_t line, PlaneId zero, PlaneId spoke) const;
+    bool parallel_same_way(PlaneId a, PlaneId b) const;
+    void arrange_piece(std::uint32_t line, std::uint32_t piece);
+    std::uint32_t side_after(const Spoke& spoke) const;
+    std::uint32_t side_before(const Spoke& spoke) const;
+    std::uint32_t side_of(const Spoke& spoke, bool front) const;
+    void pair_faces(std::uint32_t piece);
+    void note_open(std::uint32_t line, std::uint32_t piece);
+
+    LineTable& lines_;
+    const JoinTables& tables_;
+    SidesOnLines sides_;
+    std::vector<Polygon> polygons_;
+    std::vector<Division> divisions_;  ///< a side each
+    std::vector<Line> line_;
+    std::vector<std::uint32_t> dirty_;            ///< lines
+    std::vector<std::uint32_t> noted_, changed_;  ///< polygons: since the last update(), in it
+    std::vector<OpenEdge> open_;
+    std::vector<std::uint32_t> line_of_open_;
+
+    // What lines came to; what is no longer true of one stays behind.
+    std::vector<JoinEdge> edges_;
+    std::vector<std::uint32_t> edge_of_piece_, corners_along_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seen_;  ///< sides of polygons: twice a number, one more: back
+    std::size_t work_ = 0;
+
+    // Of the line at hand.
+    std::vector<std::uint32_t> on_line_, corners_;
+    FlatMap place_of_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> in_piece_;
+    std::vector<Spoke> spokes_;
+    std::vector<std::uint32_t> around_;
+};
+
+/// An Arranger's arrangement of polygons that stay as they are.
 /// @param faces    polygons that bound a solid, their fronts in the air; none overlap
 /// @param portals  polygons in the air
 /// @param open     what keeps the faces from bounding a solid: empty when they do

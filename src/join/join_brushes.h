@@ -3,9 +3,9 @@
 // divided into rooms by portals.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +32,22 @@ struct LeftOut {
     bool no_volume = false;  ///< it is none at all: castable neither
 };
 
+/// A side of which the plane was moved.
+struct MovedSide {
+    std::uint32_t side = 0;
+    std::array<GridPoint, 3> points;  ///< of its plane as it is now, as BrushSide::points
+};
+
+/// How much one round of joining did: the first one does all, one after a repair what the repair touches.
+struct JoinRound {
+    bool whole = false;        ///< all brushes of the solid were cut
+    std::size_t brushes = 0;   ///< of the solid, of which faces were cut
+    std::size_t faces = 0;     ///< cut
+    std::size_t pieces = 0;    ///< merged
+    std::size_t lines = 0;     ///< arranged
+    std::size_t polygons = 0;  ///< made into facets
+};
+
 struct JoinedLevel {
     JoinTables tables;
     std::vector<JoinPiece> faces;          ///< of the solid, fronts in the air
@@ -45,8 +61,10 @@ struct JoinedLevel {
     std::vector<LeftOut> left_out;
     std::size_t planes_moved = 0;        ///< so that no face is too thin for the grid
     std::vector<PlaneId> plane_of_side;  ///< by brush side: as the level has it, or as it was moved
+    std::vector<MovedSide> moved_sides;  ///< by side
     std::vector<LooseFacet> loose;       ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
                                          ///< materials are of the list that they come from
+    std::vector<JoinRound> rounds;       ///< of joining
 };
 
 /// @return kTooLarge for more planes or polygons than can be numbered

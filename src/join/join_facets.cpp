@@ -6,29 +6,33 @@
 
 namespace firma {
 
+bool PolygonFacets::make(PlaneId plane, std::span<const std::uint32_t> corners,
+                         std::vector<std::vector<GridPoint>>& facets) {
+    facets.clear();
+    points_.clear();
+    for (const std::uint32_t corner : corners) points_.push_back(tables_.points.point(corner).rounded());
+    const Plane& it = tables_.planes.plane(plane);
+    const int axis = it.dominant_axis();
+    const auto end = std::uint32_t(points_.size());
+    if (!maker_.make(points_, {&end, 1}, axis, it.normal[axis] < 0, made_)) return false;
+    for (std::size_t k = 0; k < made_.count(); ++k) {
+        std::vector<GridPoint>& facet = facets.emplace_back();
+        for (std::uint32_t c = made_.first[k]; c < made_.first[k + 1]; ++c) facet.push_back(points_[made_.corners[c]]);
+    }
+    return true;
+}
+
 JoinFacets make_join_facets(const JoinTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement) {
     JoinFacets made;
-    FacetMaker maker;
-    Facets facets;
-    std::vector<GridPoint> points;
+    PolygonFacets maker(tables);
+    std::vector<std::uint32_t> corners;
+    std::vector<std::vector<GridPoint>> facets;
     made.first.push_back(0);
     for (std::uint32_t p = 0; p < planes.size(); ++p) {
-        points.clear();
-        for (const JoinStep& step : arrangement.outline(p))
-            points.push_back(tables.points.point(step.corner).rounded());
-        const Plane& plane = tables.planes.plane(planes[p]);
-        const int axis = plane.dominant_axis();
-        const auto end = std::uint32_t(points.size());
-        if (maker.make(points, {&end, 1}, axis, plane.normal[axis] < 0, facets)) {
-            for (std::size_t k = 0; k < facets.count(); ++k) {
-                std::vector<GridPoint>& corners = made.corners.emplace_back();
-                for (std::uint32_t c = facets.first[k]; c < facets.first[k + 1]; ++c)
-                    corners.push_back(points[facets.corners[c]]);
-            }
-        } else {
-            made.unsound.push_back(p);
-        }
-        made.first.push_back(std::uint32_t(made.corners.size()));
+        corners.clear();
+        for (const JoinStep& step : arrangement.outline(p)) corners.push_back(step.corner);
+        if (!maker.make(planes[p], corners, facets)) made.unsound.push_back(p);
+        made.add(std::move(facets));
     }
     return made;
 }
@@ -76,10 +80,9 @@ const Ref<const SolidEdge>& JoinFaceMaker::edge(std::uint32_t index) {
         fresh->vertex[k] = vertex(edge.corner[k]);
         fresh->plane[k] = tables_.planes.stored(faces_[edge.face[k]].piece.plane);
     }
-    // Of two faces in one plane, the line has another plane.
-    for (int k = 0; same_plane(faces_[edge.face[0]].piece.plane, faces_[edge.face[1]].piece.plane) && k < 2; ++k)
-        if (!same_plane(edge.planes[k], faces_[edge.face[0]].piece.plane))
-            fresh->plane[1] = tables_.planes.stored(edge.planes[k]);
+    // Of two faces in one plane, the edge has another plane.
+    if (same_plane(faces_[edge.face[0]].piece.plane, faces_[edge.face[1]].piece.plane))
+        fresh->plane[1] = tables_.planes.stored(edge.across & ~1u);
     fresh->doubled = edge.doubled;
     return made = Ref<const SolidEdge>(fresh.get());
 }

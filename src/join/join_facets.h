@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "join/arrangement.h"
@@ -11,6 +12,23 @@
 #include "solid/face_set.h"
 
 namespace firma {
+
+/// Makes the facets of one polygon after the other. Keeps its scratch.
+class PolygonFacets {
+public:
+    explicit PolygonFacets(const JoinTables& tables) : tables_(tables) {}
+
+    /// @param corners  the polygon's outline
+    /// @param facets   replaced by its facets
+    /// @return false when the outline makes no sound facets, once it is rounded: then there are none
+    bool make(PlaneId plane, std::span<const std::uint32_t> corners, std::vector<std::vector<GridPoint>>& facets);
+
+private:
+    const JoinTables& tables_;
+    FacetMaker maker_;
+    Facets made_;
+    std::vector<GridPoint> points_;
+};
 
 /// Facets of polygons in a row: polygon p has facets first[p] .. first[p + 1].
 struct JoinFacets {
@@ -20,6 +38,11 @@ struct JoinFacets {
         unsound;  ///< polygons whose rounded outline makes no sound facets, ascending; without any
 
     std::size_t count(std::uint32_t polygon) const { return first[polygon + 1] - first[polygon]; }
+    /// Of the next polygon.
+    void add(std::vector<std::vector<GridPoint>> facets) {
+        for (std::vector<GridPoint>& facet : facets) corners.push_back(std::move(facet));
+        first.push_back(std::uint32_t(corners.size()));
+    }
 };
 
 /// @param planes       of each polygon of the arrangement

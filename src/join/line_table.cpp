@@ -69,11 +69,11 @@ std::uint32_t LineTable::add(PlaneId a, PlaneId b, std::uint32_t point) {
         if (found == FlatMap::kNone) {
             found = std::uint32_t(lines_.size());
             Line line{{a, b}, 0, false};
-            double most = 0;
+            Int128 most = 0;
             for (int k = 0, i = 1, j = 2; k < 3; i = j, j = k, ++k) {
                 const Int128 component = normal_minor(p, q, i, j);
-                const double size = double(component < 0 ? -component : component);
-                if (!(size > most)) continue;
+                const Int128 size = component < 0 ? -component : component;
+                if (size <= most) continue;
                 most = size;
                 line.axis = k;
                 line.ascends = component > 0;
@@ -98,8 +98,7 @@ int LineTable::turn(std::uint32_t index, PlaneId a, PlaneId b) const {
     const Line& line = lines_[index];
     const int i = (line.axis + 1) % 3, j = (line.axis + 2) % 3;
     const Int128 component = normal_minor(tables_.planes.plane(a), tables_.planes.plane(b), i, j);
-    const int sign = component > 0 ? 1 : component < 0 ? -1 : 0;
-    return line.ascends ? sign : -sign;
+    return component > 0 ? 1 : component < 0 ? -1 : 0;
 }
 
 bool LineTable::runs_along(std::uint32_t line, PlaneId a, PlaneId b) const {
@@ -111,11 +110,12 @@ bool LineTable::before(std::uint32_t index, std::uint32_t a, std::uint32_t b) co
     const Line& line = lines_[index];
     const ExactPoint &p = tables_.points.point(a), &q = tables_.points.point(b);
     const double along = q.approximate()[line.axis] - p.approximate()[line.axis];
-    if (along > 2 * kApproximation || along < -2 * kApproximation) return (along > 0) == line.ascends;
+    if (along > 2 * kApproximation || along < -2 * kApproximation) return along > 0;
     const Plane &f = tables_.planes.plane(line.planes[0]), &t = tables_.planes.plane(line.planes[1]);
-    if (p.on_grid()) return exact_order(f, t, p, axis_plane(line.axis, p.grid()[line.axis]), q) > 0;
+    const auto after = [&](const Plane& across) { return (exact_order(f, t, p, across, q) > 0) == line.ascends; };
+    if (p.on_grid()) return after(axis_plane(line.axis, p.grid()[line.axis]));
     for (int k = 0; k < 3; ++k)
-        if (exact_turn(f, t, *p.plane(k)) != 0) return exact_order(f, t, p, *p.plane(k), q) > 0;
+        if (exact_turn(f, t, *p.plane(k)) != 0) return after(*p.plane(k));
     return false;
 }
 

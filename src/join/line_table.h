@@ -17,11 +17,10 @@ public:
     /// @param point  a point on it
     std::uint32_t add(PlaneId a, PlaneId b, std::uint32_t point);
 
-    /// Two planes that meet in it.
-    PlaneId plane(std::uint32_t line, int k) const { return lines_[line].planes[k]; }
     std::size_t size() const { return lines_.size(); }
 
-    /// Whether a.normal x b.normal runs the way the line does, for planes that meet in it.
+    /// Whether a.normal x b.normal runs the way the line does, for planes that meet in it. A line ascends along the
+    /// axis of its largest component, whichever planes name it.
     bool runs_along(std::uint32_t line, PlaneId a, PlaneId b) const;
 
     /// Whether point `a` comes before point `b`, both on the line.
@@ -32,12 +31,11 @@ public:
 
 private:
     struct Line {
-        PlaneId planes[2];  ///< it runs along the first one's normal x the second one's
+        PlaneId planes[2];  ///< two that meet in it
         int axis;           ///< of its largest component
-        bool ascends;       ///< along that axis
+        bool ascends;       ///< along that axis runs the first one's normal x the second one's
     };
 
-    std::uint32_t make(PlaneId a, PlaneId b) const;
     bool same(const Line& line, PlaneId a, PlaneId b, std::uint32_t point) const;
 
     const JoinTables& tables_;

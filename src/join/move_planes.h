@@ -2,6 +2,7 @@
 // Planes moved a little where they make faces too thin for the surface grid.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,8 +19,14 @@ class PlaneMover {
 public:
     PlaneMover(const BrushLevel& level, JoinTables& tables);
 
+    /// Takes in the sides that were added to the level.
+    void grow();
+
     /// As the level has it, or as it was moved.
     PlaneId of_side(std::uint32_t side) const { return plane_of_side_[side]; }
+    bool is_moved(std::uint32_t side) const { return plane_of_side_[side] != plane_as_read_[side]; }
+    /// Points that a side's plane goes through, as BrushSide::points.
+    std::array<GridPoint, 3> points_of_side(std::uint32_t side) const;
 
     /// A face that makes no facets.
     struct Outline {
@@ -32,9 +39,24 @@ public:
     /// @return for each outline whether one of its planes was moved, now or for another outline
     std::vector<bool> move(std::span<const Outline> outlines, std::span<const BrushShape> shapes);
 
+    /// The sides that have another plane since the last move().
+    const std::vector<std::uint32_t>& moved_sides() const { return moved_sides_; }
+
     std::size_t moved() const { return moved_; }
 
 private:
+    /// Points that a plane goes through, seen from its front.
+    struct PlanePoints {
+        PlaneId plane = kNoPlane;
+        std::array<GridPoint, 3> points;
+    };
+
+    struct SidesOfPlane {
+        std::uint32_t any = ~0u, lowest = ~0u;
+    };
+
+    PlaneId add_plane(const std::array<GridPoint, 3>& points);
+    void list_shapes(std::span<const BrushShape> shapes);
     void find_candidates(const Outline& outline);
     void move_plane(PlaneId plane);
     PlaneId near_candidate(PlaneId plane, std::span<const BrushShape> shapes) const;
@@ -43,10 +65,15 @@ private:
 
     const BrushLevel& level_;
     JoinTables& tables_;
-    std::vector<PlaneId> plane_of_side_;
+    std::vector<PlaneId> plane_as_read_, plane_of_side_;
     std::vector<PlaneId> candidates_;           ///< that may be changed
     std::vector<PlaneId> axial_;                ///< that may not
-    std::vector<std::uint32_t> side_of_plane_;  ///< the first that has it; by number of the plane
+    std::vector<PlanePoints> points_of_plane_;  ///< by number of the plane
+    std::vector<std::uint32_t> moved_sides_;
+    std::vector<SidesOfPlane> sides_of_plane_;                  ///< by number of the plane
+    std::vector<std::uint32_t> next_side_;                      ///< another one in a side's plane
+    std::vector<std::uint32_t> first_shape_, shapes_of_plane_;  ///< by number of the plane: brushes that it bounds
+    std::vector<bool> changed_;                                 ///< by number of the plane: in the move() at hand
     std::uint32_t rounds_ = 0;
     std::size_t moved_ = 0;
 };

@@ -21,12 +21,13 @@ public:
     /// Divides what reaches through a portal, or past one nearby, by its plane. Parts are added at the end.
     void divide_at_portals(std::vector<JoinPiece>& pieces);
 
-    /// merge_pieces(), but not over a side that lies on a portal of another plane than theirs.
+    /// merge_pieces(), but not over a side for which ends_at_portal().
     void merge_between_portals(std::vector<JoinPiece>& pieces) const;
 
-private:
+    /// Whether a side between two corners, of pieces in a plane, lies on a portal of another plane.
     bool ends_at_portal(std::uint32_t from, std::uint32_t to, PlaneId plane) const;
 
+private:
     JoinTables& tables_;
     std::vector<PlaneId> planes_;  ///< of each portal
     BoxTree tree_;                 ///< of the same
