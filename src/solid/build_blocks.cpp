@@ -160,8 +160,9 @@ std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& opt
     }
     std::vector<std::uint32_t> order(faces.faces.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return part_of(faces.faces[a]) < part_of(faces.faces[b]);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t one = part_of(faces.faces[a]), other = part_of(faces.faces[b]);
+        return one != other ? one < other : a < b;  // in each part as they came
     });
     FaceSet some;
     for (std::size_t k = 0; k < order.size();) {

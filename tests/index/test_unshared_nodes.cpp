@@ -94,6 +94,7 @@ TEST(UnsharedNodes, OfSeveralIndicesInAnyOrderOverTheSameLeaves) {
     expect_as_compared({all.get(), d.get()}, {d.get(), c.get(), a.get()});
     expect_as_compared({a.get(), b.get()}, {b.get(), a.get()});
     expect_as_compared({c.get(), d.get(), d.get()}, {b.get()});
+    expect_as_compared({a.get(), b.get(), a.get()}, {c.get(), c.get()});
 }
 
 }  // namespace
