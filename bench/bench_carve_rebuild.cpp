@@ -6,12 +6,12 @@
 
 #include "naive/plain_bsp.h"
 #include "scenes/cut_levels.h"
+#include "solid/append_faces.h"
+#include "solid/build_blocks.h"
 #include "support/craters.h"
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
-#include "solid/append_faces.h"
-#include "solid/build_blocks.h"
 #include "world/world_data.h"
 
 namespace firma::bench {

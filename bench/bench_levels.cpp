@@ -12,11 +12,11 @@
 #include "firma/carve.h"
 #include "firma/rooms.h"
 #include "scenes/rng.h"
+#include "solid/append_faces.h"
+#include "solid/build_blocks.h"
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
-#include "solid/append_faces.h"
-#include "solid/build_blocks.h"
 #include "world/assemble_world.h"
 
 namespace firma::bench {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "firma/rooms.h"
-#include "join/portal_cutter.h"
 #include "index/box_tree.h"
+#include "join/portal_cutter.h"
 
 namespace firma::gltf {
 namespace {

@@ -5,9 +5,9 @@
 #include "cast/cast_sphere_polygon.h"
 #include "firma/level.h"
 #include "firma/world.h"
-#include "scenes/cast_range.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
+#include "scenes/cast_range.h"
 #include "world/block_faces.h"
 #include "world/world_data.h"
 

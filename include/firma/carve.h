@@ -60,9 +60,9 @@ struct CarveResult {
 /// What became of a solid.
 struct SolidResult {
     CarveStatus status = CarveStatus::kRefused;
-    Solid solid;              ///< after the edit; the one before unless kDone
-    Error error;              ///< for kRefused
-    CarveReport report;       ///< as of a world
+    Solid solid;               ///< after the edit; the one before unless kDone
+    Error error;               ///< for kRefused
+    CarveReport report;        ///< as of a world
     std::string reproduction;  ///< as in CarveResult
 
     bool done() const { return status == CarveStatus::kDone; }

@@ -28,7 +28,8 @@ struct SaveOptions {
 inline constexpr std::uint32_t kFirmaFileVersion = 2;
 
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees and
-/// the rules for carving. The same world, made the same way, gives the same bytes on every machine. docs/formats.md has the layout.
+/// the rules for carving. The same world, made the same way, gives the same bytes on every machine. docs/formats.md has
+/// the layout.
 std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its

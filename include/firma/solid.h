@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact solid: a value of its own. Is it sound, how large is it, is it the same? And what of a level can become one.
+// The exact solid: a value of its own. Is it sound, how large is it, is it the same? And what of a level can become
+// one.
 #pragma once
 
 #include <array>
@@ -54,9 +55,10 @@ struct SolidFault {
     Vec3 at;      ///< metres: a corner or an edge's end that shows it
 };
 
-/// The first thing that does not hold of the solid's boundary, or nothing: loops close, an outer one first, the right way around, then holes; every edge is used twice, once each way; vertices
-/// lie exactly on the planes of their faces and edges; the facets of each face cover it, and all facets together are
-/// closed. Says nothing about where the boundary crosses itself. See check_world() for facets one by one.
+/// The first thing that does not hold of the solid's boundary, or nothing: loops close, an outer one first, the right
+/// way around, then holes; every edge is used twice, once each way; vertices lie exactly on the planes of their faces
+/// and edges; the facets of each face cover it, and all facets together are closed. Says nothing about where the
+/// boundary crosses itself. See check_world() for facets one by one.
 std::optional<SolidFault> check_solid(const Solid& solid);
 std::optional<SolidFault> check_solid(const World& world);
 

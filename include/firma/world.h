@@ -60,8 +60,8 @@ public:
     TreeStatistics statistics() const;
 
     /// The face that a hit of this World names. Its id is not valid() when this world has no such face where the ref
-    /// says: it is of another version in which the face was moved or cut, of another world, or of a closed portal. Costs
-    /// a walk to the face and one for each of its edges.
+    /// says: it is of another version in which the face was moved or cut, of another world, or of a closed portal.
+    /// Costs a walk to the face and one for each of its edges.
     Face face(const FaceRef& ref) const;
     /// The same by lasting id, through a search of all faces; nothing when this world has no such face.
     std::optional<Face> find_face(FaceId id) const;
@@ -83,9 +83,9 @@ struct WorldOptions {
     CarveRules rules{};
 };
 
-/// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit or
-/// hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces have
-/// many corners.
+/// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
+/// or hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces
+/// have many corners.
 World rebuild_index(const World& world, const TreeOptions& options);
 
 /// The same world under other rules for carving.
@@ -194,9 +194,10 @@ struct WorldFault {
 };
 
 /// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin of its room; ids unique; hashes those of the faces. In a world of several rooms also: portals join two
-/// rooms that are there, by polygons as sound as faces; around each room, the directed edges of the solid's faces and
-/// of its portals cancel exactly. Of the exact solid behind the faces see check_solid().
+/// around what they hold; every face in exactly one bin of its room; ids unique; hashes those of the faces. In a world
+/// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
+/// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
+/// check_solid().
 std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

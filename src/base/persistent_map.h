@@ -87,9 +87,7 @@ private:
     static std::uint32_t digit(std::uint32_t key, int level) { return key >> 5 * level & (kItems - 1); }
 
     /// Six digits hold 30 bits, the seventh the rest.
-    bool holds_digits_of(std::uint32_t key) const {
-        return height_ > 0 && (height_ >= 7 || key >> 5 * height_ == 0);
-    }
+    bool holds_digits_of(std::uint32_t key) const { return height_ > 0 && (height_ >= 7 || key >> 5 * height_ == 0); }
 
     void grow() {
         if (root_) {

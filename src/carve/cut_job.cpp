@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/assert.h"
-#include "carve/check_shells.h"
 #include "carve/change_points.h"
+#include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
 #include "carve/label.h"
@@ -162,7 +162,7 @@ double* CutJob::clock_of(Phase phase) {
 CutJob::Phase CutJob::refuse(ErrorCode code, std::string reason) {
     status_ = CarveStatus::kRefused;
     error_ = {code, cutter_.valid() && !cutter_.name().empty() ? "cutter " + cutter_.name() : "cutter",
-                     std::move(reason)};
+              std::move(reason)};
     return Phase::kEnd;
 }
 

@@ -8,8 +8,8 @@
 
 #include "carve/place_cutter.h"
 #include "geometry/bevelled_box.h"
-#include "solid/solid_face.h"
 #include "index/box_tree.h"
+#include "solid/solid_face.h"
 
 namespace firma {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "carve/cut_state.h"
-#include "solid/make_facets.h"
 #include "solid/face_set.h"
+#include "solid/make_facets.h"
 
 namespace firma {
 

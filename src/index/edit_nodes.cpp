@@ -48,8 +48,8 @@ bool NodeEdit::step() {
 void NodeEdit::start_over_leaf() {
     std::vector<Ref<const Node>> leaves;
     const bool stays = root_ && std::none_of(removed_.begin(), removed_.end(), [&](const Removed& removed) {
-        return removed.facets == root_->facets.get();
-    });
+                           return removed.facets == root_->facets.get();
+                       });
     FIRMA_ASSERT(removed_.empty() || (root_ && !stays), "remove() takes a leaf of the index");
     if (stays) leaves.push_back(root_);
     leaves.insert(leaves.end(), added_.begin(), added_.end());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changing an index: some leaves are removed, others added; nodes that are not touched are shared with the index before.
+// Changing an index: some leaves are removed, others added; nodes that are not touched are shared with the index
+// before.
 //
 // The rules are those of a B-tree over bins. A leaf that is added goes down the index before the edit, at each bin to
 // the child that has to grow least, to a node above leaves. Each node above a change is made anew, from the bottom up:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From nodes to nodes over them: how an index is put together from leaves, and how an edit puts what it made and what it
-// left alone together again.
+// From nodes to nodes over them: how an index is put together from leaves, and how an edit puts what it made and what
+// it left alone together again.
 #pragma once
 
 #include <cstdint>

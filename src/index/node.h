@@ -23,8 +23,8 @@ inline constexpr std::uint32_t kNodeItems = 64;
 /// divisions, then halves), of which there are five above each other at most.
 inline constexpr int kDeepestTree = 63 + 5 * 18;
 
-/// Facets that are kept together, in the order in which the bins of a leaf node hold them. An index keeps them alive and
-/// never looks inside.
+/// Facets that are kept together, in the order in which the bins of a leaf node hold them. An index keeps them alive
+/// and never looks inside.
 class IndexedFacets : public RefCounted, public Pooled {
 public:
     virtual ~IndexedFacets() = default;

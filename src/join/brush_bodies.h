@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "firma/brush_level.h"
-#include "join/hide_faces.h"
 #include "index/box_tree.h"
+#include "join/hide_faces.h"
 
 namespace firma {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "join/arrangement.h"
-#include "solid/make_facets.h"
 #include "solid/face_set.h"
+#include "solid/make_facets.h"
 
 namespace firma {
 

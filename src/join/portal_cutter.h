@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "join/merge_pieces.h"
 #include "index/box_tree.h"
+#include "join/merge_pieces.h"
 
 namespace firma {
 

@@ -10,8 +10,8 @@
 #include "firma/level.h"
 #include "firma/solid.h"
 #include "geometry/polygons_cross.h"
-#include "level/pair_edges.h"
 #include "index/box_tree.h"
+#include "level/pair_edges.h"
 
 namespace firma {
 

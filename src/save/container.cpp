@@ -73,9 +73,9 @@ private:
         if (bytes_.size() < kHeadBytes) return fault("it ends within its head");
         const std::uint32_t version = read_u32(bytes_.data() + 8);
         if (version < 1 || version > kFirmaFileVersion)
-            return Error{ErrorCode::kUnsupported, name_,
-                         "it is of version " + std::to_string(version) +
-                             " of the format; this Firma reads versions 1 and 2"};
+            return Error{
+                ErrorCode::kUnsupported, name_,
+                "it is of version " + std::to_string(version) + " of the format; this Firma reads versions 1 and 2"};
         count_ = read_u32(bytes_.data() + 12);
         if (count_ > (bytes_.size() - kHeadBytes) / kTableEntryBytes)
             return fault("it ends within its table of sections");

@@ -117,14 +117,14 @@ private:
     void pack_face(const PlacedFace& placed) {
         const FaceRecord& face = placed.place.record();
         const auto* owner = static_cast<const SolidFace*>(placed.place.block->owner_of(face));
-        for (const std::uint32_t number : {face.id.value, face.source, face.edit, face.material, face.mask, placed.room})
+        for (const std::uint32_t number :
+             {face.id.value, face.source, face.edit, face.material, face.mask, placed.room})
             faces_.u32(number);
         faces_.u32(exact_ && owner ? exact_faces_(owner) : kOwnFace);
         faces_.u8(face.corner_count);
         faces_.u8(std::uint8_t((face.two_sided ? kTwoSidedFace : 0) | (face.solid && exact_ ? kSolidFace : 0)));
         faces_.u16(0);
-        for (std::uint32_t k = 0; k < face.corner_count; ++k)
-            corners_.u32(vertex(placed.place.block->corner(face, k)));
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) corners_.u32(vertex(placed.place.block->corner(face, k)));
     }
 
     /// Numbered in order of first use.

@@ -39,9 +39,10 @@ inline constexpr SectionType kBinsSection = section_type("BINS");
 inline constexpr SectionType kOwnersSection = section_type("OWNR");
 
 inline constexpr SectionType kSectionsOfBoth[] = {
-    kWorldSection,          kMaterialsSection,  kRulesSection,     kFacesSection,       kVerticesSection, kCornersSection,
-    kRoomRecordsSection,    kPortalsSection,    kPortalPolygonsSection, kPortalCornersSection, kPlanesSection,
-    kGridPointsSection,     kMeetPointsSection, kEdgesSection,     kExactFacesSection,  kUsesSection,     kLoopsSection};
+    kWorldSection,   kMaterialsSection,   kRulesSection,      kFacesSection,          kVerticesSection,
+    kCornersSection, kRoomRecordsSection, kPortalsSection,    kPortalPolygonsSection, kPortalCornersSection,
+    kPlanesSection,  kGridPointsSection,  kMeetPointsSection, kEdgesSection,          kExactFacesSection,
+    kUsesSection,    kLoopsSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
 inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
                                                    kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};

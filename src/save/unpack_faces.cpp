@@ -20,7 +20,8 @@ public:
     FaceSet read() {
         FaceSet read;
         if (damage_.error()) return read;
-        if (faces_.count() != data_.faces) return damage_.report(faces_.type(), "has not as many entries as faces"), read;
+        if (faces_.count() != data_.faces)
+            return damage_.report(faces_.type(), "has not as many entries as faces"), read;
         read.vertices.resize(vertices_.count());
         for (std::size_t k = 0; k < vertices_.count(); ++k) {
             const std::byte* at = vertices_.at(k);
@@ -56,7 +57,8 @@ private:
             return fault("does not have 3 to 64 corners");
         if (face.corner_count > corners_.left()) return fault("has corners that are not there");
         if (face.part >= data_.rooms) return fault("lies in a room that is not there");
-        if (!set.faces.empty() && !(set.faces.back().id < face.id)) return fault("does not have a higher id than the last");
+        if (!set.faces.empty() && !(set.faces.back().id < face.id))
+            return fault("does not have a higher id than the last");
         if (flags > (kTwoSidedFace | kSolidFace) || read_u16(at + 30) != 0) return fault("has flags that mean nothing");
         if (owner != kOwnFace && owner >= exact_.size()) return fault("has an exact face that is not there");
         if (owner != kOwnFace && !face.solid) return fault("bounds no solid, and yet has an exact face");
@@ -85,7 +87,7 @@ private:
 }  // namespace
 
 FaceSet unpack_faces(Sections& sections, const UnpackedData& data, std::span<const Ref<SolidFace>> exact,
-                           Damage& damage) {
+                     Damage& damage) {
     return FaceReader(sections, data, exact, damage).read();
 }
 

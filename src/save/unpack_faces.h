@@ -15,10 +15,10 @@ namespace firma {
 /// @param exact  the exact faces that facets name; nothing else may hold them yet: their facets are counted here
 /// Every index in what comes back is good; what faces are like is for check_world() to find out.
 FaceSet unpack_faces(Sections& sections, const UnpackedData& data, std::span<const Ref<SolidFace>> exact,
-                           Damage& damage);
+                     Damage& damage);
 
 /// The same of version 1, whose faces stand block by block.
-FaceSet unpack_faces_of_version_1(Sections& sections, const UnpackedData& data,
-                                        std::span<const Ref<SolidFace>> exact, Damage& damage);
+FaceSet unpack_faces_of_version_1(Sections& sections, const UnpackedData& data, std::span<const Ref<SolidFace>> exact,
+                                  Damage& damage);
 
 }  // namespace firma

@@ -23,11 +23,14 @@ public:
 
     FaceSet read() {
         if (damage_.error()) return {};
-        if (rooms_.count() != data_.rooms) return damage_.report(rooms_.type(), "has not as many entries as rooms"), FaceSet();
-        if (faces_.count() != data_.faces) return damage_.report(faces_.type(), "has not as many entries as faces"), FaceSet();
+        if (rooms_.count() != data_.rooms)
+            return damage_.report(rooms_.type(), "has not as many entries as rooms"), FaceSet();
+        if (faces_.count() != data_.faces)
+            return damage_.report(faces_.type(), "has not as many entries as faces"), FaceSet();
         for (room_ = 0; room_ < data_.rooms; ++room_) {
             const std::uint32_t count = read_u32(rooms_.at(room_));
-            if (count > blocks_.left()) return damage_.report(rooms_.type(), room_, "has more blocks than there are"), FaceSet();
+            if (count > blocks_.left())
+                return damage_.report(rooms_.type(), room_, "has more blocks than there are"), FaceSet();
             for (std::uint32_t k = 0; k < count; ++k)
                 if (!read_block()) return {};
         }
@@ -43,7 +46,9 @@ private:
         const std::byte* at = blocks_.take(1);
         const std::uint32_t bins = read_u16(at), children = read_u16(at + 2), faces = read_u16(at + 4),
                             vertices = read_u16(at + 6), corners = read_u16(at + 8), owners = read_u16(at + 10);
-        const auto fault = [&](const char* reason) { return damage_.report(blocks_.type(), blocks_.taken() - 1, reason); };
+        const auto fault = [&](const char* reason) {
+            return damage_.report(blocks_.type(), blocks_.taken() - 1, reason);
+        };
         if ((children == 0) == (faces == 0)) return fault("holds both faces and blocks, or neither");
         if (bins > bins_.left() || faces > faces_.left() || vertices > vertices_.left() || corners > corners_.left() ||
             owners > owners_.left())
@@ -102,7 +107,8 @@ private:
             ++exact_[of_block_owners_[owner]]->facets;
         }
         face.first_corner = std::uint32_t(set.corners.size());
-        for (std::uint32_t k = 0; k < face.corner_count; ++k) set.corners.push_back(first_vertex_ + of_block_[first + k]);
+        for (std::uint32_t k = 0; k < face.corner_count; ++k)
+            set.corners.push_back(first_vertex_ + of_block_[first + k]);
         set.faces.push_back(face);
         return true;
     }
@@ -119,8 +125,8 @@ private:
 
 }  // namespace
 
-FaceSet unpack_faces_of_version_1(Sections& sections, const UnpackedData& data,
-                                        std::span<const Ref<SolidFace>> exact, Damage& damage) {
+FaceSet unpack_faces_of_version_1(Sections& sections, const UnpackedData& data, std::span<const Ref<SolidFace>> exact,
+                                  Damage& damage) {
     return BlockReader(sections, data, exact, damage).read();
 }
 

@@ -41,9 +41,11 @@ public:
         for (std::size_t k = 0; k < nodes_.count(); ++k)
             if (!read_node(k)) return {};
         for (const Entries* part : {&block_faces_, &bins_, &children_})
-            if (part->left() > 0) return damage_.report(part->type(), part->taken(), "belongs to nothing"), std::nullopt;
+            if (part->left() > 0)
+                return damage_.report(part->type(), part->taken(), "belongs to nothing"), std::nullopt;
         if (roots_.count() != 2 + data_.rooms) {
-            damage_.report(roots_.type(), "has not an entry for the solid, for what is castable only, and for each room");
+            damage_.report(roots_.type(),
+                           "has not an entry for the solid, for what is castable only, and for each room");
             return {};
         }
         UnpackedIndex index;

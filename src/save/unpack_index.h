@@ -12,7 +12,7 @@
 namespace firma {
 
 struct UnpackedIndex {
-    Ref<const Node> solid, castable;      ///< null: no faces
+    Ref<const Node> solid, castable;     ///< null: no faces
     std::vector<Ref<const Node>> rooms;  ///< of each
 };
 

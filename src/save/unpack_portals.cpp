@@ -69,8 +69,7 @@ private:
         part.open = !(flags & kClosedPortal);
         for (const RoomId room : part.rooms)
             if (room.value >= unpacked_.rooms) return fault_here("leads to a room that is not there"), false;
-        if (flags & ~kClosedPortal || read_u32(at + 28) != 0)
-            return fault_here("has flags that mean nothing"), false;
+        if (flags & ~kClosedPortal || read_u32(at + 28) != 0) return fault_here("has flags that mean nothing"), false;
         if (polygons > polygons_.left()) return fault_here("has more polygons than there are"), false;
         for (std::uint32_t k = 0; k < polygons; ++k)
             if (!read_polygon(part)) return false;

@@ -71,7 +71,7 @@ private:
     void rebuild_one();
 
     TreeOptions options_;
-    std::vector<const Block*> blocks_;  ///< that go
+    std::vector<const Block*> blocks_;                           ///< that go
     std::unordered_map<const Block*, std::uint32_t> number_of_;  ///< looked up only, never gone through
     std::vector<Change> goes_, comes_;                           ///< by block, by group; sorted
     FaceSet added_;

@@ -22,8 +22,8 @@ std::uint64_t product(std::uint64_t a, std::uint64_t b) {
 
 std::uint64_t residue(Int128 value) {
     const auto size = Unsigned128(value < 0 ? -value : value);
-    const std::uint64_t positive = reduced((std::uint64_t(size) & kPrime) + (std::uint64_t(size >> 61) & kPrime) +
-                                           std::uint64_t(size >> 122));
+    const std::uint64_t positive =
+        reduced((std::uint64_t(size) & kPrime) + (std::uint64_t(size >> 61) & kPrime) + std::uint64_t(size >> 122));
     return value < 0 && positive != 0 ? kPrime - positive : positive;
 }
 
@@ -53,8 +53,7 @@ std::uint64_t hash_plane(const Plane& plane) {
 
 LineDirection LineDirection::along(const GridPoint& from, const GridPoint& to) {
     LineDirection direction;
-    for (int axis = 0; axis < 3; ++axis)
-        direction.along_[axis] = residue(Int128(std::int64_t(to[axis]) - from[axis]));
+    for (int axis = 0; axis < 3; ++axis) direction.along_[axis] = residue(Int128(std::int64_t(to[axis]) - from[axis]));
     return direction;
 }
 

@@ -60,14 +60,15 @@ std::size_t bytes_of(const std::vector<std::string>* names) {
 std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
     std::size_t sum = mine.rooms().bytes_unshared(theirs.rooms()) + mine.portals().bytes_unshared(theirs.portals());
     if (mine.boxes() && mine.boxes() != theirs.boxes())
-        sum += sizeof(PortalBoxes) + mine.boxes()->tree.bytes() +
-               mine.boxes()->portals.capacity() * sizeof(std::uint32_t);
-    mine.rooms().for_each_unshared(
-        theirs.rooms(), [&](std::uint32_t, const Ref<const Room>* own, const Ref<const Room>* other) {
-            if (!own || (other && own->get() == other->get())) return;
-            sum += pool_size(sizeof(Room));
-            if (!other || (*own)->record != (*other)->record) sum += bytes_of(*(*own)->record);
-        });
+        sum +=
+            sizeof(PortalBoxes) + mine.boxes()->tree.bytes() + mine.boxes()->portals.capacity() * sizeof(std::uint32_t);
+    mine.rooms().for_each_unshared(theirs.rooms(),
+                                   [&](std::uint32_t, const Ref<const Room>* own, const Ref<const Room>* other) {
+                                       if (!own || (other && own->get() == other->get())) return;
+                                       sum += pool_size(sizeof(Room));
+                                       if (!other || (*own)->record != (*other)->record)
+                                           sum += bytes_of(*(*own)->record);
+                                   });
     mine.portals().for_each_unshared(theirs.portals(),
                                      [&](std::uint32_t, const PortalState* own, const PortalState* other) {
                                          if (own && (!other || own->portal.get() != other->portal.get()))

@@ -114,8 +114,8 @@ public:
     /// A sum over rooms and portals of all that they are, faces included.
     std::uint64_t hash() const { return hash_; }
 
-    /// Calls `function(number, portal)` for the portals whose boxes meet, and perhaps for others; in no order that means
-    /// anything. Not for those that are gone.
+    /// Calls `function(number, portal)` for the portals whose boxes meet, and perhaps for others; in no order that
+    /// means anything. Not for those that are gone.
     template <class Meets, class Function>
     void for_each_portal_where(const Meets& meets, const Function& function) const {
         if (!boxes_) return;

@@ -54,7 +54,8 @@ public:
         if (const Node* root = data.castable.root.get()) check_store(*root, false);
         if (!fault_ && ids_.size() != world.face_count()) report("the count of faces is not how many there are", {});
         if (!fault_) check_ids(world);
-        data.cells.rooms().for_each([&](std::uint32_t number, const Ref<const Room>& room) { check_room(number, *room); });
+        data.cells.rooms().for_each(
+            [&](std::uint32_t number, const Ref<const Room>& room) { check_room(number, *room); });
         if (!fault_) check_all_in_rooms(data);
         if (!fault_) check_hashes(data);
         if (!fault_) fault_ = check_rooms(world);
@@ -214,7 +215,7 @@ private:
 
     std::optional<WorldFault> fault_;
     std::vector<std::uint32_t> ids_;
-    std::vector<const Block*> blocks_, in_rooms_;                   ///< of the stores, and of all rooms
+    std::vector<const Block*> blocks_, in_rooms_;                 ///< of the stores, and of all rooms
     std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_;  ///< of each block in a room, and the room
     bool in_store_ = false, solid_ = false;
     std::size_t faces_ = 0;

@@ -122,8 +122,7 @@ private:
                 if (has && !had) add({k}, *two->portal, diff_.portals_come);
                 if (had && !has) add({k}, *one->portal, diff_.portals_gone);
                 if (!had || !has) return;
-                if (one->closed != two->closed)
-                    add({k}, *two->portal, two->closed ? diff_.closed : diff_.opened);
+                if (one->closed != two->closed) add({k}, *two->portal, two->closed ? diff_.closed : diff_.opened);
                 if (same(*one->portal, *two->portal)) return;
                 add({k}, *one->portal, diff_.portals_changed);
                 add_box(two->portal->box);

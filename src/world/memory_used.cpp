@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much memory worlds hold: each node, block, room and owner once, by address. Only a sum comes out, so no order shows.
+// How much memory worlds hold: each node, block, room and owner once, by address. Only a sum comes out, so no order
+// shows.
 #include "firma/memory.h"
 
 #include <unordered_set>

@@ -11,8 +11,8 @@
 
 namespace firma {
 
-/// A room that was reached only by meeting a closed portal lies `behind` it: of its faces, those at the portal's rim may
-/// be met at the same time, and the lowest id counts; but the sweep did not pass into it.
+/// A room that was reached only by meeting a closed portal lies `behind` it: of its faces, those at the portal's rim
+/// may be met at the same time, and the lowest id counts; but the sweep did not pass into it.
 struct WaitingRoom {
     double reached;
     std::uint32_t room;

@@ -69,8 +69,8 @@ inline BoxD box_of_face(const Block& block, const FaceRecord& face) {
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
 }
 
-/// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may bring
-/// `latest` forward.
+/// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may
+/// bring `latest` forward.
 template <class Found>
 class SweepVisitor {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casts through a carved world.
-#include "world/block_faces.h"
 #include "tests/reference/judge_carved_casts.h"
+#include "world/block_faces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -62,7 +62,8 @@ Vec3 point_in(const Box& box, Rng& rng) {
 /// Rooms that are there, not part of another one.
 std::size_t rooms_left(const World& world) {
     std::size_t count = 0;
-    for (std::uint32_t room = 0; room < world.room_count(); ++room) count += world.data().cells.current_room(room) == room;
+    for (std::uint32_t room = 0; room < world.room_count(); ++room)
+        count += world.data().cells.current_room(room) == room;
     return count;
 }
 

@@ -76,9 +76,8 @@ FacetChange compare_facets(const World& before, const World& after) {
 
 FaceSet set_of(const World& world) {
     FaceSet set;
-    for_each_block_of(world.data(), [&](const Block& block) {
-        append_faces(block, set, [](std::uint32_t) { return true; });
-    });
+    for_each_block_of(world.data(),
+                      [&](const Block& block) { append_faces(block, set, [](std::uint32_t) { return true; }); });
     return set;
 }
 

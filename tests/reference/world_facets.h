@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "firma/world.h"
-#include "solid/solid_patch.h"
 #include "solid/face_set.h"
+#include "solid/solid_patch.h"
 
 namespace firma::reference {
 

@@ -116,8 +116,9 @@ TEST(UnpackDamage, ErrorsNameTheirPlace) {
 
 TEST(UnpackDamage, ErrorsOfTheIndexNameTheirPlace) {
     using Bytes = std::vector<std::byte>;
-    EXPECT_EQ(text_of(kIndexBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 0x7FC00000); }),  // NaN
-              "a.firma: section IBIN, entry 0: its box is none within the world");
+    EXPECT_EQ(
+        text_of(kIndexBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 0x7FC00000); }),  // NaN
+        "a.firma: section IBIN, entry 0: its box is none within the world");
     EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 1u << 20); }),
               "a.firma: section IFAC, entry 1: names a face that is not there");
     EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 0); }),
@@ -146,8 +147,7 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
               "a.firma: section RECS, entry 1: is part of a higher room");
     EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 0),
               "a.firma: the world is broken: a room's count of faces is not how many there are");
-    EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 2),
-              "a.firma: section RECS, entry 0: has flags that mean nothing");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 2), "a.firma: section RECS, entry 0: has flags that mean nothing");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 1),
               "a.firma: the world is broken: more than one room, or rock as well, reaches to infinity");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 0, 3), "a.firma: section RECS: has bytes behind its last name");

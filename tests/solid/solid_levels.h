@@ -9,8 +9,8 @@
 
 #include "firma/carve.h"
 #include "firma/solid.h"
-#include "solid/boundary.h"
 #include "solid/append_faces.h"
+#include "solid/boundary.h"
 #include "solid/build_blocks.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
@@ -108,9 +108,7 @@ struct Parts {
             if (face.solid) append_face(set, face, solid);
         return build_store(solid, from.data().tree_options).store;
     }
-    World world() const {
-        return reference::with_faces(from, set);
-    }
+    World world() const { return reference::with_faces(from, set); }
 };
 
 }  // namespace firma::test

@@ -9,7 +9,7 @@
 
 #include "firma/firma.h"
 #include "scenes/room_grid.h"
-#include "tests/tree/edited_tree.h"
+#include "tests/solid/edited_tree.h"
 
 namespace firma {
 namespace {

@@ -85,8 +85,10 @@ TEST(CheckRooms, Records) {
         return fault_with([&](WorldData& data) { set_record(data.cells, number, change); });
     };
     EXPECT_EQ(with_record(0, [](auto&) {}), "");
-    EXPECT_EQ(with_record(0, [](auto& r) { r.merged_into = 1; }), "a block lies in a room that its faces are not part of");
-    EXPECT_EQ(with_record(1, [](auto& r) { r.merged_into = 0; }), "a block lies in a room that its faces are not part of");
+    EXPECT_EQ(with_record(0, [](auto& r) { r.merged_into = 1; }),
+              "a block lies in a room that its faces are not part of");
+    EXPECT_EQ(with_record(1, [](auto& r) { r.merged_into = 0; }),
+              "a block lies in a room that its faces are not part of");
     EXPECT_EQ(with_record(0, [](auto& r) { r.exterior = true; }),
               "more than one room, or rock as well, reaches to infinity");
     EXPECT_EQ(with_record(1, [](auto& r) { r.portals.clear(); }), "room 1 does not list its portals");
