@@ -85,7 +85,7 @@ public:
         result.report = cut_.report();
         result.report.times.tree += time_;
         result.reproduction = cut_.reproduction();
-        result.world = result.status == CarveStatus::kDone ? after_ : world_;
+        result.world = published_ ? after_ : world_;
         return result;
     }
 
@@ -133,6 +133,7 @@ private:
         rooms_.publish(*data);
         data->materials = with_material(data->materials, options_.material);
         after_ = World(std::move(data));
+        published_ = true;
         return Phase::kEnd;
     }
 
@@ -142,6 +143,7 @@ private:
     RoomEdit rooms_;
     std::unique_ptr<SolidEdit> solid_;
     World after_;
+    bool published_ = false;
     std::optional<Error> refused_;
     Phase phase_ = Phase::kCut;
     double time_ = 0;  ///< microseconds, of what comes after the cut

@@ -113,15 +113,15 @@ class FirmaFile(CliTest):
         damaged[-100] ^= 1
         self.write('bad.firma', bytes(damaged))
         for verb in ['info', 'check']:
-            self.refuse(verb, 'bad.firma', says=['bad.firma: section LOOP', 'checksum'])
+            self.refuse(verb, 'bad.firma', says=['bad.firma: section ICHI', 'checksum'])
         self.write('short.firma', bytes(bytes_before[:-8]))
         self.refuse('check', 'short.firma', says=['short.firma: it is not as long as its head says'])
         self.write('text.firma', 'o level\n')
         self.refuse('info', 'text.firma', says=['text.firma: it does not begin as a .firma file does'])
         damaged = bytearray(bytes_before)
-        damaged[8] = 2
+        damaged[8] = 3
         self.write('new.firma', bytes(damaged))
-        self.refuse('check', 'new.firma', says=['new.firma: it is of version 2'])
+        self.refuse('check', 'new.firma', says=['new.firma: it is of version 3'])
         self.refuse('check', 'none.firma', says=['none.firma: cannot be read'])
 
     def test_files_of_version_1_stay_readable(self):

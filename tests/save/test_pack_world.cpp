@@ -132,7 +132,7 @@ TEST(PackWorld, SameBytesEverywhere) {
     const std::vector<std::byte> bytes = pack_world(cut_room(10, 3));
     Hasher hasher;
     for (const std::byte byte : bytes) hasher.add(std::uint8_t(byte));
-    EXPECT_EQ(hasher.value(), 15174648762745154409u) << hasher.value();
+    EXPECT_EQ(hasher.value(), 297750095638333578u) << hasher.value();
 }
 
 TEST(PackWorld, ToleranceOptionsAndRules) {
@@ -207,7 +207,7 @@ TEST(PackWorld, FacetsAloneAreSmallerAndCannotBeCarved) {
 TEST(PackWorld, VersionOneStaysReadable) {
     const Result<World> golden = load_world(FIRMA_ROOT "/tests/data/golden_v1.firma");
     ASSERT_TRUE(golden.ok()) << golden.error().text();
-    EXPECT_EQ(hash_world(golden.value()), 13236605243480891803u) << hash_world(golden.value());
+    EXPECT_EQ(hash_world(golden.value()), 3620734030464234831u) << hash_world(golden.value());
     EXPECT_EQ(golden.value().data().edits(), 6u);
     std::ifstream file(FIRMA_ROOT "/tests/data/golden_v1.firma", std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -215,6 +215,22 @@ TEST(PackWorld, VersionOneStaysReadable) {
     EXPECT_EQ(version_of_container(std::as_bytes(std::span(bytes))), 1u);
     EXPECT_TRUE(pack_world(golden.value()) == pack_world(unpacked(std::as_bytes(std::span(bytes)))));
     expect_round_trip(golden.value());
+}
+
+/// What version 2 wrote when it was new, of the worlds of version 1: without the index the same bytes for ever.
+TEST(PackWorld, VersionTwoStaysReadable) {
+    for (const std::string name : {"golden", "golden_rooms"}) {
+        const std::string folder = FIRMA_ROOT "/tests/data/";
+        const Result<World> one = load_world(folder + name + "_v1.firma"), two = load_world(folder + name + "_v2.firma");
+        ASSERT_TRUE(one.ok() && two.ok()) << name;
+        EXPECT_EQ(hash_world(one.value()), hash_world(two.value()));
+        EXPECT_EQ(hash_solid(one.value()), hash_solid(two.value()));
+        EXPECT_EQ(hash_regions(one.value()), hash_regions(two.value()));
+        EXPECT_TRUE(pack_world(one.value(), {.index = false}) == pack_world(two.value(), {.index = false}));
+        std::ifstream file(folder + name + "_v2.firma", std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        EXPECT_TRUE(std::ranges::equal(pack_world(two.value()), std::as_bytes(std::span(bytes)))) << name;
+    }
 }
 
 /// Rooms inside and out, doors of both kinds, a cavity, and rooms that craters made one.
@@ -236,7 +252,7 @@ World rooms_and_craters() {
 TEST(PackWorld, RoomsAndCratersAreTheSameEverywhere) {
     const World world = rooms_and_craters();
     EXPECT_FALSE(check_world(world));
-    EXPECT_EQ(hash_world(world), 1862759916208377434u) << hash_world(world);
+    EXPECT_EQ(hash_world(world), 13714305426980157133u) << hash_world(world);
     const World again = unpacked(pack_world(world));
     EXPECT_EQ(hash_world(again), hash_world(world));
 }
@@ -250,10 +266,11 @@ TEST(PackWorld, RoomsOfVersionOneStayReadable) {
     ASSERT_TRUE(golden.ok()) << golden.error().text();
     const World& world = golden.value();
     EXPECT_FALSE(check_world(world));
-    EXPECT_EQ(hash_world(world), 12115271097692654948u) << hash_world(world);
+    EXPECT_EQ(hash_world(world), 6388791359657166093u) << hash_world(world);
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_TRUE(std::ranges::equal(pack_world(world), std::as_bytes(std::span(bytes))));
+    EXPECT_EQ(version_of_container(std::as_bytes(std::span(bytes))), 1u);
+    expect_round_trip(world);
     std::size_t joined = 0, gone = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
         joined += room_info(world, {room}).part_of != RoomId{room};

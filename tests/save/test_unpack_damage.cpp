@@ -122,7 +122,7 @@ TEST(UnpackDamage, ErrorsOfTheIndexNameTheirPlace) {
     EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 1u << 20); }),
               "a.firma: section IFAC, entry 1: names a face that is not there");
     EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 0); }),
-              "a.firma: face 0: the world is broken: two faces have one id");
+              "a.firma: face 0: the world is broken: a face reaches out of its bin");
     EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 1u << 20); }),
               "a.firma: section IROO, entry 0: names a node that is not there");
     EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, ~0u); }),
