@@ -28,9 +28,12 @@ BlockEdit::BlockEdit(const TreeOptions& options) : options_(options) {}
 void BlockEdit::remove(const FacetPlace& facet) {
     FIRMA_ASSERT(facet.block && facet.slot < facet.block->faces.size(), "remove() takes a face of a block");
     FIRMA_ASSERT(phase_ == Phase::kStart, "all changes come before the first step()");
-    const auto [known, is_new] = number_of_.try_emplace(facet.block, std::uint32_t(blocks_.size()));
-    if (is_new) blocks_.push_back(facet.block);
-    goes_.push_back({known->second, facet.slot});
+    std::uint32_t& known = number_of_.at(reinterpret_cast<std::uintptr_t>(facet.block));
+    if (known == FlatMap::kNone) {
+        known = std::uint32_t(blocks_.size());
+        blocks_.push_back(facet.block);
+    }
+    goes_.push_back({known, facet.slot});
 }
 
 void BlockEdit::add(FaceSet&& faces) {
@@ -60,8 +63,8 @@ void BlockEdit::sort_blocks() {
     const std::vector<const Block*> before = blocks_;
     std::sort(blocks_.begin(), blocks_.end(),
               [](const Block* a, const Block* b) { return a->faces[0].id < b->faces[0].id; });
-    for (std::uint32_t k = 0; k < blocks_.size(); ++k) number_of_[blocks_[k]] = k;
-    for (Change& change : goes_) change.place = number_of_[before[change.place]];
+    for (std::uint32_t k = 0; k < blocks_.size(); ++k) number_of_.at(reinterpret_cast<std::uintptr_t>(blocks_[k])) = k;
+    for (Change& change : goes_) change.place = number_of_.find(reinterpret_cast<std::uintptr_t>(before[change.place]));
 }
 
 void BlockEdit::start() {

@@ -7,10 +7,10 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "base/flat_map.h"
 #include "base/ref.h"
 #include "firma/tree_options.h"
 #include "index/join_nodes.h"
@@ -72,7 +72,7 @@ private:
 
     TreeOptions options_;
     std::vector<const Block*> blocks_;                           ///< that go
-    std::unordered_map<const Block*, std::uint32_t> number_of_;  ///< looked up only, never gone through
+    FlatMap number_of_;                 ///< of each of them, by address
     std::vector<Change> goes_, comes_;                           ///< by block, by group; sorted
     FaceSet added_;
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The Solid's handle, and what is asked of solids.
-#include <map>
-#include <unordered_set>
 
 #include "base/random.h"
 #include "solid/check_boundary.h"
@@ -44,6 +42,14 @@ void add_stored(const SolidFace& face, PointHash& hash) {
     }
 }
 
+/// Whether an object is seen for the first time.
+bool is_first(FlatMap& seen, const void* object) {
+    std::uint32_t& known = seen.at(reinterpret_cast<std::uintptr_t>(object));
+    if (known != FlatMap::kNone) return false;
+    known = 0;
+    return true;
+}
+
 }  // namespace
 
 Solid::Solid() : data_(no_solid()) {}
@@ -70,14 +76,14 @@ Box Solid::bounds() const {
 
 void hash_points_anew(SolidData& data) {
     PointHash hash;
-    std::unordered_set<const FaceOwner*> seen;  // asked only, never gone through
+    FlatMap seen;
     if (data.faces.root)
         for_each_block(*data.faces.root, [&](const Block& block) {
             for (const FaceRecord& face : block.faces) {
                 const FaceOwner* owner = block.owner_of(face);
                 if (!owner)
                     add_untouched(block, face, hash);
-                else if (owner->facets == 1 || seen.insert(owner).second)
+                else if (owner->facets == 1 || is_first(seen, owner))
                     add_stored(static_cast<const SolidFace&>(*owner), hash);
             }
         });
@@ -101,16 +107,21 @@ Solid solid_of(FaceStore faces, bool rock_outside, std::uint32_t next_face, std:
 
 std::vector<RegionHash> region_hashes(std::initializer_list<const PersistentMap<std::uint64_t>*> faces,
                                       const PersistentMap<std::uint64_t>& points) {
-    std::map<std::uint32_t, RegionHash> all;
-    const auto at = [&](std::uint32_t key) -> RegionHash& {
-        return all.try_emplace(key, RegionHash{place_of_region(key), 0, 0}).first->second;
+    PersistentMap<RegionHash> all;
+    const auto add = [&](std::uint32_t key, std::uint64_t of_faces, std::uint64_t of_points) {
+        const RegionHash* known = all.find(key);
+        RegionHash sum = known ? *known : RegionHash{place_of_region(key), 0, 0};
+        sum.faces += of_faces;
+        sum.points += of_points;
+        all.set(key, sum);
     };
     for (const PersistentMap<std::uint64_t>* some : faces)
-        some->for_each([&](std::uint32_t key, std::uint64_t sum) { at(key).faces += sum; });
-    points.for_each([&](std::uint32_t key, std::uint64_t sum) { at(key).points = sum; });
+        some->for_each([&](std::uint32_t key, std::uint64_t sum) { add(key, sum, 0); });
+    points.for_each([&](std::uint32_t key, std::uint64_t sum) { add(key, 0, sum); });
     std::vector<RegionHash> list;
-    for (const auto& [key, region] : all)
+    all.for_each([&](std::uint32_t, const RegionHash& region) {
         if (region.faces != 0 || region.points != 0) list.push_back(region);
+    });
     return list;
 }
 

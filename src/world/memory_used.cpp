@@ -3,8 +3,7 @@
 // shows.
 #include "firma/memory.h"
 
-#include <unordered_set>
-
+#include "base/flat_map.h"
 #include "index/statistics.h"
 #include "world/world_data.h"
 
@@ -29,7 +28,12 @@ public:
     std::size_t bytes() const { return bytes_; }
 
 private:
-    bool is_new(const void* object) { return seen_.insert(object).second; }
+    bool is_new(const void* object) {
+        std::uint32_t& known = seen_.at(reinterpret_cast<std::uintptr_t>(object));
+        if (known != FlatMap::kNone) return false;
+        known = 0;
+        return true;
+    }
 
     void add(const std::vector<std::string>& names) {
         bytes_ += sizeof names + names.capacity() * sizeof(std::string);
@@ -70,7 +74,7 @@ private:
             if (is_new(owner.get())) bytes_ += owner->bytes();
     }
 
-    std::unordered_set<const void*> seen_;
+    FlatMap seen_;  ///< by address
     std::size_t bytes_ = 0;
 };
 
