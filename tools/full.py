@@ -24,12 +24,12 @@ THREAD = os.path.join('build', 'thread', 'bin')
 # count.
 APART = ('brush_level.h', 'brush_world.h', 'divide_rooms.h', 'find_leak.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'world_store.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
-CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/tree', 'src/world', 'src/level/make_world.cpp',
+CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/world', 'src/level/make_world.cpp',
                 'CMakeLists.txt', 'CMakePresets.json']
 # All scenes but those of levels with rooms.
 OF_ROOMS = ('brush_piles.', 'divided_building.', 'level_cuts.')
 SCENES = [f'scenes/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'scenes'))) if not name.startswith(OF_ROOMS)]
-CARVE_SOURCES = CAST_SOURCES + SCENES + ['src/solid', 'src/carve', 'src/level', 'levels/first.obj']
+CARVE_SOURCES = CAST_SOURCES + SCENES + ['src/carve', 'src/level', 'levels/first.obj']
 
 
 def reference(*names):
@@ -139,7 +139,7 @@ CLAIMS = [
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
-          CAST_SOURCES + ['src/solid', 'src/carve', 'src/level'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
+          CAST_SOURCES + ['src/carve', 'src/level'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + fuzzer('read_obj', 'expect_sound_obj', 'expect_sound_level'), 'fuzz', fuzz('read_obj'), 'fuzz_read_obj'),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',
@@ -152,7 +152,7 @@ CLAIMS = [
           BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
     Claim('fuzz_read_gltf', 'seconds of fuzzing the glTF reader and its rooms, no crash, hang or broken world', 600, 300, 'seconds',
-          READ_SOURCES + ['include/firma/read_gltf.h', 'gltf', 'src/geometry', 'src/join', 'src/solid', 'src/tree', 'src/world']
+          READ_SOURCES + ['include/firma/read_gltf.h', 'gltf', 'src/geometry', 'src/join', 'src/solid', 'src/index', 'src/world']
           + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'fuzz', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
           'seconds', CARVE_SOURCES + ['src/save', 'tests/save/saved_worlds.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),

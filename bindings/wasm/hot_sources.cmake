@@ -3,9 +3,8 @@
 file(GLOB FIRMA_HOT_SOURCES CONFIGURE_DEPENDS src/cast/*.cpp src/geometry/*.cpp src/world/cast_world.cpp src/world/near_world.cpp)
 list(FILTER FIRMA_HOT_SOURCES EXCLUDE REGEX "/(check_polygon|polygons_cross|exact_[a-z]*)\\.cpp$")
 set_source_files_properties(${FIRMA_HOT_SOURCES} PROPERTIES COMPILE_OPTIONS -O3)
-# What every cut goes through most; all else of carving, for which there is no room, is compiled for size too.
-file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/geometry/exact_*.cpp src/carve/cut_faces.cpp src/solid/triangulate.cpp
-     src/index/split_bin.cpp)
+# The signs that every cut asks for; all else of carving, for which there is no room, is compiled for size too.
+file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/geometry/exact_*.cpp)
 set_source_files_properties(${FIRMA_WARM_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
 
 # For all of it: linked as one program, which makes it smaller; a small sort instead of libc++'s; and instructions that

@@ -38,7 +38,7 @@ class LayersTest(unittest.TestCase):
         self.assertIn('src/base/a.h:2: src/base includes src/cast/b.h, which stands above it', done.stdout)
 
     def test_wings_do_not_see_each_other(self):
-        self.assertEqual(check(self.house(src__level__a='#include "carve/b.h"', src__carve__b='')).returncode, 1)
+        self.assertEqual(check(self.house(src__level__a='#include "save/b.h"', src__save__b='')).returncode, 1)
 
     def test_an_include_of_nothing_fails(self):
         self.assertEqual(check(self.house(src__base__a='#include "base/none.h"')).returncode, 1)
