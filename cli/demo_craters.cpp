@@ -84,6 +84,7 @@ DemoCraters fire_demo_craters(const World& before, const std::vector<Query>& que
         ++did.fired;
         did.done += fired.result.done();
         did.nothing += fired.result.status == CarveStatus::kNothing;
+        did.nothing_castable_only += met_only_castable(fired.result);
         did.refused += fired.result.status == CarveStatus::kRefused;
         if (fired.result.done()) {
             did.seconds.push_back(fired.seconds);

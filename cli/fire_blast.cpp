@@ -36,6 +36,10 @@ Fired fire_blast(World& world, const Blast& blast, const FireOptions& options) {
     return fired;
 }
 
+bool met_only_castable(const CarveResult& result) {
+    return result.status == CarveStatus::kNothing && result.report.faces_castable_only > 0;
+}
+
 double percentile(std::vector<double>& values, double share) {
     if (values.empty()) return 0;
     const std::size_t place = std::min(values.size() - 1, std::size_t(share * double(values.size())));

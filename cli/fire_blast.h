@@ -25,6 +25,9 @@ struct Fired {
 /// within the time measured.
 Fired fire_blast(World& world, const Blast& blast, const FireOptions& options = {});
 
+/// Whether nothing came of an edit though the cutter reached into faces, all of them castable only.
+bool met_only_castable(const CarveResult& result);
+
 /// The value that a share of values, 0 .. 1, does not exceed; 0 for none. Changes their order.
 double percentile(std::vector<double>& values, double share);
 

@@ -36,7 +36,7 @@ struct CarveArguments {
     bool json = false;
 };
 
-constexpr const char* kReportHeader = "blast,status,ms,faces_gone,faces_new,retries,volume,hash\n";
+constexpr const char* kReportHeader = "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only\n";
 
 constexpr const char* kFooter =
     R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, no
@@ -50,7 +50,8 @@ Lines count from 1, the header included. `-` reads standard input.
 
 The report: one row a blast, in their order:
   blast       row of the blasts, from 0
-  status      done; nothing (the cutter met only air); refused (see stderr; the world stays as it was)
+  status      done; nothing (the cutter met only air, or only faces that are castable only: see castable_only);
+              refused (see stderr; the world stays as it was)
   ms          wall time of that edit alone with everything in it, milliseconds; not of making the cutter's shape
               from its seed, nor of the hash or of output
   faces_gone  faces that casts met before and no more
@@ -58,8 +59,10 @@ The report: one row a blast, in their order:
   retries     how often the cutter was moved by a few 1/4096 m, out of degenerate position
   volume      taken from the solid, cubic metres, 17 significant digits
   hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
-A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Refusals do not
-change the exit code.
+  castable_only
+              faces that reach into the cutter and were left as they are, as they bound no closed solid
+A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Neither
+refusals nor blasts that came to nothing change the exit code.
 
 The level written goes by the ending of AFTER. A .firma file holds all of it, its exact solid, tree and counters
 too: blasts go on from it as if there had been no file between. A .glb is binary glTF 2.0, for viewers and engines: the
@@ -77,8 +80,9 @@ none, and `firma check` does not take it ("no face"); AFTER.glb is an empty scen
 which would be a fault of Firma, the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the
 cutter.
 
---json: level, blasts, done, nothing, refused, faces_before, faces_after, castable_only, median_ms, p99_ms, longest_ms,
-longest_slice_ms, retries, volume, hash, read_seconds, build_seconds, out, report.
+--json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that are castable only), refused,
+faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
+volume, hash, read_seconds, build_seconds, out, report.
 
 For instance, a crater and a drill hole in our level:
   printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
@@ -88,6 +92,7 @@ For instance, a crater and a drill hole in our level:
 /// What is told about all blasts together.
 struct Tally {
     std::size_t done = 0, nothing = 0, refused = 0;
+    std::size_t nothing_castable_only = 0, faces_met = 0;  ///< of `nothing`: met only faces that are castable only
     std::size_t faces_before = 0, faces_after = 0;
     std::vector<double> seconds;  ///< of the edits that carved something
     double longest_slice = 0, longest = 0;
@@ -123,7 +128,7 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
         fmt::format("{},{},{:.4f},{},{},{},", blast, status_name(fired.result.status), 1e3 * fired.seconds,
                     done ? did.faces_gone : 0, done ? did.faces_new : 0, did.retries);
     append_17(row, done ? did.volume : 0);
-    report.write(row + ',' + hash_text(world) + '\n');
+    report.write(row + fmt::format(",{},{}\n", hash_text(world), did.faces_castable_only));
 }
 
 /// after.obj -> after.repro-7.obj
@@ -160,6 +165,10 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
         const CarveResult& result = fired.result;
         tally.done += result.done();
         tally.nothing += result.status == CarveStatus::kNothing;
+        if (met_only_castable(result)) {
+            ++tally.nothing_castable_only;
+            tally.faces_met += result.report.faces_castable_only;
+        }
         tally.refused += result.status == CarveStatus::kRefused;
         tally.retries += std::uint64_t(result.report.retries);
         tally.longest_slice = std::max(tally.longest_slice, fired.longest_slice);
@@ -223,6 +232,7 @@ std::string json_text(const CarveArguments& arguments, const LoadedLevel& loaded
     json.add("blasts", tally.done + tally.nothing + tally.refused);
     json.add("done", tally.done);
     json.add("nothing", tally.nothing);
+    json.add("nothing_castable_only", tally.nothing_castable_only);
     json.add("refused", tally.refused);
     json.add("faces_before", tally.faces_before);
     json.add("faces_after", tally.faces_after);
@@ -254,6 +264,10 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
     const auto row = [&](const char* what, const std::string& value) {
         text += fmt::format("  {:<12} {}\n", what, value);
     };
+    if (tally.nothing_castable_only > 0)
+        row("nothing", fmt::format("{} met only faces that are castable only ({}), {} met only air",
+                                   grouped(tally.nothing_castable_only), grouped(tally.faces_met),
+                                   grouped(tally.nothing - tally.nothing_castable_only)));
     row("faces", fmt::format("{} before, {} after", grouped(tally.faces_before), grouped(tally.faces_after)));
     if (const std::size_t faces = castable_only(world); faces > 0)
         row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them{}", grouped(faces),

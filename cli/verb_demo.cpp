@@ -62,8 +62,8 @@ view that shows them well, before and after. Levels without closed solids have n
 
 --json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
 casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, craters {count,
-done, nothing, refused, median_ms, p99_ms, volume, faces_after, casts, casts_per_second, rays, escaped_before,
-escaped, checked, disagreements, hash}, view (null where there is none), out.
+done, nothing, nothing_castable_only (of these), refused, median_ms, p99_ms, volume, faces_after, casts,
+casts_per_second, rays, escaped_before, escaped, checked, disagreements, hash}, view (null where there is none), out.
 
 Exit codes: 0 done; 1 the twin disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
 )";
@@ -198,6 +198,9 @@ std::string craters_text(const LoadedLevel& loaded, const Results& results) {
     std::string text =
         row_text("craters", fmt::format("{}: {} done, {} nothing, {} refused", grouped(craters.fired),
                                         grouped(craters.done), grouped(craters.nothing), grouped(craters.refused)));
+    if (craters.nothing_castable_only > 0)
+        text += row_text("", fmt::format("{} of them met only faces that are castable only",
+                                         grouped(craters.nothing_castable_only)));
     if (craters.done == 0) return text + row_text("", "nothing here bounds a closed solid");
     std::vector<double> seconds = craters.seconds;
     text += row_text("time of a crater",
@@ -252,6 +255,7 @@ void add_craters(JsonWriter& json, const Results& results) {
     json.add("count", craters.fired);
     json.add("done", craters.done);
     json.add("nothing", craters.nothing);
+    json.add("nothing_castable_only", craters.nothing_castable_only);
     json.add("refused", craters.refused);
     json.add("median_ms", 1e3 * percentile(seconds, 0.5));
     json.add("p99_ms", 1e3 * percentile(seconds, 0.99));

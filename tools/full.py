@@ -78,6 +78,10 @@ def carved(what):
                                 '--cuts', '1000', '--threads', '2']
 
 
+def index(seed, count):
+    return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
+
+
 def fuzz(reader):
     def command(seed, count):
         scratch = os.path.join('build', 'fuzz', f'corpus_{reader}')
@@ -114,6 +118,9 @@ CLAIMS = [
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + TWIN + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
           CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
+    Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
+          CARVE_SOURCES + ['src/index', 'src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
+          'full_index'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',

@@ -118,6 +118,7 @@ void put_report(const CarveResult& result, firma_carve_report& out) {
     out.trace_us = report.times.trace;
     out.facets_us = report.times.facets;
     out.tree_us = report.times.tree;
+    out.faces_castable_only = report.faces_castable_only;
 }
 
 }  // namespace firma::c

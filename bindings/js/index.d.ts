@@ -388,6 +388,8 @@ export interface CarveReport {
     facesCut: number;
     facesGone: number;
     facesNew: number;
+    /** That reach into the cutter and are left as they are, as they bound no solid. */
+    facesCastableOnly: number;
     /** What zones and materials left of the cutter's scale, 0..1. */
     scale: number;
     /** Cubic metres taken; negative when added. */

@@ -18,16 +18,18 @@ namespace firma {
 
 enum class CarveStatus : std::uint8_t {
     kDone,
-    kNothing,  ///< the cutter met nothing to take away (or, filling, nothing to fill): the world is the one before
+    kNothing,  ///< the cutter met nothing to take away (or, filling, nothing to fill): the world is the one before.
+               ///< CarveReport::faces_castable_only says whether it met faces that no edit changes
     kRefused,  ///< `error` says why; the world is the one before
 };
 
 /// What an edit did, and what it cost.
 struct CarveReport {
-    std::size_t faces_looked_at = 0;  ///< exact faces near the cutter: in its box, without what is clear of it
-    std::size_t faces_cut = 0;        ///< of these, how many the cutter's surface crosses
-    std::size_t faces_gone = 0;       ///< facets that casts met before and meet no more
-    std::size_t faces_new = 0;        ///< facets that casts meet from now on
+    std::size_t faces_looked_at = 0;      ///< exact faces near the cutter: in its box, without what is clear of it
+    std::size_t faces_cut = 0;            ///< of these, how many the cutter's surface crosses
+    std::size_t faces_gone = 0;           ///< facets that casts met before and meet no more
+    std::size_t faces_new = 0;            ///< facets that casts meet from now on
+    std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
     int retries = 0;    ///< how often the cutter, or some of it, was moved by steps of the grid, as it touched
     double scale = 1;   ///< what zones and materials left of the cutter's scale
     double volume = 0;  ///< cubic metres taken from the solid; negative when it was added to

@@ -447,6 +447,9 @@ typedef struct firma_carve_report {
     double volume; /* cubic metres taken; negative when added */
     /* Microseconds. */
     double place_us, gather_us, cut_us, label_us, trace_us, facets_us, tree_us;
+    /* That reach into the cutter and are left as they are, as they bound no solid: with FIRMA_CARVE_NOTHING and none of
+     * them the cutter met only air. */
+    uint64_t faces_castable_only;
 } firma_carve_report;
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world

@@ -20,7 +20,7 @@ struct SaveOptions {
     /// facet's own.
     bool exact = true;
     /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without,
-    /// worlds of equal hashes make equal bytes.
+    /// worlds of equal hashes, rules and skins make equal bytes, and the world read back has the default TreeOptions.
     bool index = true;
 };
 

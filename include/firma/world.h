@@ -91,7 +91,8 @@ World rebuild_index(const World& world, const TreeOptions& options);
 /// The same world under other rules for carving.
 World with_rules(const World& world, CarveRules rules);
 
-/// A world of one room around a solid.
+/// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
+/// many as there are, are put into blocks anew.
 World make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.

@@ -15,7 +15,9 @@ export function describeShot(shot) {
         case 'done':
             return `crater: ${shot.report.facesGone} faces gone, ${shot.report.facesNew} new, ` +
                 `${number(shot.report.volume, 2)} m\u00b3; ${cut}, drawn anew in ${number(shot.meshMs, 2)} ms`;
-        case 'nothing': return `nothing is taken away: no closed solid there (${cut})`;
+        case 'nothing': return shot.report.facesCastableOnly > 0
+            ? `nothing is taken away: met only faces that are castable only (${shot.report.facesCastableOnly}); ${cut}`
+            : `nothing is taken away: no closed solid there (${cut})`;
         case 'refused': return `refused: ${shot.reason} (${cut})`;
         case 'undone': case 'redone': return shot.status;
         case 'opened': case 'closed': return `portal ${shot.status}`;

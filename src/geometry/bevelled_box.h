@@ -29,7 +29,8 @@ public:
     /// @param box  around them
     template <class Point>
     bool clear_of(const GridBox& box, std::size_t point_count, const Point& point, std::int32_t steps) const;
-    /// Likewise for all that lies in a box.
+    /// Whether the other call would say so of whatever lies in a box: so what is asked of many at once ends in what is
+    /// asked of each. False for a box in several octants.
     bool clear_of(const GridBox& box, std::int32_t steps) const;
 
     /// Calls function(outward, bound) for its 20 slanted planes: a point p lies behind one moved out for steps, as
@@ -101,6 +102,8 @@ bool BevelledBox::clear_of(const GridBox& box, std::size_t point_count, const Po
 }
 
 inline bool BevelledBox::clear_of(const GridBox& box, std::int32_t steps) const {
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.low[axis] < middle_[axis] && box.high[axis] >= middle_[axis]) return false;
     const int octant = octant_of(box);
     GridPoint nearest;
     for (int axis = 0; axis < 3; ++axis) nearest[axis] = (octant >> axis & 1) != 0 ? box.low[axis] : box.high[axis];

@@ -41,7 +41,10 @@ struct PlacedFace {
 class Packer {
 public:
     Packer(const World& world, const SaveOptions& options)
-        : data_(world.data()), exact_(options.exact), index_(options.index && options.exact) {}
+        : data_(world.data()),
+          tree_options_(options.index ? data_.tree_options : TreeOptions{}),
+          exact_(options.exact),
+          index_(options.index && options.exact) {}
 
     std::vector<std::byte> pack() {
         pack_data();
@@ -68,11 +71,11 @@ private:
                    (data_.cells.known() ? kHasRoomRecords : 0) | (portals ? kHasPortals : 0));
         world_.u32(data_.cells.room_count());
         world_.f64(data_.tolerance.skin);
-        world_.u32(std::uint32_t(data_.tree_options.split));
-        world_.i32(data_.tree_options.max_depth);
-        world_.i32(data_.tree_options.faces_per_bin);
+        world_.u32(std::uint32_t(tree_options_.split));
+        world_.i32(tree_options_.max_depth);
+        world_.i32(tree_options_.faces_per_bin);
         world_.u32(0);
-        world_.f64(data_.tree_options.min_bin_volume);
+        world_.f64(tree_options_.min_bin_volume);
     }
 
     void pack_materials() {
@@ -294,6 +297,7 @@ private:
     }
 
     const WorldData& data_;
+    const TreeOptions tree_options_;
     const bool exact_, index_;
     std::vector<PlacedFace> all_;  ///< in order of id
     ByteWriter world_, materials_, rules_, faces_, vertices_, corners_;

@@ -80,6 +80,23 @@ std::vector<RoomRecord> records_of(std::vector<RoomPart>& parts) {
     return records;
 }
 
+/// The same solid, all of it part 0: one that was a world's of several rooms is in as many parts.
+Solid in_one_part(const Solid& solid) {
+    const Ref<const Node>& root = solid.data().faces.root;
+    bool is_one = true;
+    if (root) for_each_block(*root, [&](const Block& block) { is_one = is_one && block.part == 0; });
+    if (is_one) return solid;
+    FaceSet faces;
+    append_all_faces(*root, faces);
+    for (FaceSet::Entry& face : faces.faces) face.part = 0;
+    // In order of id: what comes out follows from the faces alone.
+    std::sort(faces.faces.begin(), faces.faces.end(),
+              [](const FaceSet::Entry& a, const FaceSet::Entry& b) { return a.id < b.id; });
+    auto data = std::make_shared<SolidData>(solid.data());
+    data->faces = build_store(faces, data->tree_options).store;
+    return Solid(std::move(data));
+}
+
 Cells make_cells(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
@@ -139,7 +156,8 @@ World world_of(StoredWorld stored) {
     return World(std::move(data));
 }
 
-World make_world(const Solid& solid, const WorldOptions& options) {
+World make_world(const Solid& given, const WorldOptions& options) {
+    const Solid solid = in_one_part(given);
     StoredWorld stored;
     stored.solid.store = solid.data().faces;
     FaceSums sums;

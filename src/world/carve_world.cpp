@@ -10,6 +10,7 @@
 #include "carve/cut_job.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
+#include "world/count_reaching.h"
 #include "world/room_edit.h"
 
 namespace firma {
@@ -59,6 +60,10 @@ public:
         }
         const auto start = std::chrono::steady_clock::now();
         switch (phase_) {
+            case Phase::kCastable:
+                phase_ = count_castable();
+                report_time_ += microseconds_since(start);
+                return phase_ != Phase::kEnd;
             case Phase::kPlaceFaces:
                 phase_ = place_faces();
                 break;
@@ -83,14 +88,16 @@ public:
         result.status = refused_ ? CarveStatus::kRefused : cut_.status();
         result.error = refused_ ? *refused_ : cut_.error();
         result.report = cut_.report();
+        result.report.times.gather += report_time_;
         result.report.times.tree += time_;
+        if (castable_) result.report.faces_castable_only = castable_->count();
         result.reproduction = cut_.reproduction();
         result.world = published_ ? after_ : world_;
         return result;
     }
 
 private:
-    enum class Phase : std::uint8_t { kCut, kPlaceFaces, kSolid, kRooms, kEnd };
+    enum class Phase : std::uint8_t { kCut, kCastable, kPlaceFaces, kSolid, kRooms, kEnd };
 
     /// Versions are numbered: after the last number there is no other edit.
     Phase cut_on() {
@@ -99,7 +106,20 @@ private:
             return Phase::kEnd;
         }
         if (cut_.step()) return Phase::kCut;
-        return cut_.status() == CarveStatus::kDone ? Phase::kPlaceFaces : Phase::kEnd;
+        const bool counts = cut_.status() != CarveStatus::kRefused && world_.data().castable.root;
+        return counts ? Phase::kCastable : after_castable();
+    }
+
+    Phase after_castable() const { return cut_.status() == CarveStatus::kDone ? Phase::kPlaceFaces : Phase::kEnd; }
+
+    Phase count_castable() {
+        const WorldData& data = world_.data();
+        if (!castable_) {
+            const CarveRules defaults;
+            const CarveRules& rules = data.rules ? *data.rules : defaults;
+            castable_.emplace(data.castable.root.get(), cut_.cutter(), rules.most_pairs);
+        }
+        return castable_->step() ? Phase::kCastable : after_castable();
     }
 
     /// Says which room the faces that come are part of.
@@ -140,13 +160,15 @@ private:
     const World world_;
     const CarveOptions options_;
     CutJob cut_;
+    std::optional<ReachCount> castable_;
     RoomEdit rooms_;
     std::unique_ptr<SolidEdit> solid_;
     World after_;
     bool published_ = false;
     std::optional<Error> refused_;
     Phase phase_ = Phase::kCut;
-    double time_ = 0;  ///< microseconds, of what comes after the cut
+    double time_ = 0;         ///< microseconds, of what comes after the cut
+    double report_time_ = 0;  ///< of counting faces for the report alone
 };
 
 }  // namespace

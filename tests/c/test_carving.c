@@ -59,6 +59,7 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     firma_world same = {0};
     CHECK_OK(firma_carve(room, cutter, &in_air, NULL, &same, &report));
     CHECK(report.status == FIRMA_CARVE_NOTHING && hash_of(same) == hash_of(room));
+    CHECK(report.faces_castable_only == 0);
     CHECK_OK(firma_world_release(same));
     const firma_pose nowhere = {{NAN, 4, 2}, {0, 0, 0, 1}, 0.5};
     CHECK_OK(firma_carve(room, cutter, &nowhere, NULL, &same, &report));
@@ -69,6 +70,19 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     CHECK_FAILS(firma_carve(room, cutter, &kInFloor, &options, &same, NULL), FIRMA_ERROR_INVALID, "fill");
     CHECK_FAILS(firma_carve(room, cutter, NULL, NULL, &same, NULL), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_OK(firma_world_release(after));
+}
+
+/* A sheet without a back is castable only: cut into, it stays. */
+static void test_castable_only(firma_cutter cutter) {
+    const char obj[] = "v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nf 1 2 3 4\n";
+    firma_world sheet = {0}, after = {0};
+    firma_carve_report report;
+    CHECK_OK(firma_world_from_obj(obj, sizeof obj - 1, "sheet.obj", NULL, &sheet));
+    CHECK_OK(firma_carve(sheet, cutter, &kInFloor, NULL, &after, &report));
+    CHECK(report.status == FIRMA_CARVE_NOTHING && report.faces_castable_only == 1);
+    CHECK(hash_of(after) == hash_of(sheet));
+    CHECK_OK(firma_world_release(after));
+    CHECK_OK(firma_world_release(sheet));
 }
 
 static void test_job(firma_world room, firma_cutter cutter) {
@@ -142,6 +156,7 @@ void test_carving(void) {
     CHECK_OK(firma_cutter_crater(FIRMA_ROCKY, 7, &cutter));
     test_cutters();
     test_cut(room, cutter);
+    test_castable_only(cutter);
     test_job(room, cutter);
     test_edit(room, cutter);
     test_rules(room, cutter);

@@ -10,7 +10,7 @@ import zlib
 from harness import FIRST, CliTest, box, obj
 
 HEADER = 'x,y,z,radius,shape,seed\n'
-REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash'
+REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only'
 FLOOR = '35,29,0.2,1.6,rocky,1\n'     # in the floor of the hall
 AIR = '35,29,3,0.5,rocky,4\n'         # in the middle of its air
 OUTSIDE = '9000,0,0,1,rocky,3\n'
@@ -157,6 +157,21 @@ class After(CarveTest):
         self.assertIn('1 of the faces bound no closed solid', self.firma('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj'))
         self.assertEqual(self.firma_json('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 1)
         self.assertEqual(self.firma_json('carve', FIRST, '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 0)
+
+    def test_castable_only_is_told(self):
+        """A blast that meets nothing but faces that no blast changes is told apart from one in the air."""
+        corners = [(x, y, z) for z in (0, 3) for y in (0, 4) for x in (0, 4)]
+        self.write('open.obj', obj(corners, [(0, 1, 3, 2), (4, 5, 7, 6)]))
+        rows = self.carve('open.obj', '2,2,0,1,rocky,1\n2,2,1.5,0.5,rocky,1\n2,2,1.5,3,rocky,1\n')
+        self.assertEqual([(row['status'], row['castable_only']) for row in rows],
+                         [('nothing', '1'), ('nothing', '0'), ('nothing', '2')])
+        arguments = ['carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj']
+        self.assertIn('nothing      2 met only faces that are castable only (3), 1 met only air', self.firma(*arguments))
+        told = self.firma_json(*arguments)
+        self.assertEqual((told['nothing'], told['nothing_castable_only']), (3, 2))
+        self.carve(FIRST, FLOOR + AIR)
+        told = self.firma('carve', FIRST, '--blasts', 'b.csv', '-o', 'a.obj')
+        self.assertNotIn('castable', told)
 
     def test_nothing_left(self):
         corners = [(k & 1, k >> 1 & 1, k >> 2 & 1) for k in range(8)]

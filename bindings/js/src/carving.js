@@ -51,6 +51,7 @@ function getReport(core) {
         facesCut: core.getCount(at + CARVE_REPORT.facesCut),
         facesGone: core.getCount(at + CARVE_REPORT.facesGone),
         facesNew: core.getCount(at + CARVE_REPORT.facesNew),
+        facesCastableOnly: core.getCount(at + CARVE_REPORT.facesCastableOnly),
         scale: core.getF64(at + CARVE_REPORT.scale),
         volume: core.getF64(at + CARVE_REPORT.volume),
         times: { ...times, total },

@@ -283,7 +283,7 @@ export const CARVE_OPTIONS = Object.freeze({
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 112,
+    sizeof: 120,
     status: 0,
     retries: 4,
     facesLookedAt: 8,
@@ -299,6 +299,7 @@ export const CARVE_REPORT = Object.freeze({
     traceUs: 88,
     facetsUs: 96,
     treeUs: 104,
+    facesCastableOnly: 112,
 });
 
 /** firma_diff_view */

@@ -69,6 +69,17 @@ test('a random turn is of length one, and the same for the same seed', () => {
     throwsCode('BAD_CALL', () => firma.randomTurn(-1));
 });
 
+test('a report tells faces that are castable only', () => {
+    const sheet = firma.worldFromMesh({ positions: [0, 0, 0, 8, 0, 0, 8, 8, 0], corners: [0, 1, 2] });
+    releasing([sheet, firma.crater('rocky', 1)], (world, cutter) => {
+        for (const [z, met] of [[0, 1], [4, 0]]) {
+            const { world: after, report } = world.carve(cutter, { position: [5, 3, z] });
+            after.release();
+            assert.deepEqual([report.status, report.facesCastableOnly], ['nothing', met]);
+        }
+    });
+});
+
 test('a cut, its report, and the world before', () => {
     carving((world, cutter, keep) => {
         const before = world.hash();
