@@ -71,9 +71,9 @@ private:
     void rebuild_one();
 
     TreeOptions options_;
-    std::vector<const Block*> blocks_;                           ///< that go
+    std::vector<const Block*> blocks_;  ///< that go
     FlatMap number_of_;                 ///< of each of them, by address
-    std::vector<Change> goes_, comes_;                           ///< by block, by group; sorted
+    std::vector<Change> goes_, comes_;  ///< by block, by group; sorted
     FaceSet added_;
 
     Phase phase_ = Phase::kStart;

@@ -221,7 +221,8 @@ TEST(PackWorld, VersionOneStaysReadable) {
 TEST(PackWorld, VersionTwoStaysReadable) {
     for (const std::string name : {"golden", "golden_rooms"}) {
         const std::string folder = FIRMA_ROOT "/tests/data/";
-        const Result<World> one = load_world(folder + name + "_v1.firma"), two = load_world(folder + name + "_v2.firma");
+        const Result<World> one = load_world(folder + name + "_v1.firma"),
+                            two = load_world(folder + name + "_v2.firma");
         ASSERT_TRUE(one.ok() && two.ok()) << name;
         EXPECT_EQ(hash_world(one.value()), hash_world(two.value()));
         EXPECT_EQ(hash_solid(one.value()), hash_solid(two.value()));
