@@ -3,8 +3,10 @@
 file(GLOB FIRMA_HOT_SOURCES CONFIGURE_DEPENDS src/cast/*.cpp src/geometry/*.cpp src/world/cast_world.cpp src/world/near_world.cpp)
 list(FILTER FIRMA_HOT_SOURCES EXCLUDE REGEX "/(check_polygon|polygons_cross|exact_[a-z]*)\\.cpp$")
 set_source_files_properties(${FIRMA_HOT_SOURCES} PROPERTIES COMPILE_OPTIONS -O3)
-file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/carve/*.cpp src/solid/*.cpp src/tree/*.cpp src/geometry/check_polygon.cpp
-     src/geometry/polygons_cross.cpp src/geometry/exact_*.cpp)
+# What runs in every edit lies between.
+file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/carve/*.cpp src/solid/*.cpp src/index/*.cpp src/world/carve_world.cpp
+     src/world/room_edit.cpp src/world/world_edit.cpp src/geometry/check_polygon.cpp src/geometry/polygons_cross.cpp
+     src/geometry/exact_*.cpp)
 set_source_files_properties(${FIRMA_WARM_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
 
 # For all of it: linked as one program, which makes it smaller; a small sort instead of libc++'s; and instructions that
