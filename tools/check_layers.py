@@ -8,8 +8,8 @@ import os
 import re
 import sys
 
-# Foundation first. Layers on one line are wings: they stand on the same floor and never see each other.
-FLOORS = [
+# The lowest first. Layers on one line are modules: they stand on the same layers and never include each other.
+LAYERS = [
     ['include/firma'],
     ['src/base'],
     ['src/geometry'],
@@ -18,36 +18,49 @@ FLOORS = [
     ['src/solid'],
     ['src/carve', 'src/join'],
     ['src/world'],
-    ['src/level', 'src/save', 'src/store', 'src/body'],
+    ['src/level', 'src/save', 'src/store'],
     ['src/brush'],
     ['src/debug'],
     ['scenes'],
     ['gltf'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],
 ]
+# A layer that may not include all that stands below it. What gltf includes beside public headers and level is what it
+# needs to divide rooms and to assemble a world; nothing more is to come.
+ONLY = {'gltf': ['include/firma', 'src/level', 'src/geometry', 'src/index', 'src/join', 'src/world']}
 SEARCHED = ['include', 'src', '', 'bench', 'tests']  # where the compiler looks for a quoted include
 SOURCES = ('.h', '.cpp', '.c')
-# The roof tests and measures everything, itself included: tests may look at the command line's parts, benchmarks share with tests.
-ROOF = len(FLOORS) - 1
+# Programs test and measure everything, themselves included: tests may look at the command line's parts, benchmarks share with tests.
+PROGRAMS = len(LAYERS) - 1
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
 
 def layer_of(path):
-    """(floor, layer) of a file named from the root, or None when it belongs to none."""
-    for floor, layers in enumerate(FLOORS):
+    """(height, layer) of a file named from the root, or None when it belongs to none."""
+    for height, layers in enumerate(LAYERS):
         for layer in layers:
             if path.startswith(layer + '/'):
-                return floor, layer
+                return height, layer
     return None
 
 
-def files_below(root):
-    for floor in FLOORS:
-        for layer in floor:
-            for folder, _, names in os.walk(os.path.join(root, layer)):
-                for name in sorted(names):
-                    if name.endswith(SOURCES):
-                        yield os.path.relpath(os.path.join(folder, name), root)
+def sources_in(root, folder):
+    """Named from the root, in order."""
+    for place, folders, names in os.walk(os.path.join(root, folder)):
+        folders.sort()
+        for name in sorted(names):
+            if name.endswith(SOURCES):
+                yield os.path.relpath(os.path.join(place, name), root)
+
+
+def files_of_layers(root):
+    for layers in LAYERS:
+        for layer in layers:
+            yield from sources_in(root, layer)
+
+
+def files_of_no_layer(root):
+    return [path for folder in ('include', 'src') for path in sources_in(root, folder) if not layer_of(path)]
 
 
 def resolve(root, included, including):
@@ -60,20 +73,22 @@ def resolve(root, included, including):
 
 
 def faults_in(root, path):
-    floor, layer = layer_of(path)
+    height, layer = layer_of(path)
     with open(os.path.join(root, path), encoding='utf-8') as file:
         for number, line in enumerate(file, 1):
             match = INCLUDE.match(line)
             target = match and resolve(root, match.group(1), path)
-            if match and target is None and floor != ROOF:  # the roof may lean on files of peers
+            if match and target is None and height != PROGRAMS:  # programs may include files of other projects
                 yield f'{path}:{number}: includes "{match.group(1)}", which is nowhere in the project'
             there = target and layer_of(target)
-            if not there or floor == ROOF:
+            if not there or height == PROGRAMS:
                 continue
-            if there[0] > floor:
+            if there[0] > height:
                 yield f'{path}:{number}: {layer} includes {target}, which stands above it'
-            elif there[0] == floor and there[1] != layer:
-                yield f'{path}:{number}: {layer} includes {target}, a wing beside it'
+            elif there[0] == height and there[1] != layer:
+                yield f'{path}:{number}: {layer} includes {target}, a module beside it'
+            elif there[1] not in [layer] + ONLY.get(layer, [there[1]]):
+                yield f'{path}:{number}: {layer} includes {target}; it may include {", ".join(ONLY[layer])} alone'
 
 
 def main():
@@ -81,14 +96,15 @@ def main():
         print(__doc__, file=sys.stderr)
         return 2
     root = sys.argv[1] if len(sys.argv) == 2 else os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    files = list(files_below(root))
+    files = list(files_of_layers(root))
     if not files:
         print(f'{root}: no sources here', file=sys.stderr)
         return 2
-    faults = [fault for path in files for fault in faults_in(root, path)]
+    faults = [f'{path}: its folder is in no layer: see LAYERS in tools/check_layers.py' for path in files_of_no_layer(root)]
+    faults += [fault for path in files for fault in faults_in(root, path)]
     for fault in faults:
         print(fault)
-    print(f'{len(files)} files, {len(faults)} includes that point up')
+    print(f'{len(files)} files, {len(faults)} faults')
     return 1 if faults else 0
 
 

@@ -24,8 +24,12 @@ THREAD = os.path.join('build', 'thread', 'bin')
 # count.
 APART = ('brush_level.h', 'brush_world.h', 'divide_rooms.h', 'find_leak.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'world_store.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
-CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/world', 'src/level/make_world.cpp',
-                'CMakeLists.txt', 'CMakePresets.json']
+# From a level to a world: of src/level nothing else.
+MAKE_WORLD = [f'src/level/{name}' for name in (
+    'make_world.cpp', 'judge_level.h', 'judge_level.cpp', 'find_solids.h', 'find_solids.cpp', 'solid_pieces.h', 'solid_pieces.cpp',
+    'slab_tree.h', 'slab_tree.cpp', 'pair_edges.h', 'pair_edges.cpp', 'turn_pieces.cpp')]
+CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/world',
+                'CMakeLists.txt', 'CMakePresets.json'] + MAKE_WORLD
 # All scenes but those of levels with rooms.
 OF_ROOMS = ('brush_piles.', 'divided_building.', 'level_cuts.')
 SCENES = [f'scenes/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'scenes'))) if not name.startswith(OF_ROOMS)]
@@ -43,7 +47,8 @@ JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judg
 
 READ_SOURCES = HEADERS + ['src/base', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
-BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush', 'src/geometry/exact_plane.h', 'src/geometry/exact_plane.cpp']
+BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush'] + [
+    f'src/geometry/{name}' for name in ('exact_plane.h', 'exact_plane.cpp', 'exact_integer.h', 'exact_integer.cpp', 'grid_orient.h', 'rounding.h')]
 
 
 def fuzzer(name, *headers):
@@ -73,13 +78,13 @@ def carve(seed, count):
     return [f'{BUILD}/full_carve', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def index(seed, count):
+    return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
+
+
 def carved(what):
     return lambda seed, count: [f'{BUILD}/full_carved_casts', '--what', what, '--count', str(count), '--seed', str(seed),
                                 '--cuts', '1000', '--threads', '2']
-
-
-def index(seed, count):
-    return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
 
 
 def fuzz(reader):
@@ -119,7 +124,7 @@ CLAIMS = [
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
           CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
-          CARVE_SOURCES + ['src/index', 'src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
+          CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
@@ -132,7 +137,7 @@ CLAIMS = [
               'tools/same_everywhere.sh']
           + [f'tests/full/same_everywhere{ending}' for ending in ('.c', '.mjs', '_browser.mjs')], 'test', same_everywhere, 'firma_c'),
     Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
-          1_000, 'cuts', CARVE_SOURCES + ['src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
+          1_000, 'cuts', CARVE_SOURCES + ['include/firma/world_store.h', 'src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),
     Claim('join_piles', 'random piles of brushes joined: closed, of the right volume, points and ways in the right rooms', 2_000, 500, 'piles',
           JOIN_SOURCES + JUDGE_JOINED, 'test', levels('piles'), 'full_levels'),
@@ -159,10 +164,10 @@ CLAIMS = [
           BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
     Claim('fuzz_read_gltf', 'seconds of fuzzing the glTF reader and its rooms, no crash, hang or broken world', 600, 300, 'seconds',
-          READ_SOURCES + ['include/firma/read_gltf.h', 'gltf', 'src/geometry', 'src/join', 'src/solid', 'src/index', 'src/world']
+          READ_SOURCES + ['include/firma/read_gltf.h', 'gltf', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/join', 'src/world']
           + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'fuzz', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
-          'seconds', CARVE_SOURCES + ['src/save', 'tests/save/saved_worlds.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
+          'seconds', CARVE_SOURCES + ['include/firma/save.h', 'src/save', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
 ]
 
 

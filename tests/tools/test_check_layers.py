@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""test_check_layers.py ROOT: no include of the project points up, and one that did would be found."""
+"""test_check_layers.py ROOT: every include of the project is one that its layer may have, and others would be found."""
 import os
 import subprocess
 import sys
@@ -37,8 +37,27 @@ class LayersTest(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn('src/base/a.h:2: src/base includes src/cast/b.h, which stands above it', done.stdout)
 
-    def test_wings_do_not_see_each_other(self):
-        self.assertEqual(check(self.house(src__level__a='#include "save/b.h"', src__save__b='')).returncode, 1)
+    def test_modules_do_not_include_each_other(self):
+        for one, other in (('carve', 'join'), ('level', 'save'), ('save', 'store')):
+            done = check(self.house(**{f'src__{one}__a': f'#include "{other}/b.h"', f'src__{other}__b': ''}))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn('a module beside it', done.stdout)
+
+    def test_solid_stands_below_carve_and_carve_below_world(self):
+        self.assertEqual(check(self.house(src__solid__a='#include "carve/b.h"', src__carve__b='')).returncode, 1)
+        self.assertEqual(check(self.house(src__carve__a='#include "world/b.h"', src__world__b='')).returncode, 1)
+        self.assertEqual(check(self.house(src__world__a='#include "carve/b.h"', src__carve__b='')).returncode, 0)
+
+    def test_gltf_includes_what_it_may_alone(self):
+        self.assertEqual(check(self.house(gltf__a='#include "level/b.h"', src__level__b='')).returncode, 0)
+        done = check(self.house(gltf__a='#include "carve/b.h"', src__carve__b=''))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('gltf includes src/carve/b.h; it may include include/firma, src/level,', done.stdout)
+
+    def test_a_folder_in_no_layer_fails(self):
+        done = check(self.house(src__base__a='', src__attic__b=''))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('src/attic/b.h: its folder is in no layer', done.stdout)
 
     def test_an_include_of_nothing_fails(self):
         self.assertEqual(check(self.house(src__base__a='#include "base/none.h"')).returncode, 1)
