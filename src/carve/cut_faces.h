@@ -2,12 +2,13 @@
 // Where a face of the world and the cutter's triangles cross: segments directed along face normal x triangle normal.
 #pragma once
 
-#include "carve/cut_state.h"
+#include "base/flat_map.h"
+#include "carve/crossings.h"
 #include "carve/pair_budget.h"
 
 namespace firma {
 
-/// Cuts one face of the patch by all triangles whose boxes meet its own.
+/// Cuts faces of the patch, one by one, each by all triangles whose boxes meet its own.
 ///
 /// A predicate that answers zero is settled as if the cutter were shifted by less than anything (exact_shift.h), where
 /// nothing touches: a corner on a plane, but beside the polygon in it. Where something touches, the position is
@@ -15,11 +16,19 @@ namespace firma {
 class FaceCutter {
 public:
     /// @param budget  a pair of a face and a triangle takes one; looking at all corners of a face one for every 64
-    FaceCutter(Cut& cut, PairBudget& budget) : cut_(cut), budget_(budget) {}
+    FaceCutter(const CutInput& in, PairBudget& budget)
+        : in_(in), patch_(in.patch), cutter_(in.cutter), budget_(budget) {}
 
-    /// What touches is added to Cut::touching. Stops at the first degenerate pair unless the cut collects them, and
-    /// when the budget is spent: then nothing is known.
+    /// Forgets what it made, but keeps the memory.
+    void start();
+
+    /// Stops at the first degenerate pair unless the cut collects them, and when the budget is spent: then nothing is
+    /// known.
     Verdict cut_face(std::uint32_t face);
+
+    /// Of all faces cut since the start.
+    const Crossings& made() const { return made_; }
+    const Touching& touching() const { return touching_; }
 
 private:
     struct OnLine {
@@ -41,8 +50,14 @@ private:
     std::uint32_t vertex_of(std::uint32_t crossing);
     std::uint32_t new_vertex(std::uint32_t crossing);
 
-    Cut& cut_;
+    const CutInput& in_;
+    const SolidPatch& patch_;
+    const CutterSolid& cutter_;
     PairBudget& budget_;
+    Crossings made_;
+    Touching touching_;
+    FlatMap world_crossings_, cutter_crossings_;  ///< by edge and face
+    FlatMap met_at_;                              ///< by triangle and place, those of world edges
     const Plane* face_plane_ = nullptr;
     std::vector<std::int8_t> cutter_sides_;  ///< of the face at hand; kUnasked where not known yet
     std::vector<std::uint32_t> asked_;       ///< the vertices of which they are known

@@ -11,9 +11,7 @@
 #include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
-#include "carve/label.h"
 #include "carve/reaches_into.h"
-#include "carve/tile_faces.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
 #include "solid/first_seen.h"
@@ -53,28 +51,6 @@ const CarveRules& rules_of(const CutTerms& terms) {
 
 }  // namespace
 
-void Cut::clear() {
-    // Room for as many as a cut usually makes: growing bit by bit writes everything twice.
-    const std::size_t usual = std::min<std::size_t>(4 * patch->faces.size(), 4096);
-    crossings.reserve(usual);
-    world_crossing.reserve(usual / 2);
-    cutter_crossing.reserve(usual / 2);
-    touching.clear();
-    crossings.clear();
-    world_crossing.clear();
-    cutter_crossing.clear();
-    met.clear();
-    real.clear();
-    met_at.clear();
-    segments.clear();
-    face_cut.assign(patch->faces.size(), 0);
-    new_edges.clear();
-    uses.clear();
-    loop_ends.clear();
-    new_faces.clear();
-    gone.clear();
-}
-
 CutJob::CutJob(Solid solid, Cutter cutter, const Pose& pose, const CutTerms& terms, CarveKind kind)
     : solid_(std::move(solid)),
       cutter_(std::move(cutter)),
@@ -82,11 +58,8 @@ CutJob::CutJob(Solid solid, Cutter cutter, const Pose& pose, const CutTerms& ter
       terms_(terms),
       rules_(rules_of(terms_)),
       budget_(rules_.most_pairs),
-      face_cutter_(cut_, budget_) {
-    cut_.patch = &patch_;
-    cut_.cutter = &solid_cutter_;
-    cut_.fill = kind == CarveKind::kFill;
-}
+      input_{patch_, solid_cutter_, kind == CarveKind::kFill},
+      face_cutter_(input_, budget_) {}
 
 bool CutJob::step() {
     const auto start = std::chrono::steady_clock::now();
@@ -244,21 +217,24 @@ CutJob::Phase CutJob::tile() {
     // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
     // divided into facets, whose corners are rounded.
     tile_faces(index(), solid_cutter_, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2, patch_);
+    // All planes now, so that from here on the patch is only read.
+    for (std::uint32_t edge = 0; edge < patch_.edges.size(); ++edge)
+        if (!patch_.edges[edge].split()) patch_.settle_planes(edge);
     return start_cut();
 }
 
 CutJob::Phase CutJob::start_cut() {
-    cut_.clear();
-    cut_.collects = mover_.is_large();
-    added_ = {};
+    input_.collects = mover_.is_large();
+    face_cutter_.start();
     next_ = 0;
     return Phase::kCut;
 }
 
-CutJob::Phase CutJob::move_on(Verdict verdict, Phase next) {
-    if (verdict == Verdict::kFine) return next;
+CutJob::Phase CutJob::move_on(PhaseEnd end, Phase next) {
+    if (end.verdict == Verdict::kFine) return next;
     // What touches may come to a contradiction elsewhere, where phases go on after it.
-    return verdict == Verdict::kBroken && cut_.touching.empty() ? contradiction() : degenerate();
+    const bool broken = end.verdict == Verdict::kBroken && end.touching.empty();
+    return broken ? contradiction() : degenerate(std::move(end.touching));
 }
 
 CutJob::Phase CutJob::move_cutter_aside() {
@@ -267,8 +243,8 @@ CutJob::Phase CutJob::move_cutter_aside() {
                   "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
 }
 
-CutJob::Phase CutJob::degenerate() {
-    mover_.touched(cut_.touching);
+CutJob::Phase CutJob::degenerate(Touching touching) {
+    mover_.touched(touching);
     return move_cutter_aside();
 }
 
@@ -308,13 +284,18 @@ CutJob::Phase CutJob::cut_next_faces() {
     const std::uint64_t before = budget_.taken();
     for (int left = kFacesCutAStep; left > 0 && budget_.taken() - before < kPairsAStep; --left) {
         while (next_ < patch_.faces.size() && patch_.faces[next_].replaced) ++next_;
-        if (next_ == patch_.faces.size())
-            return cut_.touching.empty() ? move_on(order_cuts(cut_), Phase::kLabel) : degenerate();
+        if (next_ == patch_.faces.size()) return order();
         const Verdict verdict = face_cutter_.cut_face(next_++);
         if (budget_.spent()) return too_many_pairs();
-        if (cut_.stops_at(verdict)) return move_on(verdict, Phase::kCut);
+        if (input_.stops_at(verdict)) return move_on({verdict, face_cutter_.touching()}, Phase::kCut);
     }
     return Phase::kCut;
+}
+
+/// Once all faces are cut.
+CutJob::Phase CutJob::order() {
+    if (!face_cutter_.touching().empty()) return degenerate(face_cutter_.touching());
+    return move_on(order_cuts(input_, face_cutter_.made(), order_), Phase::kLabel);
 }
 
 CutJob::Phase CutJob::label() {
@@ -325,27 +306,28 @@ CutJob::Phase CutJob::label() {
         const std::optional<bool> inside = in_solid(solid_, point);
         return !inside ? Where::kUnknown : *inside ? Where::kInside : Where::kOutside;
     };
-    return move_on(label_vertices(cut_, locate), Phase::kTrace);
+    return move_on(label_vertices(input_, face_cutter_.made(), order_, locate, labels_), Phase::kTrace);
 }
 
 CutJob::Phase CutJob::trace() {
-    const Verdict verdict = trace_loops(cut_);
-    if (verdict != Verdict::kFine) return move_on(verdict, Phase::kEnd);
-    report_.faces_cut = std::size_t(std::count(cut_.face_cut.begin(), cut_.face_cut.end(), 1));
-    if (cut_.gone.empty() && cut_.new_faces.empty()) {
+    const Crossings& crossings = face_cutter_.made();
+    PhaseEnd end = trace_loops(input_, crossings, order_, labels_, loops_);
+    if (end.verdict != Verdict::kFine) return move_on(std::move(end), Phase::kEnd);
+    report_.faces_cut = std::size_t(std::count(crossings.face_cut.begin(), crossings.face_cut.end(), 1));
+    if (loops_.gone.empty() && loops_.faces.empty()) {
         status_ = CarveStatus::kNothing;
         return Phase::kEnd;
     }
-    keep_pieces(cut_);
+    kept_ = keep_pieces(patch_, loops_.gone);
     return Phase::kRules;
 }
 
 CutJob::Phase CutJob::apply_materials() {
     double hardest = 0;
     std::uint32_t by = 0;
-    for (const std::uint32_t face : cut_.gone) {
+    for (const std::uint32_t face : loops_.gone) {
         const std::uint32_t material = patch_.faces[face].facet.record().material;
-        if (!takes_something_of(cut_, face) || material >= rules_.hardness.size()) continue;
+        if (material >= rules_.hardness.size()) continue;
         if (!(rules_.hardness[material] > hardest)) continue;
         hardest = rules_.hardness[material];
         by = material;
@@ -353,28 +335,32 @@ CutJob::Phase CutJob::apply_materials() {
     NewSource source;
     source.edit = data().edits + 1;
     source.material = terms_.material;
-    face_maker_ = std::make_unique<FaceMaker>(cut_, source, added_);
+    face_maker_ = std::make_unique<FaceMaker>(input_, face_cutter_.made(), loops_, source);
     next_ = 0;
     sound_ = true;
     return hardest > 0 ? shrink(hardest, "material " + material_name(by), Phase::kFacets) : Phase::kFacets;
 }
 
 CutJob::Phase CutJob::make_next_faces() {
-    const std::uint32_t end = std::min(next_ + kFacesAStep, std::uint32_t(cut_.new_faces.size()));
+    const auto cut = std::uint32_t(loops_.faces.size()), all = cut + std::uint32_t(kept_.pieces.size());
+    const std::uint32_t end = std::min(next_ + kFacesAStep, all);
     for (; next_ < end; ++next_) {
-        if (cut_.new_faces[next_].use_count > rules_.most_corners)
-            return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(cut_.new_faces[next_].use_count) +
+        const bool is_new = next_ < cut;
+        const std::uint32_t piece = is_new ? 0 : kept_.pieces[next_ - cut];
+        const std::uint32_t corners = is_new ? loops_.faces[next_].use_count : patch_.faces[piece].use_count;
+        if (corners > rules_.most_corners)
+            return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(corners) +
                                                     " corners; the world allows " +
                                                     std::to_string(rules_.most_corners));
-        if (face_maker_->make(next_)) continue;
-        if (!cut_.collects) return degenerate();
+        if (is_new ? face_maker_->make(loops_.faces[next_]) : face_maker_->make_kept(piece)) continue;
+        if (!input_.collects) return degenerate(face_maker_->touching());
         sound_ = false;
     }
-    if (added_.faces.size() > rules_.most_new_faces)
+    if (face_maker_->made().faces.size() > rules_.most_new_faces)
         return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.most_new_faces) +
                                                 " new faces that the world allows");
-    if (next_ < cut_.new_faces.size()) return Phase::kFacets;
-    return sound_ ? Phase::kChange : degenerate();
+    if (next_ < all) return Phase::kFacets;
+    return sound_ ? Phase::kChange : degenerate(face_maker_->touching());
 }
 
 std::string CutJob::material_name(std::uint32_t material) const {
@@ -388,14 +374,16 @@ std::vector<FacetPlace> CutJob::facets_removed() {
     for (const FacetPlace& facet : facets_) ++found[patch_.find(facet)];
     std::vector<bool> goes(patch_.faces.size(), false);
     std::vector<FacetPlace> removed;
-    for (const std::uint32_t at : cut_.gone) {
+    const auto remove = [&](std::uint32_t at) {
         const PatchFace& face = patch_.faces[at];
-        if (face.parent != ~0u) continue;  // a piece: its parent goes
         if (found[at] == (face.stored ? face.stored->facets : 1))
             goes[at] = true;
         else
             gather_face(index(), face.facet, removed);
-    }
+    };
+    for (const std::uint32_t at : loops_.gone)
+        if (patch_.faces[at].parent == ~0u) remove(at);  // else a piece: its parent goes
+    for (const std::uint32_t at : kept_.replaced) remove(at);
     for (const FacetPlace& facet : facets_)
         if (goes[patch_.find(facet)]) removed.push_back(facet);
     return removed;
@@ -403,7 +391,8 @@ std::vector<FacetPlace> CutJob::facets_removed() {
 
 CutJob::Phase CutJob::make_change() {
     change_.removed = facets_removed();
-    const std::size_t removed = change_.removed.size(), added = added_.faces.size();
+    change_.added = face_maker_->take();
+    const std::size_t removed = change_.removed.size(), added = change_.added.faces.size();
     if (data().faces.count + terms_.other_faces - removed + added > rules_.most_faces)
         return refuse(ErrorCode::kTooLarge,
                       "the world would have more than " + std::to_string(rules_.most_faces) + " faces");
@@ -411,11 +400,10 @@ CutJob::Phase CutJob::make_change() {
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report_.faces_gone = removed;
     report_.faces_new = added;
-    report_.volume = volume_taken(cut_);
+    report_.volume = volume_taken(view(), loops_);
     std::uint32_t id = data().next_face;
-    for (FaceSet::Entry& face : added_.faces) face.id = {id++};
-    change_.added = std::move(added_);
-    change_.points = change_of_points(cut_);
+    for (FaceSet::Entry& face : change_.added.faces) face.id = {id++};
+    change_.points = change_of_points(view(), loops_);
     status_ = CarveStatus::kDone;
     return Phase::kEnd;
 }

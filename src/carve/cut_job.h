@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "carve/cut_faces.h"
-#include "carve/cut_state.h"
 #include "carve/cutter_mover.h"
+#include "carve/label.h"
 #include "carve/make_faces.h"
+#include "carve/tile_faces.h"
 #include "firma/carve.h"
 #include "solid/change_solid.h"
 
@@ -47,7 +48,7 @@ public:
     const Solid& solid() const { return solid_; }
     /// As it was cut with.
     const CutterSolid& cutter() const { return solid_cutter_; }
-    bool fills() const { return cut_.fill; }
+    bool fills() const { return input_.fill; }
 
 private:
     enum class Phase : std::uint8_t {
@@ -70,6 +71,7 @@ private:
     Phase gather();
     Phase tile();
     Phase cut_next_faces();
+    Phase order();
     Phase label();
     Phase trace();
     Phase apply_materials();
@@ -78,8 +80,8 @@ private:
 
     Phase refuse(ErrorCode code, std::string reason);
     Phase start_cut();
-    Phase move_on(Verdict verdict, Phase next);
-    Phase degenerate();
+    Phase move_on(PhaseEnd end, Phase next);
+    Phase degenerate(Touching touching);
     Phase move_cutter_aside();
     Phase try_move();
     Phase too_many_pairs();
@@ -90,6 +92,7 @@ private:
     std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
 
+    CutView view() const { return {input_, face_cutter_.made(), loops_}; }
     const SolidData& data() const { return solid_.data(); }
     const Node* index() const { return data().faces.root.get(); }
 
@@ -109,11 +112,17 @@ private:
     CutterSolid solid_cutter_;
     SolidPatch patch_;
     std::vector<FacetPlace> facets_;  ///< gathered
-    Cut cut_;
-    PairBudget budget_;  ///< of all tries together
+    PairBudget budget_;               ///< of all tries together
+
+    // What the phases make, in their order: each reads what stands above, and writes its own. Filled anew by each try.
+    CutInput input_;
     FaceCutter face_cutter_;
+    CutOrder order_;
+    Labels labels_;
+    NewLoops loops_;
+    KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
-    FaceSet added_;
+
     std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
     bool sound_ = true;       ///< whether all facets made so far are
 };

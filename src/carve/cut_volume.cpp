@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a cut took: how much, and of which faces.
+// How much a cut took.
 #include "carve/cut_volume.h"
 
 #include <algorithm>
@@ -49,9 +49,9 @@ DoubleDouble leading(const Int256& value) {
 
 class ConeSum {
 public:
-    explicit ConeSum(const Cut& cut) : cut_(cut) {
+    explicit ConeSum(const CutView& view) : view_(view) {
         for (int axis = 0; axis < 3; ++axis)
-            o_[axis] = std::int32_t((std::int64_t(cut.cutter->box.low[axis]) + cut.cutter->box.high[axis]) / 2 /
+            o_[axis] = std::int32_t((std::int64_t(view.cutter().box.low[axis]) + view.cutter().box.high[axis]) / 2 /
                                     kSurfacePerInput);
     }
 
@@ -61,8 +61,8 @@ public:
         corners_.clear();
         bool on_grid = true;
         for (const PatchUse& use : uses.first(ends.back())) {
-            corners_.push_back(cut_.from(use));
-            on_grid = on_grid && cut_.point(corners_.back()).on_grid();
+            corners_.push_back(view_.from(use));
+            on_grid = on_grid && view_.point(corners_.back()).on_grid();
         }
         if (on_grid)
             whole_ += factor * of_grid(ends);
@@ -82,7 +82,7 @@ private:
             std::int64_t x, y, z;
         } a, b, c;
         const auto arm = [&](std::uint32_t k, auto& to) {
-            const InputPoint p = cut_.point(corners_[k]).grid();
+            const InputPoint p = view_.point(corners_[k]).grid();
             to = {p.x - std::int64_t(o_.x), p.y - std::int64_t(o_.y), p.z - std::int64_t(o_.z)};
         };
         Int128 sum = 0;
@@ -127,7 +127,7 @@ private:
         std::uint32_t& known = number_.at(vertex);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(arms_.size());
-            arms_.push_back(new_arm(cut_.point(vertex)));
+            arms_.push_back(new_arm(view_.point(vertex)));
         }
         return arms_[known];
     }
@@ -147,7 +147,7 @@ private:
         return made;
     }
 
-    const Cut& cut_;
+    const CutView& view_;
     InputPoint o_;
     Int128 whole_ = 0;   ///< of faces on the grid
     DoubleDouble rest_;  ///< of the others
@@ -158,25 +158,15 @@ private:
 
 }  // namespace
 
-double volume_taken(const Cut& cut) {
-    const SolidPatch& patch = *cut.patch;
-    ConeSum sum(cut);
-    for (const std::uint32_t index : cut.gone) {
+double volume_taken(const CutView& view, const NewLoops& loops) {
+    const SolidPatch& patch = view.patch();
+    ConeSum sum(view);
+    for (const std::uint32_t index : loops.gone) {
         const PatchFace& face = patch.faces[index];
-        if (face.replaced) continue;  // only divided: its pieces count, as far as they changed
         sum.add(face.plane->plane, patch.uses(face), patch.ends(face), 1);
     }
-    for (std::size_t k = 0; k < cut.first_kept; ++k) {
-        const NewFace& face = cut.new_faces[k];
-        sum.add(face.plane->plane, {cut.uses.data() + face.first_use, face.use_count},
-                {cut.loop_ends.data() + face.first_loop, face.loop_count}, -1);
-    }
+    for (const NewFace& face : loops.faces) sum.add(face.plane->plane, loops.uses(face), loops.ends(face), -1);
     return sum.cubic_metres();
-}
-
-bool takes_something_of(const Cut& cut, std::uint32_t face) {
-    if (cut.patch->faces[face].replaced) return false;  // its pieces are asked
-    return true;
 }
 
 }  // namespace firma

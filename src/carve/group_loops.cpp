@@ -6,10 +6,10 @@ namespace firma {
 namespace {
 
 /// The plane seen along an axis, so that loops around air run counter-clockwise.
-struct View {
+struct Seen {
     int u, v;
 
-    explicit View(const Plane& plane) {
+    explicit Seen(const Plane& plane) {
         const int axis = plane.dominant_axis();
         const bool flip = plane.normal[axis] < 0;
         u = (axis + (flip ? 2 : 1)) % 3;
@@ -19,8 +19,9 @@ struct View {
 
 class Grouper {
 public:
-    Grouper(Cut& cut, const NewFace& like, std::span<const PatchUse> loops, std::span<const std::uint32_t> ends)
-        : cut_(cut), like_(like), view_(like.plane->plane), loops_(loops), ends_(ends) {}
+    Grouper(const CutView& view, const NewFace& like, std::span<const PatchUse> loops,
+            std::span<const std::uint32_t> ends, NewLoops& made)
+        : view_(view), made_(made), like_(like), seen_(like.plane->plane), loops_(loops), ends_(ends) {}
 
     Verdict group() {
         if (ends_.size() == 1) {
@@ -52,7 +53,7 @@ public:
 
 private:
     std::size_t start(std::size_t loop) const { return loop == 0 ? 0 : ends_[loop - 1]; }
-    const GridPoint& corner(std::size_t k) const { return cut_.point(cut_.from(loops_[k])).rounded(); }
+    const GridPoint& corner(std::size_t k) const { return view_.point(view_.from(loops_[k])).rounded(); }
 
     Int128 doubled_area(std::size_t loop) const {
         const GridPoint& first = corner(start(loop));
@@ -66,8 +67,8 @@ private:
 
     /// Twice the area of a triangle, seen along the axis.
     Int128 turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) const {
-        const auto du = [&](const GridPoint& p) { return std::int64_t(p[view_.u]) - a[view_.u]; };
-        const auto dv = [&](const GridPoint& p) { return std::int64_t(p[view_.v]) - a[view_.v]; };
+        const auto du = [&](const GridPoint& p) { return std::int64_t(p[seen_.u]) - a[seen_.u]; };
+        const auto dv = [&](const GridPoint& p) { return std::int64_t(p[seen_.v]) - a[seen_.v]; };
         return Int128(du(b)) * dv(c) - Int128(dv(b)) * du(c);
     }
 
@@ -76,41 +77,43 @@ private:
         bool inside = false;
         for (std::size_t k = start(loop); k < ends_[loop]; ++k) {
             const GridPoint &a = corner(k), &b = corner(k + 1 < ends_[loop] ? k + 1 : start(loop));
-            if ((a[view_.v] < p[view_.v]) == (b[view_.v] < p[view_.v])) continue;
-            const bool upward = b[view_.v] > a[view_.v];
+            if ((a[seen_.v] < p[seen_.v]) == (b[seen_.v] < p[seen_.v])) continue;
+            const bool upward = b[seen_.v] > a[seen_.v];
             if ((turn(a, b, p) > 0) == upward) inside = !inside;
         }
         return inside;
     }
 
     void add_loop(std::size_t loop, NewFace& face) {
-        cut_.uses.insert(cut_.uses.end(), loops_.begin() + std::ptrdiff_t(start(loop)), loops_.begin() + ends_[loop]);
-        cut_.loop_ends.push_back(std::uint32_t(cut_.uses.size()) - face.first_use);
+        made_.all_uses.insert(made_.all_uses.end(), loops_.begin() + std::ptrdiff_t(start(loop)),
+                              loops_.begin() + ends_[loop]);
+        made_.loop_ends.push_back(std::uint32_t(made_.all_uses.size()) - face.first_use);
         ++face.loop_count;
     }
 
     void add_face(std::size_t outer, const std::vector<std::size_t>& holes) {
         NewFace face = like_;
-        face.first_use = std::uint32_t(cut_.uses.size());
-        face.first_loop = std::uint32_t(cut_.loop_ends.size());
+        face.first_use = std::uint32_t(made_.all_uses.size());
+        face.first_loop = std::uint32_t(made_.loop_ends.size());
         add_loop(outer, face);
         for (const std::size_t hole : holes) add_loop(hole, face);
-        face.use_count = std::uint32_t(cut_.uses.size()) - face.first_use;
-        cut_.new_faces.push_back(std::move(face));
+        face.use_count = std::uint32_t(made_.all_uses.size()) - face.first_use;
+        made_.faces.push_back(std::move(face));
     }
 
-    Cut& cut_;
+    const CutView& view_;
+    NewLoops& made_;
     const NewFace& like_;
-    const View view_;
+    const Seen seen_;
     std::span<const PatchUse> loops_;
     std::span<const std::uint32_t> ends_;
 };
 
 }  // namespace
 
-Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops,
-                    std::span<const std::uint32_t> ends) {
-    return Grouper(cut, like, loops, ends).group();
+Verdict group_loops(const CutView& view, const NewFace& like, std::span<const PatchUse> loops,
+                    std::span<const std::uint32_t> ends, NewLoops& made) {
+    return Grouper(view, like, loops, ends, made).group();
 }
 
 }  // namespace firma

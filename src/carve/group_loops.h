@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "carve/cut_state.h"
+#include "carve/cut_view.h"
 
 namespace firma {
 
@@ -12,8 +12,9 @@ namespace firma {
 ///
 /// @param like       what the faces have in common
 /// @param loops      uses of all loops in a row, `ends` where each ends
+/// @param made       the faces, their uses and ends are added to it
 /// Judged by the rounded corners; where these leave it open which loop a hole lies in, facets fail later.
-Verdict group_loops(Cut& cut, const NewFace& like, std::span<const PatchUse> loops,
-                    std::span<const std::uint32_t> ends);
+Verdict group_loops(const CutView& view, const NewFace& like, std::span<const PatchUse> loops,
+                    std::span<const std::uint32_t> ends, NewLoops& made);
 
 }  // namespace firma

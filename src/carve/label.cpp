@@ -2,72 +2,8 @@
 // From crossings to labels.
 #include "carve/label.h"
 
-#include <algorithm>
-
-#include "carve/sort_along.h"
-
 namespace firma {
 namespace {
-
-const Plane& plane_crossed(const Cut& cut, const CutPoint& crossing) {
-    return crossing.of_world ? cut.cutter->planes[crossing.face]->plane : cut.patch->faces[crossing.face].plane->plane;
-}
-
-const ExactPoint& start_of(const Cut& cut, const CutPoint& crossing) {
-    return crossing.of_world ? cut.patch->vertices[cut.patch->edges[crossing.edge].vertex[0]].point
-                             : cut.cutter->points[cut.cutter->edges[crossing.edge].a];
-}
-
-/// Whether the edge goes inward here: it starts in front of the plane that it crosses.
-bool enters(const Cut& cut, const CutPoint& crossing) {
-    return exact_side(plane_crossed(cut, crossing), start_of(cut, crossing)) > 0;
-}
-
-/// Orders crossings [first, first + count) of one edge: b comes before a when it lies on the start's side of a's plane.
-Verdict order_along(Cut& cut, std::uint32_t first, std::uint32_t count) {
-    const auto begin = cut.along.begin() + first;
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-        const CutPoint& at_a = cut.crossings[a];
-        const Plane& plane = plane_crossed(cut, at_a);
-        return -exact_side(plane, cut.crossings[b].point) * exact_side(plane, start_of(cut, at_a));
-    };
-    if (!sort_along(begin, begin + count, before)) {
-        for (std::uint32_t k = 1; k < count; ++k) {
-            if (before(begin[k - 1], begin[k]) > 0) continue;
-            cut.crossing_touches(cut.crossings[begin[k - 1]]);
-            cut.crossing_touches(cut.crossings[begin[k]]);
-        }
-        return Verdict::kDegenerate;
-    }
-    for (std::uint32_t k = 1; k < count; ++k)
-        if (enters(cut, cut.crossings[begin[k - 1]]) == enters(cut, cut.crossings[begin[k]])) return Verdict::kBroken;
-    return Verdict::kFine;
-}
-
-Verdict order_edges(Cut& cut, bool of_world, std::vector<Cut::Range>& ranges) {
-    for (const std::uint32_t crossing : cut.met)
-        if (cut.crossings[crossing].of_world == of_world) ++ranges[cut.crossings[crossing].edge].count;
-    std::uint32_t total = std::uint32_t(cut.along.size());
-    for (Cut::Range& range : ranges) {
-        range.first = total;
-        total += range.count;
-        range.count = 0;
-    }
-    cut.along.resize(total);
-    for (const std::uint32_t crossing : cut.met) {
-        if (cut.crossings[crossing].of_world != of_world) continue;
-        Cut::Range& range = ranges[cut.crossings[crossing].edge];
-        cut.along[range.first + range.count++] = crossing;
-    }
-    Verdict all = Verdict::kFine;
-    for (const Cut::Range& range : ranges) {
-        if (range.count == 0) continue;
-        const Verdict verdict = order_along(cut, range.first, range.count);
-        if (verdict != Verdict::kFine) all = verdict;
-        if (cut.stops_at(verdict)) break;
-    }
-    return all;
-}
 
 /// Sets a label; false when another stands there.
 bool set(Where& label, Where value) {
@@ -133,40 +69,40 @@ bool is_outside(const CutterSolid& cutter, const GridPoint& p) {
 }
 
 template <class Ends>
-bool label_ends_of_cut_edges(const Cut& cut, const std::vector<Cut::Range>& ranges, std::vector<Where>& labels,
-                             const Ends& ends) {
+bool label_ends_of_cut_edges(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                             const std::vector<CutOrder::Range>& ranges, const Ends& ends, std::vector<Where>& labels) {
+    const auto enters_at = [&](std::uint32_t k) { return enters(in, crossings.points[order.along[k]]); };
     for (std::uint32_t edge = 0; edge < ranges.size(); ++edge) {
-        const Cut::Range& range = ranges[edge];
+        const CutOrder::Range& range = ranges[edge];
         if (range.count == 0) continue;
         const auto [a, b] = ends(edge);
-        const bool first_enters = enters(cut, cut.crossings[cut.along[range.first]]);
-        const bool last_enters = enters(cut, cut.crossings[cut.along[range.first + range.count - 1]]);
+        const bool first_enters = enters_at(range.first);
+        const bool last_enters = enters_at(range.first + range.count - 1);
         if (!set(labels[a], first_enters ? Where::kOutside : Where::kInside)) return false;
         if (!set(labels[b], last_enters ? Where::kInside : Where::kOutside)) return false;
     }
     return true;
 }
 
-Verdict label_world(Cut& cut) {
-    const SolidPatch& patch = *cut.patch;
-    std::vector<Where>& labels = cut.world_label;
+Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrder& order, std::vector<Where>& labels) {
+    const SolidPatch& patch = in.patch;
     labels.assign(patch.vertices.size(), Where::kUnknown);
     const auto ends = [&](std::uint32_t edge) {
         return std::pair(patch.edges[edge].vertex[0], patch.edges[edge].vertex[1]);
     };
-    if (!label_ends_of_cut_edges(cut, cut.world_cuts, labels, ends)) return Verdict::kBroken;
+    if (!label_ends_of_cut_edges(in, crossings, order, order.world_cuts, ends, labels)) return Verdict::kBroken;
     for (std::uint32_t v = 0; v < labels.size(); ++v)
-        if (is_outside(*cut.cutter, patch.vertices[v].point.rounded()) && !set(labels[v], Where::kOutside))
+        if (is_outside(in.cutter, patch.vertices[v].point.rounded()) && !set(labels[v], Where::kOutside))
             return Verdict::kBroken;
     Flood flood(labels);
     for (std::uint32_t edge = 0; edge < patch.edges.size(); ++edge)
-        if (cut.world_cuts[edge].count == 0 && !patch.edges[edge].split())
+        if (order.world_cuts[edge].count == 0 && !patch.edges[edge].split())
             flood.count(patch.edges[edge].vertex[0], patch.edges[edge].vertex[1]);
     flood.ready();
     if (!flood.spread_all()) return Verdict::kBroken;
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
         if (labels[v] != Where::kUnknown) continue;
-        const int side = side_of_cutter(*cut.cutter, patch.vertices[v].point);
+        const int side = side_of_cutter(in.cutter, patch.vertices[v].point);
         if (side == 0) return Verdict::kDegenerate;
         labels[v] = side > 0 ? Where::kInside : Where::kOutside;
         if (!flood.spread(v)) return Verdict::kBroken;
@@ -174,47 +110,41 @@ Verdict label_world(Cut& cut) {
     return Verdict::kFine;
 }
 
-Verdict label_cutter(Cut& cut, const LocateInSolid& locate) {
-    const CutterSolid& cutter = *cut.cutter;
-    std::vector<Where>& labels = cut.cutter_label;
+PhaseEnd label_cutter(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                      const LocateInSolid& locate, std::vector<Where>& labels) {
+    const CutterSolid& cutter = in.cutter;
     labels.assign(cutter.points.size(), Where::kUnknown);
     const auto ends = [&](std::uint32_t edge) { return std::pair(cutter.edges[edge].a, cutter.edges[edge].b); };
-    if (!label_ends_of_cut_edges(cut, cut.cutter_cuts, labels, ends)) return Verdict::kBroken;
-    Verdict verdict = Verdict::kFine;
+    if (!label_ends_of_cut_edges(in, crossings, order, order.cutter_cuts, ends, labels)) return {Verdict::kBroken, {}};
+    PhaseEnd end;
     Flood flood(labels);
     for (std::uint32_t edge = 0; edge < cutter.edges.size(); ++edge)
-        if (cut.cutter_cuts[edge].count == 0) flood.count(cutter.edges[edge].a, cutter.edges[edge].b);
+        if (order.cutter_cuts[edge].count == 0) flood.count(cutter.edges[edge].a, cutter.edges[edge].b);
     flood.ready();
-    if (!flood.spread_all()) return Verdict::kBroken;
+    if (!flood.spread_all()) return {Verdict::kBroken, {}};
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
         if (labels[v] != Where::kUnknown) continue;
         labels[v] = locate(v);
         if (labels[v] == Where::kUnknown) {
-            cut.touches(v);
-            verdict = Verdict::kDegenerate;
-            if (!cut.collects) return verdict;
+            end.touching.push_back(v);
+            end.verdict = Verdict::kDegenerate;
+            if (!in.collects) return end;
             labels[v] = Where::kOutside;  // whatever it is: the rest of its shell need not be asked
         }
-        if (!flood.spread(v)) return Verdict::kBroken;
+        if (flood.spread(v)) continue;
+        end.verdict = Verdict::kBroken;
+        return end;
     }
-    return verdict;
+    return end;
 }
 
 }  // namespace
 
-Verdict order_cuts(Cut& cut) {
-    cut.along.clear();
-    cut.world_cuts.assign(cut.patch->edges.size(), {});
-    cut.cutter_cuts.assign(cut.cutter->edges.size(), {});
-    const Verdict world = order_edges(cut, true, cut.world_cuts);
-    if (cut.stops_at(world)) return world;
-    const Verdict cutter = order_edges(cut, false, cut.cutter_cuts);
-    return cutter == Verdict::kFine ? world : cutter;
-}
-
-Verdict label_vertices(Cut& cut, const LocateInSolid& locate) {
-    const Verdict verdict = label_world(cut);
-    return verdict == Verdict::kFine ? label_cutter(cut, locate) : verdict;
+PhaseEnd label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                        const LocateInSolid& locate, Labels& labels) {
+    const Verdict world = label_world(in, crossings, order, labels.world);
+    if (world != Verdict::kFine) return {world, {}};
+    return label_cutter(in, crossings, order, locate, labels.cutter);
 }
 
 }  // namespace firma

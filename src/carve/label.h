@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: MIT
-// From crossings to labels: their order along each edge, and which vertices lie inside what.
+// From crossings to labels: which vertices lie inside what.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
-#include "carve/cut_state.h"
+#include "carve/order_cuts.h"
 
 namespace firma {
 
-/// Orders the crossings along every edge; they must alternate between entering and leaving.
-Verdict order_cuts(Cut& cut);
+enum class Where : std::int8_t { kInside = -1, kUnknown = 0, kOutside = 1 };
+
+struct Labels {
+    std::vector<Where> world;   ///< of patch vertices: against the cutter
+    std::vector<Where> cutter;  ///< of cutter vertices: inside the solid, or outside of it
+};
 
 /// Whether a cutter vertex that no face's cut tells about lies in the solid: kUnknown when that cannot be told.
 using LocateInSolid = std::function<Where(std::uint32_t cutter_vertex)>;
 
 /// Labels all vertices: from the edges that are cut, along those that are not, and by a test of one vertex where no
 /// edge of a component is cut.
-Verdict label_vertices(Cut& cut, const LocateInSolid& locate);
+/// @param labels  replaced; keeps its memory
+PhaseEnd label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                        const LocateInSolid& locate, Labels& labels);
 
 }  // namespace firma

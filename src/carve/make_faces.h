@@ -2,7 +2,12 @@
 // From new loops to faces that can be kept: shared vertices and edges, and facets for casts to meet.
 #pragma once
 
-#include "carve/cut_state.h"
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "carve/cut_view.h"
 #include "solid/face_set.h"
 #include "solid/make_facets.h"
 
@@ -18,29 +23,50 @@ struct NewSource {
     std::uint32_t part = kUnsetPart;
 };
 
-/// Makes the new faces of a cut, one at a time, in their order.
+/// Makes faces, one at a time; facets come in the order of the calls.
 class FaceMaker {
 public:
-    /// @param come  the facets, added to; ids are left open
-    FaceMaker(Cut& cut, const NewSource& source, FaceSet& come);
+    /// @param in, crossings, loops  live as long as this
+    FaceMaker(const CutInput& in, const Crossings& crossings, const NewLoops& loops, const NewSource& source);
 
+    /// One of `loops`.
     /// @return false when the face's rounded corners do not make sound facets: degenerate position, and what the cutter
-    ///         has to do with the face is added to Cut::touching
-    bool make(std::uint32_t new_face);
+    ///         has to do with the face is in touching()
+    bool make(const NewFace& face);
+    /// A face of the patch, as it is.
+    bool make_kept(std::uint32_t face);
+
+    const Touching& touching() const { return touching_; }
+    /// The facets made so far; ids are left open.
+    const FaceSet& made() const { return made_; }
+    /// Once: they are moved out.
+    FaceSet take() { return std::move(made_); }
 
 private:
+    /// What there is to make, wherever it comes from; `face` and `triangle` as in NewFace.
+    struct Outline {
+        Ref<const SolidPlane> plane;
+        std::span<const PatchUse> uses;
+        std::span<const std::uint32_t> ends;
+        std::uint32_t face, triangle;
+    };
+
+    bool make(const Outline& outline);
     const Ref<const SolidVertex>& vertex(std::uint32_t number);
     const Ref<const SolidEdge>& edge(std::uint32_t number);
     bool runs_against(std::uint32_t number, const SolidEdge& stored);
     std::uint32_t corner(std::uint32_t number);
-    void add_facets(const NewFace& face, const SolidFace& owner);
+    void add_facets(const Outline& outline, const SolidFace& owner);
 
-    Cut& cut_;
+    const SolidPatch& patch_;
+    const NewLoops& loops_;
+    const CutView view_;
     const NewSource source_;
-    FaceSet& come_;
+    FaceSet made_;
+    Touching touching_;
     std::vector<Ref<const SolidVertex>> vertices_;
     std::vector<Ref<const SolidEdge>> edges_;
-    std::vector<std::uint32_t> corners_;  ///< a vertex's place in come_.vertices; ~0: none yet
+    std::vector<std::uint32_t> corners_;  ///< a vertex's place in made_.vertices; ~0: none yet
     std::vector<GridPoint> points_;
     FacetMaker facet_maker_;
     Facets facets_;

@@ -243,31 +243,17 @@ void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps,
     Tiler(root, cutter, steps, patch).tile();
 }
 
-void keep_pieces(Cut& cut) {
-    const SolidPatch& patch = *cut.patch;
-    std::vector<bool> gone(patch.faces.size(), false);
-    for (const std::uint32_t face : cut.gone) gone[face] = true;
-    cut.first_kept = cut.new_faces.size();
+KeptPieces keep_pieces(const SolidPatch& patch, std::span<const std::uint32_t> gone) {
+    std::vector<bool> goes(patch.faces.size(), false);
+    for (const std::uint32_t face : gone) goes[face] = true;
+    KeptPieces kept;
     for (std::uint32_t index = 0; index < patch.faces.size(); ++index) {
         const PatchFace& face = patch.faces[index];
-        if (face.replaced) {
-            if (face.parent == ~0u) cut.gone.push_back(index);
-            continue;
-        }
-        if (face.parent == ~0u || gone[index]) continue;
-        NewFace kept;
-        kept.plane = Ref<const SolidPlane>(face.plane);
-        kept.face = index;
-        kept.first_use = std::uint32_t(cut.uses.size());
-        kept.use_count = face.use_count;
-        kept.first_loop = std::uint32_t(cut.loop_ends.size());
-        kept.loop_count = face.loop_count;
-        const auto uses = patch.uses(face);
-        const auto ends = patch.ends(face);
-        cut.uses.insert(cut.uses.end(), uses.begin(), uses.end());
-        cut.loop_ends.insert(cut.loop_ends.end(), ends.begin(), ends.end());
-        cut.new_faces.push_back(std::move(kept));
+        const bool is_piece = face.parent != ~0u;
+        if (face.replaced && !is_piece) kept.replaced.push_back(index);
+        if (!face.replaced && is_piece && !goes[index]) kept.pieces.push_back(index);
     }
+    return kept;
 }
 
 }  // namespace firma

@@ -2,8 +2,13 @@
 // Large faces are halved toward a cut before it is made, so that their loops stay short.
 #pragma once
 
-#include "carve/cut_state.h"
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "carve/cutter_solid.h"
 #include "solid/block.h"
+#include "solid/solid_patch.h"
 
 namespace firma {
 
@@ -18,7 +23,13 @@ inline constexpr double kLargestTile = 8;
 /// @param steps  how far the cutter may be moved yet along each axis, surface steps
 void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch);
 
-/// Adds to a traced cut what tiling alone makes: replaced faces go, and pieces that the cut left whole come.
-void keep_pieces(Cut& cut);
+/// What tiling alone makes of the solid, beside the cut.
+struct KeptPieces {
+    std::vector<std::uint32_t> pieces;    ///< that the cut left whole: they come
+    std::vector<std::uint32_t> replaced;  ///< the faces that they and others are pieces of: they go
+};
+
+/// @param gone  faces of the patch that the cut took or replaced
+KeptPieces keep_pieces(const SolidPatch& patch, std::span<const std::uint32_t> gone);
 
 }  // namespace firma

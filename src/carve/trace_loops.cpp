@@ -12,41 +12,48 @@ namespace {
 
 class Tracer {
 public:
-    explicit Tracer(Cut& cut)
-        : cut_(cut), patch_(*cut.patch), cutter_(*cut.cutter), out_of_(cut.first_real() + cut.real.size()) {}
+    Tracer(const CutInput& in, const Crossings& crossings, const CutOrder& order, const Labels& labels, NewLoops& made)
+        : in_(in),
+          crossings_(crossings),
+          order_(order),
+          labels_(labels),
+          made_(made),
+          view_(in, crossings, made),
+          patch_(in.patch),
+          cutter_(in.cutter),
+          out_of_(view_.vertex_count()) {}
 
-    Verdict trace() {
+    PhaseEnd trace() {
         split_edges();
         add_segments();
-        Verdict all = Verdict::kFine;
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face) {
             if (patch_.faces[face].replaced) continue;
-            const Verdict verdict = trace_world(face);
-            if (cut_.stops_at(verdict)) return verdict;
-            if (verdict != Verdict::kFine) all = verdict;
+            if (!goes_on(trace_world(face))) return std::move(end_);
         }
-        for (std::uint32_t t = 0; t < cutter_.planes.size(); ++t) {
-            const Verdict verdict = trace_cutter(t);
-            if (cut_.stops_at(verdict)) return verdict;
-            if (verdict != Verdict::kFine) all = verdict;
-        }
-        return all;
+        for (std::uint32_t t = 0; t < cutter_.planes.size(); ++t)
+            if (!goes_on(trace_cutter(t))) break;
+        return std::move(end_);
     }
 
 private:
+    bool goes_on(Verdict verdict) {
+        if (verdict != Verdict::kFine) end_.verdict = verdict;
+        return !in_.stops_at(verdict);
+    }
+
     struct Parts {
         std::uint32_t first = 0, count = 0;  ///< new edges, in order along the old one
     };
 
     /// Parts of an edge that lie where `keep` says, one after the other from its first vertex.
-    Parts split(const Cut::Range& range, std::uint32_t a, std::uint32_t b, bool keeps, const SolidPlane* p,
+    Parts split(const CutOrder::Range& range, std::uint32_t a, std::uint32_t b, bool keeps, const SolidPlane* p,
                 const SolidPlane* q) {
-        Parts parts{std::uint32_t(cut_.new_edges.size()), 0};
+        Parts parts{std::uint32_t(made_.edges.size()), 0};
         std::uint32_t from = a;
         for (std::uint32_t k = 0; k <= range.count; ++k) {
-            const std::uint32_t to = k < range.count ? cut_.crossings[cut_.along[range.first + k]].vertex : b;
+            const std::uint32_t to = k < range.count ? crossings_.points[order_.along[range.first + k]].vertex : b;
             if (keeps) {
-                cut_.new_edges.push_back({from, to, {p, q}});
+                made_.edges.push_back({from, to, {p, q}});
                 ++parts.count;
             }
             keeps = !keeps;
@@ -57,34 +64,34 @@ private:
 
     /// Whether the part of a cutter edge or a whole one with this label at its start becomes part of the solid's new
     /// boundary.
-    bool wanted(Where label) const { return (label == Where::kInside) != cut_.fill; }
+    bool wanted(Where label) const { return (label == Where::kInside) != in_.fill; }
 
     void split_edges() {
         world_parts_.assign(patch_.edges.size(), {});
         for (std::uint32_t e = 0; e < patch_.edges.size(); ++e) {
-            if (cut_.world_cuts[e].count == 0) continue;
+            if (order_.world_cuts[e].count == 0) continue;
             const PatchEdge& edge = patch_.edges[e];
-            const bool outside = cut_.world_label[edge.vertex[0]] == Where::kOutside;
+            const bool outside = labels_.world[edge.vertex[0]] == Where::kOutside;
             world_parts_[e] =
-                split(cut_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane[0], edge.plane[1]);
+                split(order_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane[0], edge.plane[1]);
         }
         cutter_parts_.assign(cutter_.edges.size(), {});
-        const std::uint32_t base = cut_.first_cutter_vertex();
+        const std::uint32_t base = view_.first_cutter_vertex();
         for (std::uint32_t e = 0; e < cutter_.edges.size(); ++e) {
             const CutterSolid::Edge& edge = cutter_.edges[e];
-            const bool keeps = wanted(cut_.cutter_label[edge.a]);
-            if (cut_.cutter_cuts[e].count == 0 && !keeps) continue;
-            cutter_parts_[e] = split(cut_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane[0].get(),
+            const bool keeps = wanted(labels_.cutter[edge.a]);
+            if (order_.cutter_cuts[e].count == 0 && !keeps) continue;
+            cutter_parts_[e] = split(order_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane[0].get(),
                                      edge.plane[1].get());
         }
     }
 
     void add_segments() {
-        segment_edge_ = cut_.first_new_edge() + std::uint32_t(cut_.new_edges.size());
+        segment_edge_ = view_.first_new_edge() + std::uint32_t(made_.edges.size());
         by_triangle_.assign(cutter_.planes.size() + 1, 0);
         by_face_.assign(patch_.faces.size() + 1, 0);
-        for (const Segment& segment : cut_.segments) {
-            cut_.new_edges.push_back(
+        for (const Segment& segment : crossings_.segments) {
+            made_.edges.push_back(
                 {segment.from, segment.to, {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle].get()}});
             ++by_triangle_[segment.triangle + 1];
             ++by_face_[segment.face + 1];
@@ -96,14 +103,14 @@ private:
     template <class Key>
     void order(std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& ordered, const Key& key) {
         for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
-        ordered.resize(cut_.segments.size());
+        ordered.resize(crossings_.segments.size());
         std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        for (std::uint32_t k = 0; k < cut_.segments.size(); ++k) ordered[next[key(cut_.segments[k])]++] = k;
+        for (std::uint32_t k = 0; k < crossings_.segments.size(); ++k) ordered[next[key(crossings_.segments[k])]++] = k;
     }
 
     void take_parts(const Parts& parts, bool reversed) {
         for (std::uint32_t k = 0; k < parts.count; ++k)
-            pieces_.push_back({cut_.first_new_edge() + parts.first + k, reversed});
+            pieces_.push_back({view_.first_new_edge() + parts.first + k, reversed});
     }
 
     Verdict trace_world(std::uint32_t index) {
@@ -111,19 +118,19 @@ private:
         bool inside = false, outside = false;
         pieces_.clear();
         for (const PatchUse& use : patch_.uses(face)) {
-            const bool out = cut_.world_label[patch_.from(use)] == Where::kOutside;
+            const bool out = labels_.world[patch_.from(use)] == Where::kOutside;
             (out ? outside : inside) = true;
-            if (cut_.world_cuts[use.edge].count != 0)
+            if (order_.world_cuts[use.edge].count != 0)
                 take_parts(world_parts_[use.edge], use.reversed);
             else if (out)
                 pieces_.push_back(use);
         }
-        if (!cut_.face_cut[index]) {
+        if (!crossings_.face_cut[index]) {
             if (!inside) return Verdict::kFine;
-            cut_.gone.push_back(index);
+            made_.gone.push_back(index);
             if (!outside) return Verdict::kFine;
         } else {
-            cut_.gone.push_back(index);
+            made_.gone.push_back(index);
         }
         for (std::uint32_t k = by_face_[index]; k < by_face_[index + 1]; ++k)
             pieces_.push_back({segment_edge_ + of_face_[k], true});
@@ -135,13 +142,13 @@ private:
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t edge = cutter_.edge_of(t, k);
             const bool forward = cutter_.edges[edge].left == t;
-            take_parts(cutter_parts_[edge], forward != cut_.fill);
+            take_parts(cutter_parts_[edge], forward != in_.fill);
         }
         for (std::uint32_t k = by_triangle_[t]; k < by_triangle_[t + 1]; ++k)
             pieces_.push_back({segment_edge_ + of_triangle_[k], false});
         if (pieces_.empty()) return Verdict::kFine;
         Ref<const SolidPlane> plane = cutter_.planes[t];
-        if (!cut_.fill) plane = Ref<const SolidPlane>(new SolidPlane(flipped(plane->plane)));
+        if (!in_.fill) plane = Ref<const SolidPlane>(new SolidPlane(flipped(plane->plane)));
         return trace_pieces({std::move(plane), 0, 0, 0, 0, ~0u, t});
     }
 
@@ -159,8 +166,8 @@ private:
                 loop_ends_.push_back(std::uint32_t(loops_.size()));
         }
         if (loops_.empty()) return Verdict::kFine;
-        const Verdict verdict = group_loops(cut_, like, loops_, loop_ends_);
-        if (verdict == Verdict::kDegenerate) cut_.face_touches(loops_);
+        const Verdict verdict = group_loops(view_, like, loops_, loop_ends_, made_);
+        if (verdict == Verdict::kDegenerate) view_.face_touches(loops_, end_.touching);
         return verdict;
     }
 
@@ -170,7 +177,7 @@ private:
         same_start_.assign(pieces_.size(), kNoPiece);
         bool several = false;
         for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
-            std::uint32_t& out = out_of_[cut_.from(pieces_[k])];
+            std::uint32_t& out = out_of_[view_.from(pieces_[k])];
             several |= out != 0;
             same_start_[k] = out - 1;  // none: kNoPiece
             out = k + 1;
@@ -178,11 +185,11 @@ private:
         bool whole = true;
         std::size_t ends = 0;
         for (std::uint32_t k = 0; k < pieces_.size() && whole; ++k) {
-            next_[k] = out_of_[cut_.to(pieces_[k])] - 1;
+            next_[k] = out_of_[view_.to(pieces_[k])] - 1;
             whole = next_[k] != kNoPiece;
             if (whole && several && same_start_[next_[k]] != kNoPiece) whole = choose_next(k, like);
         }
-        for (const PatchUse& piece : pieces_) out_of_[cut_.from(piece)] = 0;
+        for (const PatchUse& piece : pieces_) out_of_[view_.from(piece)] = 0;
         if (!whole) return false;
         used_.assign(pieces_.size(), 0);
         for (const std::uint32_t next : next_) ends += used_[next]++ != 0;
@@ -215,17 +222,22 @@ private:
     /// Sign of the turn from one segment's direction to another's, seen against the normal of the new face:
     /// (a x t) x (b x t) = t det(a, b, t).
     int turn(std::uint32_t a, std::uint32_t b, const NewFace& like) const {
-        const NewEdge &one = cut_.new_edges[pieces_[a].edge - cut_.first_new_edge()],
-                      &other = cut_.new_edges[pieces_[b].edge - cut_.first_new_edge()];
+        const NewEdge &one = view_.new_edge(pieces_[a].edge), &other = view_.new_edge(pieces_[b].edge);
         const Plane& t = cutter_.planes[like.triangle]->plane;
         const int sign = exact_turn(one.plane[0]->plane, other.plane[0]->plane, t);
         const bool turned = pieces_[a].reversed != pieces_[b].reversed;
-        return (cut_.fill ? sign : -sign) * (turned ? -1 : 1);
+        return (in_.fill ? sign : -sign) * (turned ? -1 : 1);
     }
 
     static constexpr std::uint32_t kNoPiece = ~0u;
 
-    Cut& cut_;
+    const CutInput& in_;
+    const Crossings& crossings_;
+    const CutOrder& order_;
+    const Labels& labels_;
+    NewLoops& made_;
+    const CutView view_;
+    PhaseEnd end_;
     const SolidPatch& patch_;
     const CutterSolid& cutter_;
     std::vector<Parts> world_parts_, cutter_parts_;
@@ -241,13 +253,14 @@ private:
 
 }  // namespace
 
-Verdict trace_loops(Cut& cut) {
-    cut.new_edges.clear();
-    cut.uses.clear();
-    cut.loop_ends.clear();
-    cut.new_faces.clear();
-    cut.gone.clear();
-    return Tracer(cut).trace();
+PhaseEnd trace_loops(const CutInput& in, const Crossings& crossings, const CutOrder& order, const Labels& labels,
+                     NewLoops& loops) {
+    loops.edges.clear();
+    loops.all_uses.clear();
+    loops.loop_ends.clear();
+    loops.faces.clear();
+    loops.gone.clear();
+    return Tracer(in, crossings, order, labels, loops).trace();
 }
 
 }  // namespace firma

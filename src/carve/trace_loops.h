@@ -2,13 +2,15 @@
 // From labels and segments to the loops of new faces.
 #pragma once
 
-#include "carve/cut_state.h"
+#include "carve/label.h"
+#include "carve/new_loops.h"
 
 namespace firma {
 
 /// Splits every cut edge once and traces the loops of the faces that change: pieces of the world's faces outside the
-/// cutter, and pieces of the cutter's triangles inside the solid (when filling: outside of it). Fills new_edges,
-/// new_faces and gone.
-Verdict trace_loops(Cut& cut);
+/// cutter, and pieces of the cutter's triangles inside the solid (when filling: outside of it).
+/// @param loops  replaced; keeps its memory
+PhaseEnd trace_loops(const CutInput& in, const Crossings& crossings, const CutOrder& order, const Labels& labels,
+                     NewLoops& loops);
 
 }  // namespace firma

@@ -4,7 +4,8 @@
 
 #include <string>
 
-#include "carve/cut_state.h"
+#include "carve/cutter_solid.h"
+#include "solid/solid_patch.h"
 
 namespace firma {
 

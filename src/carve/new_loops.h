@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What tracing a cut makes: new edges, the loops of new faces, and which faces go.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "carve/cut_input.h"
+
+namespace firma {
+
+/// An edge that the cut makes: part of one that it split, or a segment.
+struct NewEdge {
+    std::uint32_t from, to;
+    const SolidPlane* plane[2];  ///< the patch's and the cutter's
+};
+
+/// A face that the cut makes.
+struct NewFace {
+    Ref<const SolidPlane> plane;
+    std::uint32_t first_use = 0, use_count = 0;    ///< in NewLoops::all_uses
+    std::uint32_t first_loop = 0, loop_count = 0;  ///< in NewLoops::loop_ends, counted from first_use
+    std::uint32_t face = ~0u;                      ///< the patch's face that it is a piece of; ~0: of the cutter
+    std::uint32_t triangle = ~0u;                  ///< the cutter's triangle that it is a piece of; ~0: of the world
+};
+
+struct NewLoops {
+    std::vector<NewEdge> edges;
+    std::vector<PatchUse> all_uses;  ///< edges numbered through; see cut_view.h
+    std::vector<std::uint32_t> loop_ends;
+    std::vector<NewFace> faces;
+    std::vector<std::uint32_t> gone;  ///< patch faces that were cut, or taken whole; none that is `replaced`
+
+    std::span<const PatchUse> uses(const NewFace& face) const {
+        return {all_uses.data() + face.first_use, face.use_count};
+    }
+    std::span<const std::uint32_t> ends(const NewFace& face) const {
+        return {loop_ends.data() + face.first_loop, face.loop_count};
+    }
+};
+
+}  // namespace firma
