@@ -128,8 +128,8 @@ struct CastOptions {
 /// @param path    motion (metres)
 /// @return as cast_polygon(), over all faces, and over closed portals as two-sided ones; of several at the smallest
 /// fraction the one with the lowest id, faces before portals; kInvalid also for a room that is not there.
-/// Never allocates, takes no lock and touches no reference count; by room, where there are more than 4,096 rooms or more
-/// than 256 wait at a time, a thread's first such casts take memory that it keeps.
+/// Never allocates, takes no lock and touches no reference count; by room, where there are more than 4,096 rooms or
+/// more than 256 wait at a time, a thread's first such casts take memory that it keeps.
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 
 /// Whether cast() would touch anything, without looking for the first.

@@ -215,7 +215,7 @@ TEST(CheckRooms, MemoryOfRoomsAndPortals) {
     const World other = set_portal_open(world, {0}, !portal_info(world, {0}).open);
     const std::vector<World> both{world, other};
     EXPECT_EQ(bytes_alone(other, world), memory_used(both) - memory_used(world));
-    EXPECT_LT(bytes_alone(other, world), 3000u);
+    EXPECT_LT(bytes_alone(other, world), 2000u);
     EXPECT_EQ(bytes_alone(world, World()), memory_used(std::vector<World>{world, World()}) - memory_used(World()));
 }
 
