@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes aside and renames; signals clean up by the names in `asides`.
+// Writes aside and renames; signals clean up by the names in `removed`.
 #include "cli/atomic_file.h"
 
 #include <fcntl.h>
@@ -14,10 +14,9 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
-#include <memory>
+#include <span>
 
 #include "cli/failure.h"
-#include "save/sync_folder.h"
 
 namespace firma::cli {
 
@@ -27,21 +26,21 @@ constexpr std::size_t kBufferBytes = 1 << 20;
 
 // The handler may run on any thread at any moment, so a name is set before its file is made and dropped after it is
 // gone.
-struct Aside {
+struct Removed {
     char name[PATH_MAX + 64];
     std::atomic<bool> used{false};
 };
-Aside asides[8];
+Removed removed[8];
 
 /// A place for a name; -1 when all are taken.
 int free_slot() {
-    for (int slot = 0; slot < int(std::size(asides)); ++slot)
-        if (!asides[slot].used.load()) return slot;
+    for (int slot = 0; slot < int(std::size(removed)); ++slot)
+        if (!removed[slot].used.load()) return slot;
     return -1;
 }
 
 extern "C" void on_signal(int) {
-    for (const Aside& aside : asides)
+    for (const Removed& aside : removed)
         if (aside.used.load()) unlink(aside.name);
     constexpr char kText[] = "\nfirma: stopped by a signal\n";
     [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, kText, sizeof kText - 1);
@@ -61,13 +60,6 @@ int descriptor_named(const std::string& path) {
         return std::atoi(digits.c_str());
     }
     return -1;
-}
-
-/// The path behind all links.
-std::string resolved(const std::string& path) {
-    const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr), &std::free);
-    if (!real) throw Failure(path, std::strerror(errno));
-    return real.get();
 }
 
 }  // namespace
@@ -109,8 +101,10 @@ AtomicFile::AtomicFile(const std::string& path) : name_(path) {
         if (S_ISDIR(status.st_mode)) throw Failure(path, "is a folder; name a file");
         if (access(path.c_str(), W_OK) != 0) fail(errno);
         if (S_ISREG(status.st_mode)) {
-            open_aside(resolved(path));
-            fchmod(file_, status.st_mode & 07777);
+            std::string target = path;
+            if (const int reason = resolve_links(target)) fail(reason);
+            open_aside(target);
+            aside_->set_mode(status.st_mode);
         } else {
             file_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
             if (file_ < 0) fail(errno);
@@ -128,17 +122,17 @@ void AtomicFile::open_aside(const std::string& target) {
     const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
     const int slot = free_slot();
     if (slot < 0) throw Failure(name_, "cannot be written: too many outputs at once");
-    Aside& mine = asides[slot];
-    for (int attempt = 0; file_ < 0; ++attempt) {
+    Removed& mine = removed[slot];
+    for (int attempt = 0;; ++attempt) {
         const std::string aside =
             folder + ".firma-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".part";
         if (aside.size() >= sizeof mine.name) fail(ENAMETOOLONG);
         std::memcpy(mine.name, aside.c_str(), aside.size() + 1);
         mine.used = true;
-        file_ = open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file_ >= 0) break;
+        const int reason = aside_.emplace(aside).open_new();
+        if (reason == 0) break;
         mine.used = false;
-        if (errno != EEXIST || attempt == 100) fail(errno);
+        if (reason != EEXIST || attempt == 100) fail(reason);
     }
     target_ = target;
     slot_ = slot;
@@ -146,9 +140,8 @@ void AtomicFile::open_aside(const std::string& target) {
 
 AtomicFile::~AtomicFile() {
     if (file_ >= 0) close(file_);
-    if (slot_ < 0) return;
-    unlink(asides[slot_].name);
-    asides[slot_].used = false;
+    aside_.reset();
+    if (slot_ >= 0) removed[slot_].used = false;
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -168,30 +161,22 @@ void AtomicFile::finish() {
     put(buffer_.data(), buffer_.size());
     buffer_.clear();
     finished_ = true;
-    if (slot_ < 0) return;
-    if (fsync(file_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
-    const int closed = close(file_);
-    file_ = -1;
-    if (closed != 0) fail(errno);
+    if (!aside_) return;
+    if (const int reason = aside_->flush()) fail(reason);
 }
 
 void AtomicFile::commit() {
     finish();
-    if (slot_ < 0) return;
-    if (rename(asides[slot_].name, target_.c_str()) != 0) fail(errno);
-    asides[slot_].used = false;
+    if (!aside_) return;
+    if (const int reason = aside_->rename_to(target_)) fail(reason);
+    aside_.reset();
+    removed[slot_].used = false;
     slot_ = -1;
-    if (const int reason = sync_folder_of(target_)) fail(reason);
 }
 
 void AtomicFile::put(const char* from, std::size_t size) {
-    while (size > 0) {
-        const ssize_t written = ::write(file_, from, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(errno);
-        from += written;
-        size -= std::size_t(written);
-    }
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(from, size));
+    if (const int reason = aside_ ? aside_->write(bytes) : write_all(file_, bytes)) fail(reason);
 }
 
 void AtomicFile::fail(int code) const {

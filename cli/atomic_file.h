@@ -2,9 +2,11 @@
 // A file that appears whole or not at all: written aside, flushed, then renamed into place.
 #pragma once
 
-#include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/file_aside.h"
 
 namespace firma::cli {
 
@@ -41,8 +43,9 @@ private:
     std::string name_;    ///< as the user gave it
     std::string target_;  ///< what to rename to; empty when written directly
     std::string buffer_;
-    int file_ = -1;
-    int slot_ = -1;  ///< among the names that a signal removes; -1 when written directly
+    std::optional<FileAside> aside_;
+    int file_ = -1;  ///< what is written directly
+    int slot_ = -1;  ///< of the aside among the names that a signal removes
     bool finished_ = false;
 };
 

@@ -2,8 +2,6 @@
 // From a level to its cells, their narrows, the portals among these.
 #include "firma/divide_rooms.h"
 
-#include <cmath>
-
 #include "brush/choose_portals.h"
 #include "brush/entity_origin.h"
 #include "brush/judge_brush_level.h"
@@ -42,7 +40,7 @@ std::vector<bool> inside_of_hull(const BrushLevel& level, const AirGrid& grid) {
 }
 
 bool is_usable(double number) {
-    return std::isfinite(number) && number >= 0;
+    return is_finite(number) && number >= 0;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the lumps that brushes are made of, and cuts out their faces in double.
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "brush/bsp_planes.h"
@@ -26,7 +25,7 @@ std::optional<Error> read_planes(const BspFile& file, std::vector<FloatPlane>& p
     for (std::size_t k = 0; k < records.size(); ++k) {
         const auto [normal, distance] = records[k];
         FloatPlane plane{{normal[0], normal[1], normal[2]}, distance};
-        if (!is_finite(plane.normal) || !std::isfinite(plane.distance)) {
+        if (!is_finite(plane.normal) || !is_finite(plane.distance)) {
             return file.fault(ErrorCode::kOutOfRange, BspLump::kPlanes, k, "a number is not finite");
         }
         const double size = length(plane.normal);

@@ -31,7 +31,7 @@ public:
     std::optional<Error> judge() const {
         if (level_.sides.size() >= kMostSides)
             return Error{ErrorCode::kTooLarge, level_.name, "a level has fewer than 2^20 brush sides"};
-        if (!(level_.metres_a_unit > 0) || !std::isfinite(level_.metres_a_unit))
+        if (!(level_.metres_a_unit > 0) || !is_finite(level_.metres_a_unit))
             return Error{ErrorCode::kInvalid, level_.name, "metres_a_unit must be a finite number above zero"};
         std::size_t end = 0;  // of the sides of the brushes before
         for (std::size_t k = 0; k < level_.brushes.size(); ++k) {

@@ -211,7 +211,7 @@ private:
         const std::optional<double> parsed =
             token.kind == Kind::kWord ? parse_number(token.text) : std::optional<double>();
         if (!parsed) return expected("a number of " + std::string(of), token);
-        if (!std::isfinite(*parsed)) {
+        if (!is_finite(*parsed)) {
             return Error{ErrorCode::kOutOfRange, at(token.line),
                          quote(token.text) + context() + " is too large for a number"};
         }
@@ -273,7 +273,7 @@ private:
         const Vec3 normal = {abcd[0], abcd[1], abcd[2]};
         const double size = length(normal);
         const double distance = -abcd[3] / size;
-        if (!(size > 0) || !std::isfinite(size) || !std::isfinite(distance))
+        if (!(size > 0) || !is_finite(size) || !is_finite(distance))
             return malformed(into.line, "a plane" + context() + " has no normal");
         into.plane = FloatPlane{normal * (1 / size), distance};
         for (int axis = 0; axis < 3; ++axis)  // 0.3 * (1 / 0.3) may not be 1

@@ -49,7 +49,7 @@ void clip_behind(std::vector<Vec3>& corners, std::vector<Vec3>& scratch, const F
 std::optional<FloatPlane> float_plane(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = cross(b - a, c - a);
     const double size = length(normal);
-    if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+    if (!(size > 0) || !is_finite(size)) return std::nullopt;
     FloatPlane plane;
     plane.normal = normal * (1 / size);
     plane.distance = dot(plane.normal, a);

@@ -33,7 +33,7 @@ struct Turn {
 std::optional<Turn> turn_of(const Quaternion& rotation, double scale) {
     double reach = 0;
     for (const double part : rotation) {
-        if (!std::isfinite(part)) return std::nullopt;
+        if (!is_finite(part)) return std::nullopt;
         reach = std::max(reach, std::fabs(part));
     }
     if (reach == 0) return std::nullopt;
@@ -128,7 +128,7 @@ Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose) {
     if (!cutter.valid()) return Error{ErrorCode::kInvalid, "", "an empty cutter"};
     const CutterData& data = *cutter.data();
     const auto refuse = [&](ErrorCode code, const char* reason) { return error_at(data.name, "", code, reason); };
-    if (!(pose.scale > 0) || !std::isfinite(pose.scale))
+    if (!(pose.scale > 0) || !is_finite(pose.scale))
         return refuse(ErrorCode::kInvalid, "the scale must be a finite number above zero");
     if (!is_finite(pose.position)) return refuse(ErrorCode::kOutOfRange, "the position is not finite");
     const std::optional<Turn> turn = turn_of(pose.rotation, pose.scale);

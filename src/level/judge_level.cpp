@@ -2,8 +2,6 @@
 // Looks at every face of a level.
 #include "level/judge_level.h"
 
-#include <cmath>
-
 #include "firma/polygon.h"
 #include "geometry/polygon_shape.h"
 
@@ -50,7 +48,7 @@ std::optional<Error> judge_level(const Level& level, const std::string& name, co
 }
 
 std::optional<Error> judge_skin(double skin, const std::string& name) {
-    if (skin >= 0 && std::isfinite(skin)) return std::nullopt;
+    if (skin >= 0 && is_finite(skin)) return std::nullopt;
     return Error{ErrorCode::kInvalid, name, "the skin must be a finite number, not below zero"};
 }
 

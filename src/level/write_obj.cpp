@@ -3,14 +3,12 @@
 #include "firma/write_obj.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
+#include <span>
 #include <system_error>
 #include <vector>
 
 #include "base/decimal.h"
+#include "base/file_aside.h"
 #include "solid/block.h"
 #include "world/world_data.h"
 
@@ -121,30 +119,6 @@ Error cannot_write(const std::string& path, int reason) {
     return {ErrorCode::kCannotWrite, path, "cannot be written: " + std::generic_category().message(reason)};
 }
 
-struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-/// The whole file under its passing name; 0, or what went wrong.
-int write_aside(const World& world, const std::string& aside, ObjFaces which, ObjWritten& written) {
-    errno = 0;
-    std::unique_ptr<std::FILE, Closer> file(std::fopen(aside.c_str(), "wb"));
-    if (!file) return errno ? errno : EIO;
-    int reason = 0;
-    const auto put = [&](std::string_view text) {
-        errno = 0;
-        if (std::fwrite(text.data(), 1, text.size(), file.get()) == text.size()) return true;
-        reason = errno ? errno : EIO;
-        return false;
-    };
-    const std::optional<ObjWritten> done = write_obj(world, put, which);
-    if (!done) return reason;
-    errno = 0;
-    if (std::fclose(file.release()) != 0) return errno ? errno : EIO;
-    written = *done;
-    return 0;
-}
-
 }  // namespace
 
 std::optional<ObjWritten> write_obj(const World& world, const TextSink& put, ObjFaces which) {
@@ -157,18 +131,18 @@ std::optional<ObjWritten> write_obj(const World& world, const TextSink& put, Obj
 }
 
 Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which) {
-    const std::string aside = path + ".part";
     ObjWritten written;
-    std::error_code none;
-    if (const int reason = write_aside(world, aside, which, written); reason != 0) {
-        std::filesystem::remove(aside, none);
-        return cannot_write(path, reason);
-    }
-    std::error_code error;
-    std::filesystem::rename(aside, path, error);
-    if (!error) return written;
-    std::filesystem::remove(aside, none);
-    return cannot_write(path, error.value());
+    const int failed = write_whole_file(path, [&](FileAside& file) {
+        int reason = 0;
+        const auto put = [&](std::string_view text) {
+            reason = file.write(std::as_bytes(std::span(text)));
+            return reason == 0;
+        };
+        if (const std::optional<ObjWritten> done = write_obj(world, put, which)) written = *done;
+        return reason;
+    });
+    if (failed) return cannot_write(path, failed);
+    return written;
 }
 
 }  // namespace firma

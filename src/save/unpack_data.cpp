@@ -3,7 +3,6 @@
 // them: whoever uses them can do with any numbers.
 #include "save/unpack_data.h"
 
-#include <cmath>
 #include <limits>
 
 #include "save/sections.h"
@@ -51,7 +50,7 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     if (data.version > kMostVersion || data.edits > kMostEdits)
         return damage.report(section.type(), 0, "has no numbers left for new edits");
     // Of a skin below zero, casts would say that it is safe to go through what they meet.
-    if (!(data.tolerance.skin >= 0) || !std::isfinite(data.tolerance.skin))
+    if (!(data.tolerance.skin >= 0) || !is_finite(data.tolerance.skin))
         return damage.report(section.type(), 0, "its skin is no length");
     if (flags & ~(kRockOutside | kExactPart | kHasRules | kHasRoomRecords | kHasPortals) || read_u32(at + 52) != 0)
         return damage.report(section.type(), "has flags that mean nothing");

@@ -2,7 +2,9 @@
 // What is written reads back, and what cannot be written leaves nothing behind. `firma check` judges more of it in
 // tests/cli/test_carve.py.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -121,16 +123,42 @@ TEST(WriteObj, AFileAppearsWholeOrNotAtAll) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(WriteObj, SaysThatADeviceIsFull) {
-    // By a link, as the file is written beside its place.
+TEST(WriteObj, SaysThatTheDiskTakesNoMore) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "firma_write_obj_full";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    std::filesystem::create_symlink("/dev/full", folder / "out.obj.part");
+    std::ofstream(folder / "out.obj") << "as it was";
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit little{50, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &little);
     const Result<ObjWritten> written = write_obj(world_of(kRoom), (folder / "out.obj").string());
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::kCannotWrite);
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.obj.part"));
+    std::ifstream file(folder / "out.obj");
+    EXPECT_EQ(std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>()), "as it was");
+    std::filesystem::remove_all(folder);
+}
+
+TEST(WriteObj, WritesThroughLinksAndKeepsPermissions) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "firma_write_obj_link";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "real.obj") << "as it was";
+    std::filesystem::permissions(folder / "real.obj",
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::filesystem::create_symlink("real.obj", folder / "out.obj");
+    ASSERT_TRUE(write_obj(world_of(kRoom), (folder / "out.obj").string()));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "out.obj"));
+    EXPECT_EQ(std::filesystem::status(folder / "real.obj").permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    EXPECT_GT(std::filesystem::file_size(folder / "real.obj"), 50u);
+    std::filesystem::create_symlink("nowhere.obj", folder / "lost.obj");
+    EXPECT_FALSE(write_obj(world_of(kRoom), (folder / "lost.obj").string()));
     std::filesystem::remove_all(folder);
 }
 
