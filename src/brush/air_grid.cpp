@@ -12,12 +12,12 @@
 namespace firma {
 namespace {
 
-constexpr double kThinnest = 0.0625;  ///< metres: no layer is thinner
-constexpr double kThickest = 8;       ///< times as much: none is thicker
-constexpr int kMostTries = 24;        ///< of doubling that: layers wider than the world
-constexpr double kMostWork = 2e8;     ///< sides asked by lines
-constexpr double kMostCells = 2e9;    ///< so that 32 bits number them
-constexpr std::size_t kMostSides = 1024;
+constexpr double kThinnest = 0.0625;   ///< metres: no layer is thinner
+constexpr double kThickest = 8;        ///< times as much: none is thicker
+constexpr int kMostTries = 24;         ///< of doubling that: layers wider than the world
+constexpr double kMostWork = 2e8;      ///< sides asked by lines
+constexpr double kMostNumbered = 2e9;  ///< so that 32 bits number them
+constexpr std::size_t kMostSidesOfABrush = 1024;
 constexpr double kBeyond = 1;  ///< metres: thickness of the outermost layers, or that of the thinnest
 
 double on_input_grid(double metres) {
@@ -176,7 +176,7 @@ std::optional<AirGrid> AirGrid::make(const BrushLevel& level, std::size_t most_c
     bool any_solid = false;
     for (const Brush& brush : level.brushes) {
         const bool solid = is_solid(brush.kind);
-        if ((!solid && brush.kind != BrushKind::kPortal) || brush.side_count > kMostSides) continue;
+        if ((!solid && brush.kind != BrushKind::kPortal) || brush.side_count > kMostSidesOfABrush) continue;
         pairs += std::uint64_t(brush.side_count) * brush.side_count;
         if (pairs > kMostSidePairs) return std::nullopt;
         Body body;
@@ -201,7 +201,7 @@ std::optional<AirGrid> AirGrid::make(const BrushLevel& level, std::size_t most_c
     for (int tries = 0; tries < kMostTries; ++tries, thinnest *= 2) {
         grid.set_layers(bodies, thinnest);
         const double cells = double(grid.layers(0)) * grid.layers(1) * grid.layers(2);
-        if (cells > std::min(double(most_cells), kMostCells) || grid.lines_through(bodies) > kMostWork) continue;
+        if (cells > std::min(double(most_cells), kMostNumbered) || grid.lines_through(bodies) > kMostWork) continue;
         grid.flags_.assign(std::size_t(cells), std::uint8_t(kAir | kWay | kWay << 1 | kWay << 2));
         for (const Body& body : bodies) grid.enter(body);
         grid.close_ways();

@@ -10,7 +10,7 @@
 namespace firma {
 namespace {
 
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kNoNumber = ~0u;
 
 // The file's numbers, turned so that a plane and its negative are equal.
 struct TurnedPlane {
@@ -73,7 +73,7 @@ private:
         std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::tuple_cat(turned_[a].key(), std::tuple(a)) < std::tuple_cat(turned_[b].key(), std::tuple(b));
         });
-        family_.assign(turned_.size(), kNone);
+        family_.assign(turned_.size(), kNoNumber);
         std::uint32_t families = 0;
         for (std::size_t k = 0; k < order.size(); ++k) {
             families += k == 0 || turned_[order[k]].key() != turned_[order[k - 1]].key();

@@ -12,18 +12,18 @@
 namespace firma {
 namespace {
 
-constexpr std::uint32_t kNone = ~0u;
-constexpr std::uint32_t kMostNarrows = 12;  ///< between two rooms: what has more is a fence, or a window with bars
-constexpr double kShare = 0.75;             ///< of a narrow that divides rooms, at least
-constexpr int kMostRounds = 8;
+constexpr std::uint32_t kNoRoom = ~0u;
+constexpr std::uint32_t kMostBetweenRooms = 12;  ///< between two rooms: what has more is a fence, or a window with bars
+constexpr double kShare = 0.75;                  ///< of a narrow that divides rooms, at least
+constexpr int kMostChoices = 8;
 constexpr double kEndless = 1e18;  ///< cubic metres: a room that reaches beyond the level
 
 class RoomJoiner {
 public:
     RoomJoiner(const AirGrid& grid, const DivideOptions& options)
-        : grid_(grid), options_(options), room_of_(grid.cells(), kNone) {
+        : grid_(grid), options_(options), room_of_(grid.cells(), kNoRoom) {
         for (std::size_t cell = 0; cell < grid.cells(); ++cell)
-            if (grid.is_air(cell) && room_of_[cell] == kNone) add_room(cell);
+            if (grid.is_air(cell) && room_of_[cell] == kNoRoom) add_room(cell);
         openings_.resize(volumes_.size());
         part_of_.resize(volumes_.size());
         std::iota(part_of_.begin(), part_of_.end(), 0u);
@@ -55,7 +55,7 @@ public:
             const Offer now = offer(a, b, opening);
             if (now.width() < best.width()) offers_.push(now);
             if (now.width() != best.width()) continue;
-            const bool fence = opening.narrows.size() > kMostNarrows;
+            const bool fence = opening.narrows.size() > kMostBetweenRooms;
             if (now.small < options_.smallest_room || now.is_wide(options_.narrow) || fence) join(a, b);
         }
     }
@@ -104,7 +104,7 @@ private:
         room_of_[seed] = number;
         waiting_.assign(1, std::uint32_t(seed));
         const auto reach = [&](std::size_t cell) {
-            if (room_of_[cell] != kNone) return;
+            if (room_of_[cell] != kNoRoom) return;
             room_of_[cell] = number;
             waiting_.push_back(std::uint32_t(cell));
         };
@@ -172,7 +172,7 @@ private:
 
     const AirGrid& grid_;
     const DivideOptions& options_;
-    std::vector<std::uint32_t> room_of_;                      ///< a cell each; kNone in the solid
+    std::vector<std::uint32_t> room_of_;                      ///< a cell each; kNoRoom in the solid
     std::vector<double> volumes_;                             ///< of rooms, cubic metres
     std::vector<std::map<std::uint32_t, Opening>> openings_;  ///< of rooms, to others
     std::vector<std::uint32_t> part_of_;
@@ -203,7 +203,7 @@ std::vector<std::uint32_t> choose_narrows(const AirGrid& grid, std::span<const N
             if (share > 0) chosen.push_back(k);
             if (share > 0 && share < kShare) again = without[k] = true;
         }
-        if (!again || round + 1 == kMostRounds) return chosen;
+        if (!again || round + 1 == kMostChoices) return chosen;
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kWider = 1.5, kAtOnce = 1.05;
 constexpr double kReach = 0.75;         ///< metres
 constexpr double kIntoWall = 0.015625;  ///< metres: how deep portals reach into thin walls
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kNoSection = ~0u;
 
 /// Cells of one layer that free ways within it join.
 struct Section {
@@ -21,8 +21,8 @@ struct Section {
     int layer = 0;
     double area = 0;
     int low[2] = {0, 0}, high[2] = {0, 0};
-    bool open = false;                       ///< it reaches the outermost layers
-    std::uint32_t next[2] = {kNone, kNone};  ///< the largest one that it leads to, backward and onward
+    bool open = false;                                 ///< it reaches the outermost layers
+    std::uint32_t next[2] = {kNoSection, kNoSection};  ///< the largest one that it leads to, backward and onward
 };
 
 class NarrowFinder {
@@ -31,7 +31,7 @@ public:
         : grid_(grid), inside_(inside), axis_(axis), across_{(axis + 1) % 3, (axis + 2) % 3} {}
 
     void find(std::vector<Narrow>& narrows) {
-        section_of_.assign(grid_.cells(), kNone);
+        section_of_.assign(grid_.cells(), kNoSection);
         for (int layer = 0; layer < grid_.layers(axis_); ++layer) add_layer(layer);
         for (std::size_t cell = 0; cell < grid_.cells(); ++cell)
             if (grid_.is_free(cell, axis_)) join(section_of_[cell], section_of_[cell + grid_.stride(axis_)]);
@@ -51,7 +51,7 @@ private:
         for (std::size_t j = 0; j < layer_size(1); ++j)
             for (std::size_t i = 0; i < layer_size(0); ++i) {
                 const std::size_t cell = base + i * grid_.stride(across_[0]) + j * grid_.stride(across_[1]);
-                if (grid_.is_air(cell) && section_of_[cell] == kNone) add_section(cell, layer);
+                if (grid_.is_air(cell) && section_of_[cell] == kNoSection) add_section(cell, layer);
             }
     }
 
@@ -83,14 +83,14 @@ private:
     }
 
     void reach(std::size_t cell, std::uint32_t number) {
-        if (section_of_[cell] != kNone) return;
+        if (section_of_[cell] != kNoSection) return;
         section_of_[cell] = number;
         waiting_.push_back(std::uint32_t(cell));
     }
 
     void join(std::uint32_t before, std::uint32_t after) {
         const auto offer = [&](std::uint32_t& next, std::uint32_t other) {
-            if (next == kNone || sections_[other].area > sections_[next].area) next = other;
+            if (next == kNoSection || sections_[other].area > sections_[next].area) next = other;
         };
         offer(sections_[before].next[1], after);
         offer(sections_[after].next[0], before);
@@ -98,12 +98,12 @@ private:
 
     bool widens(const Section& section, bool onward) const {
         std::uint32_t next = section.next[onward];
-        if (next == kNone || sections_[next].area < kAtOnce * section.area) return false;
+        if (next == kNoSection || sections_[next].area < kAtOnce * section.area) return false;
         const double from = grid_.centre(axis_, section.layer);
         for (;;) {
             if (sections_[next].area >= kWider * section.area) return true;
             next = sections_[next].next[onward];
-            if (next == kNone) return false;
+            if (next == kNoSection) return false;
             const double way = grid_.centre(axis_, sections_[next].layer) - from;
             if (way > kReach || way < -kReach) return false;
         }
@@ -122,8 +122,9 @@ private:
     bool fills_rectangle(const Section& section) const {
         const std::uint32_t number = section_of_[section.seed];
         bool alone = true;
-        for_each_around(section,
-                        [&](std::size_t cell) { alone &= section_of_[cell] == number || section_of_[cell] == kNone; });
+        for_each_around(section, [&](std::size_t cell) {
+            alone &= section_of_[cell] == number || section_of_[cell] == kNoSection;
+        });
         return alone;
     }
 

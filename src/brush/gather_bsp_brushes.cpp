@@ -11,13 +11,12 @@ namespace firma {
 namespace {
 
 // Ten times the most seen in fifty maps. Sides can be shared by brushes, so counts of records are no limit.
-constexpr std::size_t kMostSides = std::size_t(1) << 20;
+constexpr std::size_t kMostBspSides = std::size_t(1) << 20;
 
 // Units. Compilers make the planes they add from rounded edges, so these cut off slivers of up to some tenths of a unit
 // in width, yet of next to no depth.
 constexpr double kNarrow = 0.5;      // a wider face is never left out
 constexpr double kDepth = 1.0 / 64;  // nor one without which the brush would reach farther by more
-constexpr double kSamePlace = 1.0 / 128;
 
 std::optional<Error> read_planes(const BspFile& file, std::vector<FloatPlane>& planes) {
     const auto records = file.records<BspPlane>();
@@ -68,8 +67,8 @@ private:
                          std::to_string(count) + " sides, more than " + std::to_string(kMostBrushSides));
         }
         pairs_ += std::uint64_t(count) * count;
-        if (out.sides.size() + count > kMostSides || pairs_ > kMostSidePairs) {
-            return fault(ErrorCode::kTooLarge, "brushes have more than " + std::to_string(kMostSides) +
+        if (out.sides.size() + count > kMostBspSides || pairs_ > kMostSidePairs) {
+            return fault(ErrorCode::kTooLarge, "brushes have more than " + std::to_string(kMostBspSides) +
                                                    " sides, or more than 2^26 pairs of them");
         }
         out.brushes.push_back({std::uint32_t(out.sides.size()), count, std::uint32_t(brush.shader)});
@@ -142,7 +141,7 @@ private:
             planes_.push_back(out.planes[sides[k].plane]);
         }
         std::vector<Vec3> corners = winding(planes_, at, reach_);
-        merge_corners(corners, kSamePlace);
+        merge_corners(corners, kSameCorner);
         if (corners.size() < 3) corners.clear();
         return corners;
     }

@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::size_t kMostSides = std::size_t(1) << 20;  // what joining numbers
 
-bool in_line(const GridPoint (&points)[3]) {
-    const AreaVector normal = area_vector(to_input(points[0]), to_input(points[1]), to_input(points[2]));
-    return normal.x == 0 && normal.y == 0 && normal.z == 0;
-}
-
 std::string missing(const char* what, std::size_t index, std::size_t count) {
     return std::string("its ") + what + " " + std::to_string(index) + " is not there: there are " +
            std::to_string(count);
@@ -77,7 +72,8 @@ private:
             return missing("material", side.material, name_count(level_.materials));
         for (const GridPoint& point : side.points)
             if (!on_input_grid(point)) return "a point of it is not on the input grid";
-        if (in_line(side.points)) return "its three points lie on a line";
+        if (on_one_line(to_input(side.points[0]), to_input(side.points[1]), to_input(side.points[2])))
+            return "its three points lie on a line";
         return "";
     }
 

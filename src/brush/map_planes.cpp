@@ -15,13 +15,7 @@
 namespace firma {
 namespace {
 
-constexpr std::uint32_t kNone = ~0u;
-constexpr double kSamePlace = 1.0 / 128;  // units
-
-bool in_line(const GridPoint (&points)[3]) {
-    const AreaVector normal = area_vector(to_input(points[0]), to_input(points[1]), to_input(points[2]));
-    return normal.x == 0 && normal.y == 0 && normal.z == 0;
-}
+constexpr std::uint32_t kNoSide = ~0u;
 
 class MapPlaneMaker {
 public:
@@ -43,7 +37,7 @@ private:
     };
     // What the sides of one plane share.
     struct Shared {
-        std::uint32_t exact_side = kNone;  // one that is on the grid
+        std::uint32_t exact_side = kNoSide;  // one that is on the grid
         std::vector<Vec3> corners;
         std::optional<FittedPlane> fitted;
     };
@@ -58,7 +52,7 @@ private:
             made.points[k] = *snap(points[k] * scale_);
             exact = exact && to_metres(made.points[k]) == points[k] * scale_;
         }
-        made.valid = !in_line(made.points);
+        made.valid = !on_one_line(to_input(made.points[0]), to_input(made.points[1]), to_input(made.points[2]));
         exact_.push_back(exact);
         planes_.push_back(float_plane(points[0], points[1], points[2]));
     }
@@ -110,7 +104,7 @@ private:
         for (std::size_t k = 0; k < sides.size(); ++k) {
             std::vector<Vec3> corners = winding(planes, k, 2 * kWorldRim / scale_);
             out_.of_side[sides[k]].area = area(corners);
-            merge_corners(corners, kSamePlace);
+            merge_corners(corners, kSameCorner);
             std::erase_if(corners, [&](const Vec3& c) { return largest(c) * scale_ > kWorldRim; });  // without an end
             if (!exact_[sides[k]] && !corners.empty()) turned_.push_back({sides[k], std::move(corners)});
         }
@@ -139,7 +133,7 @@ private:
             matches.push_back(*match);
         }
         for (std::uint32_t k = 0; k < shared.size(); ++k) {
-            if (shared[k].exact_side == kNone) {
+            if (shared[k].exact_side == kNoSide) {
                 shared[k].fitted = fit_plane(families_.plane(k), shared[k].corners, scale_);
             }
         }
@@ -149,7 +143,7 @@ private:
 
     void place(const Turned& turned, const Shared& shared, bool flipped) {
         MapPlane& made = out_.of_side[turned.side];
-        if (shared.exact_side != kNone || shared.fitted) {
+        if (shared.exact_side != kNoSide || shared.fitted) {
             const GridPoint(&points)[3] =
                 shared.fitted ? shared.fitted->points : out_.of_side[shared.exact_side].points;
             std::copy(std::begin(points), std::end(points), std::begin(made.points));

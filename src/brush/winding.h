@@ -31,6 +31,9 @@ std::optional<FloatPlane> float_plane(const Vec3& a, const Vec3& b, const Vec3& 
 /// @param reach  half the side of the square about the origin's foot that is cut down; what has no end is this large
 std::vector<Vec3> winding(std::span<const FloatPlane> planes, std::size_t which, double reach);
 
+/// Corners of a winding nearer to each other are one; units.
+constexpr double kSameCorner = 1.0 / 128;
+
 /// Corners nearer to the one before than `distance` left out.
 void merge_corners(std::vector<Vec3>& corners, double distance);
 

@@ -45,8 +45,8 @@ std::string number(double value) {
 }
 
 const CarveRules& rules_of(const CutTerms& terms) {
-    static const CarveRules kNone;
-    return terms.rules ? *terms.rules : kNone;
+    static const CarveRules kNoRules;
+    return terms.rules ? *terms.rules : kNoRules;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 constexpr int kSamples = 2;          // along each side of a pixel
 constexpr double kNear = 0.02;       // metres before the eye: nothing nearer is seen
 constexpr double kTooClose = 2;      // metres: a wall so near hides what a picture is to show
-constexpr double kCrease = 0.95;     // cosine of the angle from which on a turn of the surface is an edge
+constexpr double kTurn = 0.95;       // cosine of the angle from which on a turn of the surface is an edge
 constexpr double kJump = 0.02;       // of the depth: what lies farther behind its neighbour is another surface
 constexpr double kLift = 0.004;      // metres from a face to where its shadow ray begins
 constexpr double kLampShare = 0.55;  // of the way to the target, upward and to the left
@@ -32,7 +32,7 @@ constexpr Vec3 kSkyColour = {0.70, 0.80, 0.90}, kWaterColour = {0.45, 0.62, 0.72
 constexpr Vec3 kOpenColour = {0.10, 0.80, 0.66}, kClosedColour = {0.85, 0.14, 0.12};
 constexpr double kPane = 0.22, kClosedPane = 0.5;  // share of a pane's colour in what is seen through it
 constexpr double kRoomWhite = 0.25;                // in a room's colour
-constexpr double kNewShade = 0.72;                 // of a room's colour, on faces that an edit made
+constexpr double kShadeOfNew = 0.72;               // of a room's colour, on faces that an edit made
 constexpr std::uint8_t kMostPanes = 6;             // in front of one another, that are told apart
 constexpr std::uint32_t kSeen = kStopsSight | kStopsLiquid;
 
@@ -248,7 +248,7 @@ bool is_edge(const Buffer& buffer, std::span<const Face> faces, const Frame& fra
     const std::uint32_t a = buffer.face[here], b = buffer.face[there];
     if (a == b) return false;
     if (a == kNothing || b == kNothing) return true;
-    if (dot(faces[a].normal, faces[b].normal) < kCrease) return true;
+    if (dot(faces[a].normal, faces[b].normal) < kTurn) return true;
     // How near the plane of the one would be at the other.
     const Vec3& corner = faces[a].corners[0];
     const double plane = dot(faces[a].normal, frame.ray(other_x, other_y)) / dot(faces[a].normal, corner - frame.eye);
@@ -276,7 +276,7 @@ std::vector<Vec3> paints_of(const World& world, std::span<const Face> faces, boo
     for (std::size_t k = 0; k < faces.size(); ++k) {
         if (is_sky(faces[k])) continue;
         const Vec3 colour = mixed(room_colour(room[k], room_info(world, room[k]).exterior), kWhite, kRoomWhite);
-        paints[k] = colour * (faces[k].source_edit != 0 ? kNewShade : 1.0);
+        paints[k] = colour * (faces[k].source_edit != 0 ? kShadeOfNew : 1.0);
     }
     return paints;
 }

@@ -11,15 +11,13 @@
 namespace firma {
 namespace {
 
-constexpr std::int32_t kRim = 1 << 25;  // input steps
-
 std::uint64_t magnitude(std::int64_t value) {
     return std::uint64_t(value < 0 ? -value : value);
 }
 
 [[maybe_unused]] bool in_world(const InputPoint& p) {
     bool in = true;
-    for (int axis = 0; axis < 3; ++axis) in = in && p[axis] >= -kRim && p[axis] < kRim;
+    for (int axis = 0; axis < 3; ++axis) in = in && p[axis] >= -kRimSteps && p[axis] < kRimSteps;
     return in;
 }
 
@@ -73,7 +71,7 @@ Plane plane_of_numbers(const std::int64_t (&normal)[3], Int128 offset) {
         size += Int128(magnitude_of_n);
         divisor = std::gcd(divisor, magnitude_of_n);
     }
-    if (divisor != 1 || offset > size * kRim || offset < -size * kRim) return {};
+    if (divisor != 1 || offset > size * kRimSteps || offset < -size * kRimSteps) return {};
     Plane plane;
     for (int axis = 0; axis < 3; ++axis) plane.normal[axis] = normal[axis];
     plane.set_offset(offset);

@@ -10,6 +10,9 @@
 
 namespace firma {
 
+/// Coordinates of the input grid lie between minus this and this.
+constexpr std::int32_t kRimSteps = std::int32_t(kWorldRim * kInputSteps);
+
 /// A point of the input grid, in steps of 1/4096 m: 26 bits signed each.
 struct InputPoint {
     std::int32_t x = 0, y = 0, z = 0;

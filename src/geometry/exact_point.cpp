@@ -10,8 +10,6 @@
 namespace firma {
 namespace {
 
-constexpr double kRim = 0x1p+25;  // input steps
-
 thread_local std::uint64_t fallbacks = 0;
 
 struct Cross {
@@ -26,7 +24,7 @@ Cross cross(const Plane& a, const Plane& b) {
 /// The nearest surface coordinate to numerator / denominator input steps, of which `estimate` is an approximation.
 std::int32_t round_to_surface(double estimate, const Int256& numerator, const Int256& denominator) {
     constexpr std::int64_t kLast = std::numeric_limits<std::int32_t>::max();
-    if (!(std::fabs(estimate) <= kRim + kApproximation)) return estimate < 0 ? std::int32_t(-kLast - 1) : kLast;
+    if (!(std::fabs(estimate) <= kRimSteps + kApproximation)) return estimate < 0 ? std::int32_t(-kLast - 1) : kLast;
 
     const double scaled = estimate * kSurfacePerInput;  // exact, and off by at most 64 * kApproximation
     std::int64_t nearest = std::int64_t(scaled + (scaled < 0 ? -0.5 : 0.5));
@@ -39,7 +37,7 @@ std::int32_t round_to_surface(double estimate, const Int256& numerator, const In
 /// Of three planes whose sizes multiply to at most this, every determinant fits 128 bits: a component of a cross
 /// product is at most the product of two sizes, an offset the third times 2^25, and three of those products are added.
 constexpr double kFitsInt128 = 0x1p+98;
-static_assert(3 * kFitsInt128 * kRim < 0x1p+126);  // and room for the rounding of sizes
+static_assert(3 * kFitsInt128 * kRimSteps < 0x1p+126);  // and room for the rounding of sizes
 
 /// Small faces, so nearly all.
 Meet meet_small(const Cross& bc, const Cross& ca, const Cross& ab, const Plane& a, const Plane& b, const Plane& c) {
@@ -78,7 +76,7 @@ Meet meet(const Plane& a, const Plane& b, const Plane& c) {
 bool meet_in_world(const Plane& a, const Plane& b, const Plane& c) {
     const Meet m = meet(a, b, c);
     if (m.w.sign() <= 0) return false;
-    const Int256 rim = m.w * std::int64_t(kRim);
+    const Int256 rim = m.w * std::int64_t(kRimSteps);
     for (const Int256* coordinate : {&m.x, &m.y, &m.z})
         if ((rim - *coordinate).sign() < 0 || (rim + *coordinate).sign() < 0) return false;
     return true;
@@ -90,12 +88,12 @@ ExactPoint::ExactPoint(const InputPoint& point)
 // approximate(): three roundings (numerator, denominator, quotient) of a number of at most 2^25 are off by no more than
 // rounding(3) * 2^25 < 3.01 * 2^-28.
 ExactPoint::ExactPoint(const Plane& a, const Plane& b, const Plane& c) : planes_{&a, &b, &c} {
-    static_assert(rounding(3) * kRim < kApproximation);
+    static_assert(rounding(3) * kRimSteps < kApproximation);
     const Meet m = meet(a, b, c);
     FIRMA_ASSERT(m.w.sign() > 0, "the three planes of a point meet in one: ask exact_turn() first");
     const double w = m.w.to_double();
     approximate_ = {m.x.to_double() / w, m.y.to_double() / w, m.z.to_double() / w};
-    FIRMA_ASSERT(largest(approximate_) <= kRim + kApproximation, "points lie within the world");
+    FIRMA_ASSERT(largest(approximate_) <= kRimSteps + kApproximation, "points lie within the world");
     rounded_ = {round_to_surface(approximate_.x, m.x, m.w), round_to_surface(approximate_.y, m.y, m.w),
                 round_to_surface(approximate_.z, m.z, m.w)};
 }
@@ -115,13 +113,23 @@ int exact_side_by_integers(const Plane& plane, const ExactPoint& point) {
     return (m.x * plane.normal[0] + m.y * plane.normal[1] + m.z * plane.normal[2] + m.w * plane.offset()).sign();
 }
 
+bool lies_on(const Plane& plane, const ExactPoint& point) {
+    const auto opposite = [&](const Plane& own) {
+        return own.offset() == -plane.offset() && own.normal[0] == -plane.normal[0] &&
+               own.normal[1] == -plane.normal[1] && own.normal[2] == -plane.normal[2];
+    };
+    for (int k = 0; k < 3 && !point.on_grid(); ++k)
+        if (const Plane& own = *point.plane(k); &own == &plane || own == plane || opposite(own)) return true;
+    return exact_side(plane, point) == 0;
+}
+
 int exact_order(const Plane& f, const Plane& t, const ExactPoint& a, const Plane& across, const ExactPoint& b) {
     const Vec3 direction = cross(f.direction(), t.direction());
     const double estimate = dot(b.approximate() - a.approximate(), direction);
     // The points are off by kApproximation each; a difference is at most 2^26, and none of the six terms f * t * (b -
     // a) passes through more than six roundings. Their factors f * t are six of the nine terms of the product of the
     // sizes. Two more roundings for the bound itself, and for what points may lie beyond the rim.
-    constexpr double kOrderError = 2 * kApproximation + rounding(8) * 2 * kRim;
+    constexpr double kOrderError = 2 * kApproximation + rounding(8) * 2 * kRimSteps;
     if (std::fabs(estimate) > kOrderError * (f.size * t.size)) return estimate > 0 ? 1 : -1;
 
     // b = a + s * direction: across.normal . (b - a) = s * across.normal . direction, which is the turn of f, t,

@@ -72,6 +72,9 @@ inline int exact_side(const Plane& plane, const ExactPoint& point) {
     return exact_side_by_integers(plane, point);
 }
 
+/// Whether a point lies on a plane, where it mostly does: first a look at the point's own planes.
+bool lies_on(const Plane& plane, const ExactPoint& point);
+
 /// Order along the line in which planes f and t meet, directed as f.normal x t.normal: the sign of (b - a) . direction.
 ///
 /// @param a  a point of the line, and `across` a plane through it that is not parallel to the line

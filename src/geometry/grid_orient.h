@@ -20,6 +20,11 @@ inline AreaVector area_vector(const InputPoint& a, const InputPoint& b, const In
     return {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
 }
 
+inline bool on_one_line(const InputPoint& a, const InputPoint& b, const InputPoint& c) {
+    const AreaVector normal = area_vector(a, b, c);
+    return normal.x == 0 && normal.y == 0 && normal.z == 0;
+}
+
 /// The side of the plane through a that p lies on.
 inline int side_of_plane(const InputPoint& a, const AreaVector& normal, const InputPoint& p) {
     const Int128 sum = Int128(normal.x) * (p.x - a.x) + Int128(normal.y) * (p.y - a.y) + Int128(normal.z) * (p.z - a.z);

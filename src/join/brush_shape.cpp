@@ -52,9 +52,9 @@ class PlaneClipper {
 public:
     PlaneClipper(JoinTables& tables, std::span<const PlaneId> planes) : tables_(tables), planes_(planes) {
         for (int axis = 0; axis < 3; ++axis) {
-            const Plane rim = axis_plane(axis, 1 << 25);
+            const Plane rim = axis_plane(axis, kRimSteps);
             rim_[axis][0] = tables.planes.add(rim);
-            rim_[axis][1] = tables.planes.add(flipped(axis_plane(axis, -(1 << 25))));
+            rim_[axis][1] = tables.planes.add(flipped(axis_plane(axis, -kRimSteps)));
         }
     }
 

@@ -41,9 +41,9 @@ std::vector<Patch> gather_patches(const BspSurfaces& from) {
     return patches;
 }
 
-class MeshMaker {
+class BspMeshMaker {
 public:
-    explicit MeshMaker(const BspSurfaces& from) : from_(from), first_(first_at_position(from.positions)) {
+    explicit BspMeshMaker(const BspSurfaces& from) : from_(from), first_(first_at_position(from.positions)) {
         mesh_.positions = from.positions;
         mesh_.snapped = from.snapped;
     }
@@ -108,7 +108,7 @@ Result<BspMesh> make_bsp_mesh(const BspFile& file, const BspSurfaces& surfaces, 
                           "patches come to more than " + std::to_string(kMostCells) +
                               " cells at this tolerance; a larger patch_tolerance makes fewer");
     }
-    MeshMaker maker(surfaces);
+    BspMeshMaker maker(surfaces);
     std::size_t patch = 0;
     for (std::uint32_t k = 0; k < surfaces.surfaces.size(); ++k) {
         const BspSurface& surface = surfaces.surfaces[k];

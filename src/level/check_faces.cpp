@@ -117,7 +117,7 @@ WrittenFace FaceChecker::judge(std::span<const std::uint32_t> vertices, const Gr
     }
     const int bits = 3 * (bits_of(small_) + 1) + int(std::bit_width(6 * vertices.size())) + 1;
     if (bits <= 127) return judge_exactly<std::int64_t, Int128, SmallPoint>(small_, snapped_normal);
-    return judge_exactly<std::int64_t, Int256, SmallPoint>(small_, snapped_normal);
+    return judge_exactly<std::int64_t, BoostInt256, SmallPoint>(small_, snapped_normal);
 }
 
 /// Whether doubles leave no doubt that a face has area as written and is not turned.

@@ -9,9 +9,9 @@
 namespace firma {
 namespace {
 
-class MeshMaker final : public ObjVisitor {
+class ObjMeshMaker final : public ObjVisitor {
 public:
-    explicit MeshMaker(std::string_view name) : name_(name) {}
+    explicit ObjMeshMaker(std::string_view name) : name_(name) {}
 
     std::optional<Error> number(std::string_view word, std::size_t axis, std::uint32_t line) override {
         const auto exact = decimals_.add(word);
@@ -54,7 +54,7 @@ private:
 }  // namespace
 
 Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options) {
-    MeshMaker maker(name);
+    ObjMeshMaker maker(name);
     const Result<ObjCounts> counts = parse_obj(text, name, options, maker);
     if (!counts) return counts.error();
     return maker.check();

@@ -15,7 +15,7 @@
 namespace firma {
 
 __extension__ using Int128 = __int128;
-using Int256 = boost::multiprecision::number<
+using BoostInt256 = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<256, 256, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked, void>,
     boost::multiprecision::et_off>;

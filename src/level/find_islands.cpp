@@ -13,7 +13,7 @@
 namespace firma {
 namespace {
 
-using Triangle = std::span<const std::uint32_t, 3>;
+using TriangleView = std::span<const std::uint32_t, 3>;
 
 struct Edge {
     std::uint32_t from = 0, to = 0;
@@ -27,19 +27,19 @@ bool same_ends(const Edge& a, const Edge& b) {
     return a.from == b.from && a.to == b.to;
 }
 
-std::vector<Triangle> gather_triangles(std::span<const std::uint32_t> corners) {
-    std::vector<Triangle> triangles;
+std::vector<TriangleView> gather_triangles(std::span<const std::uint32_t> corners) {
+    std::vector<TriangleView> triangles;
     for (std::size_t k = 0; k + 2 < corners.size(); k += 3) {
-        const Triangle t = corners.subspan(k).first<3>();
+        const TriangleView t = corners.subspan(k).first<3>();
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
     }
     return triangles;
 }
 
-std::vector<Edge> gather_edges(std::span<const Triangle> triangles) {
+std::vector<Edge> gather_edges(std::span<const TriangleView> triangles) {
     std::vector<Edge> edges;
     for (std::uint32_t k = 0; k < triangles.size(); ++k) {
-        const Triangle t = triangles[k];
+        const TriangleView t = triangles[k];
         for (const Edge& edge : {Edge{t[0], t[1], k}, Edge{t[1], t[2], k}, Edge{t[2], t[0], k}}) edges.push_back(edge);
     }
     std::sort(edges.begin(), edges.end(), by_ends);
@@ -100,11 +100,11 @@ void trace_outline(Island& island, std::span<const Edge> rim) {
 }  // namespace
 
 std::vector<Island> find_islands(std::span<const std::uint32_t> corners) {
-    const std::vector<Triangle> triangles = gather_triangles(corners);
+    const std::vector<TriangleView> triangles = gather_triangles(corners);
     const std::vector<Edge> edges = gather_edges(triangles);
     if (std::adjacent_find(edges.begin(), edges.end(), same_ends) != edges.end()) {
         Island all;
-        for (const Triangle t : triangles) all.triangles.insert(all.triangles.end(), t.begin(), t.end());
+        for (const TriangleView t : triangles) all.triangles.insert(all.triangles.end(), t.begin(), t.end());
         return {all};
     }
 

@@ -25,7 +25,7 @@ using Corners = std::multimap<Side, Outline>;
 /// A chain of neighbours that were all dropped is this long at most; the end of a longer one stays a T-joint.
 constexpr int kMostRounds = 16;
 /// Of a dropped outline, its neighbours' corners included.
-constexpr std::size_t kMostCorners = 256;
+constexpr std::size_t kMostOfAnOutline = 256;
 
 std::int64_t along(const GridPoint& a, const GridPoint& b, int axis) {
     return std::int64_t(b[axis]) - a[axis];
@@ -126,7 +126,7 @@ void mend_dropped(std::vector<Outline> dropped, Level& level) {
         for (Outline& outline : dropped) divide_at_own_corners(outline, level.vertices, wanted);
         if (wanted.empty()) return;
         for (Outline& outline : dropped) {
-            Outline mended = with_corners(outline, kMostCorners, level.vertices, wanted);
+            Outline mended = with_corners(outline, kMostOfAnOutline, level.vertices, wanted);
             if (!mended.empty()) outline = std::move(mended);
         }
         if (!wanted.empty()) mend_faces(level, wanted);

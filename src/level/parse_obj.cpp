@@ -167,16 +167,16 @@ std::optional<Error> ObjParser::face() {
 
 /// i, i/t, i//n or i/t/n. Firma has no use for texture coordinates and normals: they must be numbers, no more.
 std::optional<Error> ObjParser::corner(std::string_view word) {
-    constexpr auto kNone = std::string_view::npos;
+    constexpr auto kNowhere = std::string_view::npos;
     const std::size_t first = word.find('/');
-    const std::size_t second = first == kNone ? kNone : word.find('/', first + 1);
+    const std::size_t second = first == kNowhere ? kNowhere : word.find('/', first + 1);
     const auto index = parse_index(word.substr(0, first));
     bool sound = index.has_value();
-    if (first != kNone) {
-        const std::string_view texture = word.substr(first + 1, second == kNone ? kNone : second - first - 1);
-        sound = sound && (parse_index(texture) || (texture.empty() && second != kNone));
+    if (first != kNowhere) {
+        const std::string_view texture = word.substr(first + 1, second == kNowhere ? kNowhere : second - first - 1);
+        sound = sound && (parse_index(texture) || (texture.empty() && second != kNowhere));
     }
-    if (second != kNone) sound = sound && parse_index(word.substr(second + 1));
+    if (second != kNowhere) sound = sound && parse_index(word.substr(second + 1));
     if (!sound) return malformed("corner " + quote(word) + " is not of the form v, v/t, v//n or v/t/n");
     if (*index == 0) return out_of_range("corner " + quote(word) + " names vertex 0; they count from 1");
     const std::int64_t vertex = *index > 0 ? *index - 1 : std::int64_t(vertices_) + *index;

@@ -14,9 +14,9 @@
 namespace firma {
 namespace {
 
-class LevelMaker {
+class BspLevelMaker {
 public:
-    LevelMaker(const BspFile& file, const BspSurfaces& surfaces, const BspMesh& mesh)
+    BspLevelMaker(const BspFile& file, const BspSurfaces& surfaces, const BspMesh& mesh)
         : surfaces_(surfaces), mesh_(mesh), builder_(file.name()), vertices_(builder_) {}
 
     Level make() {
@@ -90,7 +90,7 @@ Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name, const
     if (!surfaces) return surfaces.error();
     const Result<BspMesh> mesh = make_bsp_mesh(file.value(), surfaces.value(), options.patch_tolerance);
     if (!mesh) return mesh.error();
-    return LevelMaker(file.value(), surfaces.value(), mesh.value()).make();
+    return BspLevelMaker(file.value(), surfaces.value(), mesh.value()).make();
 }
 
 }  // namespace firma

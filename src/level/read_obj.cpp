@@ -9,9 +9,9 @@
 namespace firma {
 namespace {
 
-class LevelMaker final : public ObjVisitor {
+class ObjLevelMaker final : public ObjVisitor {
 public:
-    explicit LevelMaker(std::string_view name) : name_(name), builder_(std::string(name)) {
+    explicit ObjLevelMaker(std::string_view name) : name_(name), builder_(std::string(name)) {
         builder_.mend_what_is_dropped();
     }
 
@@ -41,7 +41,7 @@ private:
 }  // namespace
 
 Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options) {
-    LevelMaker maker(name);
+    ObjLevelMaker maker(name);
     const Result<ObjCounts> counts = parse_obj(text, name, options, maker);
     if (!counts) return counts.error();
     return maker.finish(counts.value());

@@ -60,9 +60,9 @@ std::string line_safe(std::string name) {
 }
 
 /// Collects text and hands it on in pieces.
-class Pieces {
+class TextPieces {
 public:
-    explicit Pieces(const TextSink& put) : put_(put) {}
+    explicit TextPieces(const TextSink& put) : put_(put) {}
 
     std::string& text() { return text_; }
     /// Hands on what has become enough of a piece; false when that is not possible.
@@ -81,7 +81,7 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-bool write_vertices(const std::vector<GridPoint>& points, Pieces& out) {
+bool write_vertices(const std::vector<GridPoint>& points, TextPieces& out) {
     for (const GridPoint& p : points) {
         std::string& text = out.text();
         text += 'v';
@@ -96,7 +96,7 @@ bool write_vertices(const std::vector<GridPoint>& points, Pieces& out) {
 }
 
 bool write_faces(const World& world, const std::vector<PlacedFace>& faces, const std::vector<GridPoint>& points,
-                 Pieces& out) {
+                 TextPieces& out) {
     const std::string* material = nullptr;
     for (const PlacedFace& face : faces) {
         std::string& text = out.text();
@@ -124,7 +124,7 @@ Error cannot_write(const std::string& path, int reason) {
 std::optional<ObjWritten> write_obj(const World& world, const TextSink& put, ObjFaces which) {
     const std::vector<PlacedFace> faces = faces_by_id(world.data(), which);
     const std::vector<GridPoint> points = different_corners(faces);
-    Pieces out(put);
+    TextPieces out(put);
     out.text() = "# Written by Firma. Metres; all digits are exact, multiples of 1/262144.\n";
     if (!write_vertices(points, out) || !write_faces(world, faces, points, out) || !out.flush(0)) return std::nullopt;
     return ObjWritten{faces.size(), points.size(), out.bytes()};

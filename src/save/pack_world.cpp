@@ -32,7 +32,7 @@ private:
     std::vector<const Object*> objects_;
 };
 
-struct PlacedFace {
+struct FaceOfRoom {
     FaceId id;
     FacetPlace place;
     std::uint32_t room;
@@ -113,11 +113,11 @@ private:
             for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
                 all_.push_back({block.faces[slot].id, {&block, slot}, data_.cells.current_room(block.part)});
         });
-        sort_range(all_, [](const PlacedFace& a, const PlacedFace& b) { return a.id < b.id; });
-        for (const PlacedFace& face : all_) pack_face(face);
+        sort_range(all_, [](const FaceOfRoom& a, const FaceOfRoom& b) { return a.id < b.id; });
+        for (const FaceOfRoom& face : all_) pack_face(face);
     }
 
-    void pack_face(const PlacedFace& placed) {
+    void pack_face(const FaceOfRoom& placed) {
         const FaceRecord& face = placed.place.record();
         const auto* owner = static_cast<const SolidFace*>(placed.place.block->owner_of(face));
         for (const std::uint32_t number :
@@ -211,7 +211,7 @@ private:
         blocks_.u32(std::uint32_t(block.faces.size()));
         for (const FaceRecord& face : block.faces) {
             const auto at = std::lower_bound(all_.begin(), all_.end(), face.id,
-                                             [](const PlacedFace& other, FaceId id) { return other.id < id; });
+                                             [](const FaceOfRoom& other, FaceId id) { return other.id < id; });
             block_faces_.u32(std::uint32_t(at - all_.begin()));
         }
         return known;
@@ -299,7 +299,7 @@ private:
     const WorldData& data_;
     const TreeOptions tree_options_;
     const bool exact_, index_;
-    std::vector<PlacedFace> all_;  ///< in order of id
+    std::vector<FaceOfRoom> all_;  ///< in order of id
     ByteWriter world_, materials_, rules_, faces_, vertices_, corners_;
     ByteWriter records_, portals_, portal_polygons_, portal_corners_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;

@@ -9,25 +9,10 @@
 namespace firma {
 namespace {
 
-constexpr std::int32_t kRim = 1 << 25;  // input steps
 /// How far the square of a normal's length, and its cosine with its plane's, may be from 1. Edits and levels compute
 /// normals in double from whole numbers, in some ten operations, which leaves less than 2^-49; this is far more than
 /// that, and far less than a picture or a cast shows.
 constexpr double kRounding = 0x1p-40;
-
-bool opposite(const Plane& a, const Plane& b) {
-    return a.offset() == -b.offset() && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
-           a.normal[2] == -b.normal[2];
-}
-
-/// Whether a vertex lies on a plane, exactly. Mostly the plane is one of its own.
-bool holds(const SolidPlane& plane, const SolidVertex& vertex) {
-    for (int k = 0; k < 3; ++k)
-        if (vertex.point.plane(k) == &plane.plane) return true;
-    for (int k = 0; k < 3 && !vertex.point.on_grid(); ++k)
-        if (const Plane& own = *vertex.point.plane(k); own == plane.plane || opposite(own, plane.plane)) return true;
-    return exact_side(plane.plane, vertex.point) == 0;
-}
 
 /// A normal as edits make them: of length 1 but for rounding, along the plane's.
 bool suits(const Vec3& normal, const Plane& plane) {
@@ -84,7 +69,7 @@ private:
         InputPoint point;
         for (int axis = 0; axis < 3; ++axis) {
             point[axis] = read_i32(section.at(k) + 4 * axis);
-            if (point[axis] < -kRim || point[axis] >= kRim)
+            if (point[axis] < -kRimSteps || point[axis] >= kRimSteps)
                 return damage_.report(section.type(), k, "lies outside the world");
         }
         vertices_.emplace_back(new SolidVertex(point));
@@ -125,7 +110,7 @@ private:
             return damage_.report(section.type(), k, "its two planes are parallel");
         for (const Ref<const SolidVertex>& vertex : edge->vertex)
             for (const Ref<const SolidPlane>& plane : edge->plane)
-                if (!holds(*plane, *vertex))
+                if (!lies_on(plane->plane, vertex->point))
                     return damage_.report(section.type(), k, "its vertices lie off its planes");
         edges_.emplace_back(edge.get());
         return true;

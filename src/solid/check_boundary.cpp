@@ -11,19 +11,6 @@
 namespace firma {
 namespace {
 
-bool opposite(const Plane& a, const Plane& b) {
-    return a.offset() == -b.offset() && a.normal[0] == -b.normal[0] && a.normal[1] == -b.normal[1] &&
-           a.normal[2] == -b.normal[2];
-}
-
-/// Whether a point lies on a plane, exactly. Mostly it is one of the point's own.
-bool holds(const Plane& plane, const ExactPoint& point) {
-    if (!point.on_grid())
-        for (int k = 0; k < 3; ++k)
-            if (*point.plane(k) == plane || opposite(*point.plane(k), plane)) return true;
-    return exact_side(plane, point) == 0;
-}
-
 /// Numbers for points of the surface grid.
 class PointNumbers {
 public:
@@ -148,7 +135,7 @@ private:
         const Plane& plane = face().plane->plane;
         for (const PatchUse& use : patch_.uses(face())) {
             (use.reversed ? uses_[use.edge].back : uses_[use.edge].forward)++;
-            if (!holds(plane, patch_.vertices[patch_.from(use)].point))
+            if (!lies_on(plane, patch_.vertices[patch_.from(use)].point))
                 return report_vertex("a vertex lies off the plane of its face", patch_.from(use));
         }
     }
@@ -219,7 +206,7 @@ private:
             return report_vertex("an edge's two planes are parallel", edge.vertex[0]);
         for (const std::uint32_t vertex : edge.vertex)
             for (const SolidPlane* plane : edge.plane)
-                if (!holds(plane->plane, patch_.vertices[vertex].point))
+                if (!lies_on(plane->plane, patch_.vertices[vertex].point))
                     return report_vertex("an edge's plane does not hold its vertex", vertex);
     }
 

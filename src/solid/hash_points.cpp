@@ -15,7 +15,7 @@ std::uint64_t reduced(std::uint64_t value) {
     return value >= kPrime ? value - kPrime : value;
 }
 
-std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+std::uint64_t times(std::uint64_t a, std::uint64_t b) {
     const Unsigned128 whole = Unsigned128(a) * b;
     return reduced((std::uint64_t(whole) & kPrime) + std::uint64_t(whole >> 61));
 }
@@ -31,8 +31,8 @@ std::uint64_t residue(Int128 value) {
 std::uint64_t inverse(std::uint64_t value) {
     std::uint64_t power = value, result = 1;
     for (std::uint64_t exponent = kPrime - 2; exponent > 0; exponent >>= 1) {
-        if (exponent & 1) result = product(result, power);
-        power = product(power, power);
+        if (exponent & 1) result = times(result, power);
+        power = times(power, power);
     }
     return result;
 }
@@ -78,20 +78,20 @@ void PointHash::add_edge(const GridPoint& from, const GridPoint& to, const LineD
 }
 
 const SumsByKey& PointHash::finish() {
-    // One inverse for all: of the product, taken apart again from the last to the first.
+    // One inverse for all: of the times, taken apart again from the last to the first.
     products_.clear();
     std::uint64_t all = 1;
     for (const Edge& edge : edges_) {
         products_.push_back(all);
-        if (edge.across != 0) all = product(all, edge.across);
+        if (edge.across != 0) all = times(all, edge.across);
     }
     std::uint64_t rest = inverse(all);
     for (std::size_t k = edges_.size(); k-- > 0;) {
         const Edge& edge = edges_[k];
         std::uint64_t ratio = kPrime;  // of no line that goes across
         if (edge.across != 0) {
-            ratio = product(edge.along, product(rest, products_[k]));
-            rest = product(rest, edge.across);
+            ratio = times(edge.along, times(rest, products_[k]));
+            rest = times(rest, edge.across);
         }
         const std::uint64_t line = mix_bits(edge.plane + ratio * 0xBF58476D1CE4E5B9ull);
         const std::uint64_t end = hash_end(line, edge.to), start = hash_end(line, edge.from);

@@ -62,23 +62,23 @@ inline std::string primitive_box(const Vec3& low, const Vec3& high, const std::s
 }
 
 /// What lies outside has normal . p > distance.
-struct Plane {
+struct PlaneText {
     Vec3 normal;
     double distance;
 };
 
 /// As in Doom 3's files, written with so many digits.
-inline std::string plane_brush(const std::vector<Plane>& planes, const std::string& texture = "textures/a/wall",
+inline std::string plane_brush(const std::vector<PlaneText>& planes, const std::string& texture = "textures/a/wall",
                                const char* format = "%.17g") {
     std::string text = "{\nbrushDef3\n{\n";
-    for (const Plane& plane : planes)
+    for (const PlaneText& plane : planes)
         text += "( " + number(plane.normal.x, format) + " " + number(plane.normal.y, format) + " " +
                 number(plane.normal.z, format) + " " + number(-plane.distance, format) + " ) " + kMatrix + "\"" +
                 texture + "\" 0 0 0\n";
     return text + "}\n}\n";
 }
 
-inline std::vector<Plane> box_planes(const Vec3& low, const Vec3& high) {
+inline std::vector<PlaneText> box_planes(const Vec3& low, const Vec3& high) {
     return {{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x},  {{0, -1, 0}, -low.y},
             {{0, 1, 0}, high.y},  {{0, 0, -1}, -low.z}, {{0, 0, 1}, high.z}};
 }

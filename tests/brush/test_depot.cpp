@@ -16,6 +16,7 @@
 #include "firma/masks.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
+#include "tests/brush/depot_level.h"
 
 namespace firma {
 namespace {
@@ -31,11 +32,8 @@ struct Depot {
 
 const Depot& depot() {
     static const Depot made = [] {
-        std::ifstream file(FIRMA_ROOT "/levels/depot.map", std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
         Depot depot;
-        depot.level = read_map(text.str(), "depot.map").value();
+        depot.level = test::depot_level();
         depot.world = make_world(depot.level, {}, &depot.report).value();
         return depot;
     }();

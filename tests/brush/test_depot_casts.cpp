@@ -12,26 +12,20 @@
 #include "firma/solid.h"
 #include "scenes/rng.h"
 #include "tests/brush/casts_agree.h"
+#include "tests/brush/depot_level.h"
 
 namespace firma {
 namespace {
 
-World depot() {
-    const std::string path = FIRMA_ROOT "/levels/depot.map";
-    std::ifstream file(path);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return make_world(read_map(text, path).value()).value();
-}
-
 TEST(DepotCasts, ByRoomAsAgainstAllFaces) {
-    World world = depot();
+    World world = make_world(test::depot_level()).value();
     expect_casts_agree(world, 1, 12'000);
     for (std::uint32_t k = 0; k < portal_count(world); k += 3) world = set_portal_open(world, {k}, false);
     expect_casts_agree(world, 2, 12'000);
 }
 
 TEST(DepotCasts, AfterCraters) {
-    World world = depot();
+    World world = make_world(test::depot_level()).value();
     scenes::Rng rng(5);
     const Box box = world.bounds();
     int done = 0;

@@ -17,17 +17,18 @@
 #include "firma/rooms.h"
 #include "scenes/brush_piles.h"
 #include "tests/brush/casts_agree.h"
+#include "tests/brush/depot_level.h"
 
 namespace firma {
 namespace {
 
-constexpr std::int32_t kMetre = 4096;
+constexpr std::int32_t kInputMetre = 4096;
 
 void add_box(BrushLevel& level, const Vec3& low, const Vec3& high, BrushKind kind = BrushKind::kSolid) {
     std::int32_t from[3], to[3];
     for (int axis = 0; axis < 3; ++axis) {
-        from[axis] = std::int32_t(std::floor(low[axis] * kMetre));
-        to[axis] = std::int32_t(std::floor(high[axis] * kMetre));
+        from[axis] = std::int32_t(std::floor(low[axis] * kInputMetre));
+        to[axis] = std::int32_t(std::floor(high[axis] * kInputMetre));
     }
     scenes::add_box(level, from, to, kind);
 }
@@ -326,13 +327,6 @@ TEST(DivideRooms, PilesOfBrushes) {
         }
 }
 
-BrushLevel depot() {
-    const std::string path = FIRMA_ROOT "/levels/depot.map";
-    std::ifstream file(path);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return read_map(text, path).value();
-}
-
 BrushLevel without_portals(BrushLevel level) {
     for (Brush& brush : level.brushes)
         if (brush.kind == BrushKind::kPortal) brush.kind = BrushKind::kData;
@@ -347,7 +341,7 @@ std::set<std::string> room_names(const World& world) {
 }
 
 TEST(DivideRooms, TheDepotWithoutItsPortals) {
-    const BrushLevel level = without_portals(depot());
+    const BrushLevel level = without_portals(test::depot_level());
     const Divided made = divide(level);
     EXPECT_GE(made.world.room_count(), 20u);
     EXPECT_GE(made.report.portals, 28u);
@@ -361,7 +355,7 @@ TEST(DivideRooms, TheDepotWithoutItsPortals) {
 }
 
 TEST(DivideRooms, TheDepotAsItIs) {
-    const BrushLevel level = depot();
+    const BrushLevel level = test::depot_level();
     const World before = make_world(level).value();
     const Divided made = divide(level);
     EXPECT_GE(made.world.room_count(), before.room_count());

@@ -12,8 +12,8 @@ namespace firma {
 namespace {
 
 // Clockwise seen from outside, as Quake has it.
-std::string box(int x0, int x1, int y0, int y1, int z0, int z1, const std::string& texture,
-                const std::string& low_x = "") {
+std::string brush_box(int x0, int x1, int y0, int y1, int z0, int z1, const std::string& texture,
+                      const std::string& low_x = "") {
     const auto side = [&](int ax, int ay, int az, int bx, int by, int bz, int cx, int cy, int cz,
                           const std::string& t) {
         const auto point = [](int x, int y, int z) {
@@ -37,12 +37,13 @@ std::string room(const std::string& name, const std::string& origin) {
 
 // A box of air from 0 to 256 by 128 by 128 within walls of 16, divided at x = 128.
 std::string two_rooms() {
-    const std::string walls = box(-16, 0, -16, 144, -16, 144, "wall") + box(256, 272, -16, 144, -16, 144, "wall") +
-                              box(0, 256, -16, 0, -16, 144, "wall") + box(0, 256, 128, 144, -16, 144, "wall") +
-                              box(0, 256, 0, 128, -16, 0, "floor") + box(0, 256, 0, 128, 128, 144, "roof");
+    const std::string walls =
+        brush_box(-16, 0, -16, 144, -16, 144, "wall") + brush_box(256, 272, -16, 144, -16, 144, "wall") +
+        brush_box(0, 256, -16, 0, -16, 144, "wall") + brush_box(0, 256, 128, 144, -16, 144, "wall") +
+        brush_box(0, 256, 0, 128, -16, 0, "floor") + brush_box(0, 256, 0, 128, 128, 144, "roof");
     return entity("\"classname\" \"worldspawn\"\n", walls) +
            entity("\"classname\" \"func_areaportal\"\n\"targetname\" \"gate\"\n",
-                  box(128, 130, -8, 136, -8, 136, "skip", "portal"));
+                  brush_box(128, 130, -8, 136, -8, 136, "skip", "portal"));
 }
 
 struct Made {
@@ -90,7 +91,7 @@ TEST(NameRooms, TheFirstNameStaysAndWhatIsInNoRoomNamesNone) {
 }
 
 TEST(NameRooms, WithoutWallsAllIsTheExterior) {
-    const Made made = make(entity("\"classname\" \"worldspawn\"\n", box(0, 64, 0, 64, 0, 64, "common/clip")) +
+    const Made made = make(entity("\"classname\" \"worldspawn\"\n", brush_box(0, 64, 0, 64, 0, 64, "common/clip")) +
                            room("meadow", "200 64 64"));
     EXPECT_EQ(locate(made.world, {3, 1, 1}), (Location{Location::Kind::kRoom, {0}}));
     EXPECT_EQ(locate(made.world, {1, 1, 1}), (Location{Location::Kind::kRoom, {0}}));
@@ -112,17 +113,18 @@ TEST(NameRooms, PortalsAreNamedByTheirEntity) {
 }
 
 TEST(NameRooms, AnchorsAreDataWithoutANote) {
-    const Made made =
-        make(two_rooms() + entity("\"classname\" \"firma_anchor\"\n", box(-16, 16, 0, 128, 0, 128, "common/anchor")) +
-             entity("\"classname\" \"firma_anchor\"\n", box(-16, 16, 0, 128, 0, 128, "wall")));
+    const Made made = make(
+        two_rooms() + entity("\"classname\" \"firma_anchor\"\n", brush_box(-16, 16, 0, 128, 0, 128, "common/anchor")) +
+        entity("\"classname\" \"firma_anchor\"\n", brush_box(-16, 16, 0, 128, 0, 128, "wall")));
     EXPECT_TRUE(made.level.notes.empty()) << made.level.notes[0];
     ASSERT_EQ(made.level.brushes.size(), 9u);
     EXPECT_EQ(made.level.brushes[7].kind, BrushKind::kData);
     EXPECT_EQ(made.level.brushes[8].kind, BrushKind::kData);
     EXPECT_EQ(made.world.face_count(), make(two_rooms()).world.face_count());
-    EXPECT_EQ(
-        make(entity("\"classname\" \"worldspawn\"\n", box(0, 8, 0, 8, 0, 8, "common/anchor"))).level.brushes[0].kind,
-        BrushKind::kData);
+    EXPECT_EQ(make(entity("\"classname\" \"worldspawn\"\n", brush_box(0, 8, 0, 8, 0, 8, "common/anchor")))
+                  .level.brushes[0]
+                  .kind,
+              BrushKind::kData);
 }
 
 }  // namespace

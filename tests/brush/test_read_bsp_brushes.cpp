@@ -24,7 +24,7 @@ Result<BrushLevel> read(const BspWriter& writer, const ReadOptions& options = {}
     return read_bsp_brushes(writer.bytes(), "a.bsp", options);
 }
 
-std::string error_of(const BspWriter& writer, const ReadOptions& options = {}) {
+std::string bsp_error_of(const BspWriter& writer, const ReadOptions& options = {}) {
     const auto level = read(writer, options);
     return level ? "" : level.error().text();
 }
@@ -69,8 +69,8 @@ TEST(ReadBspBrushes, BoxFacesOutwardInMetres) {
     EXPECT_EQ(level.metres_a_unit, 1.0 / 32);
     EXPECT_EQ(level.entities[0].value("classname"), "worldspawn");
     EXPECT_EQ(to_metres(read(one_box(), {.scale = 0.5}).value().sides[5].points[0]).z, 48);
-    EXPECT_EQ(error_of(one_box(), {.scale = -1}), "a.bsp: scale -1 is not a positive number");
-    EXPECT_EQ(error_of(one_box(), {.patch_tolerance = 0}), "a.bsp: patch tolerance 0 is not a positive number");
+    EXPECT_EQ(bsp_error_of(one_box(), {.scale = -1}), "a.bsp: scale -1 is not a positive number");
+    EXPECT_EQ(bsp_error_of(one_box(), {.patch_tolerance = 0}), "a.bsp: patch tolerance 0 is not a positive number");
 }
 
 TEST(ReadBspBrushes, AxialPlanesSnapTheirDistance) {
@@ -324,7 +324,7 @@ TEST(ReadBspBrushes, ErrorsNameLumpAndEntry) {
         BspWriter writer = one_box();
         writer.patch(3, 3, std::vector<Vec3>(9, Vec3{1, 2, 3})).shader = 1;
         change(writer);
-        return error_of(writer);
+        return bsp_error_of(writer);
     };
     EXPECT_EQ(broken([](BspWriter&) {}), "");
     EXPECT_EQ(broken([](BspWriter& w) { w.entities = "{\n\"a\" }"; }),
@@ -376,10 +376,10 @@ TEST(ReadBspBrushes, WorkIsLimitedBeforeItIsDone) {
     std::vector<std::int32_t> of;
     for (int k = 0; k < 1025; ++k) of.push_back(writer.plane(rng.direction(), 100));
     writer.brush(of, solid);
-    EXPECT_EQ(error_of(writer), "a.bsp: lump 8 (brushes), entry 0: 1025 sides, more than 1024");
+    EXPECT_EQ(bsp_error_of(writer), "a.bsp: lump 8 (brushes), entry 0: 1025 sides, more than 1024");
     writer.brushes.assign(100, {0, 1000, solid});
     EXPECT_EQ(
-        error_of(writer),
+        bsp_error_of(writer),
         "a.bsp: lump 8 (brushes), entry 67: brushes have more than 1048576 sides, or more than 2^26 pairs of them");
 }
 

@@ -17,7 +17,7 @@ Result<BrushLevel> read(std::string_view text, const ReadOptions& options = {}) 
     return read_map(text, "a.map", options);
 }
 
-std::string error_of(std::string_view text, const ReadOptions& options = {}) {
+std::string read_error(std::string_view text, const ReadOptions& options = {}) {
     const auto level = read(text, options);
     return level ? "" : level.error().text();
 }
@@ -51,7 +51,7 @@ std::array<std::string, 6> all(const std::string& name) {
     return {name, name, name, name, name, name};
 }
 
-std::string box(const std::string& texture = "wall", const std::string& tail = " 0 0 0 1 1") {
+std::string textured_box(const std::string& texture = "wall", const std::string& tail = " 0 0 0 1 1") {
     return "{\n" + box_sides({0, 0, 0}, {64, 32, 96}, all(texture), tail) + "}\n";
 }
 
@@ -65,7 +65,7 @@ Vec3 normal_of(const BrushSide& side) {
 }
 
 TEST(ReadMap, BoxFacesOutwardInMetres) {
-    const BrushLevel level = read(world(box())).value();
+    const BrushLevel level = read(world(textured_box())).value();
     ASSERT_EQ(level.brushes.size(), 1u);
     const Brush& brush = level.brushes[0];
     EXPECT_EQ(brush.kind, BrushKind::kSolid);
@@ -89,10 +89,11 @@ TEST(ReadMap, BoxFacesOutwardInMetres) {
 }
 
 TEST(ReadMap, ScaleIsTheCallers) {
-    EXPECT_EQ(read(world(box()), {.scale = 0.25}).value().sides[5].points[0].z, 24 * 262144);
-    EXPECT_EQ(read(world(box()), {.scale = 0.25}).value().metres_a_unit, 0.25);
-    EXPECT_EQ(error_of(world(box()), {.scale = -1}), "a.map: scale -1 is not a positive number");
-    EXPECT_EQ(error_of(world(box()), {.patch_tolerance = 0}), "a.map: patch tolerance 0 is not a positive number");
+    EXPECT_EQ(read(world(textured_box()), {.scale = 0.25}).value().sides[5].points[0].z, 24 * 262144);
+    EXPECT_EQ(read(world(textured_box()), {.scale = 0.25}).value().metres_a_unit, 0.25);
+    EXPECT_EQ(read_error(world(textured_box()), {.scale = -1}), "a.map: scale -1 is not a positive number");
+    EXPECT_EQ(read_error(world(textured_box()), {.patch_tolerance = 0}),
+              "a.map: patch tolerance 0 is not a positive number");
 }
 
 TEST(ReadMap, EntitiesAndKeysAreKept) {
@@ -113,11 +114,11 @@ TEST(ReadMap, EntitiesAndKeysAreKept) {
 }
 
 TEST(ReadMap, EveryFormOfASideIsTheSame) {
-    const BrushLevel standard = read(world(box())).value();
+    const BrushLevel standard = read(world(textured_box())).value();
     for (const char* tail :
          {" 0 0 0 1 1 0 0 0", " -0 +1.5e1 .5 -5. 1e-3 ", " [ 1 0 0 0 ] [ 0 -1 0 -16.5 ] 0 1 1",
           " [ 1 0 0 0 ] [ 0 -1 0 -16.5 ] 0 1 1 0 0 0", " [1 0 0 0] [0 -1 0 -16.5] 0 1 1 // side", " 0\n0 0\n1 1"}) {
-        const auto level = read(world(box("wall", tail)));
+        const auto level = read(world(textured_box("wall", tail)));
         ASSERT_TRUE(level.ok()) << tail << level.error().text();
         ASSERT_EQ(level.value().sides.size(), 6u);
         EXPECT_TRUE(level.value().notes.empty());
@@ -128,7 +129,7 @@ TEST(ReadMap, EveryFormOfASideIsTheSame) {
 }
 
 TEST(ReadMap, LineEndsOfEveryKind) {
-    std::string text = world(box());
+    std::string text = world(textured_box());
     const auto lines_of = [](const std::string& t) { return read(t).value().brushes[0].line; };
     text.pop_back();  // the last line's end
     EXPECT_EQ(lines_of(text), 3u);
@@ -150,16 +151,16 @@ TEST(ReadMap, LineEndsOfEveryKind) {
 TEST(ReadMap, TexturesMayHoldAnythingButBlanks) {
     for (const char* name :
          {"*water", "+0button", "{fence", "}odd", "(sign)", "[x]", "a//b", "#1", "\\back\\slash", "\xC3\xA9"}) {
-        const auto level = read(world(box(name)));
+        const auto level = read(world(textured_box(name)));
         ASSERT_TRUE(level.ok()) << level.error().text();
         EXPECT_EQ(level.value().materials[1], name);
     }
-    EXPECT_EQ(read(world(box("\"two words\""))).value().materials[1], "two words");
-    EXPECT_EQ(read(world(box("\"a \\\"b\\\"\""))).value().materials[1], "a \"b\"");
+    EXPECT_EQ(read(world(textured_box("\"two words\""))).value().materials[1], "two words");
+    EXPECT_EQ(read(world(textured_box("\"a \\\"b\\\"\""))).value().materials[1], "a \"b\"");
 }
 
 BrushKind kind_of(const std::string& texture, const std::string& tail = " 0 0 0 1 1") {
-    return read(world(box(texture, tail))).value().brushes[0].kind;
+    return read(world(textured_box(texture, tail))).value().brushes[0].kind;
 }
 
 TEST(ReadMap, KindsByTexture) {
@@ -201,13 +202,13 @@ TEST(ReadMap, KindsByFlagsGoFirst) {
     EXPECT_EQ(kind_of("e1u1/a", tail("0", "256")), BrushKind::kPortal);
     EXPECT_EQ(kind_of("clip", tail("0.5", "1e300")), BrushKind::kPlayerClip);  // no flags at all
 
-    const BrushLevel detail = read(world(box("e1u1/a", tail("134217728")))).value();
+    const BrushLevel detail = read(world(textured_box("e1u1/a", tail("134217728")))).value();
     EXPECT_EQ(detail.brushes[0].kind, BrushKind::kSolid);
     EXPECT_TRUE(detail.brushes[0].detail);
 }
 
 std::uint32_t mask_of(const std::string& texture) {
-    return read(world(box(texture))).value().sides[0].mask;
+    return read(world(textured_box(texture))).value().sides[0].mask;
 }
 
 TEST(ReadMap, MasksByKind) {
@@ -252,11 +253,11 @@ TEST(ReadMap, PortalsAreTheMarkedSidesOrTheLargest) {
 }
 
 TEST(ReadMap, EntitiesThatMoveAreData) {
-    std::string text = world(box());
+    std::string text = world(textured_box());
     for (const char* name : {"func_group", "func_detail", "func_detail_wall", "func_static", "func_wall", "func_door",
                              "trigger_push", "func_detail_illusionary", "func_areaportal"})
-        text += std::string("{\n\"classname\" \"") + name + "\"\n" + box() + "}\n";
-    const BrushLevel level = read(text + text.substr(world(box()).size())).value();
+        text += std::string("{\n\"classname\" \"") + name + "\"\n" + textured_box() + "}\n";
+    const BrushLevel level = read(text + text.substr(world(textured_box()).size())).value();
     ASSERT_EQ(level.brushes.size(), 19u);
     for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(level.brushes[k].kind, BrushKind::kSolid) << k;
     for (std::size_t k = 6; k < 9; ++k) EXPECT_EQ(level.brushes[k].kind, BrushKind::kData) << k;
@@ -274,11 +275,11 @@ TEST(ReadMap, EntitiesThatMoveAreData) {
 }
 
 TEST(ReadMap, FirstEntityIsTheWorld) {
-    const BrushLevel level = read("{ \"classname\" \"func_door\"\n" + box() + "}").value();
+    const BrushLevel level = read("{ \"classname\" \"func_door\"\n" + textured_box() + "}").value();
     EXPECT_EQ(level.brushes[0].kind, BrushKind::kSolid);
     EXPECT_EQ(level.notes, (std::vector<std::string>{"the first entity is no worldspawn: a.map:1"}));
-    EXPECT_EQ(error_of(""), "a.map: no entity in the file");
-    EXPECT_EQ(error_of(" // nothing\n"), "a.map: no entity in the file");
+    EXPECT_EQ(read_error(""), "a.map: no entity in the file");
+    EXPECT_EQ(read_error(" // nothing\n"), "a.map: no entity in the file");
 }
 
 TEST(ReadMap, UnknownPrimitivesAreNotedAndKept) {
@@ -286,7 +287,7 @@ TEST(ReadMap, UnknownPrimitivesAreNotedAndKept) {
         "{ brushDef9 { ( 0 0 1 -5 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" { {x } }}\n"
         "{\nbrushDef8\n{\n( 1 2 3 ) ( 1 2 3 ) ( 1 2 3 ) ( ( 1 0 0 ) ( 0 1 0 ) ) {fence 0 0 0\n}\n}\n"
         "{ patchDef7 { a } }\n" +
-        box());
+        textured_box());
     const BrushLevel level = read(text).value();
     EXPECT_EQ(level.brushes.size(), 1u);
     EXPECT_EQ(level.brushes[0].line, 11u);
@@ -323,7 +324,7 @@ TEST(ReadMap, NotesOfOneKindAreOne) {
 }
 
 TEST(ReadMap, FurtherWordsOfASideAreLeft) {
-    const BrushLevel level = read(world(box("wall", " 0 0 0 1 1 0 0 0 7 +surfparm detail"))).value();
+    const BrushLevel level = read(world(textured_box("wall", " 0 0 0 1 1 0 0 0 7 +surfparm detail"))).value();
     EXPECT_EQ(level.sides.size(), 6u);
     EXPECT_EQ(level.notes, (std::vector<std::string>{
                                "further words of a side are left: first a.map:4 in brush 0 of entity 0, 18 in all"}));
@@ -410,7 +411,7 @@ TEST(ReadMap, PlanesOnTheGridWin) {
     std::string off = box_sides({64, 0, 0}, {128, 32, 96}, all("wall"));
     for (int k = 0; k < 3; ++k) off.resize(off.rfind("( "));
     off += point({64.3, 0.3, 96.001}) + point({64.3, 1.3, 96.001}) + point({65.3, 0.3, 96.001}) + "wall 0 0 0 1 1\n";
-    const BrushLevel level = read(world(box() + "{\n" + off + "}\n")).value();
+    const BrushLevel level = read(world(textured_box() + "{\n" + off + "}\n")).value();
     for (int corner = 0; corner < 3; ++corner) EXPECT_EQ(level.sides[11].points[corner], level.sides[5].points[corner]);
     EXPECT_NEAR(level.greatest_shift, 0.001 / 32, 1e-9);
 }
@@ -426,7 +427,7 @@ std::string patch(const std::string& texture = "curve", const std::string& size 
 }
 
 TEST(ReadMap, PatchesAreSurfaces) {
-    const BrushLevel level = read(world(box() + patch() + patch("common/clip") + patch("skies/a"))).value();
+    const BrushLevel level = read(world(textured_box() + patch() + patch("common/clip") + patch("skies/a"))).value();
     ASSERT_EQ(level.surfaces.faces.size(), 3u);
     const LevelFace& face = level.surfaces.faces[0];
     EXPECT_EQ(face.source, 6u);
@@ -457,50 +458,51 @@ TEST(ReadMap, PatchesThatNothingMeetsAreLeftOut) {
 
 TEST(ReadMap, ErrorsNameTheLine) {
     const std::string open = "{\n\"classname\" \"worldspawn\"\n{\n";
-    EXPECT_EQ(error_of("}"), "a.map:1: expected { of an entity, found '}'");
-    EXPECT_EQ(error_of("\nword"), "a.map:2: expected { of an entity, found 'word'");
-    EXPECT_EQ(error_of("{\n}\n}"), "a.map:3: expected { of an entity after entity 0, found '}'");
-    EXPECT_EQ(error_of("{\n"), "a.map:2: expected a key, a brush or } of entity 0, the file ends");
-    EXPECT_EQ(error_of("{\n)"), "a.map:2: expected a key, a brush or } of entity 0, found ')'");
-    EXPECT_EQ(error_of("{ \"a\"\n}"), "a.map:2: expected a value for the key 'a' of entity 0, found '}'");
-    EXPECT_EQ(error_of("{ \"a\" \"b }\n\n"), "a.map:1: quote without an end: 'b }\\x0a\\x0a'");
-    EXPECT_EQ(error_of(open), "a.map:4: expected ( of a side or } in brush 0 of entity 0, the file ends");
-    EXPECT_EQ(error_of(open + "( 1 2 )"), "a.map:4: expected a number of a point in brush 0 of entity 0, found ')'");
-    EXPECT_EQ(error_of(open + "( 1 2 x )"), "a.map:4: expected a number of a point in brush 0 of entity 0, found 'x'");
-    EXPECT_EQ(error_of(open + "( 1 2 nan )"),
+    EXPECT_EQ(read_error("}"), "a.map:1: expected { of an entity, found '}'");
+    EXPECT_EQ(read_error("\nword"), "a.map:2: expected { of an entity, found 'word'");
+    EXPECT_EQ(read_error("{\n}\n}"), "a.map:3: expected { of an entity after entity 0, found '}'");
+    EXPECT_EQ(read_error("{\n"), "a.map:2: expected a key, a brush or } of entity 0, the file ends");
+    EXPECT_EQ(read_error("{\n)"), "a.map:2: expected a key, a brush or } of entity 0, found ')'");
+    EXPECT_EQ(read_error("{ \"a\"\n}"), "a.map:2: expected a value for the key 'a' of entity 0, found '}'");
+    EXPECT_EQ(read_error("{ \"a\" \"b }\n\n"), "a.map:1: quote without an end: 'b }\\x0a\\x0a'");
+    EXPECT_EQ(read_error(open), "a.map:4: expected ( of a side or } in brush 0 of entity 0, the file ends");
+    EXPECT_EQ(read_error(open + "( 1 2 )"), "a.map:4: expected a number of a point in brush 0 of entity 0, found ')'");
+    EXPECT_EQ(read_error(open + "( 1 2 x )"),
+              "a.map:4: expected a number of a point in brush 0 of entity 0, found 'x'");
+    EXPECT_EQ(read_error(open + "( 1 2 nan )"),
               "a.map:4: expected a number of a point in brush 0 of entity 0, found 'nan'");
-    EXPECT_EQ(error_of(open + "( 1 2 1e999 )"), "a.map:4: '1e999' in brush 0 of entity 0 is too large for a number");
-    EXPECT_EQ(error_of(open + "( 1 2 3 4 )"), "a.map:4: expected ) of a point in brush 0 of entity 0, found '4'");
+    EXPECT_EQ(read_error(open + "( 1 2 1e999 )"), "a.map:4: '1e999' in brush 0 of entity 0 is too large for a number");
+    EXPECT_EQ(read_error(open + "( 1 2 3 4 )"), "a.map:4: expected ) of a point in brush 0 of entity 0, found '4'");
     const std::string points = "( 0 0 0 ) ( 0 1 0 ) ( 1 0 0 ) ";
-    EXPECT_EQ(error_of(open + points), "a.map:4: expected a texture in brush 0 of entity 0, the file ends");
-    EXPECT_EQ(error_of(open + points + "wall 0 0 0 1\n}"),
+    EXPECT_EQ(read_error(open + points), "a.map:4: expected a texture in brush 0 of entity 0, the file ends");
+    EXPECT_EQ(read_error(open + points + "wall 0 0 0 1\n}"),
               "a.map:5: expected a number of the texture's alignment in brush 0 of entity 0, found '}'");
-    EXPECT_EQ(error_of(open + points + "wall [ 0 0 0 1 ] 0 0 0 0 ] 0 1 1\n}"),
+    EXPECT_EQ(read_error(open + points + "wall [ 0 0 0 1 ] 0 0 0 0 ] 0 1 1\n}"),
               "a.map:4: expected [ of the texture's alignment in brush 0 of entity 0, found '0'");
-    EXPECT_EQ(error_of(open + points + "wall 0 0 0 1 1\n\"a\""),
+    EXPECT_EQ(read_error(open + points + "wall 0 0 0 1 1\n\"a\""),
               "a.map:5: expected ( of a side or } in brush 0 of entity 0, found 'a'");
-    EXPECT_EQ(error_of(open + "brushDef8\n{\n}\n"),
+    EXPECT_EQ(read_error(open + "brushDef8\n{\n}\n"),
               "a.map:4: 'brushDef8' in brush 0 of entity 0 has no end: braces do not match");
-    EXPECT_EQ(error_of(world(patch("a", "3 4 0 0 0"))),
+    EXPECT_EQ(read_error(world(patch("a", "3 4 0 0 0"))),
               "a.map:7: patch of 3 x 4 control points in brush 0 of entity 0; both must be odd, from 3 to 1023");
-    EXPECT_EQ(error_of(world(patch("a", "1e9 3 0 0 0"))),
+    EXPECT_EQ(read_error(world(patch("a", "1e9 3 0 0 0"))),
               "a.map:7: patch of 1e+09 x 3 control points in brush 0 of entity 0; both must be odd, from 3 to 1023");
-    EXPECT_EQ(error_of(world(patch("a", "5 3 0 0 0"))),
+    EXPECT_EQ(read_error(world(patch("a", "5 3 0 0 0"))),
               "a.map:12: expected ( of a patch's points in brush 0 of entity 0, found ')'");
-    EXPECT_EQ(error_of(world(patch("a", "3 5 0 0 0"))),
+    EXPECT_EQ(read_error(world(patch("a", "3 5 0 0 0"))),
               "a.map:9: expected ( of a patch's points in brush 0 of entity 0, found ')'");
 }
 
 TEST(ReadMap, PointsOutsideTheWorldNameTheirBrush) {
-    std::string text = world(box());
+    std::string text = world(textured_box());
     const std::size_t at = text.find("64.000000");
     text.replace(at, 9, "262144");
-    EXPECT_EQ(error_of(text),
+    EXPECT_EQ(read_error(text),
               "a.map:5: entity 0 (worldspawn), brush 0: side 1, point 0: lies outside the world: x = 8192 m");
     EXPECT_EQ(read(text).error().code, ErrorCode::kOutOfRange);
     std::string bent = world(patch());
     bent.replace(bent.find("( 128 0 16"), 10, "( 128 0 -1e30");
-    EXPECT_EQ(error_of(bent),
+    EXPECT_EQ(read_error(bent),
               "a.map:3: entity 0 (worldspawn), brush 0: control point 2: lies outside the world: "
               "z = -3.125e+28 m");
 }
@@ -523,11 +525,12 @@ TEST(ReadMap, CountsAreLimited) {
 // Truncated anywhere, or with bytes changed: an error with a place, or a level.
 TEST(ReadMap, HostileBytes) {
     const std::string text =
-        world(box() + box("{fence", " [ 1 0 0 0 ] [ 0 -1 0 -16.5 ] 0 1 1 0 0 0") + patch() + "{ brushDef8 { } }\n") +
+        world(textured_box() + textured_box("{fence", " [ 1 0 0 0 ] [ 0 -1 0 -16.5 ] 0 1 1 0 0 0") + patch() +
+              "{ brushDef8 { } }\n") +
         world(
             "{ brushDef { ( 0 0 0 ) ( 0 1 0 ) ( 1 0 0 ) ( ( 1 0 0 ) ( 0 1 0 ) ) a/b 0 0 0 } }\n"
             "{ brushDef3 { \"k\" \"v\" ( 0 0.6 0.8 -5.25 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"a\" 0 0 0 } }\n") +
-        "{ \"classname\" \"func_door\" \"a\" \"b \\\" c\"\n" + box("*water") + "}\n";
+        "{ \"classname\" \"func_door\" \"a\" \"b \\\" c\"\n" + textured_box("*water") + "}\n";
     std::size_t errors = 0;
     const auto judge = [&](const std::string& bytes) {
         const auto level = read(bytes);

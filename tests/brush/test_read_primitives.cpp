@@ -87,7 +87,7 @@ TEST(ReadPrimitives, AxialPlanesAreSnappedAndSaidSo) {
 TEST(ReadPrimitives, FloatsOfSlantedPlanesComeBackExactly) {
     const Vec3 middle{1000, -517, 33};
     for (const char* digits : {"%.10g", "%.8f"}) {
-        std::vector<Plane> planes;
+        std::vector<PlaneText> planes;
         for (const double x : {-1.0, 1.0})
             for (const double y : {-1.0, 1.0})
                 for (const double z : {-1.0, 1.0}) {
@@ -105,7 +105,7 @@ TEST(ReadPrimitives, NeighboursShareTheirPlane) {
     const Vec3 u{0.8, 0.6, 0}, v{-0.6, 0.8, 0}, w{0, 0, 1};
     const Vec3 origin{100.1, -37.7, 5.3};
     const auto turned = [&](double from, double to) {
-        std::vector<Plane> planes;
+        std::vector<PlaneText> planes;
         const auto add = [&](const Vec3& axis, double low, double high) {
             planes.push_back({-axis, -(low + dot(axis, origin))});
             planes.push_back({axis, high + dot(axis, origin)});
@@ -133,7 +133,7 @@ TEST(ReadPrimitives, AllFormsInOneFile) {
 
 // Planes that only touch, or lie beyond, and a brush whose planes leave nothing.
 TEST(ReadPrimitives, PlanesWithoutAFace) {
-    std::vector<Plane> planes = box_planes({0, 0, 0}, {64, 32, 96});
+    std::vector<PlaneText> planes = box_planes({0, 0, 0}, {64, 32, 96});
     const double half = std::sqrt(0.5);
     planes.push_back({{half, half, 0}, half * 1000});
     planes.push_back({{-half, 0, -half}, 0});
@@ -208,7 +208,7 @@ TEST(ReadPrimitives, ErrorsNameTheLine) {
 // Truncated anywhere, or with bytes changed: an error with a place, or a level that can be joined.
 TEST(ReadPrimitives, HostileBytes) {
     const double half = std::sqrt(0.5);
-    std::vector<Plane> planes = box_planes({0, 0, 0}, {64, 32, 96});
+    std::vector<PlaneText> planes = box_planes({0, 0, 0}, {64, 32, 96});
     planes.push_back({{half, half, 0}, 50});
     const std::string text = "Version 2\n" +
                              world(primitive_box({64, 0, 0}, {128, 32, 96}) + plane_brush(planes) + patch3()) +

@@ -12,6 +12,13 @@
 
 namespace firma::test {
 
+inline Pose pose_at(double x, double y, double z, double scale = 1) {
+    Pose pose;
+    pose.position = {x, y, z};
+    pose.scale = scale;
+    return pose;
+}
+
 struct TriangleMesh {
     std::vector<Vec3> vertices;
     std::vector<CutterTriangle> triangles;

@@ -10,6 +10,7 @@
 #include "firma/solid.h"
 #include "scenes/divided_building.h"
 #include "store/bytes_alone.h"
+#include "tests/carve/expect_sound_world.h"
 #include "tests/reference/judge_rooms.h"
 #include "tests/world/two_halves.h"
 #include "world/world_data.h"
@@ -29,12 +30,6 @@ CarveResult cut(const World& world, CutterShape shape, const Vec3& position, dou
 
 Location in_room(std::uint32_t room) {
     return {Location::Kind::kRoom, {room}};
-}
-
-void expect_sound(const World& world) {
-    const std::optional<WorldFault> fault = check_world(world);
-    EXPECT_FALSE(fault) << fault->what << ", face " << fault->face.value;
-    EXPECT_FALSE(check_solid(world));
 }
 
 /// By room, by located room, and against all faces.
@@ -57,7 +52,7 @@ TEST(CarveRooms, ACutInOneRoomLeavesTheOtherAlone) {
     const World world = two_halves();
     const CarveResult result = cut(world, CutterShape::kRocky, {0, 2, 2}, 1);
     ASSERT_TRUE(result.done());
-    expect_sound(result.world);
+    test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
     EXPECT_EQ(&result.world.data().cells.room(1), &world.data().cells.room(1));
     EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
@@ -71,7 +66,7 @@ TEST(CarveRooms, ACutAtAPortalJoinsItsRooms) {
         const CarveResult result = cut(world, CutterShape::kRocky, {4, 2, 0}, 1);
         ASSERT_TRUE(result.done());
         const World& after = result.world;
-        expect_sound(after);
+        test::expect_sound_world(after);
         EXPECT_EQ(after.room_count(), 2u);
         EXPECT_EQ(room_info(after, {1}).part_of, RoomId{0});
         EXPECT_EQ(room_info(after, {1}).faces, 0u);
@@ -103,7 +98,7 @@ TEST(CarveRooms, ACavityIsARoomUntilItIsOpened) {
     const World world = two_halves();
     CarveResult result = cut(world, CutterShape::kBox, {1.5, 2, -2}, 0.5);
     ASSERT_TRUE(result.done());
-    expect_sound(result.world);
+    test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 3u);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(2));
     EXPECT_EQ(cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom}).room, RoomId{2});
@@ -111,7 +106,7 @@ TEST(CarveRooms, ACavityIsARoomUntilItIsOpened) {
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{2}});
     result = cut(result.world, CutterShape::kBox, {1.5, 2, -0.8}, 1);
     ASSERT_TRUE(result.done());
-    expect_sound(result.world);
+    test::expect_sound_world(result.world);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(0));
     EXPECT_EQ(room_info(result.world, {2}).part_of, RoomId{0});
     EXPECT_EQ(locate(result.world, {7, 1, 1}), in_room(1));
@@ -121,13 +116,13 @@ TEST(CarveRooms, FillsInTheAir) {
     const World world = two_halves();
     CarveResult result = cut(world, CutterShape::kBox, {6, 2, 2}, 0.5, true);
     ASSERT_TRUE(result.done());
-    expect_sound(result.world);
+    test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
     EXPECT_EQ(room_info(result.world, {1}).faces, 5 + result.report.faces_new);
     EXPECT_EQ(&result.world.data().cells.room(0), &world.data().cells.room(0));
     result = cut(result.world, CutterShape::kBox, {4, 2, 2}, 0.5, true);  // astride the portal
     ASSERT_TRUE(result.done());
-    expect_sound(result.world);
+    test::expect_sound_world(result.world);
     EXPECT_EQ(room_info(result.world, {1}).part_of, RoomId{0});
 }
 
@@ -155,7 +150,7 @@ TEST(CarveRooms, LargeWalls) {
             at[int(rng.below(3))] = 0;
             const CarveResult result = cut(world, CutterShape::kRocky, at, 1, rng.chance(0.3));
             ASSERT_TRUE(result.done());
-            expect_sound(result.world);
+            test::expect_sound_world(result.world);
             expect_casts_agree(result.world, at, 3, rng, 60);
             world = result.world;
         }
@@ -187,7 +182,7 @@ TEST(CarveRooms, ManyCutsInBuildings) {
             ASSERT_EQ(result.status, plain.status);
             if (!result.done()) continue;
             ++done;
-            expect_sound(result.world);
+            test::expect_sound_world(result.world);
             // Rooms change nothing of the solid.
             EXPECT_EQ(hash_solid(result.world), hash_solid(plain.world));
             EXPECT_EQ(result.world.face_count(), plain.world.face_count());

@@ -9,6 +9,7 @@
 #include "firma/carve.h"
 #include "firma/level.h"
 #include "firma/solid.h"
+#include "tests/carve/cutters.h"
 #include "tests/solid/solid_levels.h"
 #include "world/world_data.h"
 
@@ -39,13 +40,6 @@ CarveRules with_hardness(const World& world, const char* name, double hardness) 
     return rules;
 }
 
-Pose at(double x, double y, double z, double scale = 1) {
-    Pose pose;
-    pose.position = {x, y, z};
-    pose.scale = scale;
-    return pose;
-}
-
 const Cutter kRock = make_crater(CutterShape::kRocky, 5);
 
 void expect_refused(const World& before, const CarveResult& result, const char* part_of_reason) {
@@ -59,45 +53,46 @@ TEST(CarveRules, AZoneRefusesACutThatReachesIntoIt) {
     CarveRules rules;
     rules.zones.push_back({"vault", {{3, -1, -1}, {6, 1, 1}}, 1});
     const World world = room(rules);
-    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "zone vault may not be carved");
-    EXPECT_TRUE(carve(world, kRock, at(-4, 0, 0)).done());
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "zone vault may not be carved");
+    EXPECT_TRUE(carve(world, kRock, test::pose_at(-4, 0, 0)).done());
 }
 
 TEST(CarveRules, AZoneInsideTheCutterCountsAsWell) {
     CarveRules rules;
     rules.zones.push_back({"pea", {{-4.01, 0, 0}, {-4, 0.01, 0.01}}, 1});
     const World world = room(rules);
-    expect_refused(world, carve(world, kRock, at(-4, 0, 0, 3)), "zone pea");
+    expect_refused(world, carve(world, kRock, test::pose_at(-4, 0, 0, 3)), "zone pea");
 }
 
 TEST(CarveRules, ASoftZoneShrinksTheCutter) {
     CarveRules rules;
     rules.zones.push_back({"clay", {{3, -2, -2}, {9, 2, 2}}, 0.5});
     const World world = room(rules), plain = room();
-    const CarveResult shrunk = carve(world, kRock, at(4, 0, 0, 2)), small = carve(plain, kRock, at(4, 0, 0, 1));
+    const CarveResult shrunk = carve(world, kRock, test::pose_at(4, 0, 0, 2)),
+                      small = carve(plain, kRock, test::pose_at(4, 0, 0, 1));
     ASSERT_TRUE(shrunk.done());
     EXPECT_EQ(shrunk.report.scale, 0.5);
     EXPECT_EQ(shrunk.report.volume, small.report.volume);
-    EXPECT_EQ(carve(world, kRock, at(-4, 0, 0, 2)).report.scale, 1);
+    EXPECT_EQ(carve(world, kRock, test::pose_at(-4, 0, 0, 2)).report.scale, 1);
 }
 
 TEST(CarveRules, AMaterialRefusesOrShrinks) {
     const World plain = room();
     const World hard = with_rules(plain, with_hardness(plain, "floor", 1));
-    expect_refused(hard, carve(hard, kRock, at(0, 0, -4)), "material floor may not be carved");
-    EXPECT_TRUE(carve(hard, kRock, at(4, 0, 0)).done());
+    expect_refused(hard, carve(hard, kRock, test::pose_at(0, 0, -4)), "material floor may not be carved");
+    EXPECT_TRUE(carve(hard, kRock, test::pose_at(4, 0, 0)).done());
     const World tough = with_rules(plain, with_hardness(plain, "floor", 0.75));
-    const CarveResult shrunk = carve(tough, kRock, at(0, 0, -4, 2));
+    const CarveResult shrunk = carve(tough, kRock, test::pose_at(0, 0, -4, 2));
     ASSERT_TRUE(shrunk.done());
     EXPECT_EQ(shrunk.report.scale, 0.25);
-    EXPECT_EQ(shrunk.report.volume, carve(plain, kRock, at(0, 0, -4, 0.5)).report.volume);
+    EXPECT_EQ(shrunk.report.volume, carve(plain, kRock, test::pose_at(0, 0, -4, 0.5)).report.volume);
 }
 
 TEST(CarveRules, HardnessIsAskedOfWhatIsTakenOnly) {
     const World plain = room();
     const World hard = with_rules(plain, with_hardness(plain, "floor", 1));
     // Its box meets the floor's, it does not.
-    EXPECT_TRUE(carve(hard, make_crater(CutterShape::kBox, 0), at(4, 0, -2.5)).done());
+    EXPECT_TRUE(carve(hard, make_crater(CutterShape::kBox, 0), test::pose_at(4, 0, -2.5)).done());
 }
 
 TEST(CarveRules, LimitsRefuse) {
@@ -107,27 +102,27 @@ TEST(CarveRules, LimitsRefuse) {
         return room(rules);
     };
     World world = limited([](CarveRules& r) { r.most_faces = 10; });
-    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "more than 10 faces");
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "more than 10 faces");
     world = limited([](CarveRules& r) { r.most_new_faces = 20; });
-    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "more than the 20 new faces");
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "more than the 20 new faces");
     world = limited([](CarveRules& r) { r.most_faces_looked_at = 2; });
-    expect_refused(world, carve(world, kRock, at(4, 4, 4)), "it meets 3 faces; the world allows 2");
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 4, 4)), "it meets 3 faces; the world allows 2");
     world = limited([](CarveRules& r) { r.most_cutter_triangles = 100; });
-    expect_refused(world, carve(world, kRock, at(4, 0, 0)), "180 triangles; the world allows 100");
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "180 triangles; the world allows 100");
     world = limited([](CarveRules& r) { r.largest_cutter = 2; });
-    expect_refused(world, carve(world, kRock, at(4, 0, 0, 3)), "the world allows 2 m");
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0, 3)), "the world allows 2 m");
 }
 
 TEST(CarveRules, WhatCannotBePlacedIsRefused) {
     const World world = room();
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    expect_refused(world, carve(world, Cutter(), at(0, 0, 0)), "empty cutter");
-    expect_refused(world, carve(world, kRock, at(nan, 0, 0)), "not finite");
-    expect_refused(world, carve(world, kRock, at(0, 0, 0, infinity)), "finite number above zero");
-    expect_refused(world, carve(world, kRock, at(0, 0, 0, 0)), "above zero");
-    expect_refused(world, carve(world, kRock, at(8192, 0, 0)), "outside the world");
-    expect_refused(world, carve(world, kRock, at(0, 0, 0, 1e-5)), "no area on the grid");
-    Pose spun = at(0, 0, 0);
+    expect_refused(world, carve(world, Cutter(), test::pose_at(0, 0, 0)), "empty cutter");
+    expect_refused(world, carve(world, kRock, test::pose_at(nan, 0, 0)), "not finite");
+    expect_refused(world, carve(world, kRock, test::pose_at(0, 0, 0, infinity)), "finite number above zero");
+    expect_refused(world, carve(world, kRock, test::pose_at(0, 0, 0, 0)), "above zero");
+    expect_refused(world, carve(world, kRock, test::pose_at(8192, 0, 0)), "outside the world");
+    expect_refused(world, carve(world, kRock, test::pose_at(0, 0, 0, 1e-5)), "no area on the grid");
+    Pose spun = test::pose_at(0, 0, 0);
     spun.rotation = {0, 0, 0, 0};
     expect_refused(world, carve(world, kRock, spun), "rotation");
 }
@@ -140,25 +135,25 @@ TEST(CarveRules, ZonesThatAreNoBoxesDoNothing) {
     rules.zones.push_back({"far", {{9000, 9000, 9000}, {9001, 9001, 9001}}, 1});
     rules.zones.push_back({"unasked", {{-9e9, -9e9, -9e9}, {9e9, 9e9, 9e9}}, nan});
     const World world = room(rules);
-    EXPECT_TRUE(carve(world, kRock, at(4, 0, 0)).done());
+    EXPECT_TRUE(carve(world, kRock, test::pose_at(4, 0, 0)).done());
     rules.zones.push_back({"everywhere", {{-9e9, -9e9, -9e9}, {9e9, 9e9, 9e9}}, 1});
     const World closed = with_rules(world, rules);
-    expect_refused(closed, carve(closed, kRock, at(4, 0, 0)), "zone everywhere");
+    expect_refused(closed, carve(closed, kRock, test::pose_at(4, 0, 0)), "zone everywhere");
 }
 
 TEST(Carve, InTheAirNothingHappens) {
     const World world = room();
-    const CarveResult result = carve(world, kRock, at(0, 0, 0));
+    const CarveResult result = carve(world, kRock, test::pose_at(0, 0, 0));
     EXPECT_EQ(result.status, CarveStatus::kNothing);
     EXPECT_EQ(&result.world.data(), &world.data());
-    EXPECT_EQ(fill(world, kRock, at(100, 0, 0)).status, CarveStatus::kNothing);  // in the rock
+    EXPECT_EQ(fill(world, kRock, test::pose_at(100, 0, 0)).status, CarveStatus::kNothing);  // in the rock
 }
 
 TEST(Carve, NewFacesSayWhereTheyComeFrom) {
     const World world = room();
     CarveOptions options;
     options.material = "rubble";
-    const CarveResult result = carve(world, kRock, at(4, 0, 0), options);
+    const CarveResult result = carve(world, kRock, test::pose_at(4, 0, 0), options);
     ASSERT_TRUE(result.done());
     EXPECT_EQ(result.world.version(), world.version() + 1);
     std::size_t from_cutter = 0, from_level = 0;
@@ -181,7 +176,7 @@ TEST(Carve, NewFacesSayWhereTheyComeFrom) {
 
 TEST(Carve, UntouchedFacesKeepTheirIds) {
     const World world = room();
-    const CarveResult result = carve(world, kRock, at(0, 0, -4));
+    const CarveResult result = carve(world, kRock, test::pose_at(0, 0, -4));
     ASSERT_TRUE(result.done());
     for (std::uint32_t id = 0; id < 6; ++id) {
         const auto before = world.find_face({id}), after = result.world.find_face({id});
@@ -196,16 +191,16 @@ TEST(Carve, UntouchedFacesKeepTheirIds) {
 TEST(Carve, SeveralEditsBecomeOneVersion) {
     const World world = room();
     WorldEdit edit(world);
-    EXPECT_TRUE(edit.carve(kRock, at(4, 0, 0)).done());
-    EXPECT_TRUE(edit.carve(kRock, at(-4, 0, 0)).done());
-    EXPECT_EQ(edit.carve(kRock, at(0, 0, 0)).status, CarveStatus::kNothing);
-    EXPECT_TRUE(edit.fill(make_crater(CutterShape::kBox, 0), at(0, 0, -4)).done());
+    EXPECT_TRUE(edit.carve(kRock, test::pose_at(4, 0, 0)).done());
+    EXPECT_TRUE(edit.carve(kRock, test::pose_at(-4, 0, 0)).done());
+    EXPECT_EQ(edit.carve(kRock, test::pose_at(0, 0, 0)).status, CarveStatus::kNothing);
+    EXPECT_TRUE(edit.fill(make_crater(CutterShape::kBox, 0), test::pose_at(0, 0, -4)).done());
     const World after = edit.finish();
     EXPECT_EQ(after.version(), world.version() + 1);
     EXPECT_FALSE(check_world(after));
-    World one_by_one = carve(world, kRock, at(4, 0, 0)).world;
-    one_by_one = carve(one_by_one, kRock, at(-4, 0, 0)).world;
-    one_by_one = fill(one_by_one, make_crater(CutterShape::kBox, 0), at(0, 0, -4)).world;
+    World one_by_one = carve(world, kRock, test::pose_at(4, 0, 0)).world;
+    one_by_one = carve(one_by_one, kRock, test::pose_at(-4, 0, 0)).world;
+    one_by_one = fill(one_by_one, make_crater(CutterShape::kBox, 0), test::pose_at(0, 0, -4)).world;
     EXPECT_EQ(after.face_count(), one_by_one.face_count());
     EXPECT_EQ(world.face_count(), 6u);
     EXPECT_EQ(WorldEdit(world).finish().version(), world.version());
@@ -213,8 +208,8 @@ TEST(Carve, SeveralEditsBecomeOneVersion) {
 
 TEST(Carve, InSlicesItEndsInTheSameFaces) {
     const World world = room();
-    const CarveResult at_once = carve(world, kRock, at(4, 1, 1, 1.5));
-    CarveJob job(world, kRock, at(4, 1, 1, 1.5));
+    const CarveResult at_once = carve(world, kRock, test::pose_at(4, 1, 1, 1.5));
+    CarveJob job(world, kRock, test::pose_at(4, 1, 1, 1.5));
     int slices = 1;
     while (!job.run(0)) ++slices;
     EXPECT_GT(slices, 10);
@@ -232,7 +227,7 @@ TEST(Carve, InSlicesItEndsInTheSameFaces) {
 TEST(Carve, ADroppedJobLeavesNoTrace) {
     const World world = room();
     {
-        CarveJob job(world, kRock, at(4, 0, 0));
+        CarveJob job(world, kRock, test::pose_at(4, 0, 0));
         for (int k = 0; k < 8; ++k) job.run(0);
         EXPECT_FALSE(job.finished());
     }
@@ -243,8 +238,8 @@ TEST(Carve, ADroppedJobLeavesNoTrace) {
 TEST(Carve, ABoxOutOfARoomsWallHasItsVolume) {
     const World world = room();
     // 2 x 2 x 2 m, one metre of it in the rock; a flush one takes all of it.
-    EXPECT_NEAR(carve(world, make_crater(CutterShape::kBox, 0), at(4, 0, 0)).report.volume, 4, 0.01);
-    const CarveResult flush = carve(world, make_crater(CutterShape::kBox, 0), at(5, 0, 0));
+    EXPECT_NEAR(carve(world, make_crater(CutterShape::kBox, 0), test::pose_at(4, 0, 0)).report.volume, 4, 0.01);
+    const CarveResult flush = carve(world, make_crater(CutterShape::kBox, 0), test::pose_at(5, 0, 0));
     ASSERT_TRUE(flush.done());
     EXPECT_NEAR(flush.report.volume, 8, 0.02);
     // It opened the wall: there is a way in.
@@ -276,28 +271,28 @@ TEST(CarveVolume, IsAsExactFarOutAsInTheMiddle) {
 
 TEST(Carve, ACavityInRockAndAPillarInTheAir) {
     const World world = room();
-    const CarveResult cavity = carve(world, kRock, at(20, 0, 0));
+    const CarveResult cavity = carve(world, kRock, test::pose_at(20, 0, 0));
     ASSERT_TRUE(cavity.done());
     EXPECT_EQ(cavity.report.faces_gone, 0u);
     EXPECT_EQ(cavity.report.faces_new, 180u);
     EXPECT_EQ(in_solid(cavity.world, {20, 0, 0}), std::optional(false));
     EXPECT_EQ(in_solid(world, {20, 0, 0}), std::optional(true));
-    const CarveResult boulder = fill(world, kRock, at(0, 0, 0));
+    const CarveResult boulder = fill(world, kRock, test::pose_at(0, 0, 0));
     ASSERT_TRUE(boulder.done());
     EXPECT_EQ(in_solid(boulder.world, {0, 0, 0}), std::optional(true));
     EXPECT_NEAR(boulder.report.volume, -cavity.report.volume, 1e-9);
     // A larger cutter around either takes it away again.
-    EXPECT_EQ(carve(boulder.world, kRock, at(0, 0, 0, 2)).world.face_count(), world.face_count());
-    EXPECT_EQ(fill(cavity.world, kRock, at(20, 0, 0, 2)).world.face_count(), world.face_count());
+    EXPECT_EQ(carve(boulder.world, kRock, test::pose_at(0, 0, 0, 2)).world.face_count(), world.face_count());
+    EXPECT_EQ(fill(cavity.world, kRock, test::pose_at(20, 0, 0, 2)).world.face_count(), world.face_count());
 }
 
 TEST(Carve, TheSameCutterInTheSamePlaceTakesNextToNothing) {
     const World world = room();
     for (const CutterShape shape : {CutterShape::kRocky, CutterShape::kSpiky, CutterShape::kBox}) {
         const Cutter cutter = make_crater(shape, 9);
-        const CarveResult first = carve(world, cutter, at(4, 1, 1));
+        const CarveResult first = carve(world, cutter, test::pose_at(4, 1, 1));
         ASSERT_TRUE(first.done());
-        const CarveResult second = carve(first.world, cutter, at(4, 1, 1));
+        const CarveResult second = carve(first.world, cutter, test::pose_at(4, 1, 1));
         ASSERT_NE(second.status, CarveStatus::kRefused);
         EXPECT_LT(std::fabs(second.report.volume), 0.02);  // moved outward by a few quarters of a millimetre
         EXPECT_FALSE(check_world(second.world));
@@ -306,12 +301,12 @@ TEST(Carve, TheSameCutterInTheSamePlaceTakesNextToNothing) {
 
 TEST(Carve, VolumeIsThatOfTheCraterHoweverLargeTheWall) {
     const Cutter rock = make_crater(CutterShape::kRocky, 3);
-    const World rock_alone = fill(World(), rock, at(0, 0, 0, 0.05)).world;
+    const World rock_alone = fill(World(), rock, test::pose_at(0, 0, 0, 0.05)).world;
     const double whole = measure_solid(rock_alone).volume;
     for (const double half : {4.0, 400.0, 8000.0}) {
-        const World slab = fill(World(), make_crater(CutterShape::kBox, 0), at(0, 0, 0, half)).world;
+        const World slab = fill(World(), make_crater(CutterShape::kBox, 0), test::pose_at(0, 0, 0, half)).world;
         // What it takes of the wall, and what it adds beside it, make up the rock.
-        Pose pose = at(half + 0.0103, 0.3, 0.4, 0.05);
+        Pose pose = test::pose_at(half + 0.0103, 0.3, 0.4, 0.05);
         const double taken = carve(slab, rock, pose).report.volume, added = -fill(slab, rock, pose).report.volume;
         EXPECT_GT(taken, whole / 5);
         EXPECT_GT(added, whole / 5);
@@ -340,21 +335,21 @@ Cutter umbrella(std::uint32_t spokes) {
 
 TEST(CarveRules, ACutterThatTakesTooLongToJudgeIsRefused) {
     const World world = room();
-    EXPECT_TRUE(carve(world, umbrella(400), at(4, 0, 0, 2)).done());
+    EXPECT_TRUE(carve(world, umbrella(400), test::pose_at(4, 0, 0, 2)).done());
     CarveRules rules;
     rules.most_pairs = 50'000;
     const World hasty = with_rules(world, rules);
-    const CarveResult result = carve(hasty, umbrella(400), at(4, 0, 0, 2));
+    const CarveResult result = carve(hasty, umbrella(400), test::pose_at(4, 0, 0, 2));
     expect_refused(hasty, result, "more than 50000 pairs");
     EXPECT_EQ(result.error.code, ErrorCode::kTooLarge);
-    expect_refused(world, carve(world, umbrella(20'000), at(4, 0, 0, 2)), "more than 20000000 pairs");
+    expect_refused(world, carve(world, umbrella(20'000), test::pose_at(4, 0, 0, 2)), "more than 20000000 pairs");
 }
 
 TEST(CarveRules, AFaceOfTooManyCornersIsRefused) {
     CarveRules rules;
     rules.most_corners = 50;
     const World world = room(rules);
-    expect_refused(world, carve(world, umbrella(400), at(4, 0, 0, 2)), "corners; the world allows 50");
+    expect_refused(world, carve(world, umbrella(400), test::pose_at(4, 0, 0, 2)), "corners; the world allows 50");
 }
 
 TEST(CarveRules, AZoneIsKeptByACutterThatIsMoved) {
@@ -362,7 +357,7 @@ TEST(CarveRules, AZoneIsKeptByACutterThatIsMoved) {
     rules.zones.push_back({"beyond", {{5.0003, -9, -9}, {9, 9, 9}}, 1});
     const World world = room(rules);
     // Flush with the room's wall at x = 4 and up to x = 5: it must move, and may not move into the zone.
-    const CarveResult result = carve(world, make_crater(CutterShape::kBox, 0), at(4.5, 0, -3.5, 0.5));
+    const CarveResult result = carve(world, make_crater(CutterShape::kBox, 0), test::pose_at(4.5, 0, -3.5, 0.5));
     if (result.done()) {
         EXPECT_LE(result.world.bounds().high.x, 5.0003);
     } else {
@@ -374,7 +369,7 @@ TEST(CarveRules, AZoneBesideATurnedCutterDoesNothing) {
     CarveRules rules;
     rules.zones.push_back({"vault", {{3.6, 3.6, -0.1}, {3.9, 3.9, 0.1}}, 1});
     const World world = room(rules);
-    Pose turned = at(0, 0, 0, 3);  // an octahedron-like stance: its box holds the vault, it does not
+    Pose turned = test::pose_at(0, 0, 0, 3);  // an octahedron-like stance: its box holds the vault, it does not
     turned.rotation = {0, 0, 0.3826834323650898, 0.9238795325112867};
     EXPECT_NE(carve(world, make_crater(CutterShape::kBox, 0), turned).status, CarveStatus::kRefused);
     turned.position = {2, 2, 0};
@@ -394,10 +389,10 @@ World with_counters(const World& world, const Change& change) {
 TEST(CarveRules, WithoutNumbersForEditsThereAreNone) {
     constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
     const World last = with_counters(room(), [](WorldData&, SolidData& data) { data.edits = kLast; });
-    expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
-    expect_refused(last, fill(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
+    expect_refused(last, carve(last, kRock, test::pose_at(4, 0, 0)), "no numbers left for new edits");
+    expect_refused(last, fill(last, kRock, test::pose_at(4, 0, 0)), "no numbers left for new edits");
     const World before = with_counters(room(), [](WorldData&, SolidData& data) { data.edits = kLast - 1; });
-    const CarveResult done = carve(before, kRock, at(4, 0, 0));
+    const CarveResult done = carve(before, kRock, test::pose_at(4, 0, 0));
     ASSERT_TRUE(done.done());
     EXPECT_EQ(done.world.data().edits(), kLast);
     EXPECT_FALSE(check_world(done.world));
@@ -406,29 +401,29 @@ TEST(CarveRules, WithoutNumbersForEditsThereAreNone) {
 TEST(CarveRules, WithoutNumbersForVersionsThereAreNoEdits) {
     constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
     const World last = with_counters(room(), [](WorldData& data, SolidData&) { data.version = kLast; });
-    expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no numbers left for new edits");
+    expect_refused(last, carve(last, kRock, test::pose_at(4, 0, 0)), "no numbers left for new edits");
     WorldEdit none(last);
-    EXPECT_FALSE(none.carve(kRock, at(4, 0, 0)).done());
+    EXPECT_FALSE(none.carve(kRock, test::pose_at(4, 0, 0)).done());
     EXPECT_EQ(&none.finish().data(), &last.data());
     const World before = with_counters(room(), [](WorldData& data, SolidData&) { data.version = kLast - 1; });
     WorldEdit one(before);
-    EXPECT_TRUE(one.carve(kRock, at(4, 0, 0)).done());
-    EXPECT_FALSE(one.carve(kRock, at(-4, 0, 0)).done()) << "it would be the version after the last";
+    EXPECT_TRUE(one.carve(kRock, test::pose_at(4, 0, 0)).done());
+    EXPECT_FALSE(one.carve(kRock, test::pose_at(-4, 0, 0)).done()) << "it would be the version after the last";
     EXPECT_EQ(one.finish().version(), kLast);
 }
 
 TEST(CarveRules, WithoutIdsForFacesThereAreNoEdits) {
     constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max() - 1;  // the next one says "no face"
-    const std::uint32_t come = std::uint32_t(carve(room(), kRock, at(4, 0, 0)).report.faces_new);
+    const std::uint32_t come = std::uint32_t(carve(room(), kRock, test::pose_at(4, 0, 0)).report.faces_new);
     ASSERT_GT(come, 0u);
     for (const std::uint32_t left : {0u, 1u, come - 1}) {
         const World last = with_counters(room(), [&](WorldData&, SolidData& data) { data.next_face = kMost - left; });
-        expect_refused(last, carve(last, kRock, at(4, 0, 0)), "no ids left for new faces");
+        expect_refused(last, carve(last, kRock, test::pose_at(4, 0, 0)), "no ids left for new faces");
     }
     const World beyond = with_counters(room(), [](WorldData&, SolidData& data) { data.next_face = kMost + 1; });
-    expect_refused(beyond, carve(beyond, kRock, at(4, 0, 0)), "no ids left for new faces");
+    expect_refused(beyond, carve(beyond, kRock, test::pose_at(4, 0, 0)), "no ids left for new faces");
     const World enough = with_counters(room(), [&](WorldData&, SolidData& data) { data.next_face = kMost - come; });
-    const CarveResult done = carve(enough, kRock, at(4, 0, 0));
+    const CarveResult done = carve(enough, kRock, test::pose_at(4, 0, 0));
     ASSERT_TRUE(done.done());
     for (const Face& face : done.world.faces()) EXPECT_TRUE(face.id.valid());
     EXPECT_FALSE(check_world(done.world));
@@ -439,7 +434,8 @@ TEST(CarveRules, AShrunkCutterIsCountedFromItsOwnFirstTry) {
     const World tough = with_rules(plain, with_hardness(plain, "wall", 0.5));
     const Cutter box = make_crater(CutterShape::kBox, 0);
     for (const double x : {3.0, 4.0, 6.0}) {
-        const CarveResult shrunk = carve(tough, box, at(x, 2, 0, 2)), small = carve(plain, box, at(x, 2, 0, 1));
+        const CarveResult shrunk = carve(tough, box, test::pose_at(x, 2, 0, 2)),
+                          small = carve(plain, box, test::pose_at(x, 2, 0, 1));
         EXPECT_EQ(shrunk.report.retries, small.report.retries) << x;
         EXPECT_EQ(shrunk.status, small.status) << x;
         EXPECT_EQ(shrunk.report.volume, small.report.volume) << x;
@@ -448,8 +444,8 @@ TEST(CarveRules, AShrunkCutterIsCountedFromItsOwnFirstTry) {
 
 TEST(Carve, AWorldOfNothingIsAir) {
     const World empty;
-    EXPECT_EQ(carve(empty, kRock, at(0, 0, 0)).status, CarveStatus::kNothing);
-    const CarveResult rock = fill(empty, kRock, at(0, 0, 0));
+    EXPECT_EQ(carve(empty, kRock, test::pose_at(0, 0, 0)).status, CarveStatus::kNothing);
+    const CarveResult rock = fill(empty, kRock, test::pose_at(0, 0, 0));
     ASSERT_TRUE(rock.done());
     EXPECT_EQ(rock.world.face_count(), 180u);
     EXPECT_FALSE(check_world(rock.world));
@@ -457,11 +453,11 @@ TEST(Carve, AWorldOfNothingIsAir) {
 
 TEST(Carve, TheWholeLevelCanGo) {
     const World world = room();
-    const CarveResult all = fill(world, make_crater(CutterShape::kBox, 0), at(0, 0, 0, 10));
+    const CarveResult all = fill(world, make_crater(CutterShape::kBox, 0), test::pose_at(0, 0, 0, 10));
     ASSERT_TRUE(all.done());
     EXPECT_EQ(all.world.face_count(), 0u);
     EXPECT_EQ(in_solid(all.world, {0, 0, 0}), std::optional(true));
-    EXPECT_TRUE(carve(all.world, kRock, at(0, 0, 0)).done());
+    EXPECT_TRUE(carve(all.world, kRock, test::pose_at(0, 0, 0)).done());
 }
 
 }  // namespace

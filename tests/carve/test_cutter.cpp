@@ -25,7 +25,7 @@ using test::TriangleMesh;
 
 constexpr CutterShape kAllShapes[] = {CutterShape::kRocky, CutterShape::kSpiky, CutterShape::kDrill,
                                       CutterShape::kWedge, CutterShape::kBox};
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 double volume(const Cutter& cutter) {
     double sum = 0;
@@ -65,7 +65,7 @@ TEST(Crater, IsSeenWholeFromTheOriginWhateverTheSeed) {
         for (std::uint64_t seed = 0; seed < 200; ++seed) {
             const Cutter cutter = make_crater(shape, seed);
             const auto at = [&](std::uint32_t v) { return cutter.vertices()[v]; };
-            double smallest = kInfinity;
+            double smallest = kEndless;
             int covering = 0;
             const Vec3 direction = rng.direction();
             for (const auto& [a, b, c] : cutter.triangles()) {
@@ -156,7 +156,7 @@ TEST(MakeCutter, TurnsOverAnInsideOutMesh) {
 
 TEST(MakeCutter, LeavesOutVerticesThatNothingUses) {
     TriangleMesh mesh = box_mesh({0, 0, 0}, {1, 1, 1});
-    mesh.vertices.insert(mesh.vertices.begin() + 2, Vec3{kInfinity, 0, 0});
+    mesh.vertices.insert(mesh.vertices.begin() + 2, Vec3{kEndless, 0, 0});
     for (CutterTriangle& corners : mesh.triangles)
         for (std::uint32_t& corner : corners) corner += corner >= 2;
     const Result<Cutter> cutter = mesh.cutter();
@@ -193,7 +193,7 @@ TEST(MakeCutter, RefusesWhatIsNotClosed) {
 }
 
 TEST(MakeCutter, RefusesNumbersThatAreNone) {
-    for (const double bad : {double(NAN), kInfinity, -kInfinity, 1e200}) {
+    for (const double bad : {double(NAN), kEndless, -kEndless, 1e200}) {
         TriangleMesh mesh = box_mesh({0, 0, 0}, {1, 1, 1});
         mesh.vertices[6].y = bad;
         expect_refused(mesh, ErrorCode::kOutOfRange, "vertex 6: ");
@@ -221,7 +221,7 @@ TEST(MakeCutter, SpoiledMeshesAreRefusedOrSound) {
         const auto count = std::uint32_t(mesh.triangles.size());
         for (std::uint32_t times = rng.below(3) + 1; times > 0; --times) {
             const std::uint32_t t = rng.below(count), u = rng.below(count), corner = rng.below(3);
-            const double bad[] = {0, NAN, 1e300, -5e-324, kInfinity, 3, -1e199};
+            const double bad[] = {0, NAN, 1e300, -5e-324, kEndless, 3, -1e199};
             switch (rng.below(5)) {
                 case 0:
                     mesh.triangles[t][corner] = rng.below(std::uint32_t(mesh.vertices.size()) + 2);

@@ -16,6 +16,7 @@
 #include "firma/level.h"
 #include "firma/solid.h"
 #include "tests/carve/cutters.h"
+#include "tests/carve/expect_sound_world.h"
 
 namespace firma {
 namespace {
@@ -23,20 +24,13 @@ namespace {
 using namespace test;
 
 /// A room of 8 m in rock, its walls along the axes and on the grid.
-World room(const CarveRules& rules = {}) {
+World plain_room(const CarveRules& rules = {}) {
     const Level level = read_obj(
                             "v -4 -4 -4\nv 4 -4 -4\nv 4 4 -4\nv -4 4 -4\nv -4 -4 4\nv 4 -4 4\nv 4 4 4\nv -4 4 4\n"
                             "f 1 2 3 4\nf 8 7 6 5\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n",
                             "room")
                             .value();
     return make_world(level, {{}, {}, rules}).value();
-}
-
-Pose at(double x, double y, double z, double scale = 1) {
-    Pose pose;
-    pose.position = {x, y, z};
-    pose.scale = scale;
-    return pose;
 }
 
 /// Six grids of n x n squares on the faces of the cube from -1 to 1, closed: 12 n^2 triangles.
@@ -90,32 +84,25 @@ TriangleMesh two_cones(int spokes) {
     return mesh;
 }
 
-void expect_sound(const World& world) {
-    const auto face = check_world(world);
-    EXPECT_FALSE(face) << face->what;
-    const auto solid = check_solid(world);
-    EXPECT_FALSE(solid) << solid->what;
-}
-
 constexpr double kPi = 3.14159265358979;
 
 TEST(LargeCutters, ABallOfAHundredThousandTrianglesGoesThroughAWall) {
-    const World world = room();
+    const World world = plain_room();
     const Cutter cutter = ball(92).cutter().value();
     ASSERT_GT(cutter.triangles().size(), 100'000u);
-    const CarveResult result = carve(world, cutter, at(4, 0.125, -0.25, 1.5));
+    const CarveResult result = carve(world, cutter, pose_at(4, 0.125, -0.25, 1.5));
     ASSERT_TRUE(result.done()) << result.error.text();
     EXPECT_GE(result.report.retries, 1);
     EXPECT_LE(result.report.retries, 8);
     EXPECT_NEAR(result.report.volume, 2.0 / 3 * kPi * 1.5 * 1.5 * 1.5, 0.01);
-    expect_sound(result.world);
+    expect_sound_world(result.world);
 }
 
 TEST(LargeCutters, ABallOfAMillionTrianglesGoesThroughAWall) {
-    const World world = room();
+    const World world = plain_room();
     const Cutter cutter = ball(288).cutter().value();
     ASSERT_GT(cutter.triangles().size(), 990'000u);
-    const CarveResult result = carve(world, cutter, at(4, 0.125, -0.25, 3));
+    const CarveResult result = carve(world, cutter, pose_at(4, 0.125, -0.25, 3));
     ASSERT_TRUE(result.done()) << result.error.text();
     EXPECT_NEAR(result.report.volume, 2.0 / 3 * kPi * 27, 0.01);
     EXPECT_FALSE(check_world(result.world));
@@ -123,72 +110,73 @@ TEST(LargeCutters, ABallOfAMillionTrianglesGoesThroughAWall) {
 
 TEST(LargeCutters, TheSamePlaceCanBeCutAgain) {
     const Cutter cutter = ball(20).cutter().value();
-    const CarveResult first = carve(room(), cutter, at(4, 0, 0, 1.5));
+    const CarveResult first = carve(plain_room(), cutter, pose_at(4, 0, 0, 1.5));
     ASSERT_TRUE(first.done()) << first.error.text();
     // Nearly all of the surface touches.
-    const CarveResult second = carve(first.world, cutter, at(4, 0, 0, 1.5));
+    const CarveResult second = carve(first.world, cutter, pose_at(4, 0, 0, 1.5));
     ASSERT_TRUE(second.done()) << second.error.text();
     EXPECT_GT(second.report.volume, 0);
     EXPECT_LT(second.report.volume, 0.05);
-    expect_sound(second.world);
+    expect_sound_world(second.world);
     // What was moved outward then leaves nothing to take.
-    const CarveResult third = carve(second.world, cutter, at(4, 0, 0, 1.5));
+    const CarveResult third = carve(second.world, cutter, pose_at(4, 0, 0, 1.5));
     EXPECT_NE(third.status, CarveStatus::kRefused) << third.error.text();
 }
 
 TEST(LargeCutters, InSlicesAsInOneGo) {
-    const World world = room();
+    const World world = plain_room();
     for (const TriangleMesh& mesh : {ball(20), ring_mesh(64, 40)})
         for (const CarveKind kind : {CarveKind::kCarve, CarveKind::kFill}) {
             const Cutter cutter = mesh.cutter().value();
-            CarveJob job(world, cutter, at(4, 0, 0, 0.75), {}, kind);
+            CarveJob job(world, cutter, pose_at(4, 0, 0, 0.75), {}, kind);
             while (!job.run(0)) {
             }
             const CarveResult sliced = job.result();
-            const CarveResult whole = (kind == CarveKind::kCarve ? carve : fill)(world, cutter, at(4, 0, 0, 0.75), {});
+            const CarveResult whole =
+                (kind == CarveKind::kCarve ? carve : fill)(world, cutter, pose_at(4, 0, 0, 0.75), {});
             ASSERT_TRUE(whole.done()) << whole.error.text();
             EXPECT_GE(whole.report.retries, 1);
             EXPECT_EQ(sliced.report.retries, whole.report.retries);
             EXPECT_EQ(hash_world(sliced.world), hash_world(whole.world));
-            expect_sound(whole.world);
+            expect_sound_world(whole.world);
         }
 }
 
 TEST(LargeCutters, TheSameBitsOnEveryMachine) {
-    const CarveResult first = carve(room(), ball(20).cutter().value(), at(4, 0, 0, 0.75));
+    const CarveResult first = carve(plain_room(), ball(20).cutter().value(), pose_at(4, 0, 0, 0.75));
     ASSERT_TRUE(first.done()) << first.error.text();
-    const CarveResult second = carve(first.world, ring_mesh(64, 40).cutter().value(), at(4, 0, 0.5, 0.25));
+    const CarveResult second = carve(first.world, ring_mesh(64, 40).cutter().value(), pose_at(4, 0, 0.5, 0.25));
     ASSERT_TRUE(second.done()) << second.error.text();
     EXPECT_GE(second.report.retries, 1);
     EXPECT_EQ(hash_world(second.world), 0x3CB3019921B173BAull);
 }
 
 TEST(LargeCutters, ARingThatIsNoStarGoesThroughAWall) {
-    const World world = room();
-    const CarveResult result = carve(world, ring_mesh(320, 160).cutter().value(), at(4, 0, 0, 0.75));
+    const World world = plain_room();
+    const CarveResult result = carve(world, ring_mesh(320, 160).cutter().value(), pose_at(4, 0, 0, 0.75));
     ASSERT_TRUE(result.done()) << result.error.text();
     EXPECT_GE(result.report.retries, 1);
     EXPECT_NEAR(result.report.volume, kPi * kPi * 3 * 0.75 * 0.75 * 0.75, 0.1);  // half of 2 pi^2 R r^2
-    expect_sound(result.world);
+    expect_sound_world(result.world);
 }
 
 TEST(LargeCutters, OneFlushWithAWallOpensIt) {
     // All vertices of one of its faces, some thousand, touch.
-    const World world = room();
+    const World world = plain_room();
     const Cutter cutter = gridded_cube(92).cutter().value();
-    const CarveResult result = carve(world, cutter, at(5.5, 0, 0, 1.5));
+    const CarveResult result = carve(world, cutter, pose_at(5.5, 0, 0, 1.5));
     ASSERT_TRUE(result.done()) << result.error.text();
     EXPECT_NEAR(result.report.volume, 27, 0.1);
-    expect_sound(result.world);
+    expect_sound_world(result.world);
 }
 
 TEST(LargeCutters, LongTrianglesThatAllTouchTakeBoundedWork) {
-    const World world = room();
+    const World world = plain_room();
     const Cutter cutter = two_cones(50'000).cutter().value();
-    const CarveResult result = carve(world, cutter, at(0, 0, 4, 3.5));
+    const CarveResult result = carve(world, cutter, pose_at(0, 0, 4, 3.5));
 
     if (result.done())
-        expect_sound(result.world);
+        expect_sound_world(result.world);
     else
         EXPECT_EQ(result.status, CarveStatus::kRefused);
     EXPECT_LE(result.report.retries, 20) << "as many moves as the budget of pairs has room for";
@@ -198,8 +186,8 @@ TEST(LargeCutters, AllTriesShareOneBudget) {
     const Cutter cutter = ball(20).cutter().value();
     CarveRules rules;
     rules.most_pairs = cutter.triangles().size() - 1;  // one move counts each triangle
-    const World hasty = room(rules);
-    const CarveResult result = carve(hasty, cutter, at(4, 0, 0, 1.5));
+    const World hasty = plain_room(rules);
+    const CarveResult result = carve(hasty, cutter, pose_at(4, 0, 0, 1.5));
     EXPECT_EQ(result.status, CarveStatus::kRefused);
     EXPECT_EQ(result.error.code, ErrorCode::kTooLarge);
     EXPECT_EQ(result.report.retries, 1);
@@ -207,7 +195,7 @@ TEST(LargeCutters, AllTriesShareOneBudget) {
     EXPECT_NE(result.error.text().find("in 1 move out of"), std::string::npos) << result.error.text();
     EXPECT_EQ(&result.world.data(), &hasty.data());
     // Where nothing touches, it is enough.
-    EXPECT_TRUE(carve(hasty, cutter, at(4.00071, 0.00013, 0.00057, 0.2)).done());
+    EXPECT_TRUE(carve(hasty, cutter, pose_at(4.00071, 0.00013, 0.00057, 0.2)).done());
 }
 
 /// Some vertices, in rising order.
@@ -219,7 +207,7 @@ std::vector<std::uint32_t> some_of(std::size_t count, std::uint32_t every, Rando
 }
 
 TEST(LargeCutters, MovedVerticesGoOutwardAndTheRestStays) {
-    const PlacedCutter placed = place_cutter(ball(8).cutter().value(), at(1, 2, 3)).value();
+    const PlacedCutter placed = place_cutter(ball(8).cutter().value(), pose_at(1, 2, 3)).value();
     Random random(7);
     PlacedCutter before = placed;
     for (int tries = 1; tries <= 64; tries += 3) {
@@ -268,7 +256,7 @@ TEST(LargeCutters, JudgedAroundWhatMovedAsAWhole) {
     TriangleMesh hollow = box_mesh({2.95, -0.05, -0.05}, {3.05, 0.05, 0.05});
     hollow.turn_over();
     shells.add(hollow);
-    const PlacedCutter placed = place_cutter(shells.cutter().value(), at(1, 2, 3, 0.0625)).value();
+    const PlacedCutter placed = place_cutter(shells.cutter().value(), pose_at(1, 2, 3, 0.0625)).value();
     ASSERT_FALSE(check_cutter(placed));
     int sound = 0, unsound = 0;
     for (int round = 0; round < 200; ++round) {

@@ -30,7 +30,7 @@ struct Twice {
     }
 };
 
-constexpr reference::JudgeOptions kSample{12, 8, 3, 0.2, true, 3};
+constexpr reference::JudgeOptions kLevelSample{12, 8, 3, 0.2, true, 3};
 
 void expect_holds(const reference::CutTally& tally) {
     EXPECT_EQ(tally.failed, 0u);
@@ -49,7 +49,7 @@ TEST(LevelCuts, InTheDepotHoldEveryInvariant) {
     reference::CutTally all;
     for (std::size_t kind = 0; kind < scenes::kLevelCutNames.size(); ++kind) {
         SCOPED_TRACE(scenes::kLevelCutNames[kind]);
-        const reference::CutTally tally = judge_kind(depot, kind, kSample);
+        const reference::CutTally tally = judge_kind(depot, kind, kLevelSample);
         expect_holds(tally);
         EXPECT_GE(tally.done, 1u);
         all.add(tally);
@@ -71,7 +71,7 @@ TEST(LevelCuts, InFiveMapsOfOpenArenaHoldEveryInvariant) {
         const auto path = std::find_if(maps.begin(), maps.end(), [&](const auto& it) { return it.stem() == name; });
         ASSERT_NE(path, maps.end()) << name;
         const Twice map(path->string());
-        reference::JudgeOptions options = kSample;
+        reference::JudgeOptions options = kLevelSample;
         options.most_cuts = 2;
         std::size_t done = 0;
         // Three kinds a map: in five maps each kind once at least.

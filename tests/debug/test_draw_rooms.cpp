@@ -17,7 +17,7 @@
 namespace firma::debug {
 namespace {
 
-std::size_t count(const std::string& text, const std::string& what) {
+std::size_t count_of(const std::string& text, const std::string& what) {
     std::size_t found = 0;
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
     return found;
@@ -64,15 +64,15 @@ TEST(DrawRooms, TwoRoomsAndADoor) {
     EXPECT_TRUE(open.shows_rooms);
     EXPECT_EQ(open.rooms_labelled, 2u);
     EXPECT_EQ(open.portals_drawn, 1u);
-    EXPECT_EQ(count(open.svg, "class=\"portal open\" d=\"M"), 3u);  // plan, section, legend
-    EXPECT_EQ(count(open.svg, "portal closed"), 0u);
-    EXPECT_GE(count(closed.svg, "class=\"portal closed\""), 2u);
+    EXPECT_EQ(count_of(open.svg, "class=\"portal open\" d=\"M"), 3u);  // plan, section, legend
+    EXPECT_EQ(count_of(open.svg, "portal closed"), 0u);
+    EXPECT_GE(count_of(closed.svg, "class=\"portal closed\""), 2u);
     EXPECT_NE(closed.svg.find("<title>portal 0 door: 0 - 1, closed</title>"), std::string::npos);
 
     const Plan plain = draw_plan(two_halves(), {}, {.rooms = false});
     EXPECT_FALSE(plain.shows_rooms);
     EXPECT_EQ(plain.portals_drawn + plain.rooms_labelled, 0u);
-    EXPECT_EQ(count(plain.svg, "class=\"portal"), 0u);
+    EXPECT_EQ(count_of(plain.svg, "class=\"portal"), 0u);
     EXPECT_EQ(plain.faces_in_plan, open.faces_in_plan);
 }
 

@@ -120,8 +120,8 @@ public:
     void move() {
         const bool corner = rng_.chance(0.3);
         for (int axis = 0; axis < 3; ++axis) {
-            const auto anywhere = std::int32_t(std::int64_t(rng_.below(1u << 26)) - kRim);
-            center_[axis] = !corner ? anywhere : anywhere < 0 ? -kRim : kRim - 1;
+            const auto anywhere = std::int32_t(std::int64_t(rng_.below(1u << 26)) - kRimSteps);
+            center_[axis] = !corner ? anywhere : anywhere < 0 ? -kRimSteps : kRimSteps - 1;
         }
     }
     InputPoint next() { return near(center_, span_); }
@@ -129,13 +129,11 @@ public:
         InputPoint p;
         for (int axis = 0; axis < 3; ++axis) {
             const std::int64_t moved = std::int64_t(center[axis]) - span + rng_.below(2 * std::uint32_t(span) + 1);
-            p[axis] = std::int32_t(moved < -kRim ? -kRim : moved >= kRim ? kRim - 1 : moved);
+            p[axis] = std::int32_t(moved < -kRimSteps ? -kRimSteps : moved >= kRimSteps ? kRimSteps - 1 : moved);
         }
         return p;
     }
     scenes::Rng& rng() { return rng_; }
-
-    static constexpr std::int32_t kRim = 1 << 25;
 
 private:
     scenes::Rng rng_;

@@ -9,8 +9,6 @@
 namespace firma {
 namespace {
 
-constexpr std::int32_t kRim = Points::kRim;
-
 Big common_divisor(const Plane& plane) {
     const BigPlane exact = big_plane(plane);
     return gcd(gcd(exact.normal[0], exact.normal[1]), gcd(exact.normal[2], exact.offset));
@@ -79,8 +77,8 @@ TEST_P(ExactPlane, IsTheSameForEveryTriangleOnIt) {
     Points points(2, GetParam());
     for (int i = 0; i < 1000; ++i) {
         points.move();
-        const InputPoint a = points.near({0, 0, 0}, kRim / 8);
-        const std::int32_t span = GetParam() < kRim / 32 ? GetParam() : kRim / 32;
+        const InputPoint a = points.near({0, 0, 0}, kRimSteps / 8);
+        const std::int32_t span = GetParam() < kRimSteps / 32 ? GetParam() : kRimSteps / 32;
         const InputPoint u = points.near({0, 0, 0}, span), v = points.near({0, 0, 0}, span);
         const auto at = [&](int s, int t) {
             return InputPoint{a.x + s * u.x + t * v.x, a.y + s * u.y + t * v.y, a.z + s * u.z + t * v.z};
@@ -110,7 +108,7 @@ TEST_P(ExactPlane, ThroughAnEdgeCrossesItsFace) {
         ASSERT_TRUE(edge_plane(a, b, flipped(face)) == edge);
         InputPoint step = a;
         step[face.dominant_axis()] += 1;
-        if (step[face.dominant_axis()] >= kRim) continue;
+        if (step[face.dominant_axis()] >= kRimSteps) continue;
         ASSERT_EQ(edge, plane_through(a, b, step));
     }
 }
@@ -186,7 +184,7 @@ TEST(ExactPlanes, FrontIsWhereCornersRunCounterClockwise) {
 
 TEST(ExactPlanes, AxisPlanesLookTowardGreaterCoordinates) {
     for (int axis = 0; axis < 3; ++axis)
-        for (const std::int32_t step : {-kRim, -1, 0, 5, kRim - 1, kRim}) {
+        for (const std::int32_t step : {-kRimSteps, -1, 0, 5, kRimSteps - 1, kRimSteps}) {
             const Plane plane = axis_plane(axis, step);
             ASSERT_NO_FATAL_FAILURE(expect_sound(plane));
             EXPECT_EQ(plane.dominant_axis(), axis);
@@ -216,7 +214,7 @@ TEST(ExactPlanes, TheFirstOfEqualComponentsIsDominant) {
 
 // The largest normal and offset there are: the bits that everything else is counted from.
 TEST(ExactPlanes, HoldsTheLargestTriangles) {
-    const std::int32_t low = -kRim, high = kRim - 1;
+    const std::int32_t low = -kRimSteps, high = kRimSteps - 1;
     const Plane face = plane_through({low, low, low}, {high, low, high}, {low, high, high});
     ASSERT_NO_FATAL_FAILURE(expect_sound(face));
     EXPECT_EQ(face.normal[2], 1);  // all three are equal but for the sign

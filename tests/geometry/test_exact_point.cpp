@@ -14,8 +14,6 @@
 namespace firma {
 namespace {
 
-constexpr std::int32_t kRim = Points::kRim;
-
 /// The nearest surface coordinate to x / w input steps: halves to even, and the far rim held back.
 std::int32_t nearest_on_surface(const Big& x, const Big& w) {
     const Big top = 2 * kSurfacePerInput * x + w, bottom = 2 * w;  // floor(64 x / w + 1/2)
@@ -338,7 +336,7 @@ TEST(ExactPoint, RoundsHalvesToEven) {
     int ties = 0, close = 0;
     for (int i = 0; i < 4000; ++i) {
         const int turn = int(rng.below(3));
-        const std::int32_t x = std::int32_t(rng.below((1u << 26) - 2)) - kRim;
+        const std::int32_t x = std::int32_t(rng.below((1u << 26) - 2)) - kRimSteps;
         const std::int32_t y = std::int32_t(rng.below(1u << 20));
         const std::int32_t steep = 1 + std::int32_t(rng.below(1u << 15));
         const std::int32_t steeper = 1 + std::int32_t(rng.below(1u << 20));
@@ -366,7 +364,7 @@ TEST(ExactPoint, TheFarRimIsHeldBack) {
     for (int turn = 0; turn < 3; ++turn)
         for (int part = 0; part < 256; ++part) {
             // x = 2^25 - 1 + part / 256: past 250 / 256 it rounds to the last coordinate, from 254 / 256 to the rim.
-            const Plane a = slope(turn, kRim - 2, 0, 256, 1);
+            const Plane a = slope(turn, kRimSteps - 2, 0, 256, 1);
             const Plane b = axis_plane((turn + 1) % 3, 256 + part), c = axis_plane((turn + 2) % 3, -5);
             const Corner corner(a, b, c);
             ASSERT_TRUE(corner.exists);
@@ -374,12 +372,12 @@ TEST(ExactPoint, TheFarRimIsHeldBack) {
             ASSERT_NO_FATAL_FAILURE(expect_point(point, corner.exact));
             ASSERT_EQ(point.rounded()[turn] == kLast, part >= 251) << part;
             // And the near one, which there is a coordinate for.
-            const Plane low = slope(turn, -kRim, 0, 256, 1);
+            const Plane low = slope(turn, -kRimSteps, 0, 256, 1);
             const Plane at = axis_plane((turn + 1) % 3, part);
             const ExactPoint near_rim(low, at, c);
-            ASSERT_EQ(near_rim.rounded()[turn], nearest_on_surface(Big(-kRim) * 256 + part, 256));
+            ASSERT_EQ(near_rim.rounded()[turn], nearest_on_surface(Big(-kRimSteps) * 256 + part, 256));
         }
-    const Plane x = axis_plane(0, kRim), y = axis_plane(1, -kRim), z = axis_plane(2, 3);
+    const Plane x = axis_plane(0, kRimSteps), y = axis_plane(1, -kRimSteps), z = axis_plane(2, 3);
     EXPECT_EQ(ExactPoint(x, y, z).rounded(), (GridPoint{kLast, std::numeric_limits<std::int32_t>::min(), 192}));
 }
 
@@ -418,7 +416,7 @@ TEST(ExactPoint, AssertsThatPlanesMeetInTheWorld) {
     const int none = assertions;
     const ExactPoint nowhere(x, y, other);
     const int parallel = assertions;
-    const Plane far = slope(0, 0, 0, 1, 10), high = axis_plane(1, kRim - 1);
+    const Plane far = slope(0, 0, 0, 1, 10), high = axis_plane(1, kRimSteps - 1);
     const ExactPoint outside(far, high, z);
     set_assert_handler(nullptr);
     EXPECT_EQ(none, 0);

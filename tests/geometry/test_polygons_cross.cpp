@@ -13,14 +13,14 @@
 namespace firma {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using Numbers = std::vector<std::uint32_t>;
 using Rational = boost::multiprecision::cpp_rational;
 
-bool cross(const std::vector<InputPoint>& points, const Corners& p, const Corners& q) {
+bool cross(const std::vector<InputPoint>& points, const Numbers& p, const Numbers& q) {
     const MeshPolygon a{p, polygon_normal(points, p)}, b{q, polygon_normal(points, q)};
     const bool result = polygons_cross(points, a, b);
     EXPECT_EQ(polygons_cross(points, b, a), result);
-    const Corners turned(q.rbegin(), q.rend());
+    const Numbers turned(q.rbegin(), q.rend());
     EXPECT_EQ(polygons_cross(points, a, {turned, polygon_normal(points, turned)}), result);
     return result;
 }
@@ -62,9 +62,9 @@ TEST(PolygonsCross, OverlapsInOnePlane) {
 }
 
 /// Whether two triangles without common numbers share a point: the segments of each against the other, in rationals.
-bool meet_by_rationals(const std::vector<InputPoint>& points, const Corners& p, const Corners& q) {
+bool meet_by_rationals(const std::vector<InputPoint>& points, const Numbers& p, const Numbers& q) {
     const auto at = [&](std::uint32_t k, int axis) { return Rational(points[k][axis]); };
-    const auto test = [&](const Corners& t, const Corners& u) {
+    const auto test = [&](const Numbers& t, const Numbers& u) {
         // u's plane: n . x = d
         Rational n[3], d;
         for (int x = 0; x < 3; ++x) {
@@ -110,7 +110,7 @@ TEST(PolygonsCross, AsRationalsSay) {
         const std::uint32_t span = k % 2 ? 4 : 1000;
         for (InputPoint& p : points)
             for (int axis = 0; axis < 3; ++axis) p[axis] = std::int32_t(rng.below(span + 1)) - std::int32_t(span / 2);
-        const Corners p{0, 1, 2}, q{3, 4, 5};
+        const Numbers p{0, 1, 2}, q{3, 4, 5};
         const AreaVector n = polygon_normal(points, p), m = polygon_normal(points, q);
         if ((n.x == 0 && n.y == 0 && n.z == 0) || (m.x == 0 && m.y == 0 && m.z == 0)) continue;
         bool along = false;  // an edge in the other's plane: left to the cases above

@@ -20,7 +20,7 @@ namespace firma {
 namespace {
 
 /// An .obj in the making.
-struct Mesh {
+struct TextMesh {
     std::vector<std::string> vertices;
     std::vector<std::vector<int>> faces;  // from 0
 
@@ -38,14 +38,14 @@ struct Mesh {
     std::uint32_t line(std::size_t face) const { return std::uint32_t(vertices.size() + face + 1); }
 };
 
-Mesh cube() {
+TextMesh cube() {
     return {{"0 0 0", "1 0 0", "0 1 0", "1 1 0", "0 0 1", "1 0 1", "0 1 1", "1 1 1"},
             {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
 }
 
 /// The surface of a box of n^3 cells, corners shared by index.
-Mesh large_box(int n) {
-    Mesh mesh;
+TextMesh large_box(int n) {
+    TextMesh mesh;
     std::map<std::array<int, 3>, int> index;
     const auto corner = [&](std::array<int, 3> p) {
         const auto [entry, is_new] = index.try_emplace(p, int(mesh.vertices.size()));
@@ -92,7 +92,7 @@ double seconds_of(const std::string& text) {
 }
 
 TEST(CheckMesh, PassesAClosedMeshWoundEitherWay) {
-    Mesh mesh = cube();
+    TextMesh mesh = cube();
     MeshCheck result = check(mesh.text());
     EXPECT_TRUE(result.closed());
     EXPECT_TRUE(result.notes.empty());
@@ -104,7 +104,7 @@ TEST(CheckMesh, PassesAClosedMeshWoundEitherWay) {
 
 TEST(CheckMesh, NamesTheRimOfAMissingFace) {
     for (std::size_t gone = 0; gone < 6; ++gone) {
-        Mesh mesh = cube();
+        TextMesh mesh = cube();
         mesh.faces.erase(mesh.faces.begin() + std::ptrdiff_t(gone));
         const MeshCheck result = check(mesh.text());
         ASSERT_EQ(result.faults.size(), 4u);
@@ -130,7 +130,7 @@ TEST(CheckMesh, GivesTheEdgeAsTheFaceRunsAlongIt) {
 
 TEST(CheckMesh, BlamesAReversedFaceOnce) {
     for (std::size_t turned = 0; turned < 6; ++turned) {
-        Mesh mesh = cube();
+        TextMesh mesh = cube();
         std::reverse(mesh.faces[turned].begin(), mesh.faces[turned].end());
         const MeshCheck result = check(mesh.text());
         ASSERT_EQ(result.faults.size(), 1u);
@@ -139,7 +139,7 @@ TEST(CheckMesh, BlamesAReversedFaceOnce) {
         EXPECT_EQ(result.faults[0].line, mesh.line(turned));
         EXPECT_NE(result.faults[0].from, result.faults[0].to);
     }
-    Mesh two = cube();
+    TextMesh two = cube();
     std::reverse(two.faces[1].begin(), two.faces[1].end());
     std::reverse(two.faces[3].begin(), two.faces[3].end());
     EXPECT_EQ(count(check(two.text()), MeshFault::kReversedFace), 2u);
@@ -147,7 +147,7 @@ TEST(CheckMesh, BlamesAReversedFaceOnce) {
 }
 
 TEST(CheckMesh, OfTwoHalvesBlamesTheOneWithoutTheFirstFace) {
-    Mesh mesh = cube();
+    TextMesh mesh = cube();
     for (const std::size_t face : {0, 2, 4}) std::reverse(mesh.faces[face].begin(), mesh.faces[face].end());
     const MeshCheck result = check(mesh.text());
     ASSERT_EQ(result.faults.size(), 3u);
@@ -157,10 +157,10 @@ TEST(CheckMesh, OfTwoHalvesBlamesTheOneWithoutTheFirstFace) {
 }
 
 TEST(CheckMesh, TellsReversedFacesAndHolesApart) {
-    Mesh mesh = large_box(10);
+    TextMesh mesh = large_box(10);
     scenes::Rng rng(1);
     for (int round = 0; round < 20; ++round) {
-        Mesh damaged = mesh;
+        TextMesh damaged = mesh;
         std::vector<std::uint32_t> turned;
         for (std::uint32_t face = 0; face < damaged.faces.size(); ++face)
             if (rng.chance(0.05)) {
@@ -180,7 +180,7 @@ TEST(CheckMesh, TellsReversedFacesAndHolesApart) {
 }
 
 TEST(CheckMesh, FindsTJoints) {
-    Mesh mesh = cube();
+    TextMesh mesh = cube();
     mesh.vertices.push_back("0.5 0 0");  // on the edge between faces 0 and 2, used by face 2 only
     mesh.faces[2] = {0, 8, 1, 5, 4};
     const MeshCheck result = check(mesh.text());
@@ -205,7 +205,7 @@ TEST(CheckMesh, FindsTJoints) {
 TEST(CheckMesh, FindsTheSameTJointsAsTryingThemAll) {
     scenes::Rng rng(2);
     for (int round = 0; round < 300; ++round) {
-        Mesh mesh;
+        TextMesh mesh;
         std::vector<std::array<int, 3>> points;
         const int size = 2 + int(rng.below(12)), scale = round % 3;
         for (int k = 0; k < 200; ++k) {
@@ -247,7 +247,7 @@ TEST(CheckMesh, TakesEqualDecimalsForTheSamePosition) {
         {"123456789.123456789123456789e-6", "123.456789123456789123456789", "0123456789123456789123456789e-24"}};
     scenes::Rng rng(3);
     for (int round = 0; round < 50; ++round) {
-        Mesh mesh = cube(), separate;  // every face brings corners of its own, each spelt its own way
+        TextMesh mesh = cube(), separate;  // every face brings corners of its own, each spelt its own way
         std::array<std::size_t, 3> low, high;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low[axis] = rng.below(2);
@@ -272,7 +272,7 @@ TEST(CheckMesh, TakesEqualDecimalsForTheSamePosition) {
 }
 
 TEST(CheckMesh, TellsPositionsApartThatDoublesDoNot) {
-    Mesh mesh = cube();
+    TextMesh mesh = cube();
     for (const std::string& other :
          {"1." + std::string(300, '0') + "1 0 0", std::string("0.99999999999999999999999 0 0"),
           std::string("1 1e-400 0"), std::string("1 0 -1e-300")}) {
@@ -303,8 +303,8 @@ TEST(CheckMesh, RefusesNumbersBeyondSense) {
 }
 
 TEST(CheckMesh, AcceptsEdgesOfFourFaces) {
-    Mesh mesh = cube();  // a second cube that shares an edge with the first
-    const Mesh other = cube();
+    TextMesh mesh = cube();  // a second cube that shares an edge with the first
+    const TextMesh other = cube();
     for (const std::string& vertex : other.vertices) {
         std::string moved = vertex;
         moved[0] = moved[0] == '0' ? '1' : '2';
@@ -318,14 +318,14 @@ TEST(CheckMesh, AcceptsEdgesOfFourFaces) {
     const MeshCheck result = check(mesh.text());
     EXPECT_TRUE(result.closed());
     EXPECT_EQ(result.vertices, 14u);
-    Mesh turned = mesh;  // a face at that edge
+    TextMesh turned = mesh;  // a face at that edge
     std::reverse(turned.faces[5].begin(), turned.faces[5].end());
     ASSERT_EQ(check(turned.text()).faults.size(), 1u);
     EXPECT_EQ(check(turned.text()).faults[0].source, 5u);
 }
 
 TEST(CheckMesh, ReportsARepeatedFaceByItsEdges) {
-    Mesh mesh = cube();
+    TextMesh mesh = cube();
     mesh.faces.push_back(mesh.faces[2]);
     const MeshCheck result = check(mesh.text());
     ASSERT_EQ(result.faults.size(), 4u);
@@ -351,7 +351,7 @@ TEST(CheckMesh, SurvivesAMoebiusBand) {
 }
 
 TEST(CheckMesh, LooksThroughSpikesAndRepeatedCorners) {
-    Mesh mesh = cube();
+    TextMesh mesh = cube();
     mesh.vertices.push_back("0.5 0.5 -1");
     mesh.faces[0] = {0, 0, 2, 8, 2, 3, 1};
     EXPECT_TRUE(check(mesh.text()).closed());
@@ -475,7 +475,7 @@ TEST(CheckMesh, JudgesAlikeAtEveryWidth) {
 }
 
 TEST(CheckMesh, IsQuickOnLargeFiles) {
-    Mesh box = large_box(60);  // 21,600 faces
+    TextMesh box = large_box(60);  // 21,600 faces
     EXPECT_TRUE(check(box.text()).closed());
     // Every face by itself: every edge open, and T-joints to look for all over.
     scenes::Rng rng(4);

@@ -19,10 +19,10 @@ using outlines::FlatOutline;
 using outlines::Wide;
 using What = Division::What;
 using Outline = std::vector<GridPoint>;
-using AreaVector = std::array<Wide, 3>;
+using WideVector = std::array<Wide, 3>;
 
-AreaVector area_vector(const Outline& outline) {
-    AreaVector sum{};
+WideVector area_vector(const Outline& outline) {
+    WideVector sum{};
     for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
         std::array<std::int64_t, 3> a, b;
         for (int axis = 0; axis < 3; ++axis) {
@@ -38,16 +38,16 @@ AreaVector area_vector(const Outline& outline) {
 }
 
 /// Whether two normals point the same way along the axis that the second is longest along.
-bool same_direction(const AreaVector& a, const AreaVector& b) {
+bool same_direction(const WideVector& a, const WideVector& b) {
     const auto size = [&](std::size_t axis) { return b[axis] < 0 ? -b[axis] : b[axis]; };
     const std::size_t axis = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
     return (a[axis] > 0) == (b[axis] > 0) && (a[axis] < 0) == (b[axis] < 0);
 }
 
 /// How often each edge is used one way more than the other.
-using Sides = std::map<std::pair<GridPoint, GridPoint>, int>;
+using SideCounts = std::map<std::pair<GridPoint, GridPoint>, int>;
 
-void add_sides(Sides& sides, const Outline& outline, int sign) {
+void add_sides(SideCounts& sides, const Outline& outline, int sign) {
     for (std::size_t k = 0; k < outline.size(); ++k) {
         const GridPoint &a = outline[k], &b = outline[(k + 1) % outline.size()];
         if (a < b) sides[{a, b}] += sign;
@@ -61,10 +61,10 @@ Outline corners_of(const Outline& outline, const std::array<std::uint32_t, 3>& t
 
 /// What holds for every division: each piece has area, and together they have the outline's.
 void expect_area_kept(const Outline& outline, const Division& division) {
-    AreaVector sum{};
+    WideVector sum{};
     for (const auto& triangle : division.triangles) {
-        const AreaVector piece = area_vector(corners_of(outline, triangle));
-        EXPECT_NE(piece, AreaVector{});
+        const WideVector piece = area_vector(corners_of(outline, triangle));
+        EXPECT_NE(piece, WideVector{});
         for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += piece[axis];
     }
     EXPECT_LE(division.triangles.size() + 2, std::max<std::size_t>(outline.size(), 2));
@@ -77,7 +77,7 @@ void expect_area_kept(const Outline& outline, const Division& division) {
 }
 
 void expect_sides_kept(const Outline& outline, const Division& division) {
-    Sides sides;
+    SideCounts sides;
     add_sides(sides, outline, 1);
     for (const auto& triangle : division.triangles) add_sides(sides, corners_of(outline, triangle), -1);
     EXPECT_TRUE(std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 0; }));
@@ -88,7 +88,7 @@ void expect_sound(const Outline& outline, const Division& division) {
     EXPECT_EQ(division.what, What::kSplit);
     expect_area_kept(outline, division);
     expect_sides_kept(outline, division);
-    const AreaVector whole = area_vector(outline);
+    const WideVector whole = area_vector(outline);
     for (const auto& triangle : division.triangles)
         EXPECT_TRUE(same_direction(area_vector(corners_of(outline, triangle)), whole));
 }

@@ -11,6 +11,7 @@
 #include "firma/firma.h"
 #include "geometry/exact_plane.h"
 #include "level/bsp_file.h"
+#include "tests/level/face_corners.h"
 #include "tests/openarena_maps.h"
 
 namespace firma {
@@ -36,22 +37,6 @@ std::vector<Map> load_maps() {
     const std::vector<Map> maps = load_maps(); \
     if (maps.empty()) GTEST_SKIP() << kNoOpenArena
 
-std::vector<Vec3> corners_of(const Level& level, const LevelFace& face) {
-    std::vector<Vec3> corners;
-    for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-        corners.push_back(to_metres(level.vertices[level.corners[face.first_corner + k]]));
-    }
-    return corners;
-}
-
-Vec3 area_of(const std::vector<Vec3>& corners) {
-    Vec3 area;
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-        area = area + cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
-    }
-    return area * 0.5;
-}
-
 TEST(OpenArena, EveryMapIsReadAndEveryFaceIsSound) {
     LOAD_MAPS_OR_SKIP(maps);
     for (const Map& map : maps) {
@@ -60,7 +45,7 @@ TEST(OpenArena, EveryMapIsReadAndEveryFaceIsSound) {
         EXPECT_EQ(level.value().count(FaceNote::kNoArea), 0u) << map.name;
         std::vector<bool> seen(level.value().source_faces);
         for (const LevelFace& face : level.value().faces) {
-            ASSERT_EQ(check_polygon(corners_of(level.value(), face)), PolygonFault::kNone) << map.name;
+            ASSERT_EQ(check_polygon(test::corners_of(level.value(), face)), PolygonFault::kNone) << map.name;
             seen[face.source] = true;
         }
         const auto surfaces = std::size_t(std::count(seen.begin(), seen.end(), true));
@@ -83,7 +68,7 @@ TEST(OpenArena, PlanarFacesFaceAsTheFileSays) {
         for (const LevelFace& face : level.faces) {
             const auto [x, y, z] = in_file[face.source].normal;
             if (face.kind != FaceKind::kPolygon || (x == 0 && y == 0 && z == 0)) continue;
-            const Vec3 piece = area_of(corners_of(level, face));
+            const Vec3 piece = test::twice_area(test::corners_of(level, face)) * 0.5;
             sums[face.source] = sums[face.source] + piece;
             area += length(piece);
             ++pieces;
@@ -115,7 +100,8 @@ TEST(OpenArena, PatchesFaceAsTheirNormalsSay) {
         const Level level = read_bsp(map.span(), map.name).value();
         std::map<std::uint32_t, Vec3> sums;
         for (const LevelFace& face : level.faces) {
-            if (face.kind == FaceKind::kPatch) sums[face.source] = sums[face.source] + area_of(corners_of(level, face));
+            if (face.kind == FaceKind::kPatch)
+                sums[face.source] = sums[face.source] + test::twice_area(test::corners_of(level, face)) * 0.5;
         }
         for (const auto& [source, sum] : sums) {
             Vec3 normal;
@@ -160,7 +146,7 @@ TEST(OpenArena, EveryMapsBrushesAreRead) {
             EXPECT_TRUE(brush.side_count >= 4 || brush.kind == BrushKind::kData) << map.name;
         }
         for (const LevelFace& face : level.value().surfaces.faces) {
-            ASSERT_EQ(check_polygon(corners_of(level.value().surfaces, face)), PolygonFault::kNone) << map.name;
+            ASSERT_EQ(check_polygon(test::corners_of(level.value().surfaces, face)), PolygonFault::kNone) << map.name;
         }
         greatest = std::max(greatest, level.value().greatest_shift);
     }

@@ -14,6 +14,7 @@
 #include "firma/firma.h"
 #include "scenes/rng.h"
 #include "tests/level/bsp_writer.h"
+#include "tests/level/face_corners.h"
 
 namespace firma {
 namespace {
@@ -22,36 +23,19 @@ using test::BspWriter;
 
 constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
 
-Result<Level> read(const BspWriter& writer, const ReadOptions& options = {}) {
+Result<Level> read_written(const BspWriter& writer, const ReadOptions& options = {}) {
     return read_bsp(writer.bytes(), "map.bsp", options);
 }
 
 std::string error_of(const BspWriter& writer, const ReadOptions& options = {}) {
-    const auto level = read(writer, options);
+    const auto level = read_written(writer, options);
     return level ? "" : level.error().text();
 }
 
-std::vector<Vec3> corners_of(const Level& level, const LevelFace& face) {
-    std::vector<Vec3> corners;
-    for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-        corners.push_back(to_metres(level.vertices[level.corners[face.first_corner + k]]));
-    }
-    return corners;
-}
-
-// Twice the area, along the normal.
-Vec3 area_of(const std::vector<Vec3>& corners) {
-    Vec3 area;
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-        area = area + cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
-    }
-    return area;
-}
-
 // What every reader promises of its faces.
-void expect_sound(const Level& level) {
+void expect_sound_surfaces(const Level& level) {
     for (const LevelFace& face : level.faces) {
-        ASSERT_EQ(check_polygon(corners_of(level, face)), PolygonFault::kNone) << "face " << face.source;
+        ASSERT_EQ(check_polygon(test::corners_of(level, face)), PolygonFault::kNone) << "face " << face.source;
         ASSERT_GE(face.corner_count, 3u);
         ASSERT_LE(face.corner_count, 64u);
         ASSERT_LT(face.source, level.source_faces);
@@ -84,7 +68,7 @@ BspWriter box_room() {
 TEST(ReadBsp, OneTriangle) {
     BspWriter writer;
     writer.polygon({{0, 0, 0}, {32, 0, 0}, {0, 64, 0}});
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     ASSERT_EQ(level.faces.size(), 1u);
     const LevelFace& face = level.faces[0];
     EXPECT_EQ(face.kind, FaceKind::kPolygon);
@@ -96,31 +80,31 @@ TEST(ReadBsp, OneTriangle) {
     EXPECT_EQ(level.source_faces, 1u);
     EXPECT_EQ(level.ignored_entries, 0u);
     EXPECT_TRUE(level.notes.empty());
-    EXPECT_EQ(area_of(corners_of(level, face)), (Vec3{0, 0, 2}));  // counter-clockwise, a thirty-second
+    EXPECT_EQ(test::twice_area(test::corners_of(level, face)), (Vec3{0, 0, 2}));  // counter-clockwise, a thirty-second
 }
 
 TEST(ReadBsp, ScaleIsTheCallers) {
     BspWriter writer;
     writer.polygon({{0, 0, 0}, {32, 0, 0}, {0, 64, 0}});
-    const Level level = read(writer, {.scale = 0.25}).value();
-    EXPECT_EQ(area_of(corners_of(level, level.faces[0])), (Vec3{0, 0, 128}));
+    const Level level = read_written(writer, {.scale = 0.25}).value();
+    EXPECT_EQ(test::twice_area(test::corners_of(level, level.faces[0])), (Vec3{0, 0, 128}));
     EXPECT_EQ(error_of(writer, {.scale = -1}), "map.bsp: scale -1 is not a positive number");
     EXPECT_EQ(error_of(writer, {.scale = INFINITY}), "map.bsp: scale inf is not a positive number");
     EXPECT_EQ(error_of(writer, {.scale = NAN}), "map.bsp: scale nan is not a positive number");
     EXPECT_EQ(error_of(writer, {.patch_tolerance = 0}), "map.bsp: patch tolerance 0 is not a positive number");
     EXPECT_EQ(error_of(writer, {.patch_tolerance = NAN}), "map.bsp: patch tolerance nan is not a positive number");
-    EXPECT_EQ(read(writer, {.scale = -1}).error().code, ErrorCode::kInvalid);
+    EXPECT_EQ(read_written(writer, {.scale = -1}).error().code, ErrorCode::kInvalid);
 }
 
 TEST(ReadBsp, BoxRoomIsSixPolygonsThatFaceInward) {
-    const Level level = read(box_room()).value();
-    expect_sound(level);
+    const Level level = read_written(box_room()).value();
+    expect_sound_surfaces(level);
     ASSERT_EQ(level.faces.size(), 6u);
     EXPECT_EQ(level.vertices.size(), 8u);
     for (const LevelFace& face : level.faces) {
         EXPECT_EQ(face.corner_count, 4u);
-        const auto corners = corners_of(level, face);
-        EXPECT_LT(dot(area_of(corners), corners[0]), 0);
+        const auto corners = test::corners_of(level, face);
+        EXPECT_LT(dot(test::twice_area(corners), corners[0]), 0);
     }
     const World world = make_world(level).value();
     for (const Face& face : world.faces())
@@ -135,7 +119,7 @@ TEST(ReadBsp, BoxRoomIsSixPolygonsThatFaceInward) {
 TEST(ReadBsp, CornersAlongASideAreKept) {
     BspWriter writer;
     writer.polygon({{0, 0, 0}, {32, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, 0}, {0, 32, 0}});
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     ASSERT_EQ(level.faces.size(), 1u);
     EXPECT_EQ(level.faces[0].corner_count, 6u);
     EXPECT_TRUE(level.notes.empty());
@@ -145,7 +129,7 @@ TEST(ReadBsp, VerticesOfTheirOwnForEachTriangleAreJoinedByPosition) {
     BspWriter writer;
     writer.triangles(BspFace::kPlanar, {{0, 0, 0}, {32, 0, 0}, {32, 32, 0}, {0, 0, 0}, {32, 32, 0}, {0, 32, -0.0}},
                      {{0, 1, 2}, {3, 4, 5}});
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     ASSERT_EQ(level.faces.size(), 1u);
     EXPECT_EQ(level.faces[0].corner_count, 4u);
 }
@@ -154,12 +138,12 @@ TEST(ReadBsp, ConcaveOutlineIsDividedAndNoted) {
     BspWriter writer;
     writer.triangles(BspFace::kPlanar, {{0, 0, 0}, {64, 0, 0}, {64, 32, 0}, {32, 32, 0}, {32, 64, 0}, {0, 64, 0}},
                      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
-    const Level level = read(writer).value();
-    expect_sound(level);
+    const Level level = read_written(writer).value();
+    expect_sound_surfaces(level);
     EXPECT_EQ(level.faces.size(), 4u);
     EXPECT_EQ(level.count(FaceNote::kSplit), 1u);
     Vec3 area;
-    for (const LevelFace& face : level.faces) area = area + area_of(corners_of(level, face));
+    for (const LevelFace& face : level.faces) area = area + test::twice_area(test::corners_of(level, face));
     EXPECT_EQ(area, (Vec3{0, 0, 2 * 3}));
 }
 
@@ -169,8 +153,8 @@ TEST(ReadBsp, OutlineOfMoreThanSixtyFourCornersIsDivided) {
     for (int k = 39; k >= 0; --k) outline.push_back({-800.0 + 20 * k + 20, 4000.0 - k * k, 0});
     BspWriter writer;
     writer.polygon(outline);
-    const Level level = read(writer).value();
-    expect_sound(level);
+    const Level level = read_written(writer).value();
+    expect_sound_surfaces(level);
     EXPECT_GT(level.faces.size(), 1u);
     EXPECT_EQ(level.count(FaceNote::kSplit), 1u);
 }
@@ -180,26 +164,26 @@ TEST(ReadBsp, BentPlanarFaceKeepsItsTriangles) {
     BspWriter writer;
     writer.triangles(BspFace::kPlanar, {{0, 0, 0}, {32, 0, 0}, {32, 32, 8}, {0, 32, 0}}, {{0, 1, 2}, {0, 2, 3}},
                      {0, 0, 0});
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     ASSERT_EQ(level.faces.size(), 2u);
-    EXPECT_EQ(corners_of(level, level.faces[1])[1], (Vec3{1, 1, 0.25}));
+    EXPECT_EQ(test::corners_of(level, level.faces[1])[1], (Vec3{1, 1, 0.25}));
     EXPECT_EQ(level.faces[1].source, 0u);
     EXPECT_TRUE(level.notes.empty());
 
     // Nor does a normal make it flat.
     writer.faces[0].normal = {0, 0, 1};
-    EXPECT_EQ(read(writer).value().faces.size(), 2u);
-    EXPECT_TRUE(read(writer).value().notes.empty());
+    EXPECT_EQ(read_written(writer).value().faces.size(), 2u);
+    EXPECT_TRUE(read_written(writer).value().notes.empty());
     writer.faces[0].normal = {0, 0, NAN};
-    EXPECT_EQ(read(writer).value().faces.size(), 2u);
-    EXPECT_TRUE(read(writer).value().notes.empty());
+    EXPECT_EQ(read_written(writer).value().faces.size(), 2u);
+    EXPECT_TRUE(read_written(writer).value().notes.empty());
 }
 
 TEST(ReadBsp, SoupsStaySoups) {
     BspWriter writer = box_room();
     writer.triangles(BspFace::kSoup, {{0, 0, 0}, {32, 0, 0}, {32, 32, 0}, {0, 32, 0}},
                      {{0, 1, 2}, {0, 2, 3}, {0, 0, 3}});
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     ASSERT_EQ(level.faces.size(), 8u);
     EXPECT_EQ(level.faces[7].kind, FaceKind::kTriangleSoup);
     EXPECT_EQ(level.faces[7].source, 6u);
@@ -211,7 +195,7 @@ TEST(ReadBsp, FaceWithoutAreaIsNotedOnce) {
     writer.triangles(BspFace::kPlanar, {{0, 0, 0}, {32, 0, 0}, {64, 0, 0}, {0, 0, 0}}, {{0, 1, 2}, {0, 2, 3}});
     writer.triangles(BspFace::kSoup, {{0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}}, {{0, 1, 2}, {1, 2, 0}});
     writer.patch(3, 3, std::vector<Vec3>(9, Vec3{1, 2, 3}));
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     EXPECT_EQ(level.faces.size(), 6u);
     ASSERT_EQ(level.notes.size(), 3u);
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -232,7 +216,7 @@ TEST(ReadBsp, IgnoresFlaresOtherModelsAndEmptyFaces) {
     empty.type = BspFace::kPlanar;
     writer.faces.push_back(empty);
     writer.models = {{1, 3}, {0, 1}};
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     ASSERT_EQ(level.faces.size(), 1u);
     EXPECT_EQ(level.faces[0].source, 1u);
     EXPECT_EQ(level.source_faces, 4u);
@@ -247,7 +231,7 @@ TEST(ReadBsp, MaterialsAreShaderNamesAsUsed) {
     BspWriter writer = box_room();
     writer.shader("textures/unused");
     writer.faces[3].shader = writer.shader("textures/skies/blue");
-    const Level level = read(writer).value();
+    const Level level = read_written(writer).value();
     EXPECT_EQ(level.materials, (std::vector<std::string>{"", "textures/tests/wall", "textures/skies/blue"}));
     EXPECT_EQ(level.materials[level.faces[3].material], "textures/skies/blue");
 }
@@ -265,16 +249,16 @@ TEST(ReadBsp, PatchIsWithinToleranceOfItsCurve) {
     for (const double tolerance : {0.1, 0.01, 0.001}) {
         BspWriter writer;
         writer.patch(3, 3, quarter_tube(64));
-        const Level level = read(writer, {.patch_tolerance = tolerance}).value();
-        expect_sound(level);
+        const Level level = read_written(writer, {.patch_tolerance = tolerance}).value();
+        expect_sound_surfaces(level);
         EXPECT_TRUE(level.notes.empty());
         double stray = 0;
         for (const LevelFace& face : level.faces) {
             EXPECT_EQ(face.kind, FaceKind::kPatch);
             EXPECT_EQ(face.corner_count, 4u);  // straight up: each cell is flat, and whole
-            const auto corners = corners_of(level, face);
+            const auto corners = test::corners_of(level, face);
             const Vec3 outward = {corners[0].x + corners[1].x, corners[0].y + corners[1].y, 0};
-            EXPECT_GT(dot(area_of(corners), outward), 0);
+            EXPECT_GT(dot(test::twice_area(corners), outward), 0);
             for (int k = 0; k <= 16; ++k) {
                 // The curve is where sqrt(4 - x) and sqrt(4 - y) sum to 2, in metres.
                 const Vec3 p = corners[0] + (k / 16.0) * (corners[1] - corners[0]);
@@ -306,8 +290,8 @@ TEST(ReadBsp, PatchesThatShareACurveLeaveNoCrack) {
             BspWriter writer;
             writer.patch(3, 3, below);
             writer.patch(3, 3, other);
-            const Level level = read(writer).value();
-            expect_sound(level);
+            const Level level = read_written(writer).value();
+            expect_sound_surfaces(level);
             // Edges at z = 2 m, undirected: the other way of winding, when transposed, is no crack.
             std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
             for (const LevelFace& face : level.faces) {
@@ -332,8 +316,8 @@ TEST(ReadBsp, PatchThatComesToAPointIsTriangles) {
             control.push_back(s * p + Vec3{0, 0, 100 - 100 * s});
     }
     writer.patch(3, 3, control);
-    const Level level = read(writer).value();
-    expect_sound(level);
+    const Level level = read_written(writer).value();
+    expect_sound_surfaces(level);
     EXPECT_GT(level.faces.size(), 4u);
     EXPECT_TRUE(level.notes.empty());
 }
@@ -400,10 +384,10 @@ TEST(ReadBsp, ErrorsNameLumpAndEntry) {
 TEST(ReadBsp, ErrorsHaveTheRightCode) {
     BspWriter writer = box_room();
     writer.vertices[0].x = NAN;
-    EXPECT_EQ(read(writer).error().code, ErrorCode::kOutOfRange);
+    EXPECT_EQ(read_written(writer).error().code, ErrorCode::kOutOfRange);
     writer = box_room();
     writer.faces[0].type = 0;
-    EXPECT_EQ(read(writer).error().code, ErrorCode::kMalformed);
+    EXPECT_EQ(read_written(writer).error().code, ErrorCode::kMalformed);
 }
 
 // Many faces that name the same many mesh vertices: the file is small, what it asks for is not.
@@ -414,7 +398,7 @@ TEST(ReadBsp, CountsAreLimitedBeforeMemoryIsTaken) {
     writer.faces[0].mesh_vertex_count = 30000;
     writer.faces.resize(200, writer.faces[0]);
     EXPECT_EQ(error_of(writer), "map.bsp: lump 13 (faces), entry 139: surfaces have more than 4194304 corners in all");
-    EXPECT_EQ(read(writer).error().code, ErrorCode::kTooLarge);
+    EXPECT_EQ(read_written(writer).error().code, ErrorCode::kTooLarge);
 
     BspWriter patches;
     std::vector<Vec3> control;
@@ -457,7 +441,7 @@ TEST(ReadBsp, ChangedBytesAreAnswered) {
             ASSERT_EQ(level.ok(), check.ok());
             read_well += level.ok();
             if (level.ok()) {
-                expect_sound(level.value());
+                expect_sound_surfaces(level.value());
             } else {
                 EXPECT_TRUE(level.error().place.starts_with("map.bsp")) << level.error().text();
                 EXPECT_EQ(level.error().text(), check.error().text());

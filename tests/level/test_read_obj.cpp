@@ -39,7 +39,7 @@ GridPoint metres(double x, double y, double z) {
     return *snap({x, y, z});
 }
 
-std::vector<std::uint32_t> corners_of(const Level& level, std::size_t face) {
+std::vector<std::uint32_t> numbers_of(const Level& level, std::size_t face) {
     const auto first = level.corners.begin() + level.faces[face].first_corner;
     return {first, first + level.faces[face].corner_count};
 }
@@ -71,7 +71,7 @@ TEST(ReadObj, ReadsVerticesAndFaces) {
     EXPECT_EQ(level.vertices[3], metres(1.5, -2.25, 10));
     EXPECT_EQ(level.source_faces, 2u);
     ASSERT_EQ(level.faces.size(), 2u);
-    EXPECT_EQ(corners_of(level, 1), (std::vector<std::uint32_t>{0, 2, 3}));
+    EXPECT_EQ(numbers_of(level, 1), (std::vector<std::uint32_t>{0, 2, 3}));
     EXPECT_EQ(level.faces[1].source, 1u);
     EXPECT_EQ(level.materials, std::vector<std::string>{""});
     EXPECT_EQ(level.groups, std::vector<std::string>{""});
@@ -85,8 +85,8 @@ TEST(ReadObj, TakesEveryFormOfIndex) {
                            "f -3/-1 -2//-1 -1/-1/-1\nf 1 2/3 3//4\nv 5 5 5\nf -4 -3 -1\n"));
     ASSERT_EQ(level.faces.size(), 7u);
     for (std::size_t face = 0; face < 6; ++face)
-        EXPECT_EQ(corners_of(level, face), (std::vector<std::uint32_t>{0, 1, 2}));
-    EXPECT_EQ(corners_of(level, 6), (std::vector<std::uint32_t>{0, 1, 3}));
+        EXPECT_EQ(numbers_of(level, face), (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(numbers_of(level, 6), (std::vector<std::uint32_t>{0, 1, 3}));
 }
 
 TEST(ReadObj, TakesNumbersAsAnyoneWritesThem) {

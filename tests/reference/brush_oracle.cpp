@@ -161,7 +161,7 @@ Body clip(const Body& body, const HalfSpace& by, bool keep_front) {
     return tidy(std::move(kept));
 }
 
-LongReal volume_of(const Body& body) {
+LongReal body_volume(const Body& body) {
     if (body.empty()) return 0;
     std::vector<std::array<LongReal, 3>> from_first;
     for (const Corner& corner : body.corners) {
@@ -272,7 +272,7 @@ LongReal joined_volume(std::span<const BrushBody> brushes) {
                     left.push_back(std::move(part));
             parts = std::move(left);
         }
-        for (const Body& part : parts) sum += volume_of(part);
+        for (const Body& part : parts) sum += body_volume(part);
     }
     return sum;
 }

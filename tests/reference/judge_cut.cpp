@@ -68,10 +68,10 @@ std::size_t rooms_left(const World& world) {
 }
 
 /// One cut and everything that is known of it.
-class Judge {
+class CutJudge {
 public:
-    Judge(const World& before, const CutOrder& order, const CarveResult& result, Rng& rng, const std::string& where,
-          CutTally& tally, const JudgeOptions& options)
+    CutJudge(const World& before, const CutOrder& order, const CarveResult& result, Rng& rng, const std::string& where,
+             CutTally& tally, const JudgeOptions& options)
         : before_(before),
           after_(result.world),
           order_(order),
@@ -393,7 +393,7 @@ CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::
     tally.retries += std::uint64_t(result.report.retries);
     tally.moved += result.report.retries > 0;
 
-    Judge judge(world, order, result, rng, where, tally, options);
+    CutJudge judge(world, order, result, rng, where, tally, options);
     judge.judge();
     bool failed = judge.failed();
     const auto expect = [&](bool holds, const std::string& what) {

@@ -51,9 +51,9 @@ std::string difference(const Answers& one, const Answers& two) {
     return "";
 }
 
-class Judge {
+class IndexJudge {
 public:
-    explicit Judge(const std::function<World(const TreeOptions&)>& make) {
+    explicit IndexJudge(const std::function<World(const TreeOptions&)>& make) {
         for (const TreeOptions& kind : kKinds) worlds_.push_back(make(kind));
         worlds_.push_back(worlds_[0]);
     }
@@ -103,7 +103,7 @@ private:
 }  // namespace
 
 IndexTally judge_index(const std::function<World(const TreeOptions&)>& make, std::span<const scenes::CutOrder> cuts) {
-    Judge judge(make);
+    IndexJudge judge(make);
     for (std::size_t k = 0; k < cuts.size(); ++k)
         judge.cut(cuts[k], k % kCutsAFile == kCutsAFile - 1 || k + 1 == cuts.size());
     return judge.finish();

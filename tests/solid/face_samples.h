@@ -15,7 +15,7 @@
 
 namespace firma::samples {
 
-struct Face {
+struct SampleFace {
     std::vector<GridPoint> points;
     std::vector<std::uint32_t> ends;
     int axis = 2;
@@ -38,18 +38,18 @@ private:
 };
 
 /// A plane whose normal has components of at most 1 beside the one along its axis: third = a u + b v.
-struct Plane {
+struct SamplePlane {
     int axis = 2;
     bool flip = false;
     double a = 0, b = 0;
 };
 
-inline Plane axis_plane(int axis, bool flip) {
+inline SamplePlane sample_axis_plane(int axis, bool flip) {
     return {axis, flip, 0, 0};
 }
 
-inline Plane any_plane(Rng& rng) {
-    Plane plane;
+inline SamplePlane any_plane(Rng& rng) {
+    SamplePlane plane;
     plane.axis = rng.whole(0, 2);
     plane.flip = rng.whole(0, 1) == 1;
     plane.a = rng.real(-1, 1);
@@ -58,8 +58,8 @@ inline Plane any_plane(Rng& rng) {
 }
 
 /// Loops counter-clockwise in (u, v) come out so in the plane's projection.
-inline Face put(const Plane& plane, const std::vector<Loop>& loops) {
-    Face face;
+inline SampleFace put(const SamplePlane& plane, const std::vector<Loop>& loops) {
+    SampleFace face;
     face.axis = plane.axis;
     face.flip = plane.flip;
     const int u = (plane.axis + (plane.flip ? 2 : 1)) % 3, v = (plane.axis + (plane.flip ? 1 : 2)) % 3;

@@ -24,7 +24,7 @@ struct Flat {
 
 enum class Verdict { kSound, kTouching, kWrong };
 
-inline std::vector<Flat> flatten(const Face& face) {
+inline std::vector<Flat> flatten(const SampleFace& face) {
     const int u = (face.axis + (face.flip ? 2 : 1)) % 3, v = (face.axis + (face.flip ? 1 : 2)) % 3;
     std::vector<Flat> flat;
     for (const GridPoint& point : face.points) flat.push_back({point[u], point[v]});
@@ -65,7 +65,7 @@ inline bool inside(const Flat& p, std::span<const Flat> loop) {
 }
 
 /// kWrong when edges cross properly or a loop runs or lies wrongly; kTouching when edges share a point otherwise.
-inline Verdict judge(const Face& face) {
+inline Verdict judge(const SampleFace& face) {
     const std::vector<Flat> flat = flatten(face);
     struct Edge {
         Flat a, b;
@@ -109,7 +109,7 @@ inline Verdict judge(const Face& face) {
 
 /// What is wrong with facets; empty when nothing is. Sides that cancel but for the loops' edges, and areas above zero,
 /// mean that each point is covered as often as the loops wind around it: once.
-inline std::string fault(const Face& face, const Facets& facets) {
+inline std::string fault(const SampleFace& face, const Facets& facets) {
     const std::vector<Flat> flat = flatten(face);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     Exact covered = 0, whole = 0;

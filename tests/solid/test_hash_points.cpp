@@ -16,6 +16,7 @@
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
 #include "solid/solid_data.h"
+#include "tests/solid/tiled_hall.h"
 
 namespace firma {
 namespace {
@@ -526,27 +527,6 @@ TEST(HashSolid, IdsSourcesMaterialsAndBlocksDoNotCount) {
     EXPECT_EQ(hash_solid(stone.solid), hash_solid(air.solid));
 }
 
-/// A room whose walls are large, some slanted, so that they are tiled where they are cut.
-Level hall() {
-    const Vec3 base[4] = {{0, 0, 0}, {61, 3, 0.5}, {58, 47, 0}, {-2, 44, 1}};
-    Vec3 top[4];
-    for (int k = 0; k < 4; ++k) top[k] = base[k] + Vec3{k * 0.7, 1.1 * k, 12.0 + k};
-    std::vector<std::vector<GridPoint>> polygons;
-    const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-        polygons.push_back({snap(a).value(), snap(b).value(), snap(c).value()});
-    };
-    triangle(base[0], base[1], base[2]);
-    triangle(base[0], base[2], base[3]);
-    triangle(top[2], top[1], top[0]);
-    triangle(top[3], top[2], top[0]);
-    for (int k = 0; k < 4; ++k) {
-        const int next = (k + 1) % 4;
-        triangle(base[next], base[k], top[k]);
-        triangle(base[next], top[k], top[next]);
-    }
-    return level_of(polygons);
-}
-
 /// What edits kept is what is taken from all faces.
 void expect_kept_as_anew(const Solid& solid) {
     SolidData anew = solid.data();
@@ -568,7 +548,8 @@ Pose random_pose(const Box& bounds, double scale, scenes::Rng& rng) {
 
 TEST(HashSolid, KeptByRandomCutsItIsThatTakenAnew) {
     scenes::Rng rng(9);
-    std::vector<Solid> solids = {make_solid(hall()).value(), make_solid(scenes::room_grid({2, 2, 1})).value(),
+    std::vector<Solid> solids = {make_solid(test::tiled_hall()).value(),
+                                 make_solid(scenes::room_grid({2, 2, 1})).value(),
                                  solid_from(box_of({-100, -100, -20}, {100, 100, 0}, 1, Division::kSquares)),
                                  solid_from(box_of({-3, -3, -3}, {3, 3, 3}, 3, Division::kTriangles))};
     for (Solid& solid : solids) {
@@ -614,7 +595,7 @@ std::size_t facets_of_level(const Solid& solid) {
 TEST(HashSolid, DisjointCutsInAnyOrderAreEqualThoughFacesAreTiled) {
     scenes::Rng rng(10);
     const std::vector<Solid> solids = {
-        make_solid(hall()).value(),
+        make_solid(test::tiled_hall()).value(),
         solid_from(box_of({-160, -160, -40}, {160, 160, 0}, 1, Division::kSquares)),
         solid_from(box_of({-160, -160, -40}, {160, 160, 0}, 1, Division::kTriangles)),
     };
@@ -668,7 +649,7 @@ TEST(HashSolid, DisjointCutsInAnyOrderAreEqualThoughFacesAreTiled) {
 
 /// Three and more at once, in every order.
 TEST(HashSolid, AllOrdersOfFourCuts) {
-    const Solid solid = make_solid(hall()).value();
+    const Solid solid = make_solid(test::tiled_hall()).value();
     const Cut cuts[4] = {{CutterShape::kRocky, 1, {.position = {20, 20, 0.3}, .scale = 1.5}},
                          {CutterShape::kSpiky, 2, {.position = {45, 30, 0.4}, .scale = 1.2}},
                          {CutterShape::kWedge, 3, {.position = {30, 2, 0.4}, .scale = 2}},

@@ -9,6 +9,7 @@
 
 #include "scenes/rng.h"
 #include "tests/solid/solid_levels.h"
+#include "tests/solid/tiled_hall.h"
 
 namespace firma {
 namespace {
@@ -41,27 +42,8 @@ TEST(HashSolid, DisjointEditsInAnyOrder) {
     EXPECT_NE(hash_solid(one), hash_solid(after(block, {lid}))) << "one cut less";
 }
 
-/// A room whose walls are tiled, some slanted so that pieces have several facets.
-Level hall() {
-    Level level = test::empty_level();
-    const Vec3 base[4] = {{0, 0, 0}, {61, 3, 0.5}, {58, 47, 0}, {-2, 44, 1}};
-    Vec3 top[4];
-    for (int k = 0; k < 4; ++k) top[k] = base[k] + Vec3{k * 0.7, 1.1 * k, 12.0 + k};
-    const auto triangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) { test::add_polygon(level, {a, b, c}); };
-    triangle(base[0], base[1], base[2]);
-    triangle(base[0], base[2], base[3]);
-    triangle(top[2], top[1], top[0]);
-    triangle(top[3], top[2], top[0]);
-    for (int k = 0; k < 4; ++k) {
-        const int next = (k + 1) % 4;
-        triangle(base[next], base[k], top[k]);
-        triangle(base[next], top[k], top[next]);
-    }
-    return level;
-}
-
 TEST(HashSolid, DisjointEditsInAnyOrderWhereFacesAreTiled) {
-    const World world = make_world(hall()).value();
+    const World world = make_world(test::tiled_hall()).value();
     ASSERT_FALSE(check_solid(world));
     ASSERT_LT(measure_solid(world).volume, 0) << "rock around it";
     // Along the floor, at an edge between floor and wall, and in a corner.
@@ -82,7 +64,7 @@ TEST(HashSolid, DisjointEditsInAnyOrderWhereFacesAreTiled) {
 /// Three of these pairs once differed: the box of a slanted face met that of a far cutter, the boxes of its facets,
 /// once the neighbour's cut had split an edge, did not.
 TEST(HashSolid, DisjointEditsAnywhereInAnyOrder) {
-    const World world = make_world(hall()).value();
+    const World world = make_world(test::tiled_hall()).value();
     scenes::Rng rng(1);
     int compared = 0;
     for (std::uint64_t k = 0; k < 130; ++k) {

@@ -17,7 +17,7 @@ struct Tally {
 };
 
 /// Makes facets when the face is sound, and only then; checks all that is promised of them.
-void try_face(FacetMaker& maker, const Face& face, Tally& tally) {
+void try_face(FacetMaker& maker, const SampleFace& face, Tally& tally) {
     Facets facets;
     const bool made = maker.make(face.points, face.ends, face.axis, face.flip, facets);
     ASSERT_EQ(made, judge(face) == Verdict::kSound) << face.points.size() << " corners";
@@ -27,13 +27,13 @@ void try_face(FacetMaker& maker, const Face& face, Tally& tally) {
     ++(made ? tally.made : tally.refused);
 }
 
-void must_make(FacetMaker& maker, const Face& face) {
+void must_make(FacetMaker& maker, const SampleFace& face) {
     Tally tally;
     ASSERT_NO_FATAL_FAILURE(try_face(maker, face, tally));
     ASSERT_EQ(tally.made, 1);
 }
 
-std::size_t count_facets(const Face& face) {
+std::size_t count_facets(const SampleFace& face) {
     FacetMaker maker;
     Facets facets;
     EXPECT_TRUE(maker.make(face.points, face.ends, face.axis, face.flip, facets));
@@ -41,17 +41,17 @@ std::size_t count_facets(const Face& face) {
     return facets.count();
 }
 
-Face drawn(std::vector<Loop> loops) {
-    return put(axis_plane(2, false), loops);
+SampleFace drawn(std::vector<Loop> loops) {
+    return put(sample_axis_plane(2, false), loops);
 }
 
 TEST(MakeFacets, Triangles) {
     FacetMaker maker;
     Facets facets;
-    const Face face = drawn({{{0, 0}, {5, 1}, {2, 7}}});
+    const SampleFace face = drawn({{{0, 0}, {5, 1}, {2, 7}}});
     EXPECT_EQ(count_facets(face), 1u);
     EXPECT_FALSE(maker.make(face.points, face.ends, 2, true, facets)) << "seen from behind";
-    const Face flat = drawn({{{0, 0}, {2, 2}, {5, 5}}});
+    const SampleFace flat = drawn({{{0, 0}, {2, 2}, {5, 5}}});
     EXPECT_FALSE(maker.make(flat.points, flat.ends, 2, false, facets));
 }
 
@@ -74,7 +74,7 @@ TEST(MakeFacets, LoopsWithoutAreaAreRefused) {
 TEST(MakeFacets, BadLoopEndsAreRefused) {
     FacetMaker maker;
     Facets facets;
-    const Face face = drawn({rectangle(0, 0, 10, 10)});
+    const SampleFace face = drawn({rectangle(0, 0, 10, 10)});
     const auto refused = [&](std::vector<std::uint32_t> ends) {
         return !maker.make(face.points, ends, 2, false, facets);
     };
@@ -114,7 +114,7 @@ TEST(MakeFacets, TinyLoopsAreMadeWhenSoundAndRefusedOtherwise) {
             const double v = rng.whole(0, side);
             loop.push_back({u, v});
         }
-        Face face = put(axis_plane(round % 3, round % 2), {loop});
+        SampleFace face = put(sample_axis_plane(round % 3, round % 2), {loop});
         if (round % 4 == 0)
             for (GridPoint& point : face.points) point[face.axis] = rng.whole(0, 1);
         ASSERT_NO_FATAL_FAILURE(try_face(maker, face, tally)) << round;
@@ -190,7 +190,7 @@ TEST(MakeFacets, RandomSimpleLoops) {
     FacetMaker maker;
     Rng rng(3);
     for (int round = 0; round < 60; ++round) {
-        const Plane plane = any_plane(rng);
+        const SamplePlane plane = any_plane(rng);
         const double size = std::ldexp(1, rng.whole(4, 22));
         Loop loop{{-size, -size}, {size, -size}, {0, size}};
         for (int tries = 0; tries < 500; ++tries) {
@@ -210,7 +210,7 @@ TEST(MakeFacets, StarsOnSlantedPlanes) {
     Rng rng(4);
     Tally tally;
     for (int round = 0; round < 400; ++round) {
-        const Plane plane = any_plane(rng);
+        const SamplePlane plane = any_plane(rng);
         const double size = std::ldexp(1, rng.whole(3, 24));
         const int count = rng.whole(4, 60);
         const double inner = rng.real(0.1, 1);
@@ -228,7 +228,7 @@ TEST(MakeFacets, CollinearRunsRounded) {
     Tally tally;
     for (int round = 0; round < 600; ++round) {
         const double size = std::ldexp(1, rng.whole(4, 22));
-        const Plane plane = any_plane(rng);
+        const SamplePlane plane = any_plane(rng);
         const Loop loop = circle(rng.whole(3, 6), {0, 0}, size);
         ASSERT_NO_FATAL_FAILURE(try_face(maker, put(plane, {with_runs(rng, loop, 12)}), tally));
     }
@@ -267,7 +267,7 @@ TEST(MakeFacets, Craters) {
     Rng rng(8);
     for (int round = 0; round < 100; ++round) {
         const double size = std::ldexp(1, rng.whole(12, 22));
-        const Plane plane = round % 2 ? any_plane(rng) : axis_plane(rng.whole(0, 2), rng.whole(0, 1) == 1);
+        const SamplePlane plane = round % 2 ? any_plane(rng) : sample_axis_plane(rng.whole(0, 2), rng.whole(0, 1) == 1);
         ASSERT_NO_FATAL_FAILURE(must_make(maker, put(plane, crater(rng, 40, size))));
     }
 }
@@ -276,7 +276,7 @@ TEST(MakeFacets, ManyHoles) {
     FacetMaker maker;
     Rng rng(9);
     for (int round = 0; round < 150; ++round) {
-        const Plane plane = round % 2 ? any_plane(rng) : axis_plane(rng.whole(0, 2), rng.whole(0, 1) == 1);
+        const SamplePlane plane = round % 2 ? any_plane(rng) : sample_axis_plane(rng.whole(0, 2), rng.whole(0, 1) == 1);
         const int holes = rng.whole(1, 12);
         ASSERT_NO_FATAL_FAILURE(must_make(maker, put(plane, sieve(rng, holes, 12, 100000))));
     }
@@ -300,7 +300,7 @@ TEST(MakeFacets, HolesInTheWrongPlaceAreRefused) {
     Facets facets;
     const Loop rim = rectangle(0, 0, 100, 100), hole = reversed(rectangle(20, 20, 60, 60));
     const auto makes = [&](const std::vector<Loop>& loops) {
-        const Face face = drawn(loops);
+        const SampleFace face = drawn(loops);
         return maker.make(face.points, face.ends, face.axis, face.flip, facets);
     };
     EXPECT_TRUE(makes({rim, hole}));
@@ -318,18 +318,18 @@ TEST(MakeFacets, HolesInTheWrongPlaceAreRefused) {
 
 /// A strip that bends around and runs over itself: every turn of it is harmless, and it winds around just once.
 TEST(MakeFacets, OverlappingStripIsRefused) {
-    const Face face = drawn({{{0, 0},
-                              {100, 0},
-                              {100, 100},
-                              {-50, 100},
-                              {-50, 20},
-                              {50, 20},
-                              {50, 40},
-                              {-30, 40},
-                              {-30, 80},
-                              {80, 80},
-                              {80, 30},
-                              {0, 30}}});
+    const SampleFace face = drawn({{{0, 0},
+                                    {100, 0},
+                                    {100, 100},
+                                    {-50, 100},
+                                    {-50, 20},
+                                    {50, 20},
+                                    {50, 40},
+                                    {-30, 40},
+                                    {-30, 80},
+                                    {80, 80},
+                                    {80, 30},
+                                    {0, 30}}});
     EXPECT_EQ(judge(face), Verdict::kWrong);
     FacetMaker maker;
     Facets facets;
@@ -346,7 +346,7 @@ TEST(MakeFacets, ConvexLoopsOfAWallStayWhole) {
 }
 
 TEST(MakeFacets, OneStepOffThePlaneDivides) {
-    Face quad = drawn({rectangle(0, 0, 70000, 30000)}), ring = drawn({circle(8, {0, 0}, 50000)});
+    SampleFace quad = drawn({rectangle(0, 0, 70000, 30000)}), ring = drawn({circle(8, {0, 0}, 50000)});
     quad.points[1].z = 1;
     EXPECT_EQ(count_facets(quad), 2u);
     ring.points[7].z = -1;
@@ -358,7 +358,7 @@ TEST(MakeFacets, OneStepOffThePlaneDivides) {
 /// Six times the volume of the corners is 2^66: a whole number of 2^64.
 TEST(MakeFacets, VolumesThatVanishIn64Bits) {
     constexpr double kSide = 1 << 22;
-    Face quad = drawn({rectangle(0, 0, kSide, kSide)});
+    SampleFace quad = drawn({rectangle(0, 0, kSide, kSide)});
     quad.points[1].z = 1 << 22;
     EXPECT_EQ(count_facets(quad), 2u);
 }
@@ -372,7 +372,7 @@ TEST(MakeFacets, WallsMergeToFewFacets) {
         << "L with corners along its sides";
     EXPECT_LE(count_facets(drawn({rectangle(0, 0, 90, 90), reversed(rectangle(30, 30, 60, 60))})), 5u) << "frame";
     Rng rng(10);
-    const Face face = drawn(crater(rng, 40, 1e6));
+    const SampleFace face = drawn(crater(rng, 40, 1e6));
     EXPECT_LT(count_facets(face), 30u) << "of 44 triangles";
 }
 
@@ -384,7 +384,7 @@ TEST(MakeFacets, AcrossTheWholeWorld) {
     ASSERT_NO_FATAL_FAILURE(must_make(maker, drawn({rim, reversed(circle(40, {5, 5}, 2e9))})));
     const Loop five{{kLow, kLow}, {kHigh, kLow}, {kHigh, kHigh}, {0, kHigh - 1}, {kLow, kHigh}};
     ASSERT_NO_FATAL_FAILURE(must_make(maker, drawn({five})));
-    Face slanted = drawn({five});
+    SampleFace slanted = drawn({five});
     for (std::size_t k = 0; k < 5; ++k) slanted.points[k].z = slanted.points[k].x;
     ASSERT_NO_FATAL_FAILURE(must_make(maker, slanted));
     EXPECT_EQ(count_facets(slanted), 2u) << "planar, and not convex";
@@ -397,8 +397,9 @@ TEST(MakeFacets, ThousandsOfCorners) {
     FacetMaker maker;
     Rng rng(11);
     Facets facets;
-    for (const Face& face : {put(any_plane(rng), {star(rng, 2000, {0, 0}, 4e6, 8e6)}), drawn({comb(1000, 5000, 8e6)}),
-                             drawn({spiral(1000, 20000)}), put(any_plane(rng), {circle(2000, {0, 0}, 8e6)})}) {
+    for (const SampleFace& face :
+         {put(any_plane(rng), {star(rng, 2000, {0, 0}, 4e6, 8e6)}), drawn({comb(1000, 5000, 8e6)}),
+          drawn({spiral(1000, 20000)}), put(any_plane(rng), {circle(2000, {0, 0}, 8e6)})}) {
         ASSERT_TRUE(maker.make(face.points, face.ends, face.axis, face.flip, facets));
         ASSERT_EQ(fault(face, facets), "");
     }
@@ -408,7 +409,7 @@ TEST(MakeFacets, ScratchLeavesNoTrace) {
     FacetMaker used;
     Rng rng(12);
     for (int round = 0; round < 50; ++round) {
-        const Face face = put(any_plane(rng), sieve(rng, round % 5, 9, 3000));
+        const SampleFace face = put(any_plane(rng), sieve(rng, round % 5, 9, 3000));
         FacetMaker fresh;
         Facets a, b;
         ASSERT_TRUE(used.make(face.points, face.ends, face.axis, face.flip, a));

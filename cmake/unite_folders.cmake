@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# With FIRMA_UNITE the sources of a folder are compiled as one, which takes a third of the time: most of a small file's
+# goes into what it includes. So names within a folder are different also where only their own file sees them.
+option(FIRMA_UNITE "Compile the sources of each folder as one: quicker from nothing, slower after a change" OFF)
+
+function(unite_folders target)
+  if(NOT FIRMA_UNITE)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(path ${source} ABSOLUTE)
+    get_filename_component(folder ${path} DIRECTORY)
+    get_filename_component(folder ${folder} NAME)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
