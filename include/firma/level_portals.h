@@ -25,7 +25,7 @@ struct LevelPortal {
 
 /// What became of portals.
 struct PortalReport {
-    std::vector<std::uint32_t> idle;  ///< indices of portals: with one room on both sides, or parts of it
+    std::vector<std::uint32_t> idle;  ///< indices of portals, ascending: with one room on both sides, or parts of it
     std::string undivided;            ///< why there is one room, though there are portals; empty where they divide it
 };
 

@@ -49,7 +49,7 @@ public:
             const std::uint32_t front = divided_.rooms.of_side[faces + 2 * k],
                                 back = divided_.rooms.of_side[faces + 2 * k + 1], source = divided_.portals[k].source;
             if (front == back) {
-                if (idle.empty() || idle.back() != source) idle.push_back(source);
+                idle.push_back(source);
                 continue;
             }
             PortalPart& part = made[{source, front, back}];
@@ -58,6 +58,8 @@ public:
             for (std::uint32_t f = divided_.facets.first[faces + k]; f < divided_.facets.first[faces + k + 1]; ++f)
                 part.polygons.push_back(divided_.facets.corners[f]);
         }
+        std::sort(idle.begin(), idle.end());
+        idle.erase(std::unique(idle.begin(), idle.end()), idle.end());
         for (auto& [key, part] : made) parts_.portals.push_back(std::move(part));
     }
 

@@ -99,6 +99,13 @@ TEST(MakeDividedWorld, APortalThatDoesNotCloseItsOpeningIsIdle) {
     EXPECT_EQ(portal_info(made.world, PortalId{0}).name, "gate");
 }
 
+// Each is cut at the other: their parts lie in the list by turns.
+TEST(MakeDividedWorld, IdlePortalsThatCrossAreNamedOnce) {
+    const LevelPortal along = {"along", {{at(2, 2, 1), at(6, 2, 1), at(6, 2, 3), at(2, 2, 3)}}};
+    const Made made = make(hall(), {{"across", {wall(4, 1, 1, 3, 3)}}, along});
+    EXPECT_EQ(made.report.idle, (std::vector<std::uint32_t>{0, 1}));
+}
+
 TEST(MakeDividedWorld, APortalMayBeGivenInTriangles) {
     const std::vector<GridPoint> whole = wall(4, 0, 0, 4, 4);
     const Made made = make(hall(), {{"", {{whole[0], whole[1], whole[2]}, {whole[0], whole[2], whole[3]}}}});
