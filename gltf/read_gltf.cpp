@@ -14,11 +14,11 @@
 #include "gltf/gltf_file.h"
 #include "gltf/node_meaning.h"
 #include "gltf/placement.h"
-#include "gltf/portal_polygons.h"
 #include "gltf/scene_nodes.h"
 #include "gltf/triangle_list.h"
 #include "level/level_builder.h"
 #include "level/message.h"
+#include "level/portal_polygons.h"
 #include "level/read_file.h"
 #include "level/shared_vertices.h"
 
@@ -94,7 +94,7 @@ private:
     }
 
     void add_portal(const SceneNode& node) {
-        std::vector<std::vector<GridPoint>> polygons = gltf::portal_polygons(portal_);
+        std::vector<std::vector<GridPoint>> polygons = portal_polygons(portal_);
         if (polygons.empty()) {
             notes_.insert("a portal without area is left out");
             ++empty_portals_;

@@ -22,7 +22,7 @@ THREAD = os.path.join('build', 'thread', 'bin')
 
 # What casts and carving are made of. Of the public headers those of files, brushes, histories and other languages do not
 # count.
-APART = ('brush_level.h', 'brush_world.h', 'divide_rooms.h', 'find_leak.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'world_store.h')
+APART = ('brush_level.h', 'brush_world.h', 'divide_rooms.h', 'find_leak.h', 'firma.h', 'firma_c.h', 'level_portals.h', 'mesh.h', 'read_gltf.h', 'save.h', 'world_store.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
 # From a level to a world: of src/level nothing else.
 MAKE_WORLD = [f'src/level/{name}' for name in (
@@ -30,10 +30,13 @@ MAKE_WORLD = [f'src/level/{name}' for name in (
     'slab_tree.h', 'slab_tree.cpp', 'pair_edges.h', 'pair_edges.cpp', 'turn_pieces.cpp')]
 CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/world',
                 'CMakeLists.txt', 'CMakePresets.json'] + MAKE_WORLD
+# All of src/level but what divides rooms by portals, which readers of glTF alone do.
+OF_PORTALS = ('divide_mesh.', 'make_divided_world.', 'portal_polygons.')
+LEVEL = [f'src/level/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'src', 'level'))) if not name.startswith(OF_PORTALS)]
 # All scenes but those of levels with rooms.
 OF_ROOMS = ('brush_piles.', 'divided_building.', 'level_cuts.')
 SCENES = [f'scenes/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'scenes'))) if not name.startswith(OF_ROOMS)]
-CARVE_SOURCES = CAST_SOURCES + SCENES + ['src/carve', 'src/level', 'levels/first.obj']
+CARVE_SOURCES = CAST_SOURCES + SCENES + LEVEL + ['src/carve', 'levels/first.obj']
 
 
 def reference(*names):
@@ -45,7 +48,7 @@ JUDGE_CUT = reference('carve_oracle', 'directed_edges', 'judge_cut', 'judge_room
 CARVED = TWIN + JUDGE_CUT + reference('judge_carved_casts')
 JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
 
-READ_SOURCES = HEADERS + ['src/base', 'src/level', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
+READ_SOURCES = HEADERS + LEVEL + ['src/base', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']
 BRUSH_SOURCES = READ_SOURCES + ['include/firma/brush_level.h', 'src/brush'] + [
     f'src/geometry/{name}' for name in ('exact_plane.h', 'exact_plane.cpp', 'exact_integer.h', 'exact_integer.cpp', 'grid_orient.h', 'rounding.h')]
@@ -151,7 +154,7 @@ CLAIMS = [
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
-          CAST_SOURCES + ['src/carve', 'src/level'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
+          CAST_SOURCES + LEVEL + ['src/carve'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + fuzzer('read_obj', 'expect_sound_obj', 'expect_sound_level'), 'fuzz', fuzz('read_obj'), 'fuzz_read_obj'),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',
@@ -164,7 +167,8 @@ CLAIMS = [
           BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
     Claim('fuzz_read_gltf', 'seconds of fuzzing the glTF reader and its rooms, no crash, hang or broken world', 600, 300, 'seconds',
-          READ_SOURCES + ['include/firma/read_gltf.h', 'gltf', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/join', 'src/world']
+          READ_SOURCES + ['include/firma/read_gltf.h', 'include/firma/level_portals.h', 'gltf']
+          + ['src/level', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/join', 'src/world']
           + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'fuzz', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
           'seconds', CARVE_SOURCES + ['include/firma/save.h', 'src/save', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),

@@ -13,6 +13,7 @@
 #include "firma/check_mesh.h"
 #include "firma/grid.h"
 #include "firma/level.h"
+#include "firma/level_portals.h"
 #include "firma/result.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -82,15 +83,11 @@ Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options 
 /// as the level has them; notes are those of the level: dropped and divided.
 MeshCheck check_gltf(const GltfLevel& gltf);
 
-struct GltfRooms {
-    std::vector<std::uint32_t> idle;  ///< indices into GltfLevel::portals: with one room on both sides, or parts of it
-    std::string undivided;            ///< why there is one room, though there are portals; empty where they divide it
-};
+/// Indices are into GltfLevel::portals.
+using GltfRooms = PortalReport;
 
-/// The level as a world, its air divided into rooms by the file's portals: what of them lies in the air. Faces that
-/// bound closed solids are cut where portals meet them, and stay carvable; others are put where their middles lie.
-/// Without portals, and where they cannot be used, it is make_world(gltf.level, options).
-/// @param report  may be null
+/// make_divided_world() of the level and its portals.
+/// @param report  replaced, when given
 Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options = {}, GltfRooms* report = nullptr);
 
 }  // namespace firma

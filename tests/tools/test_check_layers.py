@@ -48,11 +48,13 @@ class LayersTest(unittest.TestCase):
         self.assertEqual(check(self.house(src__carve__a='#include "world/b.h"', src__world__b='')).returncode, 1)
         self.assertEqual(check(self.house(src__world__a='#include "carve/b.h"', src__carve__b='')).returncode, 0)
 
-    def test_gltf_includes_what_it_may_alone(self):
+    def test_gltf_includes_public_headers_and_level_alone(self):
         self.assertEqual(check(self.house(gltf__a='#include "level/b.h"', src__level__b='')).returncode, 0)
-        done = check(self.house(gltf__a='#include "carve/b.h"', src__carve__b=''))
-        self.assertEqual(done.returncode, 1)
-        self.assertIn('gltf includes src/carve/b.h; it may include include/firma, src/level,', done.stdout)
+        self.assertEqual(check(self.house(gltf__a='#include "firma/b.h"', include__firma__b='')).returncode, 0)
+        for layer in ('geometry', 'index', 'carve', 'join', 'world'):
+            done = check(self.house(**{'gltf__a': f'#include "{layer}/b.h"', f'src__{layer}__b': ''}))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f'gltf includes src/{layer}/b.h; it may include include/firma, src/level alone', done.stdout)
 
     def test_a_folder_in_no_layer_fails(self):
         done = check(self.house(src__base__a='', src__attic__b=''))

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Divides the air of a mesh into rooms, by the portals that its file has.
+// Divides the air of a level of faces into rooms, by portals.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "firma/read_gltf.h"
+#include "firma/level_portals.h"
 #include "join/arrangement.h"
 #include "join/find_rooms.h"
 #include "join/join_facets.h"
 #include "join/loose_pieces.h"
 #include "level/find_solids.h"
 
-namespace firma::gltf {
+namespace firma {
 
 struct DividedMesh {
     JoinTables tables;
     std::vector<JoinPiece> faces;    ///< of the solid; a source is an index into Level::faces
-    std::vector<JoinPiece> portals;  ///< parts in the air; a source is an index into GltfLevel::portals
+    std::vector<JoinPiece> portals;  ///< parts in the air; a source is an index into the portals
     Arrangement arrangement;         ///< of faces and, after them, portals
     JoinFacets facets;               ///< likewise
     JoinRooms rooms;
@@ -27,8 +28,11 @@ struct DividedMesh {
     std::string fault;              ///< why it cannot be divided; then nothing of the above is of use
 };
 
-/// @param solids  of gltf.level
-/// @param plain   the level as one room
-std::unique_ptr<DividedMesh> divide_mesh(const GltfLevel& gltf, const LevelSolids& solids, const World& plain);
+/// @param level    all corners on the input grid
+/// @param portals  their polygons too, convex and planar
+/// @param solids   of the level
+/// @param plain    the level as one room
+std::unique_ptr<DividedMesh> divide_mesh(const Level& level, std::span<const LevelPortal> portals,
+                                         const LevelSolids& solids, const World& plain);
 
-}  // namespace firma::gltf
+}  // namespace firma

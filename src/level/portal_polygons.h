@@ -8,7 +8,7 @@
 
 #include "firma/grid.h"
 
-namespace firma::gltf {
+namespace firma {
 
 /// Triangles that share sides and a plane, exactly, become their outline where that is convex and has at most 64
 /// corners, else triangles on it.
@@ -17,4 +17,4 @@ namespace firma::gltf {
 /// @return polygons in order of their first triangle's plane
 std::vector<std::vector<GridPoint>> portal_polygons(std::span<const std::array<GridPoint, 3>> triangles);
 
-}  // namespace firma::gltf
+}  // namespace firma

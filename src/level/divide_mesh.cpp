@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Divides the air of a mesh into rooms: portals are cut where faces cross them, parts in the solid go, faces are cut at
-// what is left; then the arrangement tells which sides see each other.
-#include "gltf/divide_mesh.h"
+// Divides the air of a level of faces into rooms: portals are cut where faces cross them, parts in the solid go, faces
+// are cut at what is left; then the arrangement tells which sides see each other.
+#include "level/divide_mesh.h"
 
 #include <algorithm>
 
@@ -9,15 +9,20 @@
 #include "index/box_tree.h"
 #include "join/portal_cutter.h"
 
-namespace firma::gltf {
+namespace firma {
 namespace {
 
 constexpr std::size_t kMostParts = std::size_t(1) << 14;  // of portals; each cut may double those of a bad one
 
 class Divider {
 public:
-    Divider(const GltfLevel& gltf, const LevelSolids& solids, const World& plain)
-        : gltf_(gltf), solids_(solids), plain_(plain), made_(std::make_unique<DividedMesh>()), cutter_(made_->tables) {}
+    Divider(const Level& level, std::span<const LevelPortal> portals, const LevelSolids& solids, const World& plain)
+        : level_(level),
+          portals_(portals),
+          solids_(solids),
+          plain_(plain),
+          made_(std::make_unique<DividedMesh>()),
+          cutter_(made_->tables) {}
 
     std::unique_ptr<DividedMesh> divide() {
         make_faces();
@@ -54,16 +59,16 @@ private:
     GridBox box_of(const JoinPiece& piece) const { return piece.piece.box(made_->tables.points); }
 
     JoinPiece piece_of(std::uint32_t index) {
-        const LevelFace& face = gltf_.level.faces[index];
+        const LevelFace& face = level_.faces[index];
         std::vector<InputPoint> corners;
         for (std::uint32_t k = 0; k < face.corner_count; ++k)
-            corners.push_back(to_input(gltf_.level.vertices[gltf_.level.corners[face.first_corner + k]]));
+            corners.push_back(to_input(level_.vertices[level_.corners[face.first_corner + k]]));
         return {piece_of_corners(tables(), corners), index, face.material, face.mask};
     }
 
     void make_faces() {
         std::vector<GridBox> boxes;
-        for (std::uint32_t k = 0; k < gltf_.level.faces.size(); ++k) {
+        for (std::uint32_t k = 0; k < level_.faces.size(); ++k) {
             if (!solids_.solid[k]) continue;
             made_->faces.push_back(piece_of(k));
             boxes.push_back(box_of(made_->faces.back()));
@@ -73,8 +78,8 @@ private:
 
     /// Of each portal the parts in the air; of several in one place the first.
     bool cut_portals() {
-        for (std::uint32_t k = 0; k < gltf_.portals.size(); ++k)
-            for (const std::vector<GridPoint>& polygon : gltf_.portals[k].polygons) {
+        for (std::uint32_t k = 0; k < portals_.size(); ++k)
+            for (const std::vector<GridPoint>& polygon : portals_[k].polygons) {
                 std::vector<InputPoint> corners;
                 for (const GridPoint& point : polygon) corners.push_back(to_input(point));
                 std::vector<ConvexPiece> parts{piece_of_corners(tables(), corners)};
@@ -151,19 +156,20 @@ private:
 
     /// Faces that bound no solid, each part in the room that its front looks into.
     void add_loose(const RoomFinder& finder) {
-        for (std::uint32_t k = 0; k < gltf_.level.faces.size(); ++k) {
+        for (std::uint32_t k = 0; k < level_.faces.size(); ++k) {
             if (solids_.solid[k]) continue;
             std::vector<JoinPiece> pieces{piece_of(k)};
             cutter_.divide_at_portals(pieces);
             for (LooseFacet& facet : make_loose_facets(tables(), pieces)) {
-                facet.two_sided = gltf_.level.faces[k].two_sided;
+                facet.two_sided = level_.faces[k].two_sided;
                 facet.room = finder.room_of(made_->rooms, facet.corners);
                 made_->loose.push_back(std::move(facet));
             }
         }
     }
 
-    const GltfLevel& gltf_;
+    const Level& level_;
+    const std::span<const LevelPortal> portals_;
     const LevelSolids& solids_;
     const World& plain_;
     std::unique_ptr<DividedMesh> made_;
@@ -174,8 +180,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<DividedMesh> divide_mesh(const GltfLevel& gltf, const LevelSolids& solids, const World& plain) {
-    return Divider(gltf, solids, plain).divide();
+std::unique_ptr<DividedMesh> divide_mesh(const Level& level, std::span<const LevelPortal> portals,
+                                         const LevelSolids& solids, const World& plain) {
+    return Divider(level, portals, solids, plain).divide();
 }
 
-}  // namespace firma::gltf
+}  // namespace firma

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes polygons of the triangles that a portal was drawn by.
-#include "gltf/portal_polygons.h"
+#include "level/portal_polygons.h"
 
 #include <cstdint>
 #include <map>
@@ -10,7 +10,7 @@
 #include "level/divide_polygon.h"
 #include "level/join_triangles.h"
 
-namespace firma::gltf {
+namespace firma {
 namespace {
 
 class Joiner {
@@ -61,4 +61,4 @@ std::vector<std::vector<GridPoint>> portal_polygons(std::span<const std::array<G
     return joiner.polygons();
 }
 
-}  // namespace firma::gltf
+}  // namespace firma
