@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/failure.h"
+#include "cli/point_text.h"
 
 namespace firma::cli {
 
@@ -31,10 +32,6 @@ constexpr int kTightLooks = 32;     // more of them, out of the corner, where no
 constexpr int kSamples = 32;        // cells looked at along one flight, at most
 constexpr double kRowsPerCell = 8;  // on average, if all cells are visited alike
 constexpr double kTiny = 1.0 / 64;  // of a cell: a flight that does not count as going anywhere
-
-std::string point_text(const Vec3& p) {
-    return fmt::format("({}, {}, {})", p.x, p.y, p.z);
-}
 
 Vec3 unit(const Vec3& v) {
     return v * (1 / length(v));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The shape is made before the clock starts: a game has its craters ready.
 #include "cli/fire_blast.h"
+#include "cli/seconds_since.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,10 +11,6 @@ namespace firma::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 }  // namespace
 

@@ -12,18 +12,11 @@
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
+#include "cli/seconds_since.h"
 #include "firma/save.h"
 #include "level/read_file.h"
 
 namespace firma::cli {
-
-namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
 
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required) {
     command.add_argument(

@@ -15,7 +15,7 @@ namespace firma::cli {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kColumns{"x", "y", "z", "radius", "shape", "seed"};
+constexpr std::array<std::string_view, 6> kBlastColumns{"x", "y", "z", "radius", "shape", "seed"};
 
 CutterShape shape_at(const CsvReader& csv, std::size_t column) {
     const std::optional<CutterShape> shape = cutter_shape(csv.at(column));
@@ -37,7 +37,7 @@ std::uint64_t seed_at(const CsvReader& csv, std::size_t column) {
 
 std::vector<Blast> read_blasts(const std::string& path) {
     const std::string text = read_file(path);
-    CsvReader csv(text, path, kColumns);
+    CsvReader csv(text, path, kBlastColumns);
     std::vector<Blast> blasts;
     while (csv.next()) {
         Blast blast;

@@ -15,7 +15,7 @@ namespace firma::cli {
 namespace {
 
 // In the order of the file that `firma cast` writes; only these are used: 1 status, 4 c, 7 p, 10 n.
-constexpr std::array<std::string_view, 19> kColumns{
+constexpr std::array<std::string_view, 19> kHitColumns{
     "query", "status", "fraction", "safe_fraction", "cx",  "cy",  "cz",   "px",      "py",  "pz",
     "nx",    "ny",     "nz",       "fnx",           "fny", "fnz", "face", "feature", "room"};
 
@@ -39,7 +39,7 @@ debug::DrawnCast drawn(const Query& query, const PolygonHit& hit) {
 
 std::vector<debug::DrawnCast> read_hits(const std::string& path, std::span<const Query> queries) {
     const std::string text = read_file(path);
-    CsvReader csv(text, path, kColumns);
+    CsvReader csv(text, path, kHitColumns);
     std::vector<debug::DrawnCast> casts;
     while (csv.next()) {
         const std::size_t row = casts.size();

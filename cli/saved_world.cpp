@@ -59,7 +59,7 @@ std::uintmax_t file_bytes(const LoadedLevel& loaded) {
     return none ? 0 : bytes;
 }
 
-std::string info_json(const LoadedLevel& loaded) {
+std::string saved_info_json(const LoadedLevel& loaded) {
     const WorldData& data = loaded.world.data();
     const FaceCounts counts = count_faces(loaded.world);
     JsonWriter json;
@@ -87,7 +87,7 @@ std::string info_json(const LoadedLevel& loaded) {
     return json.text();
 }
 
-std::string info_text(const LoadedLevel& loaded) {
+std::string saved_info_text(const LoadedLevel& loaded) {
     const WorldData& data = loaded.world.data();
     const FaceCounts counts = count_faces(loaded.world);
     const std::uintmax_t bytes = file_bytes(loaded);
@@ -110,7 +110,7 @@ std::string info_text(const LoadedLevel& loaded) {
 }  // namespace
 
 int tell_saved_world(const LoadedLevel& loaded, bool json) {
-    print(json ? info_json(loaded) : info_text(loaded));
+    print(json ? saved_info_json(loaded) : saved_info_text(loaded));
     return 0;
 }
 

@@ -38,7 +38,7 @@ struct CarveArguments {
 
 constexpr const char* kReportHeader = "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only\n";
 
-constexpr const char* kFooter =
+constexpr const char* kCarveFooter =
     R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, no
 others, in any order. Shapes, of mean radius 1 before `radius` scales them:
   rocky  a rough ball of 180 triangles       spiky  a ball of 180 triangles with 32 spikes
@@ -360,7 +360,7 @@ Verb add_carve(CLI::App& app) {
     command.add_option("--up", arguments->up, "AXIS",
                        "of a .glb: the level's axis that points up: x, y or z (default z)");
     add_json_flag(command, arguments->json);
-    command.set_footer(std::string(kFooter) + kExitCodes);
+    command.set_footer(std::string(kCarveFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

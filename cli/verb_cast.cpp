@@ -24,6 +24,7 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_queries.h"
+#include "cli/seconds_since.h"
 #include "cli/write_hits.h"
 #include "firma/masks.h"
 
@@ -40,7 +41,7 @@ struct CastArguments {
 
 constexpr std::size_t kChunk = 1024;  // casts in a row before the pipeline hands them on
 
-constexpr const char* kFooter =
+constexpr const char* kCastFooter =
     R"(Queries: csv with a header; the columns px,py,pz (start of the centre, metres), dx,dy,dz (path, metres) and
 radius (metres, 0 or more; 0 is a particle): all of them, no others, in any order. Decimal numbers. An empty
 line, a missing or additional field, NaN, infinity, a hexadecimal number or a negative radius is an error that
@@ -78,9 +79,9 @@ a .bsp, glTF without masks) stop everything. For instance, what stops players; t
 cast_seconds, out.
 )";
 
-struct Tally {
+struct CastTally {
     std::size_t hit = 0, touching = 0, miss = 0;
-    void add(const Tally& other) {
+    void add(const CastTally& other) {
         hit += other.hit;
         touching += other.touching;
         miss += other.miss;
@@ -91,7 +92,7 @@ struct Tally {
 struct Rows {
     std::string text;
     std::size_t count = 0;
-    Tally tally;
+    CastTally tally;
 };
 
 Rows cast_chunk(const World& world, const std::vector<Query>& queries, std::size_t first, std::size_t last,
@@ -112,10 +113,10 @@ Rows cast_chunk(const World& world, const std::vector<Query>& queries, std::size
 }
 
 /// Casting runs in parallel, cutting up and writing in order.
-Tally cast_all_rows(const World& world, const std::vector<Query>& queries, const CastOptions& options, int threads,
-                    const std::string& place, AtomicFile& out) {
+CastTally cast_all_rows(const World& world, const std::vector<Query>& queries, const CastOptions& options, int threads,
+                        const std::string& place, AtomicFile& out) {
     Progress progress("casting", queries.size());
-    Tally tally;
+    CastTally tally;
     std::size_t begun = 0;
     const auto next_chunk = [&](tbb::flow_control& flow) -> std::size_t {
         const std::size_t first = begun;
@@ -166,7 +167,7 @@ struct Times {
     double queries = 0, casting = 0;
 };
 
-std::string json_text(const CastArguments& arguments, const LoadedLevel& loaded, const Tally& tally, int threads,
+std::string json_text(const CastArguments& arguments, const LoadedLevel& loaded, const CastTally& tally, int threads,
                       const Times& times) {
     JsonWriter json;
     json.open_object();
@@ -186,10 +187,6 @@ std::string json_text(const CastArguments& arguments, const LoadedLevel& loaded,
 }
 
 int run(const CastArguments& arguments) {
-    using Clock = std::chrono::steady_clock;
-    const auto seconds = [](Clock::time_point from) {
-        return std::chrono::duration<double>(Clock::now() - from).count();
-    };
     CastOptions options;
     if (arguments.two_sided) options.sides = Sides::kBoth;
     if (!arguments.meets.empty()) options.mask = mask_option(arguments.meets);
@@ -201,16 +198,16 @@ int run(const CastArguments& arguments) {
     refuse_overwriting(arguments.out, arguments.queries);
     const LoadedLevel loaded = load_level(arguments.level);
     Times times;
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const std::vector<Query> queries = read_queries(arguments.queries);
-    times.queries = seconds(start);
+    times.queries = seconds_since(start);
 
     AtomicFile out(arguments.out);
-    const auto ready = Clock::now();
+    const auto ready = std::chrono::steady_clock::now();
     out.write(kHitsHeader);
-    const Tally tally = cast_all_rows(loaded.world, queries, options, threads, arguments.queries, out);
+    const CastTally tally = cast_all_rows(loaded.world, queries, options, threads, arguments.queries, out);
     out.commit();
-    times.casting = seconds(ready);
+    times.casting = seconds_since(ready);
 
     if (arguments.json) {
         print(json_text(arguments, loaded, tally, threads, times));
@@ -238,7 +235,7 @@ Verb add_cast(CLI::App& app) {
                        "distance that safe_fraction keeps, metres, 0 or more (default 0.001)");
     command.add_option("--threads", arguments->threads, "N", "1 .. 256 (default: one a core)");
     add_json_flag(command, arguments->json);
-    command.set_footer(std::string(kFooter) + kExitCodes);
+    command.set_footer(std::string(kCastFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

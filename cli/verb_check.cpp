@@ -16,6 +16,7 @@
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
+#include "cli/point_text.h"
 #include "cli/saved_world.h"
 #include "firma/check_mesh.h"
 #include "firma/rooms.h"
@@ -32,9 +33,9 @@ struct CheckArguments {
     std::string pts;
 };
 
-constexpr std::size_t kShown = 20;
+constexpr std::size_t kShownFaults = 20;
 
-constexpr const char* kFooter =
+constexpr const char* kCheckFooter =
     R"(The file is judged exactly, by its own numbers, before they are snapped to the grid of 1/4096 m; then the world
 is made and its invariants are checked. Coordinates are metres, as the file has them; faces count from 0, lines
 from 1.
@@ -146,10 +147,6 @@ const char* solid_note_name(SolidNoteKind what) {
     return "";
 }
 
-std::string point_text(const Vec3& p) {
-    return fmt::format("({}, {}, {})", p.x, p.y, p.z);
-}
-
 std::string place_text(const std::string& path, std::uint32_t line, std::uint32_t face) {
     return line > 0 ? fmt::format("{}:{}: face {}", path, line, face) : fmt::format("{}: face {}", path, face);
 }
@@ -189,7 +186,7 @@ std::string solid_note_sentence(const SolidNote& note) {
 }
 
 std::size_t shown(std::size_t count, bool all) {
-    return all ? count : std::min(count, kShown);
+    return all ? count : std::min(count, kShownFaults);
 }
 
 std::string solid_note_text(const std::string& path, const SolidNote& note) {
@@ -393,7 +390,7 @@ Verb add_check(CLI::App& app) {
     command.add_option("--pts", arguments->pts, "FILE",
                        "of brushes: where the level leaks, a line of points in the file's units; empty if nowhere");
     add_json_flag(command, arguments->json);
-    command.set_footer(kFooter);
+    command.set_footer(kCheckFooter);
     return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -28,6 +28,7 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_hits.h"
+#include "cli/seconds_since.h"
 #include "debug/draw_plan.h"
 #include "debug/draw_view.h"
 #include "debug/picture.h"
@@ -47,7 +48,7 @@ constexpr std::size_t kSample = 2000;
 constexpr std::size_t kMostTwinFaces = 40000000;  // faces the twin looks at in all; a smaller sample in huge levels
 constexpr std::size_t kDrawn = 100;
 
-constexpr const char* kFooter =
+constexpr const char* kDemoFooter =
     R"(Without LEVEL it takes levels/depot.map, here or in the folder that Firma was built from. The picture goes to
 build/demo.svg where there is a levels/depot.map, else to firma_demo.svg; -o names another.
 
@@ -67,10 +68,6 @@ casts_per_second, rays, escaped_before, escaped, checked, disagreements, hash}, 
 
 Exit codes: 0 done; 1 the twin disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
 )";
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 struct Checked {
     std::size_t casts = 0, disagreements = 0;
@@ -390,7 +387,7 @@ Verb add_demo(CLI::App& app) {
     command.add_option("--craters", arguments->craters, "N", "how many, 0 .. 100000 (default 200)");
     command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1 (default 1)");
     add_json_flag(command, arguments->json);
-    command.set_footer(kFooter);
+    command.set_footer(kDemoFooter);
     return {command, [arguments] { return run(*arguments); }};
 }
 

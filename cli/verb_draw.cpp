@@ -36,7 +36,7 @@ struct DrawArguments {
     bool shows_rooms() const { return !rooms.empty(); }
 };
 
-constexpr const char* kFooter =
+constexpr const char* kDrawFooter =
     R"(The page shows a plan from above and, below it, a section: what lies beyond a plane and, in heavy lines, what the
 plane cuts. Both are to scale, with axes in metres. Faces show where their front faces the viewer, so that a room
 is looked into through its ceiling. Faces too small to be seen are left out, and the page says how many.
@@ -247,7 +247,7 @@ Verb add_draw(CLI::App& app) {
                      "air divided where it narrows");
     command.add_flag("--plain", arguments->plain, "no rooms and portals: a plan shows several rooms otherwise");
     add_json_flag(command, arguments->json);
-    command.set_footer(std::string(kFooter) + kExitCodes);
+    command.set_footer(std::string(kDrawFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -28,7 +28,7 @@ struct InfoArguments {
     bool json = false;
 };
 
-constexpr const char* kFooter = R"(Lengths are metres, volumes cubic metres, times seconds.
+constexpr const char* kInfoFooter = R"(Lengths are metres, volumes cubic metres, times seconds.
 
 A bin of the tree is divided until it meets any of the three stop rules; a bin of more than 64 faces is halved
 all the same, as blocks hold no more. `overlap` is the mean share of a bin's surface that both of its children
@@ -242,7 +242,7 @@ Verb add_info(CLI::App& app) {
     command.add_option("--min-bin-volume", arguments->min_bin_volume, "V",
                        "stop rule: a bin of less volume, cubic metres (default 0)");
     add_json_flag(command, arguments->json);
-    command.set_footer(std::string(kFooter) + kExitCodes);
+    command.set_footer(std::string(kInfoFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -20,7 +20,7 @@ struct ServeArguments {
     bool json = false;
 };
 
-constexpr const char* kFooter =
+constexpr const char* kServeFooter =
     R"(Only programs on this machine can ask (127.0.0.1), only with GET and HEAD, and only for regular files below the
 folder: nothing through "..", through a link that leads out, or by a name that begins with a dot. No folder is
 listed. Runs until Ctrl-C (SIGINT, SIGTERM, SIGHUP), which is code 0.
@@ -56,7 +56,7 @@ Verb add_serve(CLI::App& app) {
     command.add_argument("FOLDER", arguments->folder, "whose files to hand out", true);
     command.add_option("--port", arguments->port, "N", "to listen on, 0 .. 65535; 0: any free one (default: 8080)");
     add_json_flag(command, arguments->json);
-    command.set_footer(std::string(kFooter) + kExitCodes);
+    command.set_footer(std::string(kServeFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -31,7 +31,7 @@ struct WalkArguments {
 
 constexpr std::uint64_t kMostFrames = 1000000000;
 
-constexpr const char* kFooter =
+constexpr const char* kWalkFooter =
     R"(Rows: frame,px,py,pz: the place of the centre in metres, with 17 significant digits. Row 0 is the start itself,
 then one row a frame: N + 1 rows. Each frame is one straight move, found by a cast; along the straight line from
 row to row the sphere is never nearer to a face than its radius less 1e-6 m. It meets faces from both sides. The
@@ -134,7 +134,7 @@ Verb add_walk(CLI::App& app) {
     command.add_option("--seed", arguments->seed, "S", "of the random numbers, 0 .. 2^64 - 1", true);
     add_out_option(command, arguments->out, "csv to write, see below", true);
     add_json_flag(command, arguments->json);
-    command.set_footer(std::string(kFooter) + kExitCodes);
+    command.set_footer(std::string(kWalkFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};
 }
 

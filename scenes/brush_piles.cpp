@@ -11,7 +11,7 @@
 namespace firma::scenes {
 namespace {
 
-constexpr std::int32_t kMetre = 4096;  // input steps
+constexpr std::int32_t kInputMetre = 4096;  // input steps
 
 struct Point {
     std::int32_t at[3];
@@ -51,7 +51,7 @@ public:
     /// A box that shares some of its bounds with an earlier one, or lies within it.
     void box_by_another(bool inside) {
         if (boxes_.empty()) {
-            keep_box({0, 0, 0}, {8 * kMetre, 8 * kMetre, 8 * kMetre});
+            keep_box({0, 0, 0}, {8 * kInputMetre, 8 * kInputMetre, 8 * kInputMetre});
             return;
         }
         const std::array<std::int32_t, 6> other = boxes_[std::size_t(between(0, std::int32_t(boxes_.size()) - 1))];
@@ -81,7 +81,7 @@ public:
         for (;;) {
             Point p[4];
             for (Point& point : p)
-                for (std::int32_t& c : point.at) c = between(0, 8) * kMetre;
+                for (std::int32_t& c : point.at) c = between(0, 8) * kInputMetre;
             for (int axis = 0; axis < 3; ++axis) {
                 const std::int64_t sum = std::int64_t(p[0].at[axis]) + p[1].at[axis] + p[2].at[axis];
                 p[3].at[axis] = std::int32_t(sum / 3) + between(-3, 3);
@@ -122,8 +122,8 @@ public:
         std::int32_t low[3], high[3];
         const int thin = between(0, 2);
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = between(0, 7) * kMetre;
-            high[axis] = low[axis] + (axis == thin ? between(1, 3) : between(1, 4) * kMetre);
+            low[axis] = between(0, 7) * kInputMetre;
+            high[axis] = low[axis] + (axis == thin ? between(1, 3) : between(1, 4) * kInputMetre);
             if (axis == thin) low[axis] += between(-1, 0);
         }
         add_box(level, low, high);
@@ -132,10 +132,10 @@ public:
     /// A hull around a grid of rooms, with walls between them; in most walls a doorway, and in that a portal, which
     /// reaches into the walls around it.
     void halls(int rooms_x, int rooms_y) {
-        constexpr std::int32_t kWide = 3 * kMetre, kWall = kMetre / 4, kHigh = 5 * kMetre / 2;
+        constexpr std::int32_t kWide = 3 * kInputMetre, kWall = kInputMetre / 4, kHigh = 5 * kInputMetre / 2;
         const std::int32_t wide = rooms_x * kWide + kWall, deep = rooms_y * kWide + kWall;
-        add({0, 0, -kMetre}, {wide, deep, 0});
-        add({0, 0, kHigh}, {wide, deep, kHigh + kMetre});
+        add({0, 0, -kInputMetre}, {wide, deep, 0});
+        add({0, 0, kHigh}, {wide, deep, kHigh + kInputMetre});
         for (int x = 0; x <= rooms_x; ++x)
             for (int y = 0; y < rooms_y; ++y)
                 wall(0, x * kWide, y * kWide, kWide + kWall, kWall, kHigh, x > 0 && x < rooms_x);
@@ -144,10 +144,10 @@ public:
                 wall(1, y * kWide, x * kWide, kWide + kWall, kWall, kHigh, y > 0 && y < rooms_y);
         for (int k = 0; k < rooms_x * rooms_y; ++k)  // something that stands about, or hangs in the air
             if (between(0, 1)) {
-                const std::int32_t x = between(2, rooms_x * 12 - 3) * kMetre / 4,
-                                   y = between(2, rooms_y * 12 - 3) * kMetre / 4;
-                const std::int32_t z = between(0, 1) * kMetre;
-                add({x, y, z}, {x + kMetre / 2, y + kMetre / 4, z + kMetre});
+                const std::int32_t x = between(2, rooms_x * 12 - 3) * kInputMetre / 4,
+                                   y = between(2, rooms_y * 12 - 3) * kInputMetre / 4;
+                const std::int32_t z = between(0, 1) * kInputMetre;
+                add({x, y, z}, {x + kInputMetre / 2, y + kInputMetre / 4, z + kInputMetre});
             }
     }
 
@@ -176,11 +176,12 @@ private:
                 add({a, begin, low}, {b, end, top}, kind);
         };
         if (!may_open || between(0, 3) == 0) return piece(from, from + length, 0, high, BrushKind::kSolid);
-        const std::int32_t door = from + between(2, 6) * kMetre / 4, wide = kMetre, top = 2 * kMetre;
+        const std::int32_t door = from + between(2, 6) * kInputMetre / 4, wide = kInputMetre, top = 2 * kInputMetre;
         piece(from, door, 0, high, BrushKind::kSolid);
         piece(door + wide, from + length, 0, high, BrushKind::kSolid);
         piece(door, door + wide, top, high, BrushKind::kSolid);
-        piece(door - kMetre / 8, door + wide + kMetre / 8, -kMetre / 8, top + kMetre / 8, BrushKind::kPortal);
+        piece(door - kInputMetre / 8, door + wide + kInputMetre / 8, -kInputMetre / 8, top + kInputMetre / 8,
+              BrushKind::kPortal);
         BrushSide* sides = &level.sides[level.brushes.back().first_side];
         sides[2 * across + between(0, 1)].portal = true;
     }
@@ -253,25 +254,25 @@ BrushLevel brush_pile(BrushPile kind, std::uint64_t seed, int brushes) {
         const std::int32_t choice = maker.between(0, 3);
         switch (kind) {
             case BrushPile::kBoxes:
-                maker.box_on_grid(8, kMetre);
+                maker.box_on_grid(8, kInputMetre);
                 break;
             case BrushPile::kNested:
                 maker.box_by_another(true);
                 break;
             case BrushPile::kTouching:
                 if (choice == 0)
-                    maker.wedge(6, kMetre);
+                    maker.wedge(6, kInputMetre);
                 else
                     maker.box_by_another(false);
                 break;
             case BrushPile::kWedges:
                 if (choice < 2)
-                    maker.tetrahedron(4, 2 * kMetre);
+                    maker.tetrahedron(4, 2 * kInputMetre);
                 else
-                    maker.wedge(4, 2 * kMetre);
+                    maker.wedge(4, 2 * kInputMetre);
                 break;
             case BrushPile::kCrystals:
-                maker.tetrahedron(8 * kMetre, 1);
+                maker.tetrahedron(8 * kInputMetre, 1);
                 break;
             case BrushPile::kSlivers:
                 if (choice < 2)

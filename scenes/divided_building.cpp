@@ -10,7 +10,7 @@
 namespace firma::scenes {
 namespace {
 
-constexpr std::array<int, 3> kRoom{4, 4, 3};  // metres of air
+constexpr std::array<int, 3> kAirOfRoom{4, 4, 3};  // metres of air
 /// Lattice points outside the building, each way, where it stands in the open.
 constexpr int kOutdoorReach = 4;
 
@@ -18,7 +18,7 @@ constexpr int kOutdoorReach = 4;
 
 DividedBuilding::DividedBuilding(const BuildingPlan& plan) : plan_(plan) {
     const Cell rooms{plan.rooms_x, plan.rooms_y, plan.rooms_z};
-    for (int axis = 0; axis < 3; ++axis) size_[axis] = rooms[axis] * (kRoom[axis] + 1) + 1;
+    for (int axis = 0; axis < 3; ++axis) size_[axis] = rooms[axis] * (kAirOfRoom[axis] + 1) + 1;
     cells_.assign(std::size_t(size_[0]) * size_[1] * size_[2], kRock);
     vertex_at_.assign(std::size_t(size_[0] + 1) * (size_[1] + 1) * (size_[2] + 1), ~0u);
     if (plan.outdoors) rooms_ = 1;
@@ -61,18 +61,18 @@ void DividedBuilding::dig_doorway(Cell from, Cell extent, Rng& rng) {
 
 void DividedBuilding::dig_room(Cell place, Rng& rng) {
     Cell at;
-    for (int axis = 0; axis < 3; ++axis) at[axis] = place[axis] * (kRoom[axis] + 1) + 1;
+    for (int axis = 0; axis < 3; ++axis) at[axis] = place[axis] * (kAirOfRoom[axis] + 1) + 1;
     const auto [x, y, z] = at;
     const int pieces_x = rng.chance(0.4) ? 2 : 1, pieces_y = 1 + int(place[0] + place[1]) % 2;
     for (int j = 0; j < pieces_y; ++j)
         for (int i = 0; i < pieces_x; ++i)
-            set({x + i * 2, y + j * 2, z}, {4 / pieces_x, 4 / pieces_y, kRoom[2]}, rooms_++);
+            set({x + i * 2, y + j * 2, z}, {4 / pieces_x, 4 / pieces_y, kAirOfRoom[2]}, rooms_++);
     // Within the half of the wall that one piece has, so that a doorway has one room on each side.
     const auto along = [&] { return rng.chance(0.5) ? 0 : 2; };
     const int a = along(), b = along(), c = int(rng.below(4)), d = int(rng.below(4));
     if (place[0] + 1 < plan_.rooms_x || plan_.outdoors) dig_doorway({x + 4, y + a, z}, {1, 2, 2}, rng);
     if (place[1] + 1 < plan_.rooms_y || plan_.outdoors) dig_doorway({x + b, y + 4, z}, {2, 1, 2}, rng);
-    if (place[2] + 1 < plan_.rooms_z) dig_doorway({x + c, y + d, z + kRoom[2]}, {1, 1, 1}, rng);
+    if (place[2] + 1 < plan_.rooms_z) dig_doorway({x + c, y + d, z + kAirOfRoom[2]}, {1, 1, 1}, rng);
 }
 
 void DividedBuilding::add_faces() {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kLow = -(std::int64_t(1) << 31), kHigh = (std::int64_t(1) << 31) - 1;
 
-std::int64_t whole(Rng& rng, std::int64_t low, std::int64_t high) {
+std::int64_t whole_steps(Rng& rng, std::int64_t low, std::int64_t high) {
     return low + std::int64_t(rng.uniform() * double(high - low + 1));
 }
 
@@ -30,7 +30,7 @@ std::int64_t round_down(std::int64_t value, std::int64_t step) {
 }  // namespace
 
 Steps random_steps(Rng& rng, std::int64_t reach) {
-    return {whole(rng, -reach, reach), whole(rng, -reach, reach), whole(rng, -reach, reach)};
+    return {whole_steps(rng, -reach, reach), whole_steps(rng, -reach, reach), whole_steps(rng, -reach, reach)};
 }
 
 GridPoint in_world(const Steps& s, std::int64_t step) {
@@ -55,10 +55,10 @@ bool all_in_world(std::span<const Steps> corners) {
 WholeFrame random_frame(Rng& rng, int most) {
     std::int64_t a = 0, b = 0, c = 0, d = 0;
     while (a * a + b * b + c * c + d * d == 0) {
-        a = whole(rng, -most, most);
-        b = whole(rng, -most, most);
-        c = whole(rng, -most, most);
-        d = whole(rng, -most, most);
+        a = whole_steps(rng, -most, most);
+        b = whole_steps(rng, -most, most);
+        c = whole_steps(rng, -most, most);
+        d = whole_steps(rng, -most, most);
     }
     WholeFrame frame;
     frame.x = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};

@@ -13,7 +13,7 @@ namespace {
 
 using Triangle = std::array<GridPoint, 3>;
 
-GridPoint at(double x, double y, double z) {
+GridPoint point_at(double x, double y, double z) {
     return snap({x, y, z}).value();
 }
 
@@ -34,7 +34,8 @@ Vec3 area_vector_of(const std::vector<GridPoint>& polygon) {
 }
 
 TEST(PortalPolygons, TrianglesAboutAMiddleBecomeASquare) {
-    const GridPoint a = at(0, 0, 0), b = at(2, 0, 0), c = at(2, 2, 0), d = at(0, 2, 0), middle = at(1, 1, 0);
+    const GridPoint a = point_at(0, 0, 0), b = point_at(2, 0, 0), c = point_at(2, 2, 0), d = point_at(0, 2, 0),
+                    middle = point_at(1, 1, 0);
     const auto made =
         portal_polygons(std::vector<Triangle>{Triangle{a, b, middle}, {b, c, middle}, {c, d, middle}, {d, a, middle}});
     ASSERT_EQ(made.size(), 1u);
@@ -43,8 +44,8 @@ TEST(PortalPolygons, TrianglesAboutAMiddleBecomeASquare) {
 }
 
 TEST(PortalPolygons, APlaneEachInOrderOfItsFirstTriangle) {
-    const GridPoint a = at(0, 0, 0), b = at(1, 0, 0), c = at(1, 1, 0), d = at(0, 1, 0), up = at(0, 0, 1),
-                    far = at(1, 0, 1);
+    const GridPoint a = point_at(0, 0, 0), b = point_at(1, 0, 0), c = point_at(1, 1, 0), d = point_at(0, 1, 0),
+                    up = point_at(0, 0, 1), far = point_at(1, 0, 1);
     const auto made = portal_polygons(std::vector<Triangle>{Triangle{a, b, far}, {a, b, c}, {a, far, up}, {a, c, d}});
     ASSERT_EQ(made.size(), 2u);
     EXPECT_EQ(area_vector_of(made[0]), (Vec3{0, -2, 0}));
@@ -52,8 +53,8 @@ TEST(PortalPolygons, APlaneEachInOrderOfItsFirstTriangle) {
 }
 
 TEST(PortalPolygons, AnLIsDivided) {
-    const GridPoint a = at(0, 0, 0), b = at(2, 0, 0), c = at(2, 1, 0), d = at(1, 1, 0), e = at(1, 2, 0),
-                    f = at(0, 2, 0);
+    const GridPoint a = point_at(0, 0, 0), b = point_at(2, 0, 0), c = point_at(2, 1, 0), d = point_at(1, 1, 0),
+                    e = point_at(1, 2, 0), f = point_at(0, 2, 0);
     const auto made = portal_polygons(std::vector<Triangle>{Triangle{a, b, c}, {a, c, d}, {a, d, e}, {a, e, f}});
     EXPECT_GE(made.size(), 2u);
     Vec3 sum;
@@ -63,7 +64,9 @@ TEST(PortalPolygons, AnLIsDivided) {
 
 TEST(PortalPolygons, WithoutAreaThereIsNone) {
     EXPECT_TRUE(portal_polygons({}).empty());
-    EXPECT_TRUE(portal_polygons(std::vector<Triangle>{Triangle{at(0, 0, 0), at(1, 0, 0), at(2, 0, 0)}}).empty());
+    EXPECT_TRUE(
+        portal_polygons(std::vector<Triangle>{Triangle{point_at(0, 0, 0), point_at(1, 0, 0), point_at(2, 0, 0)}})
+            .empty());
 }
 
 }  // namespace
