@@ -3,45 +3,13 @@
 // are told apart by how often the pieces around wind around a point of it, counted along a ray. Pieces do not cross, so
 // those around a point lie in each other: one ray from the innermost tells of all of them which lies in which.
 #include <algorithm>
-#include <numeric>
 
 #include "base/sort.h"
+#include "geometry/mesh_shells.h"
 #include "level/solid_pieces.h"
 
 namespace firma {
 namespace {
-
-/// The middle of an edge, in half steps.
-struct Middle {
-    std::int64_t x = 0, y = 0, z = 0;
-};
-
-/// Sign of the turn from a to b to the middle, seen against the x axis; the middle stands a shade beside itself, by an
-/// infinitesimal in y and the square of it in z, so that it is on no edge that has any length in this view.
-int turn(const InputPoint& a, const InputPoint& b, const Middle& m) {
-    const std::int64_t uy = b.y - a.y, uz = b.z - a.z, vy = m.y - 2 * std::int64_t(a.y),
-                       vz = m.z - 2 * std::int64_t(a.z);
-    const std::int64_t area = uy * vz - uz * vy;
-    const std::int64_t decisive = area != 0 ? area : uz != 0 ? -uz : uy;
-    return decisive > 0 ? 1 : decisive < 0 ? -1 : 0;
-}
-
-/// How a ray from the middle along x passes through a face: 1 outward, -1 inward, 0 not at all.
-int passage(const SolidMesh& mesh, std::uint32_t face, const Middle& m) {
-    const MeshPolygon polygon = mesh.polygon(face);
-    const AreaVector& n = polygon.normal;
-    if (n.x == 0) return 0;
-    const int facing = n.x > 0 ? 1 : -1;
-    std::uint32_t last = polygon.corners.back();
-    for (const std::uint32_t next : polygon.corners) {
-        if (turn(mesh.points[last], mesh.points[next], m) != facing) return 0;
-        last = next;
-    }
-    const InputPoint& a = mesh.points[last];
-    const Int128 height = Int128(n.x) * (m.x - 2 * std::int64_t(a.x)) + Int128(n.y) * (m.y - 2 * std::int64_t(a.y)) +
-                          Int128(n.z) * (m.z - 2 * std::int64_t(a.z));
-    return (height < 0) == (facing > 0) ? facing : 0;
-}
 
 class PieceTurner {
 public:
@@ -86,15 +54,8 @@ private:
     /// Six times the volume of each piece about some point, cubic input steps.
     void measure() {
         volume_.assign(pieces_.pieces.size(), 0);
-        for (const std::uint32_t face : good_.faces) {
-            const auto corners = mesh_.corners(face);
-            const InputPoint &p = mesh_.points[corners[0]], &origin = mesh_.points[0];
-            for (std::size_t k = 2; k < corners.size(); ++k) {
-                const AreaVector n = area_vector(p, mesh_.points[corners[k - 1]], mesh_.points[corners[k]]);
-                volume_[pieces_.of_face[face]] +=
-                    Int128(n.x) * (p.x - origin.x) + Int128(n.y) * (p.y - origin.y) + Int128(n.z) * (p.z - origin.z);
-            }
-        }
+        for (const std::uint32_t face : good_.faces)
+            volume_[pieces_.of_face[face]] += six_times_cone(mesh_.points, mesh_.corners(face), mesh_.points[0]);
     }
 
     /// Nothing lies around the piece with the least vertex. Of several that share it the largest holds the others, or
@@ -156,16 +117,13 @@ private:
     /// them, or less often. What is not larger is not around it.
     void follow_ray(std::uint32_t piece) {
         const EdgeUse& use = mesh_.uses[edge_[piece]];
-        const InputPoint &a = mesh_.points[use.low], &b = mesh_.points[use.high];
-        const Middle m{std::int64_t(a.x) + b.x, std::int64_t(a.y) + b.y, std::int64_t(a.z) + b.z};
-        const auto steps = [](std::int64_t half_steps) { return std::int32_t(half_steps * (kSurfacePerInput / 2)); };
-        const GridBox ray{{steps(m.x), steps(m.y), steps(m.z)}, {INT32_MAX, steps(m.y), steps(m.z)}};
+        const EdgeRay ray(mesh_.points[use.low], mesh_.points[use.high]);
         crossings_.resize(pieces_.pieces.size());
-        good_.tree.for_each_meeting(ray, [&](std::uint32_t number) {
+        good_.tree.for_each_meeting(ray.box(), [&](std::uint32_t number) {
             ++pieces_.work.on_rays;
             const std::uint32_t face = good_.faces[number], other = pieces_.of_face[face];
             if (other == piece || !pieces_.good(face) || !is_larger(other, piece)) return false;
-            const int passed = passage(mesh_, face, m);
+            const int passed = ray.passage(mesh_.points, mesh_.polygon(face));
             if (passed != 0) met_.push_back(other);
             crossings_[other] += passed;
             return false;
