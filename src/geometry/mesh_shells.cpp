@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Passages of a ray, in integers of 128 bits.
+// Volumes and passages of a ray, in integers of 128 bits.
 #include "geometry/mesh_shells.h"
 
 namespace firma {
+
+Int128 six_times_cone(std::span<const GridPoint> corners, const GridPoint& apex) {
+    const auto arm = [&](std::size_t k, int axis) { return std::int64_t(corners[k][axis]) - apex[axis]; };
+    Int128 sum = 0;
+    for (std::size_t k = 2; k < corners.size(); ++k)
+        for (int x = 0, y = 1, z = 2; x < 3; y = z, z = x, ++x)
+            sum += arm(0, x) * (Int128(arm(k - 1, y)) * arm(k, z) - Int128(arm(k - 1, z)) * arm(k, y));
+    return sum;
+}
 
 GridBox EdgeRay::box() const {
     const auto steps = [](std::int64_t half_steps) { return std::int32_t(half_steps * (kSurfacePerInput / 2)); };

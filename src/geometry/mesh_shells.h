@@ -21,6 +21,9 @@ inline Int128 six_times_cone(std::span<const InputPoint> points, std::span<const
     return sum;
 }
 
+/// The same on the surface grid: a triangle's has 99 bits.
+Int128 six_times_cone(std::span<const GridPoint> corners, const GridPoint& apex);
+
 /// A ray along x from the middle of an edge: no other piece passes through that, even where pieces share a vertex.
 class EdgeRay {
 public:
