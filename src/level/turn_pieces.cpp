@@ -79,18 +79,10 @@ private:
     /// An edge of each piece that no other piece shares: nothing else passes through its middle.
     void find_edges() {
         edge_.assign(pieces_.pieces.size(), kNone);
-        for (std::uint32_t k = 0; k + 1 < mesh_.uses.size(); ++k) {
-            const EdgeUse& use = mesh_.uses[k];
-            std::uint32_t& known = edge_[pieces_.of_face[use.face]];
-            if (known != kNone) continue;
-            const auto same = [&](std::size_t other) {
-                return other < mesh_.uses.size() && mesh_.uses[other].low == use.low &&
-                       mesh_.uses[other].high == use.high;
-            };
-            const std::size_t count = 1 + (k > 0 && same(k - 1)) + same(k + 1) + (same(k + 1) && same(k + 2)) +
-                                      (k > 1 && same(k - 1) && same(k - 2));
-            if (count == 2) known = k;
-        }
+        for_each_edge(mesh_.sides, [&](std::span<const EdgeSide> sides) {
+            std::uint32_t& known = edge_[pieces_.of_face[sides[0].owner]];
+            if (sides.size() == 2 && known == kNone) known = std::uint32_t(&sides[0] - mesh_.sides.data());
+        });
     }
 
     /// Pieces around which some piece was found to lie are known, too.
@@ -116,8 +108,8 @@ private:
     /// Finds the pieces around a piece: those that a ray from the middle of its edge leaves more often than it enters
     /// them, or less often. What is not larger is not around it.
     void follow_ray(std::uint32_t piece) {
-        const EdgeUse& use = mesh_.uses[edge_[piece]];
-        const EdgeRay ray(mesh_.points[use.low], mesh_.points[use.high]);
+        const EdgeSide& edge = mesh_.sides[edge_[piece]];
+        const EdgeRay ray(mesh_.points[edge.low], mesh_.points[edge.high]);
         crossings_.resize(pieces_.pieces.size());
         good_.tree.for_each_meeting(ray.box(), [&](std::uint32_t number) {
             ++pieces_.work.on_rays;
@@ -159,7 +151,7 @@ private:
     std::vector<Nested> nested_;
     const std::uint64_t most_on_rays_;
     std::vector<Int128> volume_;
-    std::vector<std::uint32_t> edge_;  ///< a use of it
+    std::vector<std::uint32_t> edge_;  ///< a side along it
     std::vector<std::uint32_t> around_, met_;
     std::vector<int> crossings_;  ///< of the ray with a piece: 1 outward, -1 inward
     bool rock_outside_ = false;
