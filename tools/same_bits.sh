@@ -12,7 +12,7 @@ while read -r name compiler flags; do
     folder=build/same/$name
     mkdir -p "$folder"
     { cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" \
-        -DFIRMA_BUILD_CLI=OFF -DFIRMA_BUILD_TESTS=ON && cmake --build "$folder" --target same_cuts; } >"$folder/build.log" 2>&1 ||
+        -DFIRMA_BUILD_CLI=OFF -DFIRMA_BUILD_TESTS=ON -DFIRMA_UNITE=ON && cmake --build "$folder" --target same_cuts; } >"$folder/build.log" 2>&1 ||
         { tail -n 40 "$folder/build.log" >&2; exit 1; }
     said=$("$folder/bin/same_cuts" levels/first.obj "$cuts")
     echo "$name: $said"

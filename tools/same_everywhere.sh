@@ -33,7 +33,7 @@ link() {
 # native NAME C_COMPILER C++_COMPILER FLAGS: the same build folders as tools/same_bits.sh has.
 native() {
     local build=build/same/$1
-    quiet cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$3" -DCMAKE_CXX_FLAGS="$4" -DFIRMA_BUILD_CLI=OFF
+    quiet cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$3" -DCMAKE_CXX_FLAGS="$4" -DFIRMA_BUILD_CLI=OFF -DFIRMA_UNITE=ON
     quiet cmake --build "$build" --target firma_c
     link "$1" "$2" "$3" "$build"
     "$folder/$1" "$level" "$cuts" "$casts"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "carve/triangles_cross.h"
 #include "index/box_tree.h"
 
 namespace firma {
@@ -99,6 +98,9 @@ std::vector<GridBox> triangle_boxes(const PlacedCutter& placed) {
 
 std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudget* budget) {
     const BoxTree tree(triangle_boxes(placed));
+    std::vector<MeshPolygon> polygons;
+    polygons.reserve(placed.triangles.size());
+    for (std::uint32_t t = 0; t < placed.triangles.size(); ++t) polygons.push_back(polygon_of(placed, t));
     Crossing crossing;
     // In the order of the tree, so that one search finds in the cache what the last one looked at.
     for (const BoxTree::Item& item : tree.items()) {
@@ -106,7 +108,7 @@ std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudge
         const bool found = tree.for_each_meeting(item.box, [&](std::uint32_t u) {
             if (u <= t) return false;
             if (budget && !budget->take()) return true;
-            if (!triangles_cross(placed.vertices, placed.triangles[t], placed.triangles[u])) return false;
+            if (!polygons_cross(placed.vertices, polygons[t], polygons[u])) return false;
             crossing = {t, u};
             return true;
         });
@@ -126,7 +128,7 @@ std::optional<Crossing> find_crossing_with(const PlacedCutter& placed, std::span
         const bool found = tree.for_each_meeting(box, [&](std::uint32_t u) {
             if (u == t || (u < t && is_one(u))) return false;
             if (budget && !budget->take()) return true;
-            if (!triangles_cross(placed.vertices, placed.triangles[t], placed.triangles[u])) return false;
+            if (!polygons_cross(placed.vertices, polygon_of(placed, t), polygon_of(placed, u))) return false;
             crossing = {std::min(t, u), std::max(t, u)};
             return true;
         });

@@ -10,6 +10,7 @@
 
 #include "carve/pair_budget.h"
 #include "carve/place_cutter.h"
+#include "geometry/polygons_cross.h"
 #include "index/box_tree.h"
 #include "index/split_bin.h"
 
@@ -25,6 +26,11 @@ using Crossing = std::pair<std::uint32_t, std::uint32_t>;
 /// The pair is the same on every machine, not the first in any order. Quick for a cutter that is seen whole from the
 /// middle of its vertices; else it takes a tree and n log n.
 std::optional<Crossing> find_crossing(const PlacedCutter& placed);
+
+inline MeshPolygon polygon_of(const PlacedCutter& placed, std::uint32_t triangle) {
+    const CutterTriangle& corners = placed.triangles[triangle];
+    return {corners, polygon_normal(placed.vertices, corners)};
+}
 
 /// Around each triangle, in surface steps.
 std::vector<GridBox> triangle_boxes(const PlacedCutter& placed);

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> update_cutter_solid(PlacedCutter placed, std::span<co
                                                CutterSolid& cutter);
 
 /// Whether a point lies inside: 1 or -1; 0 when that cannot be told, as the point lies on the surface or every line
-/// tried meets an edge.
+/// tried meets an edge. Exact for points of three planes too, which mesh_shells.h and see_first() are not.
 int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point);
 
 }  // namespace firma

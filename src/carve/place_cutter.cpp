@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "carve/cutter_data.h"
+#include "geometry/grid_orient.h"
 
 namespace firma {
 namespace {
@@ -78,14 +79,11 @@ Result<PlacedCutter> finish(PlacedCutter placed) {
     for (std::size_t t = 0; t < placed.triangles.size(); ++t) {
         const auto& [ia, ib, ic] = placed.triangles[t];
         const InputPoint &a = placed.vertices[ia], &b = placed.vertices[ib], &c = placed.vertices[ic];
-        // The world is 2^26 steps wide: sides have 27 bits with their sign, the normal 55.
-        const std::int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-        const std::int64_t vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-        const std::int64_t nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-        if ((nx | ny | nz) == 0)
+        const AreaVector n = area_vector(a, b, c);
+        if ((n.x | n.y | n.z) == 0)
             return error_at(placed.name, "triangle " + std::to_string(t), ErrorCode::kInvalid,
                             "has no area on the grid of 1/4096 m: the cutter is too small or too thin there");
-        volume += Int128(nx) * (a.x - origin.x) + Int128(ny) * (a.y - origin.y) + Int128(nz) * (a.z - origin.z);
+        volume += height(origin, n, a);
     }
     if (volume <= 0)
         return error_at(placed.name, "", ErrorCode::kInvalid, "encloses no volume on the grid of 1/4096 m");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a polygon reaches into a box, or a bevelled one.
+// Whether a polygon reaches into a box, or a bevelled one: in double, as no cut follows its shape.
 #pragma once
 
 #include <cstdint>

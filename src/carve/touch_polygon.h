@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a point in a polygon's plane lies in the polygon, or so near to its rim that rounding may hide that it does.
+// Whether a point in a polygon's plane lies in the polygon, or so near to its rim that rounding may hide that it does:
+// of points of three planes, by their rounded ones.
 #pragma once
 
 #include <cstdint>

@@ -25,10 +25,15 @@ inline bool on_one_line(const InputPoint& a, const InputPoint& b, const InputPoi
     return normal.x == 0 && normal.y == 0 && normal.z == 0;
 }
 
+/// normal . (p - a)
+inline Int128 height(const InputPoint& a, const AreaVector& normal, const InputPoint& p) {
+    return Int128(normal.x) * (p.x - a.x) + Int128(normal.y) * (p.y - a.y) + Int128(normal.z) * (p.z - a.z);
+}
+
 /// The side of the plane through a that p lies on.
 inline int side_of_plane(const InputPoint& a, const AreaVector& normal, const InputPoint& p) {
-    const Int128 sum = Int128(normal.x) * (p.x - a.x) + Int128(normal.y) * (p.y - a.y) + Int128(normal.z) * (p.z - a.z);
-    return sum > 0 ? 1 : sum < 0 ? -1 : 0;
+    const Int128 above = height(a, normal, p);
+    return above > 0 ? 1 : above < 0 ? -1 : 0;
 }
 
 /// The side of the plane through a, b, c that p lies on: positive where they run counter-clockwise seen from p.

@@ -11,15 +11,55 @@ namespace {
 
 constexpr std::size_t kNotThere = ~std::size_t(0);
 
+std::size_t place_of(std::uint32_t point, const MeshPolygon& polygon) {
+    for (std::size_t k = 0; k < polygon.corners.size(); ++k)
+        if (polygon.corners[k] == point) return k;
+    return kNotThere;
+}
+
+bool are_neighbours(std::size_t k, std::size_t j, const MeshPolygon& polygon) {
+    const std::size_t between = k < j ? j - k : k - j;
+    return between == 1 || between == polygon.corners.size() - 1;
+}
+
+/// The sides of another polygon's plane that corners lie on.
+struct CornerSides {
+    std::int8_t of[kMaxCorners];
+    bool front = false, back = false;  ///< some
+    std::size_t on_count = 0;          ///< corners in the plane
+    std::size_t on[2];                 ///< the places of the first of them in the other polygon, where they are there
+
+    CornerSides(std::span<const InputPoint> points, const MeshPolygon& polygon, const MeshPolygon& other) {
+        const InputPoint& in_plane = points[other.corners[0]];
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+            const std::uint32_t corner = polygon.corners[k];
+            const std::size_t place = place_of(corner, other);
+            const int side = place != kNotThere ? 0 : side_of_plane(in_plane, other.normal, points[corner]);
+            of[k] = std::int8_t(side);
+            front |= side > 0;
+            back |= side < 0;
+            if (side != 0) continue;
+            if (on_count < 2) on[on_count] = place;
+            ++on_count;
+        }
+    }
+
+    bool coplanar() const { return !front && !back; }
+    /// Whether all lies on one side of the plane, and in it no more than a corner or an edge in common: so it is with
+    /// most neighbours.
+    bool apart(const MeshPolygon& other) const {
+        if (front == back) return false;
+        if (on_count == 0) return true;
+        if (on_count > 2 || on[0] == kNotThere) return false;
+        return on_count == 1 || (on[1] != kNotThere && are_neighbours(on[0], on[1], other));
+    }
+};
+
 /// A polygon to be met by edges of another.
 class Target {
 public:
     Target(std::span<const InputPoint> points, const MeshPolygon& polygon)
         : points_(points), polygon_(polygon), view_(polygon.normal) {}
-
-    int side_of(std::uint32_t point) const {
-        return side_of_plane(points_[polygon_.corners[0]], polygon_.normal, points_[point]);
-    }
 
     /// Whether an edge of another polygon meets this one elsewhere than the corners and edges they have in common.
     /// @param side_a, side_b  of its ends
@@ -34,11 +74,7 @@ public:
 private:
     std::size_t count() const { return polygon_.corners.size(); }
     const InputPoint& corner(std::size_t k) const { return points_[polygon_.corners[k % count()]]; }
-    std::size_t place_of(std::uint32_t point) const {
-        for (std::size_t k = 0; k < count(); ++k)
-            if (polygon_.corners[k] == point) return k;
-        return kNotThere;
-    }
+    std::size_t place_of(std::uint32_t point) const { return firma::place_of(point, polygon_); }
 
     /// A point of the plane.
     bool holds(const InputPoint& p) const {
@@ -55,11 +91,14 @@ private:
     /// all sides on one hand.
     bool passed_by(const InputPoint& a, const InputPoint& b) const {
         bool left = false, right = false;
-        for (std::size_t k = 0; k < count(); ++k) {
-            const int side = orient(a, b, corner(k), corner(k + 1));
+        const InputPoint* last = &points_[polygon_.corners.back()];
+        for (const std::uint32_t point : polygon_.corners) {
+            const InputPoint* next = &points_[point];
+            const int side = orient(a, b, *last, *next);
             left |= side > 0;
             right |= side < 0;
             if (left && right) return false;
+            last = next;
         }
         return true;
     }
@@ -67,10 +106,7 @@ private:
     /// A segment in the plane.
     bool met_within(std::uint32_t a, std::uint32_t b) const {
         const std::size_t at_a = place_of(a), at_b = place_of(b);
-        if (at_a != kNotThere && at_b != kNotThere) {
-            const std::size_t between = at_a < at_b ? at_b - at_a : at_a - at_b;
-            return between != 1 && between != count() - 1;
-        }
+        if (at_a != kNotThere && at_b != kNotThere) return !are_neighbours(at_a, at_b, polygon_);
         if (at_a != kNotThere) return enters(at_a, points_[b]);
         if (at_b != kNotThere) return enters(at_b, points_[a]);
         if (holds(points_[a]) || holds(points_[b])) return true;
@@ -85,7 +121,7 @@ private:
         const int after = view_.turn(corner(k), corner(k + 1), to);
         return hand() > 0 ? before >= 0 && after >= 0 : before <= 0 && after <= 0;
     }
-    /// Which way the corners run in this view.
+    /// Which way the corners run in this view_.
     int hand() const {
         for (std::size_t k = 0; k < count(); ++k)
             if (const int turn = view_.turn(corner(k), corner(k + 1), corner(k + 2)); turn != 0) return turn;
@@ -97,49 +133,14 @@ private:
     const GridView view_;
 };
 
-/// The sides of a target that corners lie on.
-struct CornerSides {
-    std::int8_t of[kMaxCorners];
-    bool apart = false;     ///< all on one side
-    bool coplanar = false;  ///< all in the plane
-    bool one_side = false;  ///< all but those in the plane
-
-    CornerSides(const MeshPolygon& polygon, const Target& target) {
-        bool front = false, back = false, on = false;
-        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-            of[k] = std::int8_t(target.side_of(polygon.corners[k]));
-            front |= of[k] > 0;
-            back |= of[k] < 0;
-            on |= of[k] == 0;
-        }
-        apart = !on && front != back;
-        coplanar = !front && !back;
-        one_side = front != back;
-    }
-};
-
 bool edges_meet(const MeshPolygon& polygon, const CornerSides& sides, const Target& target) {
     const std::size_t count = polygon.corners.size();
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t next = k + 1 < count ? k + 1 : 0;
-        if (target.met_by(polygon.corners[k], polygon.corners[next], sides.of[k], sides.of[next])) return true;
+        const int side = sides.of[k], side_next = sides.of[next];
+        if (side * side_next > 0) continue;
+        if (target.met_by(polygon.corners[k], polygon.corners[next], side, side_next)) return true;
     }
-    return false;
-}
-
-/// Whether all that a polygon on one side of another's plane has in that plane is a corner in common: so it is with
-/// most neighbours.
-bool leaves_from_corner(const MeshPolygon& p, const CornerSides& sides, const MeshPolygon& q) {
-    if (!sides.one_side) return false;
-    std::size_t on = 0, corner = 0;
-    for (std::size_t k = 0; k < p.corners.size(); ++k)
-        if (sides.of[k] == 0) {
-            ++on;
-            corner = k;
-        }
-    if (on != 1) return false;
-    for (const std::uint32_t other : q.corners)
-        if (other == p.corners[corner]) return true;
     return false;
 }
 
@@ -169,13 +170,12 @@ AreaVector polygon_normal(std::span<const InputPoint> points, std::span<const st
 }
 
 bool polygons_cross(std::span<const InputPoint> points, const MeshPolygon& p, const MeshPolygon& q) {
-    const Target at_p(points, p), at_q(points, q);
-    const CornerSides of_p(p, at_q);
-    if (of_p.apart || leaves_from_corner(p, of_p, q)) return false;
-    const CornerSides of_q(q, at_p);
-    if (of_q.apart || leaves_from_corner(q, of_q, p)) return false;
-    if (of_p.coplanar && folded(p, q)) return true;
-    return edges_meet(p, of_p, at_q) || edges_meet(q, of_q, at_p);
+    const CornerSides of_p(points, p, q);
+    if (of_p.apart(q)) return false;
+    const CornerSides of_q(points, q, p);
+    if (of_q.apart(p)) return false;
+    if (of_p.coplanar() && folded(p, q)) return true;
+    return edges_meet(p, of_p, Target(points, q)) || edges_meet(q, of_q, Target(points, p));
 }
 
 }  // namespace firma

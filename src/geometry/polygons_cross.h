@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether two convex polygons of a mesh share more than the mesh says, exactly: grid points, integers of 128 bits.
+//
+// For the faces of a level and the triangles of a cutter. A cutter against a solid, whose corners may be points of
+// three planes, is FaceCutter's.
 #pragma once
 
 #include <span>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the polygons of a joined level meet, line by line: around each piece of a line between neighbouring corners the
 // polygons are put in order, and air and solid must alternate.
-// Source: for the order around an edge as what makes a space of cells out of polygons, P. Hachenberger, L. Kettner,
-// K. Mehlhorn, Boolean Operations on 3D Selective Nef Complexes, 2007.
 #include "join/arrangement.h"
 
 #include <algorithm>
@@ -12,7 +10,25 @@ namespace firma {
 namespace {
 
 constexpr std::uint32_t kNoEdge = ~0u;
-constexpr std::uint32_t kSolid = ~0u;
+
+/// A half plane, turned by a right angle about the line, is the normal of the plane that it is known by.
+class LineAngles final : public SpokeAngles {
+public:
+    LineAngles(const LineTable& lines, const JoinTables& tables, std::uint32_t line)
+        : lines_(lines), tables_(tables), line_(line) {}
+
+    int turn(PlaneId a, PlaneId b) const override { return lines_.turn(line_, a, b); }
+    bool same_half(PlaneId a, PlaneId b) const override {
+        const Plane &p = tables_.planes.plane(a), &q = tables_.planes.plane(b);
+        const int axis = p.dominant_axis();
+        return (p.normal[axis] > 0) == (q.normal[axis] > 0);
+    }
+
+private:
+    const LineTable& lines_;
+    const JoinTables& tables_;
+    const std::uint32_t line_;
+};
 
 }  // namespace
 
@@ -105,7 +121,9 @@ void Arranger::arrange_line(std::uint32_t line) {
         spokes_.clear();
         for (; end < in_piece_.size() && in_piece_[end].first == in_piece_[first].first; ++end) {
             const LineSide& side = sides_.side(in_piece_[end].second);
-            spokes_.push_back({in_piece_[end].second, side.forward ? side.plane : from_behind(side.plane)});
+            const bool portal = !polygons_[side.owner].face;
+            spokes_.push_back({side.forward ? side.plane : from_behind(side.plane), in_piece_[end].second,
+                               portal || !side.forward, portal || side.forward});
         }
         arrange_piece(line, in_piece_[first].first);
         first = end;
@@ -131,63 +149,31 @@ void Arranger::divide_side(std::uint32_t side, std::uint32_t first, std::uint32_
     edge_of_piece_.resize(edge_of_piece_.size() + count, kNoEdge);
 }
 
-/// The quarter or half of the circle, counted from the first spoke, that a spoke lies in.
-int Arranger::half(std::uint32_t line, PlaneId zero, PlaneId spoke) const {
-    if (zero == spoke) return 0;
-    const int turn = lines_.turn(line, zero, spoke);
-    if (turn != 0) return turn > 0 ? 1 : 3;
-    return parallel_same_way(zero, spoke) ? 0 : 2;
-}
-
-bool Arranger::parallel_same_way(PlaneId a, PlaneId b) const {
-    const Plane &p = tables_.planes.plane(a), &q = tables_.planes.plane(b);
-    const int axis = p.dominant_axis();
-    return (p.normal[axis] > 0) == (q.normal[axis] > 0);
-}
-
 void Arranger::arrange_piece(std::uint32_t line, std::uint32_t piece) {
-    const PlaneId zero = spokes_[0].turned;
-    std::sort(spokes_.begin(), spokes_.end(), [&](const Spoke& a, const Spoke& b) {
-        if (a.turned == b.turned) return a.side < b.side;
-        const int x = half(line, zero, a.turned), y = half(line, zero, b.turned);
-        if (x != y) return x < y;
-        return lines_.turn(line, a.turned, b.turned) > 0;
-    });
-    const std::size_t count = spokes_.size();
-    bool sound = true;
-    for (std::size_t k = 0; k < count; ++k) {
-        const Spoke &a = spokes_[k], &b = spokes_[k + 1 < count ? k + 1 : 0];
-        const std::uint32_t after = side_after(a), before = side_before(b);
-        if ((after == kSolid) != (before == kSolid)) sound = false;
-        if (count > 1 && a.turned == b.turned) sound = false;  // one on the other
-    }
-    if (!sound) return note_open(line, piece);
+    if (!sort_spokes(spokes_, LineAngles(lines_, tables_, line))) return note_open(line, piece);
     pair_faces(piece);
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::uint32_t after = side_after(spokes_[k]), before = side_before(spokes_[k + 1 < count ? k + 1 : 0]);
-        if (after != kSolid) seen_.push_back({after, before});
+    for (std::size_t k = 0; k < spokes_.size(); ++k) {
+        const Spoke &here = spokes_[k], &next = spokes_[k + 1 < spokes_.size() ? k + 1 : 0];
+        if (here.air_after) seen_.push_back({side_after(here), side_before(next)});
     }
 }
 
 // Turning about the line, the front of a polygon that runs along it comes after it, that of one that runs against it
 // before it.
 std::uint32_t Arranger::side_after(const Spoke& spoke) const {
-    return side_of(spoke, sides_.side(spoke.side).forward);
+    const LineSide& side = sides_.side(spoke.owner);
+    return 2 * side.owner + !side.forward;
 }
 std::uint32_t Arranger::side_before(const Spoke& spoke) const {
-    return side_of(spoke, !sides_.side(spoke.side).forward);
-}
-std::uint32_t Arranger::side_of(const Spoke& spoke, bool front) const {
-    const std::uint32_t polygon = sides_.side(spoke.side).owner;
-    if (!front && polygons_[polygon].face) return kSolid;
-    return 2 * polygon + !front;
+    const LineSide& side = sides_.side(spoke.owner);
+    return 2 * side.owner + side.forward;
 }
 
 /// Each face that runs along the line bounds one wedge of air with the next face that runs against it.
 void Arranger::pair_faces(std::uint32_t piece) {
     around_.clear();
     for (const Spoke& spoke : spokes_)
-        if (polygons_[sides_.side(spoke.side).owner].face) around_.push_back(spoke.side);
+        if (polygons_[sides_.side(spoke.owner).owner].face) around_.push_back(spoke.owner);
     for (std::size_t k = 0; k < around_.size(); ++k) {
         const LineSide& side = sides_.side(around_[k]);
         if (!side.forward) continue;
@@ -204,7 +190,7 @@ void Arranger::pair_faces(std::uint32_t piece) {
 
 void Arranger::note_open(std::uint32_t line, std::uint32_t piece) {
     OpenEdge edge{{corners_[piece], corners_[piece + 1]}, {}};
-    for (const Spoke& spoke : spokes_) edge.polygons.push_back(sides_.side(spoke.side).owner);
+    for (const Spoke& spoke : spokes_) edge.polygons.push_back(sides_.side(spoke.owner).owner);
     open_.push_back(std::move(edge));
     line_of_open_.push_back(line);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "geometry/around_edge.h"
 #include "join/merge_pieces.h"
 
 namespace firma {
@@ -86,22 +87,14 @@ private:
         std::uint32_t first_seen = 0, seen_count = 0;  ///< of `seen_`
         bool dirty = false;
     };
-    /// A polygon around a piece of a line.
-    struct Spoke {
-        std::uint32_t side;
-        PlaneId turned;  ///< its half plane, turned by a right angle about the line, is this plane's normal
-    };
 
     void note_lines(std::uint32_t polygon);
     void arrange_line(std::uint32_t line);
     void divide_side(std::uint32_t side, std::uint32_t first, std::uint32_t last);
     void note_outline(std::uint32_t polygon);
-    int half(std::uint32_t line, PlaneId zero, PlaneId spoke) const;
-    bool parallel_same_way(PlaneId a, PlaneId b) const;
     void arrange_piece(std::uint32_t line, std::uint32_t piece);
     std::uint32_t side_after(const Spoke& spoke) const;
     std::uint32_t side_before(const Spoke& spoke) const;
-    std::uint32_t side_of(const Spoke& spoke, bool front) const;
     void pair_faces(std::uint32_t piece);
     void note_open(std::uint32_t line, std::uint32_t piece);
 
@@ -126,7 +119,7 @@ private:
     std::vector<std::uint32_t> on_line_, corners_;
     FlatMap place_of_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> in_piece_;
-    std::vector<Spoke> spokes_;
+    std::vector<Spoke> spokes_;  ///< of sides
     std::vector<std::uint32_t> around_;
 };
 

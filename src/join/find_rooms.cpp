@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "cast/cast_sphere_polygon.h"
+#include "cast/side_met.h"
 #include "firma/tree_options.h"
-#include "geometry/exact_integer.h"
+#include "geometry/mesh_shells.h"
 #include "geometry/polygon_shape.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
@@ -16,30 +17,13 @@
 namespace firma {
 namespace {
 
-constexpr Vec3 kWays[] = {{0.36, 0.48, 0.80},  {-0.48, 0.64, -0.60}, {0.60, -0.64, 0.48},  {-0.28, -0.96, 0.02},
-                          {0.96, 0.03, -0.28}, {0.02, 0.28, 0.96},   {-0.8, -0.36, -0.48}, {0.64, 0.6, -0.48}};
 constexpr double kLineLength = 8 * kWorldRim;  ///< from beyond the world to beyond it
 
 /// Crossings nearer to each other, or to a facet's rim, may be told in the wrong order (metres).
 constexpr double kTooNear = 1e-6;
-/// A line that meets a facet at a smaller sine than this says little.
-constexpr double kTooFlat = 0.01;
 
 /// Metres in front of a polygon, where one looks for the room that it is met from: it may lie on a portal.
 constexpr double kBeforeFace = 0.001;
-
-/// Six times the volume between a facet and the origin, in cubic surface steps: at most 2^99 a triangle.
-Int128 cone_of(std::span<const GridPoint> corners) {
-    Int128 sum = 0;
-    const GridPoint& a = corners[0];
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-        const GridPoint &b = corners[k - 1], &c = corners[k];
-        sum += Int128(a.x) * (Int128(b.y) * c.z - Int128(b.z) * c.y);
-        sum += Int128(a.y) * (Int128(b.z) * c.x - Int128(b.x) * c.z);
-        sum += Int128(a.z) * (Int128(b.x) * c.y - Int128(b.y) * c.x);
-    }
-    return sum;
-}
 
 /// Of a facet's corners: somewhere inside it, for each try somewhere else.
 Vec3 inside(std::span<const GridPoint> corners, std::size_t attempt) {
@@ -82,14 +66,9 @@ struct AllOnLine {
         const PolygonShape shape = make_shape(corners);
         const Contact contact = cast_sweep_polygon(sweep, shape, Sides::kBoth, sweep.end, nullptr);
         if (!contact.touched()) return;
-        const double facing = dot(sweep.direction, shape.unit_normal()) / sweep.direction_length;
-        if (std::fabs(facing) < kTooFlat || contact.feature != Feature::kFace) sure = false;
-        const Vec3 point = sweep.at(contact.t);
-        for (std::size_t c = 0; c < corners.size(); ++c) {
-            const Vec3 edge = corners[shape.next(c)] - corners[c];
-            if (length(cross(edge, point - corners[c])) < kTooNear * length(edge)) sure = false;
-        }
-        touches.push_back({contact.t, facet, facing < 0});
+        const int side = side_met(sweep, shape, contact, kTooNear);
+        sure = sure && side != 0;
+        touches.push_back({contact.t, facet, side > 0});
     }
 };
 
@@ -167,7 +146,7 @@ bool RoomFinder::hang(std::uint32_t polygon, DisjointSets& sides) const {
     std::vector<Crossing> crossings;
     const auto nothing = [](std::uint32_t, std::uint32_t) {};
     for (std::size_t attempt = 0; attempt < 4; ++attempt)
-        for (const Vec3& way : kWays)
+        for (const Vec3& way : kRayWays)
             for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
                 double at;
                 if (!cross_level(inside(facets_.corners[k], attempt), way, crossings, at)) continue;
@@ -194,7 +173,7 @@ JoinRooms RoomFinder::find(DisjointSets seen_together) const {
         const std::uint32_t shell = seen_together.find(side);
         GridBox box;
         for (std::uint32_t k = facets_.first[polygon]; k < facets_.first[polygon + 1]; ++k) {
-            const Int128 cone = cone_of(facets_.corners[k]);
+            const Int128 cone = six_times_cone(facets_.corners[k], {});
             volume[shell] += back ? -cone : cone;
             for (const GridPoint& corner : facets_.corners[k]) box.add(corner);
         }
@@ -238,7 +217,7 @@ std::uint32_t RoomFinder::room_of(const JoinRooms& rooms, std::span<const GridPo
 std::uint32_t RoomFinder::room_at(const JoinRooms& rooms, const Vec3& point) const {
     std::vector<Crossing> crossings;
     const auto nothing = [](std::uint32_t, std::uint32_t) {};
-    for (const Vec3& way : kWays) {
+    for (const Vec3& way : kRayWays) {
         double at;
         if (!cross_level(point, way, crossings, at) || !follow(crossings, nothing)) continue;
         const Crossing* last = nullptr;

@@ -5,18 +5,37 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/edge_sides.h"
 #include "level/find_t_joints.h"
-#include "level/shared_edges.h"
 
 namespace firma {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
 
+/// The corner after another one of the same face.
+std::uint32_t corner_after(const ExactMesh::Face& face, std::uint32_t corner) {
+    return corner + 1 < face.first_corner + face.corner_count ? corner + 1 : face.first_corner;
+}
+
+/// Of all faces; their owners are the corners where they begin. One without length belongs to no edge.
+std::vector<EdgeSide> sides_of(const ExactMesh& mesh, const WeldedPositions& welded) {
+    std::vector<EdgeSide> sides;
+    sides.reserve(mesh.corners.size());
+    for (const ExactMesh::Face& face : mesh.faces)
+        for (std::uint32_t corner = face.first_corner; corner < face.first_corner + face.corner_count; ++corner) {
+            const std::uint32_t from = welded.of_corner[corner];
+            const std::uint32_t to = welded.of_corner[corner_after(face, corner)];
+            if (from != to) sides.emplace_back(from, to, corner);
+        }
+    sort_sides(sides, welded.size());
+    return sides;
+}
+
 class EdgeChecker {
 public:
     EdgeChecker(const ExactMesh& mesh, const WeldedPositions& welded)
-        : mesh_(mesh), welded_(welded), edges_(mesh, welded), face_of_(mesh.corners.size()) {
+        : mesh_(mesh), welded_(welded), sides_(sides_of(mesh, welded)), face_of_(mesh.corners.size()) {
         for (std::uint32_t face = 0; face < mesh.faces.size(); ++face)
             for (std::uint32_t k = 0; k < mesh.faces[face].corner_count; ++k)
                 face_of_[mesh.faces[face].first_corner + k] = face;
@@ -43,7 +62,7 @@ private:
 
     const ExactMesh& mesh_;
     const WeldedPositions& welded_;
-    SharedEdges edges_;
+    const std::vector<EdgeSide> sides_;   ///< by edge
     std::vector<std::uint32_t> face_of_;  ///< of a corner
     std::vector<std::uint32_t> partner_;  ///< the other side, by its corner, of an edge with two
     std::vector<bool> same_way_;          ///< that side runs the same way
@@ -55,11 +74,11 @@ private:
 void EdgeChecker::find_reversed() {
     partner_.assign(mesh_.corners.size(), kNone);
     same_way_.assign(mesh_.corners.size(), false);
-    edges_.for_each([&](std::span<const FaceSide> sides) {
-        if (sides.size() != 2 || face_of_[sides[0].corner] == face_of_[sides[1].corner]) return;
+    for_each_edge(sides_, [&](std::span<const EdgeSide> sides) {
+        if (sides.size() != 2 || face_of_[sides[0].owner] == face_of_[sides[1].owner]) return;
         for (std::size_t k = 0; k < 2; ++k) {
-            partner_[sides[k].corner] = sides[1 - k].corner;
-            same_way_[sides[k].corner] = sides[0].up == sides[1].up;
+            partner_[sides[k].owner] = sides[1 - k].owner;
+            same_way_[sides[k].owner] = sides[0].upward == sides[1].upward;
         }
     });
     reached_.assign(mesh_.faces.size(), false);
@@ -106,14 +125,14 @@ std::uint32_t EdgeChecker::telling_corner(std::uint32_t face) const {
 
 /// Counts the sides of each edge either way, reversed faces taken as turned over.
 void EdgeChecker::find_open() {
-    edges_.for_each([&](std::span<const FaceSide> sides) {
-        const auto up = [&](const FaceSide& side) { return side.up != turned_[face_of_[side.corner]]; };
+    for_each_edge(sides_, [&](std::span<const EdgeSide> sides) {
+        const auto up = [&](const EdgeSide& side) { return side.upward != turned_[face_of_[side.owner]]; };
         const auto ups = std::size_t(std::count_if(sides.begin(), sides.end(), up));
         const std::size_t downs = sides.size() - ups;
         std::size_t excess = ups > downs ? ups - downs : downs - ups;
         for (std::size_t k = sides.size(); excess > 0; --k) {
             if (up(sides[k - 1]) != (ups > downs)) continue;
-            faults_.push_back({face_of_[sides[k - 1].corner], MeshFault::kOpenEdge, sides[k - 1].corner});
+            faults_.push_back({face_of_[sides[k - 1].owner], MeshFault::kOpenEdge, sides[k - 1].owner});
             --excess;
         }
     });

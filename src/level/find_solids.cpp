@@ -90,14 +90,14 @@ private:
             return doubled_[number];
         }
         const auto use =
-            std::lower_bound(mesh_.uses.begin(), mesh_.uses.end(), std::tie(low, high),
-                             [](const EdgeUse& a, const std::tuple<const std::uint32_t&, const std::uint32_t&>& key) {
+            std::lower_bound(mesh_.sides.begin(), mesh_.sides.end(), std::tie(low, high),
+                             [](const EdgeSide& a, const std::tuple<const std::uint32_t&, const std::uint32_t&>& key) {
                                  return std::tie(a.low, a.high) < key;
                              });
-        std::uint32_t& known = edge_of_.at(std::uint64_t(use - mesh_.uses.begin()));
+        std::uint32_t& known = edge_of_.at(std::uint64_t(use - mesh_.sides.begin()));
         if (known == FlatMap::kNone) {
             known = std::uint32_t(edges_.size());
-            edges_.push_back(make_edge(low, high, use[0].face, use[1].face, false));
+            edges_.push_back(make_edge(low, high, use[0].owner, use[1].owner, false));
         }
         return edges_[known];
     }

@@ -4,58 +4,41 @@
 // an upward one and ends at the next, a downward one.
 #include "level/pair_edges.h"
 
-#include <numeric>
-
-#include "base/sort.h"
+#include "geometry/around_edge.h"
 #include "geometry/grid_orient.h"
 
 namespace firma {
 namespace {
 
-class AroundEdge {
+/// Of half planes that are known by points in them.
+class EdgeAngles final : public SpokeAngles {
 public:
-    AroundEdge(std::span<const InputPoint> points, const EdgeUse& reference)
-        : points_(points), low_(points[reference.low]), high_(points[reference.high]), zero_(reference.apex) {}
+    EdgeAngles(std::span<const InputPoint> points, const EdgeSide& edge)
+        : points_(points), low_(points[edge.low]), high_(points[edge.high]) {}
 
-    /// Whether a lies before b, by angle from the reference.
-    bool before(std::uint32_t a, std::uint32_t b) const {
-        const int half_a = half(a), half_b = half(b);
-        return half_a != half_b ? half_a < half_b : turn(a, b) > 0;
+    int turn(std::uint32_t a, std::uint32_t b) const override { return orient(low_, high_, points_[a], points_[b]); }
+    bool same_half(std::uint32_t a, std::uint32_t b) const override {
+        const AreaVector n = area_vector(low_, high_, points_[a]), m = area_vector(low_, high_, points_[b]);
+        return Int128(n.x) * m.x + Int128(n.y) * m.y + Int128(n.z) * m.z > 0;
     }
-    bool same(std::uint32_t a, std::uint32_t b) const { return half(a) == half(b) && turn(a, b) == 0; }
 
 private:
-    int turn(std::uint32_t a, std::uint32_t b) const { return orient(low_, high_, points_[a], points_[b]); }
-    /// 0 at the reference's angle, 1 within half a turn from there, 2 opposite, 3 beyond.
-    int half(std::uint32_t a) const {
-        const int side = turn(zero_, a);
-        if (side != 0) return side > 0 ? 1 : 3;
-        const AreaVector n = area_vector(low_, high_, points_[zero_]), m = area_vector(low_, high_, points_[a]);
-        return Int128(n.x) * m.x + Int128(n.y) * m.y + Int128(n.z) * m.z > 0 ? 0 : 2;
-    }
-
     std::span<const InputPoint> points_;
     const InputPoint &low_, &high_;
-    const std::uint32_t zero_;
 };
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_uses(std::span<const InputPoint> points,
-                                                               std::span<const EdgeUse> uses) {
-    const AroundEdge around(points, uses[0]);
-    std::vector<std::uint32_t> order(uses.size());
-    std::iota(order.begin(), order.end(), 0u);
-    sort_range(order, [&](std::uint32_t a, std::uint32_t b) {
-        if (around.same(uses[a].apex, uses[b].apex)) return a < b;
-        return around.before(uses[a].apex, uses[b].apex);
-    });
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_sides(std::span<const InputPoint> points,
+                                                                std::span<const EdgeSide> sides,
+                                                                std::span<const std::uint32_t> apexes) {
+    std::vector<Spoke> spokes;
+    for (std::uint32_t k = 0; k < sides.size(); ++k)
+        spokes.push_back({apexes[k], k, !sides[k].upward, sides[k].upward});
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const std::uint32_t here = order[k], next = order[k + 1 < order.size() ? k + 1 : 0];
-        if (uses[here].upward == uses[next].upward || around.same(uses[here].apex, uses[next].apex)) return {};
-        if (uses[here].upward) pairs.emplace_back(here, next);
-    }
+    if (!sort_spokes(spokes, EdgeAngles(points, sides[0]))) return pairs;
+    for (std::size_t k = 0; k < spokes.size(); ++k)
+        if (spokes[k].air_after) pairs.emplace_back(spokes[k].owner, spokes[k + 1 < spokes.size() ? k + 1 : 0].owner);
     return pairs;
 }
 

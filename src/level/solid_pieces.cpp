@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 #include "base/disjoint_sets.h"
 #include "base/sort.h"
+#include "level/pair_edges.h"
 #include "level/slab_tree.h"
 
 namespace firma {
@@ -36,14 +36,14 @@ std::vector<std::uint32_t> number_positions(const std::vector<GridPoint>& vertic
     return first;
 }
 
-/// A corner off the line of an edge; any does.
-std::uint32_t apex_of(const SolidMesh& mesh, const EdgeUse& use) {
-    const InputPoint &a = mesh.points[use.low], &b = mesh.points[use.high];
-    for (const std::uint32_t corner : mesh.corners(use.face)) {
+/// A corner off the line of a side; any does.
+std::uint32_t apex_of(const SolidMesh& mesh, const EdgeSide& side) {
+    const InputPoint &a = mesh.points[side.low], &b = mesh.points[side.high];
+    for (const std::uint32_t corner : mesh.corners(side.owner)) {
         const AreaVector n = area_vector(a, b, mesh.points[corner]);
         if (n.x != 0 || n.y != 0 || n.z != 0) return corner;
     }
-    return use.low;
+    return side.low;
 }
 
 class PieceJoiner {
@@ -51,11 +51,7 @@ public:
     explicit PieceJoiner(const SolidMesh& mesh) : mesh_(mesh), sets_(mesh.level->faces.size()) {}
 
     SolidPieces join() {
-        for (std::size_t k = 0, end = 0; k < mesh_.uses.size(); k = end) {
-            end = k;
-            while (end < mesh_.uses.size() && same_edge(mesh_.uses[end], mesh_.uses[k])) ++end;
-            join_edge({mesh_.uses.data() + k, end - k});
-        }
+        for_each_edge(mesh_.sides, [&](std::span<const EdgeSide> sides) { join_edge(sides); });
         number_pieces();
         for (const auto& [face, note] : faults_) found_.refuse(found_.of_face[face], note);
         for (std::uint32_t face = 0; face < mesh_.level->faces.size(); ++face) check_face(face);
@@ -63,28 +59,26 @@ public:
     }
 
 private:
-    static bool same_edge(const EdgeUse& a, const EdgeUse& b) { return a.low == b.low && a.high == b.high; }
-
-    void join_edge(std::span<const EdgeUse> uses) {
+    void join_edge(std::span<const EdgeSide> sides) {
         int balance = 0;
-        for (const EdgeUse& use : uses) balance += use.upward ? 1 : -1;
-        if (balance == 0 && uses.size() == 2) return sets_.join(uses[0].face, uses[1].face);
-        if (balance == 0 && join_doubled(uses)) return;
-        for (const EdgeUse& use : uses) sets_.join(uses[0].face, use.face);
-        const EdgeUse& shown = uses[0];
+        for (const EdgeSide& side : sides) balance += side.upward ? 1 : -1;
+        if (balance == 0 && sides.size() == 2) return sets_.join(sides[0].owner, sides[1].owner);
+        if (balance == 0 && join_doubled(sides)) return;
+        for (const EdgeSide& side : sides) sets_.join(sides[0].owner, side.owner);
+        const EdgeSide& shown = sides[0];
         const std::uint32_t from = shown.upward ? shown.low : shown.high, to = shown.upward ? shown.high : shown.low;
-        faults_.emplace_back(shown.face,
-                             SolidNote{balance == 0 ? SolidNoteKind::kFoldedEdge : SolidNoteKind::kOpenEdge, 0,
-                                       mesh_.level->faces[shown.face].source, 0, mesh_.metres(from), mesh_.metres(to)});
+        faults_.emplace_back(
+            shown.owner, SolidNote{balance == 0 ? SolidNoteKind::kFoldedEdge : SolidNoteKind::kOpenEdge, 0,
+                                   mesh_.level->faces[shown.owner].source, 0, mesh_.metres(from), mesh_.metres(to)});
     }
 
-    bool join_doubled(std::span<const EdgeUse> uses) {
-        around_.assign(uses.begin(), uses.end());
-        for (EdgeUse& use : around_) use.apex = apex_of(mesh_, use);
-        const auto pairs = pair_uses(mesh_.points, around_);
+    bool join_doubled(std::span<const EdgeSide> sides) {
+        apexes_.clear();
+        for (const EdgeSide& side : sides) apexes_.push_back(apex_of(mesh_, side));
+        const auto pairs = pair_sides(mesh_.points, sides, apexes_);
         for (const auto& [up, down] : pairs) {
-            sets_.join(uses[up].face, uses[down].face);
-            found_.doubled.push_back({uses[0].low, uses[0].high, uses[up].face, uses[down].face});
+            sets_.join(sides[up].owner, sides[down].owner);
+            found_.doubled.push_back({sides[0].low, sides[0].high, sides[up].owner, sides[down].owner});
         }
         return !pairs.empty();
     }
@@ -120,7 +114,7 @@ private:
     DisjointSets sets_;
     SolidPieces found_;
     std::vector<std::pair<std::uint32_t, SolidNote>> faults_;  ///< with a face of the piece
-    std::vector<EdgeUse> around_;
+    std::vector<std::uint32_t> apexes_;
 };
 
 /// Asks all pairs of faces of good pieces that may cross.
@@ -192,18 +186,16 @@ SolidMesh solid_mesh(const Level& level) {
     const std::vector<std::uint32_t> number = number_positions(level.vertices, mesh.points);
     mesh.corner_point.reserve(level.corners.size());
     for (const std::uint32_t vertex : level.corners) mesh.corner_point.push_back(number[vertex]);
-    mesh.uses.reserve(level.corners.size());
+    mesh.sides.reserve(level.corners.size());
     for (std::uint32_t face = 0; face < level.faces.size(); ++face) {
         const auto corners = mesh.corners(face);
         std::uint32_t last = corners.back();
         for (const std::uint32_t next : corners) {
-            mesh.uses.push_back({std::min(last, next), std::max(last, next), face, last < next, 0});
+            mesh.sides.emplace_back(last, next, face);
             last = next;
         }
     }
-    sort_range(mesh.uses, [](const EdgeUse& a, const EdgeUse& b) {
-        return std::tie(a.low, a.high, a.face, a.upward) < std::tie(b.low, b.high, b.face, b.upward);
-    });
+    sort_sides(mesh.sides, mesh.points.size());
     return mesh;
 }
 

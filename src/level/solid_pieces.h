@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "base/edge_sides.h"
 #include "firma/level.h"
 #include "firma/solid.h"
 #include "geometry/polygons_cross.h"
 #include "index/box_tree.h"
-#include "level/pair_edges.h"
 
 namespace firma {
 
@@ -20,7 +20,7 @@ struct SolidMesh {
     const Level* level = nullptr;
     std::vector<InputPoint> points;           ///< by number
     std::vector<std::uint32_t> corner_point;  ///< number of each of Level::corners
-    std::vector<EdgeUse> uses;                ///< by edge, then by face
+    std::vector<EdgeSide> sides;              ///< by edge; their owners are faces
 
     std::span<const std::uint32_t> corners(std::uint32_t face) const {
         const LevelFace& it = level->faces[face];

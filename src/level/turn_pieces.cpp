@@ -3,45 +3,13 @@
 // are told apart by how often the pieces around wind around a point of it, counted along a ray. Pieces do not cross, so
 // those around a point lie in each other: one ray from the innermost tells of all of them which lies in which.
 #include <algorithm>
-#include <numeric>
 
 #include "base/sort.h"
+#include "geometry/mesh_shells.h"
 #include "level/solid_pieces.h"
 
 namespace firma {
 namespace {
-
-/// The middle of an edge, in half steps.
-struct Middle {
-    std::int64_t x = 0, y = 0, z = 0;
-};
-
-/// Sign of the turn from a to b to the middle, seen against the x axis; the middle stands a shade beside itself, by an
-/// infinitesimal in y and the square of it in z, so that it is on no edge that has any length in this view.
-int turn(const InputPoint& a, const InputPoint& b, const Middle& m) {
-    const std::int64_t uy = b.y - a.y, uz = b.z - a.z, vy = m.y - 2 * std::int64_t(a.y),
-                       vz = m.z - 2 * std::int64_t(a.z);
-    const std::int64_t area = uy * vz - uz * vy;
-    const std::int64_t decisive = area != 0 ? area : uz != 0 ? -uz : uy;
-    return decisive > 0 ? 1 : decisive < 0 ? -1 : 0;
-}
-
-/// How a ray from the middle along x passes through a face: 1 outward, -1 inward, 0 not at all.
-int passage(const SolidMesh& mesh, std::uint32_t face, const Middle& m) {
-    const MeshPolygon polygon = mesh.polygon(face);
-    const AreaVector& n = polygon.normal;
-    if (n.x == 0) return 0;
-    const int facing = n.x > 0 ? 1 : -1;
-    std::uint32_t last = polygon.corners.back();
-    for (const std::uint32_t next : polygon.corners) {
-        if (turn(mesh.points[last], mesh.points[next], m) != facing) return 0;
-        last = next;
-    }
-    const InputPoint& a = mesh.points[last];
-    const Int128 height = Int128(n.x) * (m.x - 2 * std::int64_t(a.x)) + Int128(n.y) * (m.y - 2 * std::int64_t(a.y)) +
-                          Int128(n.z) * (m.z - 2 * std::int64_t(a.z));
-    return (height < 0) == (facing > 0) ? facing : 0;
-}
 
 class PieceTurner {
 public:
@@ -86,15 +54,8 @@ private:
     /// Six times the volume of each piece about some point, cubic input steps.
     void measure() {
         volume_.assign(pieces_.pieces.size(), 0);
-        for (const std::uint32_t face : good_.faces) {
-            const auto corners = mesh_.corners(face);
-            const InputPoint &p = mesh_.points[corners[0]], &origin = mesh_.points[0];
-            for (std::size_t k = 2; k < corners.size(); ++k) {
-                const AreaVector n = area_vector(p, mesh_.points[corners[k - 1]], mesh_.points[corners[k]]);
-                volume_[pieces_.of_face[face]] +=
-                    Int128(n.x) * (p.x - origin.x) + Int128(n.y) * (p.y - origin.y) + Int128(n.z) * (p.z - origin.z);
-            }
-        }
+        for (const std::uint32_t face : good_.faces)
+            volume_[pieces_.of_face[face]] += six_times_cone(mesh_.points, mesh_.corners(face), mesh_.points[0]);
     }
 
     /// Nothing lies around the piece with the least vertex. Of several that share it the largest holds the others, or
@@ -118,18 +79,10 @@ private:
     /// An edge of each piece that no other piece shares: nothing else passes through its middle.
     void find_edges() {
         edge_.assign(pieces_.pieces.size(), kNone);
-        for (std::uint32_t k = 0; k + 1 < mesh_.uses.size(); ++k) {
-            const EdgeUse& use = mesh_.uses[k];
-            std::uint32_t& known = edge_[pieces_.of_face[use.face]];
-            if (known != kNone) continue;
-            const auto same = [&](std::size_t other) {
-                return other < mesh_.uses.size() && mesh_.uses[other].low == use.low &&
-                       mesh_.uses[other].high == use.high;
-            };
-            const std::size_t count = 1 + (k > 0 && same(k - 1)) + same(k + 1) + (same(k + 1) && same(k + 2)) +
-                                      (k > 1 && same(k - 1) && same(k - 2));
-            if (count == 2) known = k;
-        }
+        for_each_edge(mesh_.sides, [&](std::span<const EdgeSide> sides) {
+            std::uint32_t& known = edge_[pieces_.of_face[sides[0].owner]];
+            if (sides.size() == 2 && known == kNone) known = std::uint32_t(&sides[0] - mesh_.sides.data());
+        });
     }
 
     /// Pieces around which some piece was found to lie are known, too.
@@ -155,17 +108,14 @@ private:
     /// Finds the pieces around a piece: those that a ray from the middle of its edge leaves more often than it enters
     /// them, or less often. What is not larger is not around it.
     void follow_ray(std::uint32_t piece) {
-        const EdgeUse& use = mesh_.uses[edge_[piece]];
-        const InputPoint &a = mesh_.points[use.low], &b = mesh_.points[use.high];
-        const Middle m{std::int64_t(a.x) + b.x, std::int64_t(a.y) + b.y, std::int64_t(a.z) + b.z};
-        const auto steps = [](std::int64_t half_steps) { return std::int32_t(half_steps * (kSurfacePerInput / 2)); };
-        const GridBox ray{{steps(m.x), steps(m.y), steps(m.z)}, {INT32_MAX, steps(m.y), steps(m.z)}};
+        const EdgeSide& edge = mesh_.sides[edge_[piece]];
+        const EdgeRay ray(mesh_.points[edge.low], mesh_.points[edge.high]);
         crossings_.resize(pieces_.pieces.size());
-        good_.tree.for_each_meeting(ray, [&](std::uint32_t number) {
+        good_.tree.for_each_meeting(ray.box(), [&](std::uint32_t number) {
             ++pieces_.work.on_rays;
             const std::uint32_t face = good_.faces[number], other = pieces_.of_face[face];
             if (other == piece || !pieces_.good(face) || !is_larger(other, piece)) return false;
-            const int passed = passage(mesh_, face, m);
+            const int passed = ray.passage(mesh_.points, mesh_.polygon(face));
             if (passed != 0) met_.push_back(other);
             crossings_[other] += passed;
             return false;
@@ -201,7 +151,7 @@ private:
     std::vector<Nested> nested_;
     const std::uint64_t most_on_rays_;
     std::vector<Int128> volume_;
-    std::vector<std::uint32_t> edge_;  ///< a use of it
+    std::vector<std::uint32_t> edge_;  ///< a side along it
     std::vector<std::uint32_t> around_, met_;
     std::vector<int> crossings_;  ///< of the ray with a piece: 1 outward, -1 inward
     bool rock_outside_ = false;

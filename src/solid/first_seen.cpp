@@ -2,9 +2,8 @@
 // What a ray from a point sees first, and so where the point lies.
 #include "solid/first_seen.h"
 
-#include <cmath>
-
 #include "cast/cast_sphere_polygon.h"
+#include "cast/side_met.h"
 #include "geometry/rounding.h"
 #include "index/traverse.h"
 #include "solid/face_shape.h"
@@ -23,16 +22,6 @@ constexpr double kMeetingError = rounding(512) * (kRayLength + 2 * kWorldRim);
 /// farther apart than the error; nearer to the edge, or in a sharper corner, either may seem to be first.
 constexpr double kRim = 1e-7;  // metres
 static_assert(kRim * 0.03 > kMeetingError);
-
-/// Whether a point of a polygon lies so near to its rim that rounding decides which of two neighbours is met first: of
-/// a surface that a ray only grazes, either may be.
-bool on_rim(const PolygonShape& polygon, const Vec3& point) {
-    for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-        const Vec3 edge = polygon.corners[polygon.next(k)] - polygon.corners[k];
-        if (length(cross(edge, point - polygon.corners[k])) < kRim * length(edge)) return true;
-    }
-    return false;
-}
 
 }  // namespace
 
@@ -62,42 +51,33 @@ void FirstSeen::look_at(const PolygonShape& polygon, std::uint32_t number) {
     polygon_ = &polygon;
 }
 
-Seen FirstSeen::judge(const Vec3& path) const {
+Seen FirstSeen::judge() const {
     if (!best_.touched()) return {.kind = Seen::Kind::kNothing};
-    if (best_.feature != Feature::kFace && best_.status == Status::kHit) return {};
-    const auto facing_of = [&](const Vec3& normal) { return dot(path, normal) / length(path); };
     if (!block_) {
-        const Seen in_front{.kind = Seen::Kind::kPolygon, .number = number_, .front = true};
-        if (best_.status == Status::kTouching) return in_front;
-        if (on_rim(*polygon_, sweep_.at(best_.t))) return {};
-        const double facing = facing_of(polygon_->unit_normal());
-        if (std::fabs(facing) < 0.01) return {};
-        return {.kind = Seen::Kind::kPolygon, .number = number_, .front = facing < 0};
+        const bool touching = best_.status == Status::kTouching;
+        const int side = touching ? 1 : side_met(sweep_, *polygon_, best_, kRim);
+        if (side == 0) return {};
+        return {.kind = Seen::Kind::kPolygon, .number = number_, .front = side > 0};
     }
     if (best_.status != Status::kHit) return {};
-    // A sliver's own plane may look anywhere: it must agree with the exact one.
     const FaceRecord& record = block_->faces[slot_];
     const FaceShape shape(*block_, record);
-    if (on_rim(shape.polygon, sweep_.at(best_.t))) return {};
-    const Vec3 normal = shape.polygon.unit_normal();
+    const int side = side_met(sweep_, shape.polygon, best_, kRim);
+    if (side == 0) return {};
+    // A sliver's own plane may look anywhere: it must agree with the exact one.
     const FaceOwner* owner = block_->owner_of(record);
-    if (owner && dot(owner->normal, normal) < 0.9) return {};
-    const double facing = facing_of(normal);
-    if (std::fabs(facing) < 0.01) return {};
-    return {.kind = facing < 0 ? Seen::Kind::kAir : Seen::Kind::kSolid, .part = block_->part};
+    if (owner && dot(owner->normal, shape.polygon.unit_normal()) < 0.9) return {};
+    return {.kind = side > 0 ? Seen::Kind::kAir : Seen::Kind::kSolid, .part = block_->part};
 }
 
 Seen see_first(const Node* root, const Vec3& point, const SeePolygons* polygons) {
-    constexpr Vec3 kWays[] = {{0.36, 0.48, 0.80},  {-0.48, 0.64, -0.60}, {0.60, -0.64, 0.48},  {-0.28, -0.96, 0.02},
-                              {0.96, 0.03, -0.28}, {0.02, 0.28, 0.96},   {-0.8, -0.36, -0.48}, {0.64, 0.6, -0.48}};
-    for (const Vec3& way : kWays) {
-        const Vec3 path = way * kRayLength;
+    for (const Vec3& way : kRayWays) {
         Sweep sweep;
-        if (make_sweep({point, 0}, path, sweep) != Status::kHit) return {};
+        if (make_sweep({point, 0}, way * kRayLength, sweep) != Status::kHit) return {};
         FirstSeen first(sweep);
         if (root) traverse(*root, first);
         if (polygons) polygons->look(first);
-        const Seen seen = first.judge(path);
+        const Seen seen = first.judge();
         if (seen.kind != Seen::Kind::kUnsure) return seen;
     }
     return {};

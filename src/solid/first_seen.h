@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a point lies: in the air or in the solid, by what a ray from it meets first.
+// Where a point lies: in the air or in the solid, by what a ray from it meets first. For any point in metres, and for
+// faces in blocks; what a line meets one after the other, from end to end, RoomFinder asks.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +55,7 @@ public:
     void look_at(const PolygonShape& polygon, std::uint32_t number);
 
     /// What to make of it; kUnsure where another ray should be asked.
-    Seen judge(const Vec3& path) const;
+    Seen judge() const;
 
 private:
     const Sweep& sweep_;

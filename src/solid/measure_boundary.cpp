@@ -5,6 +5,9 @@
 // So only two coordinates of each vertex matter, and only S is a sum of quotients.
 #include "solid/measure_boundary.h"
 
+#include "geometry/mesh_shells.h"
+#include "geometry/polygon_shape.h"
+
 namespace firma {
 namespace {
 
@@ -61,14 +64,9 @@ DoubleDouble twice_seen_area(const SolidPatch& patch, const PatchFace& face, int
 
 Int128 six_times_cone(const FacetPlace& facet, const GridPoint& apex) {
     const FaceRecord& record = facet.record();
-    const auto arm = [&](std::size_t k, int axis) {
-        return std::int64_t(facet.block->corner(record, k)[axis]) - apex[axis];
-    };
-    Int128 sum = 0;  // a facet's: 99 bits and a few for its corners
-    for (std::size_t k = 2; k < record.corner_count; ++k)
-        for (int x = 0, y = 1, z = 2; x < 3; y = z, z = x, ++x)
-            sum += arm(0, x) * (Int128(arm(k - 1, y)) * arm(k, z) - Int128(arm(k - 1, z)) * arm(k, y));
-    return sum;
+    GridPoint corners[kMaxCorners];
+    for (std::size_t k = 0; k < record.corner_count; ++k) corners[k] = facet.block->corner(record, k);
+    return six_times_cone({corners, record.corner_count}, apex);
 }
 
 }  // namespace

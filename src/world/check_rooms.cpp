@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rooms and portals, one by one, the slow and sure way.
+// Rooms and portals, one by one, the slow and sure way. Sides are sorted by place, not gathered by number: what a fault
+// names must not depend on the order of faces.
 #include "world/check_rooms.h"
 
 #include <algorithm>

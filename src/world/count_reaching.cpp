@@ -31,8 +31,8 @@ void clip(double at, double slope, double& low, double& high) {
     if (slope == 0 && at < 0) high = low - 1;
 }
 
-/// Whether a triangle passes through a convex polygon: it cuts the polygon's plane in a segment, of which some part
-/// lies within all sides.
+/// Whether a triangle passes through a convex polygon, in double: nothing but a count depends on it. It cuts the
+/// polygon's plane in a segment, of which some part lies within all sides.
 bool passes_through(const Vec3 (&triangle)[3], std::span<const Vec3> polygon) {
     const Vec3 normal = area_of(polygon);
     double height[3];

@@ -309,13 +309,14 @@ TEST(FindSolids, RockOutsideIsWhatTheOutermostPieceSays) {
     expect_sound(level, 729 - 1000);
 }
 
-TEST(PairUses, AsAnglesSay) {
+TEST(PairSides, AsAnglesSay) {
     scenes::Rng rng(7);
     int paired = 0;
     for (int k = 0; k < 2000; ++k) {
         // Rays around the z axis; apexes anywhere above them.
         std::vector<InputPoint> points = {{0, 0, 0}, {0, 0, 10}};
-        std::vector<EdgeUse> uses;
+        std::vector<EdgeSide> uses;
+        std::vector<std::uint32_t> apexes;
         const std::uint32_t count = 2 * (1 + rng.below(4));
         for (std::uint32_t i = 0; i < count; ++i) {
             InputPoint p;
@@ -325,7 +326,8 @@ TEST(PairUses, AsAnglesSay) {
             } while (p.x == 0 && p.y == 0);
             p.z = std::int32_t(rng.below(20)) - 5;
             points.push_back(p);
-            uses.push_back({0, 1, i, i % 2 == 0, i + 2});
+            i % 2 == 0 ? uses.emplace_back(0, 1, i) : uses.emplace_back(1, 0, i);
+            apexes.push_back(i + 2);
         }
         std::vector<std::uint32_t> order(count);
         for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
@@ -338,7 +340,7 @@ TEST(PairUses, AsAnglesSay) {
             const std::uint32_t here = order[i], next = order[(i + 1) % count];
             alternate &= uses[here].upward != uses[next].upward && angle(here) != angle(next);
         }
-        const auto pairs = pair_uses(points, uses);
+        const auto pairs = pair_sides(points, uses, apexes);
         EXPECT_EQ(!pairs.empty(), alternate) << k;
         if (pairs.empty()) continue;
         ++paired;
