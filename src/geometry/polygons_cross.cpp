@@ -25,9 +25,9 @@ bool are_neighbours(std::size_t k, std::size_t j, const MeshPolygon& polygon) {
 /// The sides of another polygon's plane that corners lie on.
 struct CornerSides {
     std::int8_t of[kMaxCorners];
-    bool front = false, back = false;  ///< some
-    std::size_t on_count = 0;          ///< corners in the plane
-    std::size_t on[2];                 ///< the places of the first of them in the other polygon, where they are there
+    bool front = false, back = false;            ///< some
+    std::size_t on_count = 0;                    ///< corners in the plane
+    std::size_t on[2] = {kNotThere, kNotThere};  ///< the places of the first of them in the other polygon
 
     CornerSides(std::span<const InputPoint> points, const MeshPolygon& polygon, const MeshPolygon& other) {
         const InputPoint& in_plane = points[other.corners[0]];
@@ -121,7 +121,7 @@ private:
         const int after = view_.turn(corner(k), corner(k + 1), to);
         return hand() > 0 ? before >= 0 && after >= 0 : before <= 0 && after <= 0;
     }
-    /// Which way the corners run in this view_.
+    /// Which way the corners run in this view.
     int hand() const {
         for (std::size_t k = 0; k < count(); ++k)
             if (const int turn = view_.turn(corner(k), corner(k + 1), corner(k + 2)); turn != 0) return turn;
@@ -137,9 +137,7 @@ bool edges_meet(const MeshPolygon& polygon, const CornerSides& sides, const Targ
     const std::size_t count = polygon.corners.size();
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t next = k + 1 < count ? k + 1 : 0;
-        const int side = sides.of[k], side_next = sides.of[next];
-        if (side * side_next > 0) continue;
-        if (target.met_by(polygon.corners[k], polygon.corners[next], side, side_next)) return true;
+        if (target.met_by(polygon.corners[k], polygon.corners[next], sides.of[k], sides.of[next])) return true;
     }
     return false;
 }
