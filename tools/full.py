@@ -85,6 +85,10 @@ def index(seed, count):
     return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
 
 
+def life(seed, count):
+    return [f'{BUILD}/full_life', '--count', str(count), '--seed', str(seed)]
+
+
 def carved(what):
     return lambda seed, count: [f'{BUILD}/full_carved_casts', '--what', what, '--count', str(count), '--seed', str(seed),
                                 '--cuts', '1000', '--threads', '2']
@@ -129,6 +133,9 @@ CLAIMS = [
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
+    Claim('long_life', 'cuts and fills in three worlds, after which casts look at no more than 1.15 times what an index built anew has them look at',
+          60_000, 60_000, 'edits', CARVE_SOURCES + ['src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_life.cpp', 'tests/full/options.h'],
+          'test', life, 'full_life'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',

@@ -15,18 +15,18 @@ struct WideVec {
 
 /// Twice the area, in square surface steps: at most 67 bits, as coordinates differ by at most 33.
 WideVec wide_normal(std::span<const Vec3> corners) {
-    struct Steps {
+    struct FromFirst {
         std::int64_t x, y, z;
     };
-    const auto steps_from_first = [&](const Vec3& corner) -> Steps {
+    const auto steps_from_first = [&](const Vec3& corner) -> FromFirst {
         const Vec3 d = corner - corners[0];
         return {std::int64_t(d.x * kSurfaceSteps), std::int64_t(d.y * kSurfaceSteps),
                 std::int64_t(d.z * kSurfaceSteps)};
     };
     WideVec sum;
-    Steps a = steps_from_first(corners[1]);
+    FromFirst a = steps_from_first(corners[1]);
     for (std::size_t k = 2; k < corners.size(); ++k) {
-        const Steps b = steps_from_first(corners[k]);
+        const FromFirst b = steps_from_first(corners[k]);
         sum.x += Wide(a.y) * b.z - Wide(a.z) * b.y;
         sum.y += Wide(a.z) * b.x - Wide(a.x) * b.z;
         sum.z += Wide(a.x) * b.y - Wide(a.y) * b.x;
