@@ -150,7 +150,7 @@ typedef struct firma_mesh {
 } firma_mesh;
 
 /* Closed pieces of a level can be carved; other faces can be cast against only. `name` is for messages and may be null;
- * `options` may be null. */
+ * `options` may be null. A level of which no face is left is FIRMA_ERROR_MALFORMED, with what was left out. */
 FIRMA_API firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const firma_world_options* options,
                                            firma_world* world);
 FIRMA_API firma_code firma_world_from_obj(const char* text, size_t length, const char* name,

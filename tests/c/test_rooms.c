@@ -78,6 +78,9 @@ static void test_map(void) {
     CHECK(facts.high[0] == 272);
     CHECK_OK(firma_world_release(large));
     CHECK_FAILS(firma_world_from_map("{\n{ ( 1 2", 10, "torn.map", NULL, &none), FIRMA_ERROR_MALFORMED, "torn.map:2");
+    const char* nothing = "{\n\"classname\" \"worldspawn\"\n}\n";
+    CHECK_FAILS(firma_world_from_map(nothing, strlen(nothing), "nothing.map", NULL, &none), FIRMA_ERROR_MALFORMED,
+                "nothing.map: no face is left");
     CHECK_FAILS(firma_world_from_map("", 0, "empty.map", NULL, &none), FIRMA_ERROR_MALFORMED, "empty.map");
     CHECK_FAILS(firma_world_from_map(NULL, 4, "x", NULL, &none), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_world_from_map(text, 4, "x", NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
