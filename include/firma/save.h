@@ -19,8 +19,9 @@ struct SaveOptions {
     /// cast against, not carved: no face of it is `solid`, in_solid() finds no rock, and a hit's `face_normal` is the
     /// facet's own.
     bool exact = true;
-    /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without,
-    /// worlds of equal hashes, rules and skins make equal bytes, and the world read back has the default TreeOptions.
+    /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without, the
+    /// bytes follow from the level, the edits, rules and skin alone, whatever the TreeOptions and however often the
+    /// index was built anew, and the world read back has the default TreeOptions.
     bool index = true;
 };
 
