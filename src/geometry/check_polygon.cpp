@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "firma/grid.h"
 #include "firma/polygon.h"
@@ -20,24 +21,18 @@ bool on_surface_grid(const Vec3& corner) {
     return true;
 }
 
-/// Corners in whole surface steps.
-struct Steps {
-    std::span<const Vec3> corners;
-
-    std::size_t size() const { return corners.size(); }
-    GridPoint operator[](std::size_t k) const {
-        const Vec3 steps = corners[k] * kSurfaceSteps;
-        return {std::int32_t(steps.x), std::int32_t(steps.y), std::int32_t(steps.z)};
-    }
-};
-
 }  // namespace
 
 PolygonFault check_polygon(std::span<const Vec3> corners) {
     if (corners.size() < 3) return PolygonFault::kTooFewCorners;
-    for (const Vec3& corner : corners)
+    std::vector<GridPoint> points;
+    points.reserve(corners.size());
+    for (const Vec3& corner : corners) {
         if (!on_surface_grid(corner)) return PolygonFault::kOffGrid;
-    const OutlineJudge<std::int64_t, Int128, Steps> judge({corners});
+        const Vec3 steps = corner * kSurfaceSteps;
+        points.push_back({std::int32_t(steps.x), std::int32_t(steps.y), std::int32_t(steps.z)});
+    }
+    const OutlineJudge<std::int64_t, Int128, std::span<const GridPoint>> judge(points);
     if (!judge.has_normal()) return PolygonFault::kNoArea;
     const OutlineForm form = judge.form();
     if (form == OutlineForm::kNotPlanar) return PolygonFault::kNotPlanar;

@@ -29,21 +29,23 @@ FlatView view_of(std::span<const GridPoint> outline, const Judge& judge) {
     return {};
 }
 
-/// Those without area too.
+bool has_area(std::span<const GridPoint> outline, const Triangle& triangle) {
+    const std::array<GridPoint, 3> corners{outline[triangle[0]], outline[triangle[1]], outline[triangle[2]]};
+    return Judge(corners).has_normal();
+}
+
+/// All but those without area.
 std::vector<Triangle> clip_ears(std::span<const GridPoint> outline, std::span<const FlatPoint> flat) {
     std::vector<RingCorner> ring(outline.size());
     link_ring(flat, 0, std::uint32_t(flat.size()), ring);
     Triangles clipped;
     EarClipper().clip(outline, ring, EarClipper::Takes::kAnything, clipped);
     std::vector<Triangle> triangles;
-    for (auto corner = clipped.corners.begin(); corner != clipped.corners.end(); corner += 3)
-        triangles.push_back({corner[0], corner[1], corner[2]});
+    for (auto corner = clipped.corners.begin(); corner != clipped.corners.end(); corner += 3) {
+        const Triangle triangle{corner[0], corner[1], corner[2]};
+        if (has_area(outline, triangle)) triangles.push_back(triangle);
+    }
     return triangles;
-}
-
-bool has_area(std::span<const GridPoint> outline, const Triangle& triangle) {
-    const std::array<GridPoint, 3> corners{outline[triangle[0]], outline[triangle[1]], outline[triangle[2]]};
-    return Judge(corners).has_normal();
 }
 
 /// The pieces as seen, to tell whether they overlap. Those seen edge-on cover nothing and are left out.
@@ -116,8 +118,7 @@ Division divide_polygon(std::span<const GridPoint> outline) {
     std::vector<FlatPoint> flat;
     flat.reserve(outline.size());
     for (const GridPoint& corner : outline) flat.push_back(project(corner, view));
-    for (const Triangle& triangle : clip_ears(outline, flat))
-        if (has_area(outline, triangle)) division.triangles.push_back(triangle);
+    division.triangles = clip_ears(outline, flat);
     if (division.triangles.empty()) return division;
 
     division.what = Division::What::kSplit;
