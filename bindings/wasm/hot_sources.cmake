@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What runs in every frame is compiled for speed, the rest of the module for size.
 file(GLOB FIRMA_HOT_SOURCES CONFIGURE_DEPENDS src/cast/*.cpp src/geometry/*.cpp src/world/cast_world.cpp src/world/near_world.cpp)
-list(FILTER FIRMA_HOT_SOURCES EXCLUDE REGEX "/(check_polygon|polygons_cross|mesh_shells|around_edge|exact_[a-z]*)\\.cpp$")
+list(FILTER FIRMA_HOT_SOURCES EXCLUDE REGEX "/(check_polygon|clip_ears|polygons_cross|mesh_shells|around_edge|triangulate|exact_[a-z]*)\\.cpp$")
 set_source_files_properties(${FIRMA_HOT_SOURCES} PROPERTIES COMPILE_OPTIONS -O3)
 # The signs that every cut asks for; all else of carving, for which there is no room, is compiled for size too.
 file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/geometry/exact_*.cpp)

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "geometry/double_double.h"
+#include "geometry/flat_loop.h"
 
 namespace firma {
 namespace {
@@ -102,19 +103,18 @@ private:
     }
 
     DoubleDouble of_plane(const Plane& plane, std::span<const std::uint32_t> ends) {
-        const int k = plane.dominant_axis(), u = (k + 1) % 3, v = (k + 2) % 3;
+        const int k = plane.dominant_axis(), u = FlatView{k}.u(), v = FlatView{k}.v();
+        struct Flat {
+            DoubleDouble u, v;
+        };
+        const auto corner = [&](std::uint32_t number) {
+            const Arm& at = arm(corners_[number]);
+            return Flat{at.at[u], at.at[v]};
+        };
         DoubleDouble twice_area;
         std::uint32_t first = 0;
         for (const std::uint32_t end : ends) {
-            const Arm start = arm(corners_[first]);
-            DoubleDouble last_u, last_v;
-            for (std::uint32_t corner = first + 1; corner < end; ++corner) {
-                const Arm& next = arm(corners_[corner]);
-                const DoubleDouble next_u = next.at[u] - start.at[u], next_v = next.at[v] - start.at[v];
-                if (corner > first + 1) twice_area = twice_area + (last_u * next_v - last_v * next_u);
-                last_u = next_u;
-                last_v = next_v;
-            }
+            add_twice_area(first, end, corner, twice_area);
             first = end;
         }
         Int128 d = plane.offset();

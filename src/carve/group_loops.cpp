@@ -2,36 +2,27 @@
 // From loops in one plane to faces.
 #include "carve/group_loops.h"
 
+#include "geometry/flat_loop.h"
+
 namespace firma {
 namespace {
-
-/// The plane seen along an axis, so that loops around air run counter-clockwise.
-struct Seen {
-    int u, v;
-
-    explicit Seen(const Plane& plane) {
-        const int axis = plane.dominant_axis();
-        const bool flip = plane.normal[axis] < 0;
-        u = (axis + (flip ? 2 : 1)) % 3;
-        v = (axis + (flip ? 1 : 2)) % 3;
-    }
-};
 
 class Grouper {
 public:
     Grouper(const CutView& view, const NewFace& like, std::span<const PatchUse> loops,
             std::span<const std::uint32_t> ends, NewLoops& made)
-        : view_(view), made_(made), like_(like), seen_(like.plane->plane), loops_(loops), ends_(ends) {}
+        : view_(view), made_(made), like_(like), loops_(loops), ends_(ends) {}
 
     Verdict group() {
         if (ends_.size() == 1) {
             add_face(0, {});
             return Verdict::kFine;
         }
+        project_corners();
         std::vector<Int128> area(ends_.size());
         std::vector<std::size_t> outer;
         for (std::size_t loop = 0; loop < ends_.size(); ++loop) {
-            area[loop] = doubled_area(loop);
+            area[loop] = twice_area(corners(loop));
             if (area[loop] == 0) return Verdict::kDegenerate;
             if (area[loop] > 0) outer.push_back(loop);
         }
@@ -42,7 +33,7 @@ public:
             std::size_t best = outer.size();
             for (std::size_t k = 0; k < outer.size(); ++k) {
                 const bool smaller = best == outer.size() || area[outer[k]] < area[outer[best]];
-                if (outer.size() == 1 || (smaller && contains(outer[k], corner(start(loop))))) best = k;
+                if (outer.size() == 1 || (smaller && encloses(corners(outer[k]), corners_[start(loop)]))) best = k;
             }
             if (best == outer.size()) return Verdict::kDegenerate;
             holes[best].push_back(loop);
@@ -53,35 +44,15 @@ public:
 
 private:
     std::size_t start(std::size_t loop) const { return loop == 0 ? 0 : ends_[loop - 1]; }
-    const GridPoint& corner(std::size_t k) const { return view_.point(view_.from(loops_[k])).rounded(); }
-
-    Int128 doubled_area(std::size_t loop) const {
-        const GridPoint& first = corner(start(loop));
-        Int128 sum = 0;
-        for (std::size_t k = start(loop); k < ends_[loop]; ++k) {
-            const GridPoint &a = corner(k), &b = corner(k + 1 < ends_[loop] ? k + 1 : start(loop));
-            sum += turn(first, a, b);
-        }
-        return sum;
+    std::span<const FlatPoint> corners(std::size_t loop) const {
+        return std::span(corners_).subspan(start(loop), ends_[loop] - start(loop));
     }
 
-    /// Twice the area of a triangle, seen along the axis.
-    Int128 turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) const {
-        const auto du = [&](const GridPoint& p) { return std::int64_t(p[seen_.u]) - a[seen_.u]; };
-        const auto dv = [&](const GridPoint& p) { return std::int64_t(p[seen_.v]) - a[seen_.v]; };
-        return Int128(du(b)) * dv(c) - Int128(dv(b)) * du(c);
-    }
-
-    /// Counts the sides to the right of the point that cross its height; a corner at that height counts as above.
-    bool contains(std::size_t loop, const GridPoint& p) const {
-        bool inside = false;
-        for (std::size_t k = start(loop); k < ends_[loop]; ++k) {
-            const GridPoint &a = corner(k), &b = corner(k + 1 < ends_[loop] ? k + 1 : start(loop));
-            if ((a[seen_.v] < p[seen_.v]) == (b[seen_.v] < p[seen_.v])) continue;
-            const bool upward = b[seen_.v] > a[seen_.v];
-            if ((turn(a, b, p) > 0) == upward) inside = !inside;
-        }
-        return inside;
+    /// Loops around air run counter-clockwise.
+    void project_corners() {
+        const FlatView front = like_.plane->plane.front_view();
+        corners_.reserve(loops_.size());
+        for (const PatchUse& use : loops_) corners_.push_back(project(view_.point(view_.from(use)).rounded(), front));
     }
 
     void add_loop(std::size_t loop, NewFace& face) {
@@ -104,9 +75,9 @@ private:
     const CutView& view_;
     NewLoops& made_;
     const NewFace& like_;
-    const Seen seen_;
     std::span<const PatchUse> loops_;
     std::span<const std::uint32_t> ends_;
+    std::vector<FlatPoint> corners_;
 };
 
 }  // namespace

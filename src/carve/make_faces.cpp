@@ -3,15 +3,6 @@
 #include "carve/make_faces.h"
 
 namespace firma {
-namespace {
-
-Vec3 unit_normal(const Plane& plane) {
-    const Vec3 n = plane.direction();
-    return n * (1 / length(n));
-}
-
-}  // namespace
-
 FaceMaker::FaceMaker(const CutInput& in, const Crossings& crossings, const NewLoops& loops, const NewSource& source)
     : patch_(in.patch), loops_(loops), view_(in, crossings, loops), source_(source) {
     vertices_.resize(view_.vertex_count());
@@ -79,8 +70,7 @@ bool FaceMaker::make(const Outline& outline) {
     points_.clear();
     for (const PatchUse& use : uses) points_.push_back(view_.point(view_.from(use)).rounded());
     const Plane& plane = outline.plane->plane;
-    const int axis = plane.dominant_axis();
-    if (!facet_maker_.make(points_, outline.ends, axis, plane.normal[axis] < 0, facets_)) {
+    if (!facet_maker_.make(points_, outline.ends, plane.front_view(), facets_)) {
         view_.face_touches(uses, touching_);
         return false;
     }
@@ -93,7 +83,7 @@ bool FaceMaker::make(const Outline& outline) {
         made->uses.emplace_back(stored, use.reversed != runs_against(use.edge, *stored));
     }
     made->set_loop_ends(outline.ends);
-    made->normal = unit_normal(plane);
+    made->normal = plane.unit_normal();
     for (const GridPoint& p : points_) made->box.add(p);
     made->facets = std::uint32_t(facets_.first.size()) - 1;
     made->set_hash();

@@ -7,6 +7,7 @@
 #include "firma/grid.h"
 #include "firma/vec.h"
 #include "geometry/exact_integer.h"
+#include "geometry/flat_view.h"
 
 namespace firma {
 
@@ -54,6 +55,8 @@ struct Plane {
     /// `normal` as doubles, exactly.
     Vec3 direction() const { return {double(normal[0]), double(normal[1]), double(normal[2])}; }
 
+    Vec3 unit_normal() const { return direction() * (1 / length(direction())); }
+
     friend bool operator==(const Plane& a, const Plane& b) {
         return a.normal[0] == b.normal[0] && a.normal[1] == b.normal[1] && a.normal[2] == b.normal[2] &&
                a.offset_low == b.offset_low && a.offset_high == b.offset_high;
@@ -64,6 +67,11 @@ struct Plane {
         const auto size_of = [this](int axis) { return normal[axis] < 0 ? -normal[axis] : normal[axis]; };
         const int axis = size_of(1) > size_of(0) ? 1 : 0;
         return size_of(2) > size_of(axis) ? 2 : axis;
+    }
+    /// From the front, along that axis.
+    FlatView front_view() const {
+        const int axis = dominant_axis();
+        return {axis, normal[axis] < 0};
     }
 };
 

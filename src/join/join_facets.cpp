@@ -11,10 +11,8 @@ bool PolygonFacets::make(PlaneId plane, std::span<const std::uint32_t> corners,
     facets.clear();
     points_.clear();
     for (const std::uint32_t corner : corners) points_.push_back(tables_.points.point(corner).rounded());
-    const Plane& it = tables_.planes.plane(plane);
-    const int axis = it.dominant_axis();
     const auto end = std::uint32_t(points_.size());
-    if (!maker_.make(points_, {&end, 1}, axis, it.normal[axis] < 0, made_)) return false;
+    if (!maker_.make(points_, {&end, 1}, tables_.planes.plane(plane).front_view(), made_)) return false;
     for (std::size_t k = 0; k < made_.count(); ++k) {
         std::vector<GridPoint>& facet = facets.emplace_back();
         for (std::uint32_t c = made_.first[k]; c < made_.first[k + 1]; ++c) facet.push_back(points_[made_.corners[c]]);
@@ -98,9 +96,7 @@ Ref<const SolidFace> JoinFaceMaker::make(std::uint32_t face) {
     }
     const auto end = std::uint32_t(made->uses.size());
     made->set_loop_ends({&end, 1});
-    const Plane& plane = tables_.planes.plane(id);
-    const Vec3 normal = plane.direction();
-    made->normal = normal * (1 / length(normal));
+    made->normal = tables_.planes.plane(id).unit_normal();
     made->facets = std::uint32_t(facets_.count(face));
     made->set_hash();
     return Ref<const SolidFace>(made.get());

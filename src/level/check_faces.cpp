@@ -7,15 +7,15 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/judge_outline.h"
 #include "geometry/polygon_shape.h"
 #include "level/divide_polygon.h"
 #include "level/exact_points.h"
-#include "level/judge_outline.h"
 
 namespace firma {
 namespace {
 
-using GridJudge = OutlineJudge<std::int64_t, Int128, GridPoint>;
+using GridJudge = OutlineJudge<std::int64_t, Int128, std::span<const GridPoint>>;
 
 /// A face as written.
 struct WrittenFace {
@@ -26,7 +26,7 @@ struct WrittenFace {
 
 template <class Coord, class Wide, class Point>
 WrittenFace judge_exactly(std::span<const Point> outline, const GridJudge::Normal& snapped_normal) {
-    const OutlineJudge<Coord, Wide, Point> judge(outline);
+    const OutlineJudge<Coord, Wide, std::span<const Point>> judge(outline);
     const OutlineForm form = judge.form();
     WrittenFace face;
     face.has_area = form != OutlineForm::kNoArea;
@@ -89,7 +89,7 @@ void FaceChecker::check(const ExactMesh::Face& face) {
     const auto vertices = std::span(mesh_.corners).subspan(face.first_corner, face.corner_count);
     outline_.clear();
     for (const std::uint32_t vertex : vertices) outline_.push_back(mesh_.snapped[vertex]);
-    const GridJudge::Normal normal = GridJudge(std::span<const GridPoint>(outline_)).normal();
+    const GridJudge::Normal normal = GridJudge(outline_).normal();
     const Division::What what = divide_polygon(outline_).what;
     if (what == Division::What::kWhole && certain(vertices, normal)) return;
 

@@ -2,21 +2,21 @@
 // Joins triangles: islands by topology, then the one question of geometry that this leaves.
 #include "level/join_triangles.h"
 
+#include "geometry/judge_outline.h"
 #include "level/divide_polygon.h"
 #include "level/find_islands.h"
-#include "level/judge_outline.h"
 
 namespace firma {
 namespace {
 
 __extension__ using Wide = __int128;
-using Judge = OutlineJudge<std::int64_t, Wide, GridPoint>;
+using Judge = OutlineJudge<std::int64_t, Wide, std::span<const GridPoint>>;
 
 // Whether the corners inside lie on the plane of the outline, which has one.
 bool exactly_flat(const Island& island, std::span<const GridPoint> points) {
     std::vector<GridPoint> outline;
     for (const std::uint32_t corner : island.outline) outline.push_back(points[corner]);
-    const Judge judge{std::span<const GridPoint>(outline)};
+    const Judge judge(outline);
     const OutlineForm form = judge.form();
     if (!judge.has_normal() || form == OutlineForm::kNotPlanar) return false;
     for (const std::uint32_t corner : island.inner) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/flat_map.h"
+#include "geometry/flat_loop.h"
 #include "geometry/polygon_shape.h"
-#include "solid/flat_point.h"
 
 namespace firma {
 namespace {
@@ -107,28 +107,24 @@ private:
         if (ends.empty() || ends.back() != uses.size()) return report("a face without loops", some_corner());
         if (!face().plane || !face().plane->plane.valid()) return report("a face without a plane", some_corner());
         const Plane& plane = face().plane->plane;
-        const int axis = plane.dominant_axis();
+        const FlatView view = plane.front_view();
         std::uint32_t first = 0;
         for (const std::uint32_t end : ends) {
             if (end < first || end > uses.size() || end - first < 3)
                 return report("a loop of fewer than three edges", some_corner());
-            Int128 area = 0;
-            const FlatPoint start = flat(uses[first], axis);
+            loop_.clear();
             for (std::uint32_t k = first; k < end; ++k) {
                 const PatchUse& next = uses[k + 1 < end ? k + 1 : first];
                 if (patch_.to(uses[k]) != patch_.from(next)) return report_vertex("a loop is open", patch_.to(uses[k]));
-                area += turn(start, flat(uses[k], axis), flat(next, axis));
+                loop_.push_back(project(patch_.vertices[patch_.from(uses[k])].point.rounded(), view));
             }
-            if (plane.normal[axis] < 0) area = -area;
+            const Int128 area = twice_area(loop_);
             if (first == 0 && area <= 0)
                 return report_vertex("the outer loop runs against the normal", patch_.from(uses[first]));
             if (first != 0 && area >= 0)
                 return report_vertex("a hole runs the same way as the outer loop", patch_.from(uses[first]));
             first = end;
         }
-    }
-    FlatPoint flat(const PatchUse& use, int axis) const {
-        return project(patch_.vertices[patch_.from(use)].point.rounded(), axis, false);
     }
 
     void check_plane() {
@@ -219,6 +215,7 @@ private:
     std::uint32_t face_ = 0;
     std::optional<SolidFault> fault_;
     std::vector<Uses> uses_;  ///< of each edge
+    std::vector<FlatPoint> loop_;
     PointNumbers numbers_;
     std::vector<std::uint32_t> rounded_;  ///< number of each vertex's rounded point, once it was asked for
     std::vector<std::uint32_t> of_face_;  ///< of each numbered point: 1 + the last face that has it as a vertex

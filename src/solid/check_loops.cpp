@@ -7,18 +7,6 @@
 #include "base/sort.h"
 
 namespace firma {
-namespace {
-
-bool apart(Int128 a, Int128 b) {
-    return (a > 0 && b > 0) || (a < 0 && b < 0);
-}
-
-/// Whether two closed segments share a point. Their boxes do: that settles the case of one common line.
-bool meet(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c, const FlatPoint& d) {
-    return !apart(turn(a, b, c), turn(a, b, d)) && !apart(turn(c, d, a), turn(c, d, b));
-}
-
-}  // namespace
 
 /// Neighbours need not be compared: where one folds back over the other, the far end of the shorter lies on the longer,
 /// and so does the edge that follows there. Likewise the edges before and after one without length meet.
@@ -43,7 +31,7 @@ bool LoopChecker::simple(std::span<const FlatPoint> points, std::span<const std:
             const Edge& f = edges_[j];
             if (f.low_v > e.high_v || f.high_v < e.low_v) continue;
             const bool neighbours = e.to == f.from || f.to == e.from;
-            if (!neighbours && meet(points[e.from], points[e.to], points[f.from], points[f.to])) return false;
+            if (!neighbours && segments_meet(points[e.from], points[e.to], points[f.from], points[f.to])) return false;
         }
     }
     return true;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "solid/flat_point.h"
+#include "geometry/flat_point.h"
 
 namespace firma {
 

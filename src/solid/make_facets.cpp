@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "geometry/convex_loop.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
@@ -24,41 +25,19 @@ bool usable_loops(std::size_t count, std::span<const std::uint32_t> loop_ends) {
     return begin == count && count > 0;
 }
 
-/// Every turn to the left or none, and once around: such a loop does not meet itself. (A fold would be half of the way
-/// around, and from there the other half leads back only without area.)
-bool convex(std::span<const FlatPoint> loop) {
-    const auto forward = [](const FlatPoint& a, const FlatPoint& b) { return b.u > a.u || (b.u == a.u && b.v > a.v); };
-    int reversals = 0;
-    bool area = false;
-    const FlatPoint *a = &loop[loop.size() - 2], *b = &loop[loop.size() - 1];
-    bool went_forward = forward(*a, *b);
-    for (const FlatPoint& c : loop) {
-        if (c == *b) return false;
-        const Int128 left = turn(*a, *b, c);
-        if (left < 0) return false;
-        const bool goes_forward = forward(*b, c);
-        reversals += goes_forward != went_forward;
-        area |= left > 0;
-        went_forward = goes_forward;
-        a = b;
-        b = &c;
-    }
-    return area && reversals == 2;
-}
-
 }  // namespace
 
-bool FacetMaker::make(std::span<const GridPoint> points, std::span<const std::uint32_t> loop_ends, int axis, bool flip,
+bool FacetMaker::make(std::span<const GridPoint> points, std::span<const std::uint32_t> loop_ends, FlatView view,
                       Facets& facets) {
     if (!usable_loops(points.size(), loop_ends)) return false;
     flat_.clear();
-    for (const GridPoint& point : points) flat_.push_back(project(point, axis, flip));
+    for (const GridPoint& point : points) flat_.push_back(project(point, view));
     if (points.size() == 3) {
         write_one(3, facets);
         return turn(flat_[0], flat_[1], flat_[2]) > 0;
     }
     if (points.size() == 4) return make_quad(points, facets);
-    if (loop_ends.size() == 1 && convex(flat_)) {
+    if (loop_ends.size() == 1 && convex()) {
         if (points.size() <= kMaxCorners && planar(points)) {
             write_one(points.size(), facets);
             return true;
@@ -89,6 +68,10 @@ bool FacetMaker::make_quad(std::span<const GridPoint> points, Facets& facets) co
         facets.corners.assign({1, 2, 3, 1, 3, 0});
     facets.first.assign({0, 3, 6});
     return true;
+}
+
+bool FacetMaker::convex() const {
+    return convex_loop<Int128>(flat_.size(), [&](std::size_t k) -> const FlatPoint& { return flat_[k]; });
 }
 
 /// Whether all corners of a convex loop are of one plane.

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "firma/grid.h"
+#include "geometry/flat_point.h"
+#include "geometry/triangulate.h"
 #include "solid/check_loops.h"
-#include "solid/flat_point.h"
 #include "solid/merge_facets.h"
-#include "solid/triangulate.h"
 
 namespace firma {
 
@@ -23,18 +23,18 @@ public:
     /// @param points     corners of all loops in a row [n >= 3]; the outer loop counter-clockwise seen from the front,
     ///                   holes clockwise
     /// @param loop_ends  end of each loop in `points`; the first loop is the outer one
-    /// @param axis, flip the dominant axis of the face's exact plane; flip when that component of its normal is
-    ///                   negative: the projection that looks along it sees the face counter-clockwise
+    /// @param view       of the face's exact plane from the front
     /// @return true: seen along the axis, the facets cover the face once, their sides along its loops are the loops'
     ///         edges, and every other side is shared by two. A corner stays one even where it lies along a side.
     ///         false when loops in the projection touch or cross themselves or each other, a corner repeats another, a
     ///         loop runs the wrong way around or has no area, or a hole does not lie directly inside the outer loop;
     ///         nothing is said about `facets` then.
-    bool make(std::span<const GridPoint> points, std::span<const std::uint32_t> loop_ends, int axis, bool flip,
+    bool make(std::span<const GridPoint> points, std::span<const std::uint32_t> loop_ends, FlatView view,
               Facets& facets);
 
 private:
     bool make_quad(std::span<const GridPoint> points, Facets& facets) const;
+    bool convex() const;
     bool planar(std::span<const GridPoint> points) const;
 
     std::vector<FlatPoint> flat_;

@@ -5,8 +5,8 @@
 // So only two coordinates of each vertex matter, and only S is a sum of quotients.
 #include "solid/measure_boundary.h"
 
+#include "geometry/flat_loop.h"
 #include "geometry/mesh_shells.h"
-#include "geometry/polygon_shape.h"
 
 namespace firma {
 namespace {
@@ -31,7 +31,7 @@ DoubleDouble coordinate(const Int256& numerator, const Int256& w, std::int32_t o
 
 /// A vertex as seen along an axis, about the apex.
 Flat flat_vertex(const ExactPoint& point, int axis, const InputPoint& apex) {
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    const int a = FlatView{axis}.u(), b = FlatView{axis}.v();
     if (point.on_grid())
         return {double(std::int64_t(point.grid()[a]) - apex[a]), double(std::int64_t(point.grid()[b]) - apex[b])};
     const Meet m = meet(*point.plane(0), *point.plane(1), *point.plane(2));
@@ -39,24 +39,16 @@ Flat flat_vertex(const ExactPoint& point, int axis, const InputPoint& apex) {
     return {coordinate(*numerator[a], m.w, apex[a]), coordinate(*numerator[b], m.w, apex[b])};
 }
 
-/// S, about each loop's first vertex.
+/// S.
 DoubleDouble twice_seen_area(const SolidPatch& patch, const PatchFace& face, int axis, const InputPoint& apex) {
     const auto uses = patch.uses(face);
+    const auto corner = [&](std::uint32_t k) {
+        return flat_vertex(patch.vertices[patch.from(uses[k])].point, axis, apex);
+    };
     DoubleDouble sum;
     std::uint32_t first = 0;
     for (const std::uint32_t end : patch.ends(face)) {
-        const auto corner = [&](std::uint32_t k) {
-            return flat_vertex(patch.vertices[patch.from(uses[k])].point, axis, apex);
-        };
-        const Flat start = corner(first);
-        Flat last;
-        for (std::uint32_t k = first + 1; k < end; ++k) {
-            Flat next = corner(k);
-            next.u = next.u - start.u;
-            next.v = next.v - start.v;
-            if (k > first + 1) sum = sum + (last.u * next.v - last.v * next.u);
-            last = next;
-        }
+        add_twice_area(first, end, corner, sum);
         first = end;
     }
     return sum;

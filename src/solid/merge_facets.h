@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "firma/grid.h"
-#include "solid/flat_point.h"
-#include "solid/triangulate.h"
+#include "geometry/clip_ears.h"
+#include "geometry/flat_point.h"
 
 namespace firma {
 

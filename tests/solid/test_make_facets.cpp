@@ -19,7 +19,7 @@ struct Tally {
 /// Makes facets when the face is sound, and only then; checks all that is promised of them.
 void try_face(FacetMaker& maker, const SampleFace& face, Tally& tally) {
     Facets facets;
-    const bool made = maker.make(face.points, face.ends, face.axis, face.flip, facets);
+    const bool made = maker.make(face.points, face.ends, {face.axis, face.flip}, facets);
     ASSERT_EQ(made, judge(face) == Verdict::kSound) << face.points.size() << " corners";
     if (made) {
         ASSERT_EQ(fault(face, facets), "");
@@ -36,7 +36,7 @@ void must_make(FacetMaker& maker, const SampleFace& face) {
 std::size_t count_facets(const SampleFace& face) {
     FacetMaker maker;
     Facets facets;
-    EXPECT_TRUE(maker.make(face.points, face.ends, face.axis, face.flip, facets));
+    EXPECT_TRUE(maker.make(face.points, face.ends, {face.axis, face.flip}, facets));
     EXPECT_EQ(fault(face, facets), "");
     return facets.count();
 }
@@ -50,9 +50,9 @@ TEST(MakeFacets, Triangles) {
     Facets facets;
     const SampleFace face = drawn({{{0, 0}, {5, 1}, {2, 7}}});
     EXPECT_EQ(count_facets(face), 1u);
-    EXPECT_FALSE(maker.make(face.points, face.ends, 2, true, facets)) << "seen from behind";
+    EXPECT_FALSE(maker.make(face.points, face.ends, {2, true}, facets)) << "seen from behind";
     const SampleFace flat = drawn({{{0, 0}, {2, 2}, {5, 5}}});
-    EXPECT_FALSE(maker.make(flat.points, flat.ends, 2, false, facets));
+    EXPECT_FALSE(maker.make(flat.points, flat.ends, {2, false}, facets));
 }
 
 TEST(MakeFacets, LoopsWithoutAreaAreRefused) {
@@ -76,7 +76,7 @@ TEST(MakeFacets, BadLoopEndsAreRefused) {
     Facets facets;
     const SampleFace face = drawn({rectangle(0, 0, 10, 10)});
     const auto refused = [&](std::vector<std::uint32_t> ends) {
-        return !maker.make(face.points, ends, 2, false, facets);
+        return !maker.make(face.points, ends, {2, false}, facets);
     };
     EXPECT_FALSE(refused({4}));
     EXPECT_TRUE(refused({}));
@@ -301,7 +301,7 @@ TEST(MakeFacets, HolesInTheWrongPlaceAreRefused) {
     const Loop rim = rectangle(0, 0, 100, 100), hole = reversed(rectangle(20, 20, 60, 60));
     const auto makes = [&](const std::vector<Loop>& loops) {
         const SampleFace face = drawn(loops);
-        return maker.make(face.points, face.ends, face.axis, face.flip, facets);
+        return maker.make(face.points, face.ends, {face.axis, face.flip}, facets);
     };
     EXPECT_TRUE(makes({rim, hole}));
     EXPECT_FALSE(makes({rim, rectangle(20, 20, 60, 60)})) << "counter-clockwise";
@@ -333,7 +333,7 @@ TEST(MakeFacets, OverlappingStripIsRefused) {
     EXPECT_EQ(judge(face), Verdict::kWrong);
     FacetMaker maker;
     Facets facets;
-    EXPECT_FALSE(maker.make(face.points, face.ends, 2, false, facets));
+    EXPECT_FALSE(maker.make(face.points, face.ends, {2, false}, facets));
 }
 
 TEST(MakeFacets, ConvexLoopsOfAWallStayWhole) {
@@ -400,7 +400,7 @@ TEST(MakeFacets, ThousandsOfCorners) {
     for (const SampleFace& face :
          {put(any_plane(rng), {star(rng, 2000, {0, 0}, 4e6, 8e6)}), drawn({comb(1000, 5000, 8e6)}),
           drawn({spiral(1000, 20000)}), put(any_plane(rng), {circle(2000, {0, 0}, 8e6)})}) {
-        ASSERT_TRUE(maker.make(face.points, face.ends, face.axis, face.flip, facets));
+        ASSERT_TRUE(maker.make(face.points, face.ends, {face.axis, face.flip}, facets));
         ASSERT_EQ(fault(face, facets), "");
     }
 }
@@ -412,8 +412,8 @@ TEST(MakeFacets, ScratchLeavesNoTrace) {
         const SampleFace face = put(any_plane(rng), sieve(rng, round % 5, 9, 3000));
         FacetMaker fresh;
         Facets a, b;
-        ASSERT_TRUE(used.make(face.points, face.ends, face.axis, face.flip, a));
-        ASSERT_TRUE(fresh.make(face.points, face.ends, face.axis, face.flip, b));
+        ASSERT_TRUE(used.make(face.points, face.ends, {face.axis, face.flip}, a));
+        ASSERT_TRUE(fresh.make(face.points, face.ends, {face.axis, face.flip}, b));
         ASSERT_EQ(a.corners, b.corners);
         ASSERT_EQ(a.first, b.first);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lowest of many numbers, against a plain search.
-#include "solid/lowest_key.h"
+#include "base/lowest_key.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,9 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
+
+#include "geometry/convex_loop.h"
+#include "geometry/flat_view.h"
 
 namespace firma {
 
@@ -18,11 +20,12 @@ enum class OutlineForm {
     kConvex,     ///< planar, convex, winding once; corners may lie along a side
 };
 
-template <class Coord, class Wide, class Point>
+/// An Outline has size() and operator[], whose values have three coordinates by operator[].
+template <class Coord, class Wide, class Outline>
 class OutlineJudge {
 public:
     /// @param outline  points of three coordinates [n >= 1]; a view
-    explicit OutlineJudge(std::span<const Point> outline) : outline_(outline), normal_(add_up_normal()) {}
+    explicit OutlineJudge(const Outline& outline) : outline_(outline), normal_(add_up_normal()) {}
 
     using Difference = std::array<Coord, 3>;
     using Normal = std::array<Wide, 3>;
@@ -31,11 +34,11 @@ public:
     const Normal& normal() const { return normal_; }
     bool has_normal() const { return normal_[0] != 0 || normal_[1] != 0 || normal_[2] != 0; }
 
-    /// The axis along which the normal is longest.
-    int dominant_axis() const {
+    /// Where the outline runs counter-clockwise: along the axis along which the normal is longest.
+    FlatView front_view() const {
         const Wide x = absolute(normal_[0]), y = absolute(normal_[1]), z = absolute(normal_[2]);
-        if (x >= y && x >= z) return 0;
-        return y >= z ? 1 : 2;
+        const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+        return {axis, normal_[std::size_t(axis)] < 0};
     }
 
     OutlineForm form() const {
@@ -92,36 +95,18 @@ private:
         return true;
     }
 
-    /// Every turn is to the left and below half a turn, and the sides come round once: the outline of a planar polygon
-    /// is convex then, and meets no point twice.
     bool convex() const {
-        const int axis = dominant_axis();
-        int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        if (normal_[axis] < 0) {
-            const int kept = u;
-            u = v;
-            v = kept;
-        }
-        const std::size_t count = outline_.size();
-        int rounds = 0;
-        Difference before = difference(count - 1, 0);
-        for (std::size_t k = 0; k < count; ++k) {
-            const Difference side = difference(k, k + 1 < count ? k + 1 : 0);
-            if (side[u] == 0 && side[v] == 0) return false;  // a corner twice in a row
-            const Wide turn = Wide(before[u]) * side[v] - Wide(before[v]) * side[u];
-            if (turn < 0) return false;
-            if (turn == 0 && Wide(Wide(before[u]) * side[u] + Wide(before[v]) * side[v]) < 0)
-                return false;  // turns back
-            rounds += !upward(before[u], before[v]) && upward(side[u], side[v]);
-            if (rounds > 1) return false;
-            before = side;
-        }
-        return rounds == 1;
+        struct Flat {
+            Coord u, v;
+        };
+        const int u = front_view().u(), v = front_view().v();
+        return convex_loop<Wide>(outline_.size(), [&](std::size_t k) {
+            const auto& corner = outline_[k];
+            return Flat{Coord(corner[u]), Coord(corner[v])};
+        });
     }
-    /// Whether a direction lies in the half turn that begins at +u.
-    static bool upward(const Coord& u, const Coord& v) { return v > 0 || (v == 0 && u > 0); }
 
-    std::span<const Point> outline_;
+    Outline outline_;
     Normal normal_;
 };
 

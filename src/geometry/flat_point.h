@@ -6,6 +6,7 @@
 
 #include "firma/grid.h"
 #include "geometry/exact_integer.h"
+#include "geometry/flat_view.h"
 
 namespace firma {
 
@@ -14,20 +15,22 @@ struct FlatPoint {
     std::int64_t u = 0, v = 0;
 
     friend bool operator==(const FlatPoint&, const FlatPoint&) = default;
+    friend bool operator<(const FlatPoint& a, const FlatPoint& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; }
 };
 
-/// Looks along an axis, or against it.
-///
-/// @param flip  against it: what is counter-clockwise about the negative axis comes out counter-clockwise
-inline FlatPoint project(const GridPoint& point, int axis, bool flip) {
-    constexpr int kNext[3] = {1, 2, 0};
-    const int a = kNext[axis], b = kNext[a];
-    return flip ? FlatPoint{point[b], point[a]} : FlatPoint{point[a], point[b]};
+inline FlatPoint project(const GridPoint& point, FlatView view) {
+    return {point[view.u()], point[view.v()]};
 }
 
 /// Twice the area of a triangle (67 bits): positive when it runs counter-clockwise, when c lies left of a -> b.
 inline Int128 turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
     return Int128(b.u - a.u) * (c.v - a.v) - Int128(b.v - a.v) * (c.u - a.u);
+}
+
+/// Whether two closed segments share a point. Their boxes do: that settles the case of one common line.
+inline bool segments_meet(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c, const FlatPoint& d) {
+    const auto apart = [](Int128 x, Int128 y) { return (x > 0 && y > 0) || (x < 0 && y < 0); };
+    return !apart(turn(a, b, c), turn(a, b, d)) && !apart(turn(c, d, a), turn(c, d, b));
 }
 
 /// Square of the distance in space, rounded: for choosing only.
