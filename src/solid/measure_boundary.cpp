@@ -7,6 +7,7 @@
 
 #include "geometry/flat_loop.h"
 #include "geometry/mesh_shells.h"
+#include "geometry/polygon_shape.h"
 
 namespace firma {
 namespace {

@@ -5,6 +5,7 @@
 #include "firma/carve.h"
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
+#include "tests/sample.h"
 
 namespace firma {
 namespace {
@@ -47,7 +48,7 @@ TEST(CarvedTree, ALongLifeOfCutsAndFillsStaysAsGoodAsNew) {
     scenes::Rng rng(23);
     std::vector<Pose> open;
     int done = 0;
-    for (int k = 0; k < 3000; ++k) {
+    for (int k = 0; k < test::sample(3000); ++k) {
         const bool fills = open.size() > 60;
         Pose pose;
         if (fills) {
@@ -65,7 +66,7 @@ TEST(CarvedTree, ALongLifeOfCutsAndFillsStaysAsGoodAsNew) {
         done += edit.done();
         world = edit.world;
     }
-    EXPECT_GT(done, 1500);
+    EXPECT_GT(done, test::sample(1500));
     const double ratio = looked_at(world) / looked_at(rebuild_index(world, {}));
     RecordProperty("after", std::to_string(ratio));
     EXPECT_LT(ratio, 1.15) << done << " edits, " << world.face_count() << " faces";

@@ -17,6 +17,7 @@
 #include "solid/solid_data.h"
 #include "solid/solid_face.h"
 #include "tests/reference/judge_index.h"
+#include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
 #include "world/world_data.h"
 
@@ -128,10 +129,10 @@ TEST(Solid, CarvedAloneIsWhatIsCarvedInAWorld) {
     const World of_level = make_world(level).value(), of_solid = make_world(solid);
     expect_same(solid, of_level.solid());
     expect_same(solid, of_solid.solid());
-    const std::vector<CutOrder> cuts = reference::cuts_of_our_level(level, 11, 160);
+    const std::vector<CutOrder> cuts = reference::cuts_of_our_level(level, 11, std::size_t(test::sample(160)));
     const int done =
         cut_all(solid, {{of_level, of_level.material_name(0)}, {of_solid, of_solid.material_name(0)}}, cuts, nullptr);
-    EXPECT_GE(done, 100);
+    EXPECT_GE(done, test::sample(100));
 }
 
 TEST(Solid, FacesBesideItChangeNothing) {
@@ -161,13 +162,13 @@ TEST(Solid, RoomsAroundItChangeNothing) {
     const scenes::CutPlaces places = scenes::cut_places(depot);
     for (std::size_t kind = 0; kind < scenes::kLevelCutNames.size(); ++kind)
         for (const CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts(kind), 2, 0))
-            if (cuts.size() < 16 * (kind + 1)) cuts.push_back(order);
+            if (cuts.size() < std::size_t(test::sample(16)) * (kind + 1)) cuts.push_back(order);
     // make_world(solid) knows no rules: the sky's, which the depot has, are given to it.
     const CarveRules& rules = *depot.data().rules;
     const World bare = with_rules(make_world(depot.solid()), rules);
     const int done =
         cut_all(depot.solid(), {{depot, depot.material_name(0)}, {bare, bare.material_name(0)}}, cuts, &rules);
-    EXPECT_GE(done, 50);
+    EXPECT_GE(done, test::sample(50));
 }
 
 }  // namespace

@@ -13,9 +13,12 @@
 #include "firma/save.h"
 #include "scenes/level_cuts.h"
 #include "tests/reference/judge_index.h"
+#include "tests/sample.h"
 
 namespace firma {
 namespace {
+
+constexpr std::size_t kCuts = test::sample(200);
 
 void expect_agrees(const reference::IndexTally& tally, std::size_t cuts, std::size_t done) {
     EXPECT_EQ(tally.cuts, cuts);
@@ -29,7 +32,7 @@ void expect_agrees(const reference::IndexTally& tally, std::size_t cuts, std::si
 TEST(IndexIsFree, TwoHundredCutsInOurLevel) {
     const Level ours = read_level(FIRMA_ROOT "/levels/first.obj").value();
     const auto make = [&](const TreeOptions& tree) { return make_world(ours, {.tree = tree}).value(); };
-    expect_agrees(reference::judge_index(make, reference::cuts_of_our_level(ours, 3, 200)), 200, 120);
+    expect_agrees(reference::judge_index(make, reference::cuts_of_our_level(ours, 3, kCuts)), kCuts, kCuts * 3 / 5);
 }
 
 TEST(IndexIsFree, TwoHundredCutsInTheDepotWithItsRooms) {
@@ -40,14 +43,14 @@ TEST(IndexIsFree, TwoHundredCutsInTheDepotWithItsRooms) {
     EXPECT_GT(portal_count(world), 0u);
     const scenes::CutPlaces places = scenes::cut_places(world);
     std::vector<scenes::CutOrder> cuts;
-    for (std::uint64_t index = 0; cuts.size() < 200; ++index)
+    for (std::uint64_t index = 0; cuts.size() < kCuts; ++index)
         for (std::size_t kind = 0; kind < scenes::kLevelCutNames.size(); ++kind) {
             std::vector<scenes::CutOrder> some = scenes::level_cuts(places, scenes::LevelCuts(kind), 5, index);
-            some.resize(std::min<std::size_t>(some.size(), 8));
+            some.resize(std::min<std::size_t>(some.size(), kCuts / 25));
             for (scenes::CutOrder& order : some) cuts.push_back(std::move(order));
         }
-    cuts.resize(200);
-    expect_agrees(reference::judge_index(make, cuts), 200, 100);
+    cuts.resize(kCuts);
+    expect_agrees(reference::judge_index(make, cuts), kCuts, kCuts / 2);
 }
 
 TEST(IndexIsFree, AFileWithoutItHasNothingOfTheTreesOptions) {
