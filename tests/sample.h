@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#if defined(__SANITIZE_ADDRESS__)
+#define FIRMA_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FIRMA_SANITIZED 1
+#endif
+#endif
+
+namespace firma::test {
+
+/// How many of a sample a test looks at. Under the sanitizers, where all takes ten times as long, a fifth: what they
+/// look for is in every part, and all of it is looked at without them in the same run.
+constexpr int sample(int count) {
+#if defined(FIRMA_SANITIZED)
+    return count / 5;
+#else
+    return count;
+#endif
+}
+
+}  // namespace firma::test
