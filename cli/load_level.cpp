@@ -150,26 +150,6 @@ void add_left_out(JsonWriter& json, const std::vector<Omission>& omissions) {
 
 namespace {
 
-/// A level of nothing would answer every cast with a miss, and say nothing.
-void refuse_empty(const std::string& path, const LoadedLevel& loaded) {
-    if (loaded.saved || loaded.world.face_count() > 0) return;
-    std::string reason = "no face is left that a cast could meet";
-    if (loaded.brushes) {
-        const std::vector<Brush>& brushes = loaded.brushes->level.brushes;
-        const auto data = std::size_t(std::count_if(brushes.begin(), brushes.end(), [](const Brush& brush) {
-            return brush.kind == BrushKind::kData || brush.kind == BrushKind::kPortal;
-        }));
-        reason +=
-            fmt::format("; {}, {} of them portals or data", counted(brushes.size(), "brush", "brushes"), grouped(data));
-    }
-    reason += "; left out: " + left_out_text(left_out(loaded));
-    if (loaded.brushes && !loaded.brushes->report.notes.empty()) {
-        const BrushNote& note = loaded.brushes->report.notes[0];
-        reason += fmt::format(" (brush {}: {})", note.brush, note.reason);
-    }
-    throw Failure(path, reason);
-}
-
 LoadedLevel load_quietly(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded;
     const auto start = std::chrono::steady_clock::now();
@@ -205,7 +185,6 @@ LoadedLevel load_quietly(const LevelArguments& arguments, const WorldOptions& op
 
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded = load_quietly(arguments, options);
-    refuse_empty(arguments.path, loaded);
     const std::vector<Omission> omissions = left_out(loaded);
     if (!omissions.empty() && !arguments.tells_left_out)
         std::fputs(fmt::format("firma: warning: {}: left out: {} (firma info --json says where)\n", arguments.path,

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "bindings/c/convert.h"
-#include "bindings/c/level_world.h"
 #include "bindings/c/objects.h"
 #include "firma/brush_world.h"
 #include "firma/save.h"
@@ -42,9 +41,14 @@ firma_code load(const char* path, const firma_world_options* options, firma_worl
     ReadOptions read;
     if (const firma_code code = read_options(options, made, read, function)) return code;
     const Result<LevelFormat> format = level_format(path);
-    if (format && format.value() != LevelFormat::kObj)
-        return give_world(make_level_world(read_brush_level(path, read), made), world, function);
-    return give_world(make_level_world(read_level(path, read), made), world, function);
+    if (format && format.value() != LevelFormat::kObj) {
+        const Result<BrushLevel> brushes = read_brush_level(path, read);
+        if (!brushes) return fail(brushes.error());
+        return give_world(make_world(brushes.value(), made), world, function);
+    }
+    const Result<Level> level = read_level(path, read);
+    if (!level) return fail(level.error());
+    return give_world(make_world(level.value(), made), world, function);
 }
 
 firma_code save(const World& world, const char* path, const SaveOptions& options, const char*) {

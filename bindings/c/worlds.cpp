@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bindings/c/convert.h"
-#include "bindings/c/level_world.h"
 #include "bindings/c/objects.h"
 #include "firma/brush_world.h"
 #include "firma/memory.h"
@@ -23,7 +22,8 @@ firma_code give_world(World world, firma_world* out, const char* function) {
 
 template <class AnyLevel>
 firma_code make(const Result<AnyLevel>& level, const WorldOptions& options, firma_world* out, const char* function) {
-    Result<World> world = make_level_world(level, options);
+    if (!level) return fail(level.error());
+    Result<World> world = make_world(level.value(), options);
     if (!world) return fail(world.error());
     return give_world(std::move(world).value(), out, function);
 }

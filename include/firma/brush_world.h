@@ -54,7 +54,8 @@ struct BrushWorldReport {
 ///
 /// @param report  filled, when given
 /// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
-///         together (see BrushLevel), and for a skin that is no length
+///         together (see BrushLevel), and for a skin that is no length; kMalformed where no face is left that a cast
+///         could meet, with what was left out
 Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {}, BrushWorldReport* report = nullptr);
 
 }  // namespace firma

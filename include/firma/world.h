@@ -98,7 +98,8 @@ World make_world(const Solid& solid, const WorldOptions& options = {});
 /// Makes a world of a level: one room.
 /// @return kTooLarge beyond 2^31 faces; kInvalid when the skin is negative or not finite, or when a face of the level
 ///         is not convex, planar and of 3 to 64 corners, or has a corner, material or group that is not there (readers
-///         never make such), naming it.
+///         never make such), naming it; kMalformed for a level without a face, with what its reader left out: such a
+///         world would answer every cast with a miss (World() is one).
 Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// What casts looked at. Add up over casts; a cast only ever adds.

@@ -9,6 +9,7 @@
 #include "firma/masks.h"
 #include "join/join_brushes.h"
 #include "level/judge_level.h"
+#include "level/nothing_left.h"
 #include "world/assemble_world.h"
 
 namespace firma {
@@ -151,6 +152,25 @@ BrushWorldReport report_of(const BrushLevel& level, const JoinedLevel& joined) {
     return report;
 }
 
+/// "3 brushes, 1 of them portals or data", what was left out, and why of the first brush.
+Error nothing_left(const BrushLevel& level, const BrushWorldReport& report) {
+    const auto data = std::count_if(level.brushes.begin(), level.brushes.end(), [](const Brush& brush) {
+        return brush.kind == BrushKind::kData || brush.kind == BrushKind::kPortal;
+    });
+    const std::size_t count = level.brushes.size();
+    const std::string detail = std::to_string(count) + (count == 1 ? " brush, " : " brushes, ") + std::to_string(data) +
+                               " of them portals or data";
+    std::vector<Omission> omissions = level.omissions;
+    omissions.insert(omissions.end(), level.surfaces.omissions.begin(), level.surfaces.omissions.end());
+    const auto empty = std::count_if(report.notes.begin(), report.notes.end(),
+                                     [](const BrushNote& note) { return note.what == BrushNote::What::kNoVolume; });
+    if (empty > 0) omissions.push_back({"brushes without volume", std::uint64_t(empty), ""});
+    Error error = nothing_left(level.name, detail, omissions);
+    if (!report.notes.empty())
+        error.reason += " (brush " + std::to_string(report.notes[0].brush) + ": " + report.notes[0].reason + ")";
+    return error;
+}
+
 }  // namespace
 
 Result<World> make_world(const BrushLevel& level, const WorldOptions& options, BrushWorldReport* report) {
@@ -161,6 +181,7 @@ Result<World> make_world(const BrushLevel& level, const WorldOptions& options, B
     if (report) *report = report_of(level, *joined.value());
     Result<World> world = assemble_world(WorldMaker(level, *joined.value(), options).take());
     if (!world.ok()) return world;
+    if (world.value().face_count() == 0) return nothing_left(level, report_of(level, *joined.value()));
     return name_rooms(world.value(), level, report ? &report->entity_notes : nullptr);
 }
 

@@ -4,6 +4,7 @@
 #include "firma/world.h"
 #include "level/find_solids.h"
 #include "level/judge_level.h"
+#include "level/nothing_left.h"
 #include "solid/append_faces.h"
 #include "solid/solid_data.h"
 #include "world/assemble_world.h"
@@ -38,6 +39,7 @@ FaceSet face_set(const Level& level, const LevelSolids& solids) {
 
 Result<Solid> make_solid(const Level& level, const TreeOptions& tree) {
     if (auto error = judge_level(level, level.name)) return *std::move(error);
+    if (level.faces.empty()) return nothing_left(level.name, "", level.omissions);
     const LevelSolids solids = find_solids(level);
     const FaceSet all = face_set(level, solids);
     FaceSet faces;
@@ -50,6 +52,7 @@ Result<Solid> make_solid(const Level& level, const TreeOptions& tree) {
 Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (auto error = judge_level(level, level.name)) return *std::move(error);
     if (auto error = judge_skin(options.tolerance.skin, level.name)) return *std::move(error);
+    if (level.faces.empty()) return nothing_left(level.name, "", level.omissions);
     const LevelSolids solids = find_solids(level);
     WorldParts parts;
     parts.name = level.name;

@@ -189,11 +189,22 @@ private:
         if (blocks_ != in_rooms_) report("a block lies in no room, or in several", {});
     }
 
+    /// By region, those that are zero left out.
+    static std::vector<std::pair<std::uint32_t, std::uint64_t>> sums_of(const PersistentMap<std::uint64_t>& regions) {
+        std::vector<std::pair<std::uint32_t, std::uint64_t>> sums;
+        regions.for_each([&](std::uint32_t region, std::uint64_t sum) {
+            if (sum != 0) sums.emplace_back(region, sum);
+        });
+        return sums;
+    }
+
     void check_hashes(const WorldData& data) {
         SolidData anew = data.solid.data();
         const std::uint64_t points = anew.point_sum;
         hash_points_anew(anew);
         if (anew.point_sum != points) return report("the hash of the solid is not that of its faces", {});
+        if (sums_of(anew.points) != sums_of(data.solid.data().points))
+            return report("a region's hash of points is not that of its points", {});
         for (const FaceStore* store : {&data.solid.data().faces, &data.castable}) {
             FaceSums sums;
             FaceStore counted;
@@ -204,6 +215,8 @@ private:
             sums.add_to(counted);
             if (counted.hash != store->hash || counted.count != store->count)
                 return report("a hash of faces is not that of the faces", {});
+            if (sums_of(counted.regions) != sums_of(store->regions))
+                return report("a region's hash of faces is not that of its faces", {});
         }
         std::uint64_t sum = 0;
         data.cells.rooms().for_each(

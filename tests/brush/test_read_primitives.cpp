@@ -143,8 +143,13 @@ TEST(ReadPrimitives, PlanesWithoutAFace) {
     planes.push_back({{-half, -half, 0}, -50});
     BrushWorldReport report;
     const Result<World> empty = make_world(read(world(plane_brush(planes))).value(), {}, &report);
-    ASSERT_TRUE(empty.ok());
-    EXPECT_EQ(empty.value().face_count(), 0u);
+    ASSERT_FALSE(empty.ok());
+    EXPECT_EQ(empty.error().code, ErrorCode::kMalformed);
+    EXPECT_NE(
+        empty.error().reason.find("no face is left that a cast could meet; 1 brush, 0 of them portals or data; left "
+                                  "out: brushes without volume: 1 (brush 0: "),
+        std::string::npos)
+        << empty.error().reason;
     ASSERT_EQ(report.notes.size(), 1u);
     EXPECT_EQ(report.notes[0].what, BrushNote::What::kNoVolume);
 }

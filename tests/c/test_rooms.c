@@ -81,6 +81,9 @@ static void test_map(void) {
     const char* nothing = "{\n\"classname\" \"worldspawn\"\n}\n";
     CHECK_FAILS(firma_world_from_map(nothing, strlen(nothing), "nothing.map", NULL, &none), FIRMA_ERROR_MALFORMED,
                 "nothing.map: no face is left");
+    const char* flat = "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+    CHECK_FAILS(firma_world_from_obj(flat, strlen(flat), "flat.obj", NULL, &none), FIRMA_ERROR_MALFORMED,
+                "left out: faces without area: 1");
     CHECK_FAILS(firma_world_from_map("", 0, "empty.map", NULL, &none), FIRMA_ERROR_MALFORMED, "empty.map");
     CHECK_FAILS(firma_world_from_map(NULL, 4, "x", NULL, &none), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_world_from_map(text, 4, "x", NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");

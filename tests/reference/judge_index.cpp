@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "firma/diff_worlds.h"
 #include "firma/save.h"
 #include "firma/solid.h"
 #include "tests/reference/judge_cut.h"
@@ -51,6 +52,14 @@ std::string difference(const Answers& one, const Answers& two) {
     return "";
 }
 
+bool same_ending(const CarveResult& one, const CarveResult& two) {
+    const CarveReport &a = one.report, &b = two.report;
+    return one.status == two.status && one.error.text() == two.error.text() && one.reproduction == two.reproduction &&
+           a.faces_looked_at == b.faces_looked_at && a.faces_cut == b.faces_cut && a.faces_gone == b.faces_gone &&
+           a.faces_new == b.faces_new && a.faces_castable_only == b.faces_castable_only && a.retries == b.retries &&
+           a.scale == b.scale && a.volume == b.volume;
+}
+
 class IndexJudge {
 public:
     explicit IndexJudge(const std::function<World(const TreeOptions&)>& make) {
@@ -62,15 +71,17 @@ public:
         std::vector<CarveResult> results;
         for (const World& world : worlds_) results.push_back(make_cut(world, order));
         std::string wrong;
+        std::vector<std::pair<std::size_t, std::size_t>> differences;
         for (std::size_t k = 0; k < worlds_.size(); ++k) {
+            const WorldDiff diff = diff_worlds(worlds_[k], results[k].world);
+            differences.emplace_back(diff.gone.size(), diff.come.size());
             worlds_[k] = results[k].world;
-            if (results[k].status != results[0].status || results[k].error.text() != results[0].error.text() ||
-                results[k].report.retries != results[0].report.retries)
-                wrong = "how it ended, kind " + std::to_string(k);
+            if (!same_ending(results[k], results[0])) wrong = "how it ended, kind " + std::to_string(k);
         }
         const Answers first(worlds_[0], packs);
         for (std::size_t k = 1; k < worlds_.size() && wrong.empty(); ++k) {
             wrong = difference(first, Answers(worlds_[k], packs));
+            if (wrong.empty() && differences[k] != differences[0]) wrong = "diff_worlds";
             if (!wrong.empty()) wrong += ", kind " + std::to_string(k);
         }
         const std::uint64_t number = tally_.cuts++;

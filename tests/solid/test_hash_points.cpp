@@ -616,6 +616,15 @@ TEST(HashSolid, DisjointCutsInAnyOrderAreEqualThoughFacesAreTiled) {
                     if (rng.chance(0.2)) it.pose.position.x = 160;
                 }
                 it.fills = rng.chance(0.2);
+                if (bounds.high.x > 100 && rng.chance(0.3)) {  // a box along the axes, its sides where tiles may end
+                    it.shape = CutterShape::kBox;
+                    it.pose.rotation = {};
+                    it.pose.scale = rng.chance(0.5) ? 1 : 0.625;
+                    const double lattice = rng.chance(0.5) ? 5 : 0.625;
+                    for (int axis = 0; axis < 2; ++axis)
+                        it.pose.position[axis] = std::floor(it.pose.position[axis] / lattice) * lattice +
+                                                 it.pose.scale * (rng.chance(0.5) ? 1 : -1);
+                }
             }
             // Near each other too, so that both cut the same face, or the same tile.
             if (rng.chance(0.5)) {

@@ -72,6 +72,7 @@ TEST(Rooms, AClosedDoorIsAWall) {
         EXPECT_EQ(hit.portal, PortalId{0});
         EXPECT_FALSE(hit.face.valid());
         EXPECT_FALSE(hit.ref.valid());
+        EXPECT_FALSE(closed.face(hit.ref).id.valid()) << "a door has no face";
         EXPECT_EQ(hit.fraction, 0.25);
         EXPECT_EQ(hit.normal, (Vec3{-1, 0, 0}));
         EXPECT_EQ(hit.material, 1u);

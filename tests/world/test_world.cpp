@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The World as a value and the questions it answers, on a small closed room.
 #include "firma/carve.h"
+#include "firma/solid.h"
 #include "firma/world.h"
 
 #include <gtest/gtest.h>
@@ -172,6 +173,11 @@ TEST(World, RefusesALevelThatNoReaderMakes) {
     level = box_room();
     level.faces[5].corner_count = 5;
     EXPECT_FALSE(make_world(level));
+    level.faces.clear();
+    level.omissions = {{"faces without area", 3, ""}};
+    EXPECT_EQ(make_world(level).error().text(),
+              "box room: no face is left that a cast could meet; left out: faces without area: 3");
+    EXPECT_EQ(make_solid(level).error().code, ErrorCode::kMalformed);
 }
 
 TEST(World, RefusesASkinThatIsNoLength) {
@@ -247,6 +253,17 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }), "a node's count of faces is not how many there are");
     EXPECT_EQ(broken([](Spoilt& s) { ++s.node.depth; }), "a node's depth is not how deep it is");
     EXPECT_EQ(broken([](Spoilt& s) { s.solid.faces.count = 7; }), "the count of faces is not how many there are");
+    const auto spoil = [](PersistentMap<std::uint64_t>& regions) {
+        std::uint32_t first = ~0u;
+        std::uint64_t sum = 0;
+        regions.for_each([&](std::uint32_t region, std::uint64_t of) {
+            if (first == ~0u) first = region, sum = of;
+        });
+        regions.set(first, sum + 1);
+    };
+    EXPECT_EQ(broken([&](Spoilt& s) { spoil(s.solid.points); }), "a region's hash of points is not that of its points");
+    EXPECT_EQ(broken([&](Spoilt& s) { spoil(s.solid.faces.regions); }),
+              "a region's hash of faces is not that of its faces");
     EXPECT_EQ(broken([](Spoilt& s) { s.solid.next_face = 3; }), "a face's id is not below the next one");
 }
 

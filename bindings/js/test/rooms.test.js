@@ -44,6 +44,16 @@ test('a .map from a string and from bytes', () => {
         );
         releasing([firma.worldFromMap(twoRooms, { scale: 1 })], (large) => assert.equal(large.facts().high[0], 272));
     });
+    throwsCode(
+        'MALFORMED',
+        () => firma.worldFromMap('{\n"classname" "worldspawn"\n}\n', { name: 'nothing.map' }),
+        /nothing\.map: no face is left that a cast could meet; 0 brushes/,
+    );
+    throwsCode(
+        'MALFORMED',
+        () => firma.worldFromObj('v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n', { name: 'flat.obj' }),
+        /flat\.obj: no face is left that a cast could meet; left out: faces without area: 1/,
+    );
     throwsCode('MALFORMED', () => firma.worldFromMap('{\n{ ( 1 2', { name: 'torn.map' }), /torn\.map:2/);
     throwsCode('BAD_CALL', () => firma.worldFromMap(5));
 });
