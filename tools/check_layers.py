@@ -27,6 +27,9 @@ LAYERS = [
 ]
 # A layer that may not include all that stands below it: gltf reads a file and leaves the rest to level.
 ONLY = {'gltf': ['include/firma', 'src/level']}
+# Public headers that speak of worlds: nothing below src/world includes them.
+OF_WORLDS = ['brush_world.h', 'carve.h', 'diff_worlds.h', 'divide_rooms.h', 'level_portals.h', 'rooms.h', 'save.h', 'world.h', 'world_store.h', 'write_obj.h']
+WORLD = next(height for height, layers in enumerate(LAYERS) if 'src/world' in layers)
 SEARCHED = ['include', 'src', '', 'bench', 'tests']  # where the compiler looks for a quoted include
 SOURCES = ('.h', '.cpp', '.c')
 # Programs test and measure everything, themselves included: tests may look at the command line's parts, benchmarks share with tests.
@@ -86,6 +89,8 @@ def faults_in(root, path):
                 yield f'{path}:{number}: {layer} includes {target}, which stands above it'
             elif there[0] == height and there[1] != layer:
                 yield f'{path}:{number}: {layer} includes {target}, a module beside it'
+            elif 0 < height < WORLD and target in [f'include/firma/{name}' for name in OF_WORLDS]:
+                yield f'{path}:{number}: {layer} includes {target}, which speaks of worlds'
             elif there[1] not in [layer] + ONLY.get(layer, [there[1]]):
                 yield f'{path}:{number}: {layer} includes {target}; it may include {", ".join(ONLY[layer])} alone'
 

@@ -18,6 +18,7 @@
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
+#include "firma/solid_cut.h"
 #include "firma/tolerance.h"
 #include "firma/tree_options.h"
 #include "firma/vec.h"

@@ -100,4 +100,12 @@ struct Hit : PolygonHit {
     std::uint64_t version = 0;                 ///< of the World that was asked
 };
 
+/// What casts looked at. Add up over casts; a cast only ever adds.
+struct CastCounts {
+    std::uint64_t bins = 0;     ///< boxes of bins tested
+    std::uint64_t boxes = 0;    ///< boxes of faces and of portals' polygons tested
+    std::uint64_t faces = 0;    ///< faces whose geometry was looked at
+    std::uint64_t precise = 0;  ///< questions that double left open and more digits decided
+};
+
 }  // namespace firma

@@ -102,14 +102,6 @@ World make_world(const Solid& solid, const WorldOptions& options = {});
 ///         world would answer every cast with a miss (World() is one).
 Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
-/// What casts looked at. Add up over casts; a cast only ever adds.
-struct CastCounts {
-    std::uint64_t bins = 0;     ///< boxes of bins tested
-    std::uint64_t boxes = 0;    ///< boxes of faces and of portals' polygons tested
-    std::uint64_t faces = 0;    ///< faces whose geometry was looked at
-    std::uint64_t precise = 0;  ///< questions that double left open and more digits decided
-};
-
 struct CastOptions {
     std::uint32_t mask = ~0u;      ///< faces that share a bit are met
     Sides sides = Sides::kFront;   ///< kFront leaves the choice to the face; kBoth meets both sides of all

@@ -12,7 +12,7 @@
 #include "carve/label.h"
 #include "carve/make_faces.h"
 #include "carve/tile_faces.h"
-#include "firma/carve.h"
+#include "firma/solid_cut.h"
 #include "solid/change_solid.h"
 
 namespace firma {

@@ -4,7 +4,7 @@
 
 #include "cast/contact.h"
 #include "cast/sweep.h"
-#include "firma/world.h"
+#include "firma/hit.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
