@@ -63,6 +63,7 @@ void add_divided(JsonWriter& json, const std::optional<DivideReport>& divided) {
     json.open_object("divided");
     json.add("cells", divided->cells);
     json.add("narrows", divided->narrows);
+    json.add("untried", divided->untried);
     json.add("idle", divided->idle);
     json.add("portals", divided->portals);
     json.close();
@@ -129,8 +130,10 @@ std::string info_text(const LoadedLevel& loaded) {
     row("materials", grouped(material_names(level).size()));
     row("left out", left_out_text(left_out(loaded)));
     if (divided)
-        row("divided", fmt::format("{} added; {} tried that the air goes around", counted(divided->portals, "portal"),
-                                   grouped(divided->idle)));
+        row("divided",
+            fmt::format("{} added; {} tried that the air goes around", counted(divided->portals, "portal"),
+                        grouped(divided->idle)) +
+                (divided->untried > 0 ? fmt::format("; {} too many to be tried", grouped(divided->untried)) : ""));
     text += world_text(loaded.world);
     row("time", fmt::format("{} to read, {} to join and build", seconds_text(loaded.read_seconds),
                             seconds_text(loaded.build_seconds)));

@@ -53,9 +53,9 @@ Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entitie
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
 planes_moved, greatest_shift, idle_portals, divided, left_out, bounds, rooms, portals, tree, solid, read_seconds, build_seconds.
 `brushes` counts those of the file, no portals that were added; `faces` counts convex facets; those of `solid` bound
-the joined solid. `divided` is null, or with --rooms auto {cells, narrows, idle, portals}: how many cells were looked
-at, how many places where the air narrows, how many of these were tried in vain, as the air goes around by a way that
-the cells do not show, and how many portals were added.
+the joined solid. `divided` is null, or with --rooms auto {cells, narrows, untried, idle, portals}: how many cells
+were looked at, how many places where the air narrows, how many of these were too many to be tried, how many were tried
+in vain, as the air goes around by a way that the cells do not show, and how many portals were added.
 
 Of a .firma file, which holds a world rather than a level, --json has: level, bytes, version (of the world: how many
 edits were published), edits, exact (whether exact faces or faces that bound solids are there: without, it cannot be

@@ -21,6 +21,7 @@ struct DivideOptions {
 struct DivideReport {
     std::size_t cells = 0;    ///< looked at; 0 where the level has no solid brush, or too many and too large ones
     std::size_t narrows = 0;  ///< sections of the air that were narrower than what lies beyond
+    std::size_t untried = 0;  ///< of these, the widest of more than 20,000: what they would divide is left undivided
     std::size_t idle = 0;     ///< of these, chosen in vain: the air goes around by a way that the cells do not show
     std::size_t portals = 0;  ///< added
 };

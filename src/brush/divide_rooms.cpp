@@ -57,6 +57,7 @@ Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& op
         std::vector<Narrow> narrows = find_narrows(*grid, inside_of_hull(level, *grid));
         found.narrows = narrows.size();
         if (narrows.size() > kMostNarrows) narrows.resize(kMostNarrows);
+        found.untried = found.narrows - narrows.size();
         const Result<PortalChoice> choice = choose_portals(level, *grid, narrows, options);
         if (!choice.ok()) return choice.error();
         for (const std::uint32_t k : choice.value().narrows) add_portal(divided, *grid, narrows[k]);

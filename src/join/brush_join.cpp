@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostPlanes = std::size_t(1) << 21;
 constexpr std::uint32_t kNoPolygon = ~0u;
-constexpr int kMostRounds = 32;  ///< of leaving out what keeps the rest from being joined
+constexpr int kMostMoves = 16;  ///< rounds that move planes; the others leave out what keeps the rest from being joined
 
 const char* reason_of(BrushFault fault) {
     switch (fault) {
@@ -98,9 +98,9 @@ void BrushJoin::change(std::uint32_t brush) {
 }
 
 void BrushJoin::update() {
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0;; ++round) {
         redo();
-        if (mend(round < kMostRounds / 2)) break;
+        if (mend(round < kMostMoves) || changes_.empty()) break;  // each round leaves a brush out, so that it ends
     }
 }
 
