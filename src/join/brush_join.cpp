@@ -100,7 +100,8 @@ void BrushJoin::change(std::uint32_t brush) {
 void BrushJoin::update() {
     for (int round = 0;; ++round) {
         redo();
-        if (mend(round < kMostMoves) || changes_.empty()) break;  // each round leaves a brush out, so that it ends
+        if (mend(round < kMostMoves)) break;
+        if (round >= 2 * kMostMoves && changes_.empty()) break;  // from here each round leaves a brush out, so it ends
     }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using Loop = std::vector<FlatPoint>;
 
-const Loop kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+const Loop kFlatSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 const Loop kNotched{{0, 0}, {4, 0}, {4, 4}, {2, 2}, {0, 4}};
 const Loop kBowTie{{0, 0}, {4, 4}, {4, 0}, {0, 4}};
 
@@ -36,8 +36,8 @@ bool clip(const Loop& loop, EarClipper::Takes takes, std::vector<std::uint32_t>&
 }
 
 TEST(FlatLoop, AreaHasTheSignOfTheWayAround) {
-    EXPECT_TRUE(twice_area(kSquare) == 32);
-    EXPECT_TRUE(twice_area(Loop(kSquare.rbegin(), kSquare.rend())) == -32);
+    EXPECT_TRUE(twice_area(kFlatSquare) == 32);
+    EXPECT_TRUE(twice_area(Loop(kFlatSquare.rbegin(), kFlatSquare.rend())) == -32);
     EXPECT_TRUE(twice_area(kNotched) == 24);
     EXPECT_TRUE(twice_area(kBowTie) == 0);
 }
@@ -51,9 +51,9 @@ TEST(FlatLoop, EnclosesByCrossings) {
 }
 
 TEST(FlatLoop, Convex) {
-    EXPECT_TRUE(convex(kSquare));
+    EXPECT_TRUE(convex(kFlatSquare));
     EXPECT_TRUE(convex({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}})) << "a corner along a side";
-    EXPECT_FALSE(convex(Loop(kSquare.rbegin(), kSquare.rend())));
+    EXPECT_FALSE(convex(Loop(kFlatSquare.rbegin(), kFlatSquare.rend())));
     EXPECT_FALSE(convex(kNotched));
     EXPECT_FALSE(convex(kBowTie));
     EXPECT_FALSE(convex({{0, 0}, {4, 0}, {2, 0}})) << "no area";
