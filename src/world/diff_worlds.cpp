@@ -120,8 +120,10 @@ private:
 
     void compare_portals(const WorldData& before, const WorldData& after) {
         before.cells.portals().for_each_unshared(
-            after.cells.portals(),
-            [&](std::uint32_t k, const PortalState*, const PortalState*) { portals_.push_back(k); });
+            after.cells.portals(), [&](std::uint32_t k, const PortalState* one, const PortalState* two) {
+                const bool shared = one && two && one->portal.get() == two->portal.get();
+                if (!shared || one->closed != two->closed) portals_.push_back(k);
+            });
         std::sort(portals_.begin(), portals_.end());
         portals_.erase(std::unique(portals_.begin(), portals_.end()), portals_.end());
         for (const std::uint32_t k : portals_) {
