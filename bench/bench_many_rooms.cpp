@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An edit, a door, publishing and comparing in a world of few rooms and in one of very many of the same kind: what each
-// costs, in turns, and whether any of it grows with the rooms.
+// costs, in turns, and whether any of it grows with the rooms. Then craters in a hall of few closets and in one of very
+// many, some of which make two rooms one.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "firma/solid.h"
 #include "firma/world_store.h"
 #include "scenes/divided_building.h"
+#include "scenes/hub.h"
 #include "scenes/rng.h"
 #include "support/craters.h"
 #include "support/race.h"
@@ -21,6 +23,15 @@
 
 namespace firma::bench {
 namespace {
+
+World assembled(WorldParts parts) {
+    Result<World> world = assemble_world(std::move(parts));
+    if (!world) {
+        std::fprintf(stderr, "bench_many_rooms: %s\n", world.error().text().c_str());
+        std::exit(2);
+    }
+    return std::move(world).value();
+}
 
 /// Microseconds of processor time.
 template <class Work>
@@ -37,12 +48,7 @@ World building(int side) {
     plan.jitter = 0.1;
     plan.closed = 0.3;
     plan.seed = 5;
-    Result<World> world = assemble_world(scenes::DividedBuilding(plan).parts());
-    if (!world) {
-        std::fprintf(stderr, "bench_many_rooms: %s\n", world.error().text().c_str());
-        std::exit(2);
-    }
-    return std::move(world).value();
+    return assembled(scenes::DividedBuilding(plan).parts());
 }
 
 struct Numbers {
@@ -104,6 +110,46 @@ private:
     std::vector<Pose> poses_;
 };
 
+/// Where craters go, from the middle of a closet's floor, and what they are there.
+struct HubCrater {
+    const char* what;
+    Vec3 from_closet;
+    double scale;
+};
+constexpr HubCrater kHubCraters[] = {{"carve inside the hall", {0.5, 2, 0}, 0.3},
+                                     {"carve that joins two closets", {1, 0, 1}, 0.7},
+                                     {"carve that joins a closet to the hall", {0, 1, 0}, 0.3}};
+
+/// Every crater is cut into the world as it was at first, near its middle; the result is hashed, and dropped at once.
+bool measure_hubs(const Settings& settings, bool hall_last, const char* name) {
+    const int rounds = settings.quick ? 10 : 400;
+    const scenes::Hub hubs[] = {{20, hall_last}, {settings.quick ? 60 : 9900, hall_last}};
+    const World worlds[] = {assembled(scenes::hub_parts(hubs[0])), assembled(scenes::hub_parts(hubs[1]))};
+    const Cutter cutter = crater();
+    Table table(name, {"what", "20 closets us", "many closets us", "many to few"});
+    for (const HubCrater& it : kHubCraters) {
+        std::vector<double> costs[2];
+        for (int k = -5; k < rounds; ++k)
+            for (int turn = 0; turn < 2; ++turn) {
+                const int which = (k + turn) & 1;
+                const scenes::Hub& hub = hubs[which];
+                Pose pose;
+                pose.rotation = random_turn(std::size_t(k + 5));
+                pose.position = scenes::floor_of_closet(hub, hub.closets / 4 * 2) + it.from_closet;
+                pose.scale = it.scale;
+                const double cost = timed([&] {
+                    const CarveResult cut = carve(worlds[which], cutter, pose);
+                    keep(hash_world(cut.world));
+                    if (!cut.done()) std::exit(2);
+                });
+                if (k >= 0) costs[which].push_back(cost);
+            }
+        const double few = median(costs[0]), many = median(costs[1]);
+        table.add({it.what, number(few), number(many), times(many / few)});
+    }
+    return table.finish(settings.csv);
+}
+
 int measure(const Settings& settings) {
     const std::size_t rounds = settings.quick ? 40 : 1000;
     const int many = settings.quick ? 12 : 60;
@@ -135,7 +181,8 @@ int measure(const Settings& settings) {
     row("publish the door", &Numbers::publish_door);
     row("drop both versions", &Numbers::drop);
     const bool fine = worlds.finish(settings.csv);
-    return table.finish(settings.csv) && fine ? 0 : 1;
+    const bool hubs = measure_hubs(settings, false, "hub_hall_first") && measure_hubs(settings, true, "hub_hall_last");
+    return table.finish(settings.csv) && fine && hubs ? 0 : 1;
 }
 
 }  // namespace

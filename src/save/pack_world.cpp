@@ -161,7 +161,7 @@ private:
         portals_.u32(cells.portal_count());
         for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
             const Portal& portal = cells.portal(k);
-            for (const RoomId room : portal.rooms) portals_.u32(room.value);
+            for (const RoomId room : cells.rooms_of(portal)) portals_.u32(room.value);
             portals_.u32(portal.material);
             portals_.u32(portal.mask);
             portals_.u32(cells.is_closed(k) ? kClosedPortal : 0);

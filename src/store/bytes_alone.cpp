@@ -58,7 +58,8 @@ std::size_t bytes_of(const std::vector<std::string>* names) {
 
 /// Of what is beside the faces.
 std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
-    std::size_t sum = mine.rooms().bytes_unshared(theirs.rooms()) + mine.portals().bytes_unshared(theirs.portals());
+    std::size_t sum = mine.rooms().bytes_unshared(theirs.rooms()) + mine.portals().bytes_unshared(theirs.portals()) +
+                      mine.joined().bytes_unshared(theirs.joined());
     if (mine.boxes() && mine.boxes() != theirs.boxes())
         sum +=
             sizeof(PortalBoxes) + mine.boxes()->tree.bytes() + mine.boxes()->portals.capacity() * sizeof(std::uint32_t);

@@ -100,10 +100,15 @@ Solid in_one_part(const Solid& solid) {
 Cells make_cells(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
+    std::vector<std::uint32_t> current(records.size());  // none is part of a higher one
+    for (std::uint32_t k = 0; k < records.size(); ++k) {
+        const std::uint32_t into = records[k].merged_into;
+        current[k] = into < k ? current[into] : into;
+    }
     for (std::uint32_t k = 0; k < portals.size(); ++k) {
         if (portals[k].polygons.empty()) continue;
         for (const RoomId room : portals[k].rooms) {
-            std::vector<std::uint32_t>& of_room = records[room.value].portals;
+            std::vector<std::uint32_t>& of_room = records[current[room.value]].portals;
             if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
         }
     }
@@ -113,15 +118,11 @@ Cells make_cells(StoredWorld& stored) {
         std::uint64_t hash = 0;
     };
     std::vector<Contents> contents(records.size());
-    const auto current = [&](std::uint32_t room) {
-        while (records[room].merged_into != room) room = records[room].merged_into;
-        return room;
-    };
     for (const BuiltStore* store : {&stored.solid, &stored.castable}) {
-        for (const PartIndex& part : store->parts) contents[current(part.part)].indices.push_back(part.root);
+        for (const PartIndex& part : store->parts) contents[current[part.part]].indices.push_back(part.root);
         for (const PartChange& change : store->changes) {
-            contents[current(change.part)].faces += std::size_t(change.faces);
-            contents[current(change.part)].hash += change.hash;
+            contents[current[change.part]].faces += std::size_t(change.faces);
+            contents[current[change.part]].hash += change.hash;
         }
     }
     Cells cells;

@@ -90,10 +90,10 @@ void dress_face(const World& world, const SweepContact& found, Hit& hit) {
 }
 
 /// As of the room on the side that it was met from.
-void dress_portal(const Portal& portal, const SweepContact& found, Hit& hit) {
+void dress_portal(const Cells& cells, const Portal& portal, const SweepContact& found, Hit& hit) {
     hit.portal = {found.portal};
     hit.material = portal.material;
-    hit.room = portal.rooms[dot(hit.normal, hit.face_normal) >= 0 ? 0 : 1];
+    hit.room = cells.rooms_of(portal)[dot(hit.normal, hit.face_normal) >= 0 ? 0 : 1];
 }
 
 Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, const SweepContact& found) {
@@ -108,7 +108,7 @@ Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, co
     } else {
         const Portal& portal = world.data().cells.portal(found.portal);
         make(portal.polygons()[found.slot].shape);
-        dress_portal(portal, found, hit);
+        dress_portal(world.data().cells, portal, found, hit);
     }
     hit.version = world.version();
     return hit;

@@ -2,6 +2,8 @@
 // Rooms and portals in persistent pieces.
 #include "world/cells.h"
 
+#include <utility>
+
 #include "base/hasher.h"
 #include "world/add_text.h"
 
@@ -28,7 +30,7 @@ std::size_t text_bytes(const std::string& text) {
 }  // namespace
 
 Portal::Portal(PortalPart from)
-    : rooms(from.rooms), name(std::move(from.name)), material(from.material), mask(from.mask) {
+    : made_between(from.rooms), name(std::move(from.name)), material(from.material), mask(from.mask) {
     std::size_t count = 0;
     for (const std::vector<GridPoint>& polygon : from.polygons) count += polygon.size();
     corners_.reserve(count);
@@ -48,7 +50,7 @@ Portal::Portal(PortalPart from)
 
 PortalPart Portal::part() const {
     PortalPart part;
-    part.rooms = rooms;
+    part.rooms = made_between;
     part.name = name;
     part.material = material;
     part.mask = mask;
@@ -76,11 +78,15 @@ std::uint64_t hash_room(std::uint32_t number, const Room& room) {
     return hasher.value();
 }
 
-std::uint64_t hash_portal(std::uint32_t number, const PortalState& state) {
+std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
+    const PortalState& state = portals_[number];
     const Portal& portal = *state.portal;
+    std::array<RoomId, 2> rooms = rooms_of(portal);
+    for (RoomId& room : rooms)
+        if (!portal.gone() && portals_of(room.value).size() > kCrowd) room = {};
     Hasher hasher;
     hasher.add(number, std::uint32_t(state.closed));
-    hasher.add(portal.rooms[0].value, portal.rooms[1].value);
+    hasher.add(rooms[0].value, rooms[1].value);
     hasher.add(portal.material, portal.mask);
     add_text(hasher, portal.name);
     for (const PortalPolygon& polygon : portal.polygons()) {
@@ -96,18 +102,55 @@ std::uint64_t hash_portal(std::uint32_t number, const PortalState& state) {
 void Cells::set_room(std::uint32_t number, Ref<const Room> room) {
     if (const Ref<const Room>* before = rooms_.find(number)) hash_ -= hash_room(number, **before);
     hash_ += hash_room(number, *room);
+    const std::uint32_t into = room->record->merged_into;
     rooms_.set(number, std::move(room));
+    if (into != number) join(number, into);
+}
+
+/// Goes from a room to the root of those joined with it.
+/// @return the root's entry
+std::uint64_t Cells::find_root(std::uint32_t& room) const {
+    for (;;) {
+        const std::uint64_t* entry = joined_.find(room);
+        if (!entry) return kRoot | room;
+        if (*entry & kRoot) return *entry;
+        room = std::uint32_t(*entry);
+    }
+}
+
+std::uint32_t Cells::joined_room(std::uint32_t room) const {
+    return std::uint32_t(find_root(room));
+}
+
+void Cells::join(std::uint32_t room, std::uint32_t into) {
+    const std::uint64_t entry = find_root(room), entry_into = find_root(into);
+    if (room == into) return;
+    std::uint64_t rank = entry >> 32;  // and kRoot
+    const std::uint64_t rank_into = entry_into >> 32;
+    if (rank <= rank_into) {
+        std::swap(room, into);
+        rank = rank_into + (rank == rank_into);
+    }
+    joined_.set(into, room);
+    joined_.set(room, rank << 32 | std::uint32_t(entry_into));
 }
 
 void Cells::set_portal(std::uint32_t number, Ref<const Portal> portal, bool closed) {
     if (const PortalState* before = portals_.find(number)) {
-        hash_ -= hash_portal(number, *before);
+        hash_ -= hash_of_portal(number);
         closed_ -= before->closed;
     }
-    PortalState state{std::move(portal), closed};
-    hash_ += hash_portal(number, state);
     closed_ += closed;
-    portals_.set(number, std::move(state));
+    portals_.set(number, {std::move(portal), closed});
+    hash_ += hash_of_portal(number);
+}
+
+void Cells::take_out(std::span<const std::uint32_t> portals) {
+    for (const std::uint32_t number : portals) hash_ -= hash_of_portal(number);
+}
+
+void Cells::put_in(std::span<const std::uint32_t> portals) {
+    for (const std::uint32_t number : portals) hash_ += hash_of_portal(number);
 }
 
 void Cells::set_boxes() {

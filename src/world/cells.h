@@ -59,20 +59,18 @@ struct PortalPolygon {
     } box;  ///< metres
 };
 
-/// Nothing in it changes; whether it is closed is kept apart.
+/// Nothing in it changes; whether it is closed is kept apart, and what its rooms became part of: Cells::rooms_of().
 class Portal : public RefCounted, public Pooled {
 public:
     explicit Portal(PortalPart part);
 
-    const std::array<RoomId, 2> rooms;
+    const std::array<RoomId, 2> made_between;
     const std::string name;
     const std::uint32_t material, mask;
     GridBox box;  ///< of its polygons
 
     std::span<const PortalPolygon> polygons() const { return polygons_; }
     bool gone() const { return polygons_.empty(); }
-    /// The room on the other side.
-    RoomId beyond(RoomId room) const { return rooms[0] == room ? rooms[1] : rooms[0]; }
     /// As it was made, but that it says nothing of being open.
     PortalPart part() const;
     std::size_t bytes() const;
@@ -97,6 +95,8 @@ struct PortalBoxes {
 /// A value: copies share everything.
 class Cells {
 public:
+    static constexpr std::size_t kCrowd = 64;
+
     std::uint32_t room_count() const { return std::uint32_t(rooms_.size()); }
     const Room& room(std::uint32_t number) const { return *rooms_[number]; }
     std::uint32_t portal_count() const { return std::uint32_t(portals_.size()); }
@@ -104,10 +104,18 @@ public:
     bool is_closed(std::uint32_t portal) const { return portals_[portal].closed; }
     bool any_closed() const { return closed_ > 0; }
     std::span<const std::uint32_t> portals_of(std::uint32_t room) const { return rooms_[room]->record->portals; }
-    /// The room that a room is by now part of: itself, as long as no edit joined it to another.
-    std::uint32_t current_room(std::uint32_t room) const {
-        for (std::uint32_t into; (into = rooms_[room]->record->merged_into) != room;) room = into;
-        return room;
+    /// The room that a room is by now part of: itself, as long as no edit joined it to another. In as many steps as the
+    /// logarithm of the rooms joined.
+    std::uint32_t current_room(std::uint32_t room) const { return joined_.empty() ? room : joined_room(room); }
+    /// The rooms that a portal joins by now; of one that is gone those that it was given last.
+    std::array<RoomId, 2> rooms_of(const Portal& portal) const {
+        if (joined_.empty() || portal.gone()) return portal.made_between;
+        return {RoomId{current_room(portal.made_between[0].value)}, RoomId{current_room(portal.made_between[1].value)}};
+    }
+    /// The room on the other side of a portal.
+    std::uint32_t beyond(const Portal& portal, std::uint32_t room) const {
+        const std::uint32_t first = current_room(portal.made_between[0].value);
+        return first == room ? current_room(portal.made_between[1].value) : first;
     }
     /// Whether the level says anything of rooms: false for one room, and nothing to say of it.
     bool known() const { return known_; }
@@ -129,25 +137,41 @@ public:
     void set_known() { known_ = true; }
     void set_room(std::uint32_t number, Ref<const Room> room);
     void set_portal(std::uint32_t number, Ref<const Portal> portal, bool closed);
+    /// A portal's term of hash(). It names the portal's rooms, but for those of more than kCrowd portals: so that
+    /// joining such a room to another changes few terms. Which they are follows from where the portal lies.
+    std::uint64_t hash_of_portal(std::uint32_t number) const;
+    /// Around set_room() where numbers or lists of portals change: takes terms out, and puts them in as they are then.
+    void take_out(std::span<const std::uint32_t> portals);
+    void put_in(std::span<const std::uint32_t> portals);
     /// Once all portals of a level are in.
     void set_boxes();
 
     const PersistentMap<Ref<const Room>>& rooms() const { return rooms_; }
     const PersistentMap<PortalState>& portals() const { return portals_; }
+    const PersistentMap<std::uint64_t>& joined() const { return joined_; }
     const std::shared_ptr<const PortalBoxes>& boxes() const { return boxes_; }
 
 private:
+    static constexpr std::uint64_t kRoot = std::uint64_t(1) << 63;
+
+    std::uint32_t joined_room(std::uint32_t room) const;
+    std::uint64_t find_root(std::uint32_t& room) const;
+    void join(std::uint32_t room, std::uint32_t into);
+
     PersistentMap<Ref<const Room>> rooms_;
     PersistentMap<PortalState> portals_;
+    /// Disjoint sets of rooms joined: the next one on the way to the root; of a root kRoot, its rank times 2^32, and
+    /// which room they are now. Without rooms that were never joined.
+    /// Source: R. Tarjan, Efficiency of a good but not linear set union algorithm, 1975: union by rank.
+    PersistentMap<std::uint64_t> joined_;
     std::shared_ptr<const PortalBoxes> boxes_;
     std::size_t closed_ = 0;
     std::uint64_t hash_ = 0;
     bool known_ = false;
 };
 
-/// All that a room is, or a portal: a term of Cells::hash().
+/// All that a room is: a term of Cells::hash().
 std::uint64_t hash_room(std::uint32_t number, const Room& room);
-std::uint64_t hash_portal(std::uint32_t number, const PortalState& state);
 
 /// Memory of a record, its name and list with it.
 std::size_t bytes_of(const RoomRecord& record);

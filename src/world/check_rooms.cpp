@@ -58,7 +58,7 @@ private:
         std::size_t infinite = data_.rock_outside();
         std::vector<std::vector<std::uint32_t>> portals(cells_.room_count());
         cells_.portals().for_each([&](std::uint32_t k, const PortalState& state) {
-            for (const RoomId room : state.portal->rooms) {
+            for (const RoomId room : cells_.rooms_of(*state.portal)) {
                 if (state.portal->gone() || room.value >= portals.size()) continue;
                 std::vector<std::uint32_t>& of_room = portals[room.value];
                 if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
@@ -71,6 +71,8 @@ private:
             if (into > room) return report(room_text(room, "is part of a higher one"), {});
             if (into != room && (cells_.room(room).tree || record.exterior))
                 return report(room_text(room, "is part of another, and yet not empty"), {});
+            if (cells_.current_room(room) != (into == room ? room : cells_.current_room(into)))
+                return report(room_text(room, "is not found where it is part of"), {});
             if (portals[room] != record.portals) return report(room_text(room, "does not list its portals"), {});
         }
         if (infinite > 1) report("more than one room, or rock as well, reaches to infinity", {});
@@ -81,13 +83,11 @@ private:
         for (std::uint32_t k = 0; k < cells_.portal_count() && !fault_; ++k) {
             const Portal& portal = cells_.portal(k);
             closed += cells_.is_closed(k);
-            for (const RoomId room : portal.rooms)
+            for (const RoomId room : portal.made_between)
                 if (room.value >= cells_.room_count()) return report(portal_text(k, "leads to no room"), {});
             if (portal.gone()) continue;
-            if (portal.rooms[0] == portal.rooms[1]) return report(portal_text(k, "leads from a room to itself"), {});
-            for (const RoomId room : portal.rooms)
-                if (cells_.current_room(room.value) != room.value)
-                    return report(portal_text(k, "leads to a room that is part of another"), {});
+            const std::array<RoomId, 2> rooms = cells_.rooms_of(portal);
+            if (rooms[0] == rooms[1]) return report(portal_text(k, "leads from a room to itself"), {});
             for (const PortalPolygon& polygon : portal.polygons())
                 if (check_polygon(polygon.shape.corners) != PolygonFault::kNone)
                     return report(portal_text(k, "has a polygon that is not convex and planar, with area"), {});
@@ -118,7 +118,7 @@ private:
             });
         for (const std::uint32_t index : cells_.portals_of(room))
             for (const PortalPolygon& polygon : cells_.portal(index).polygons())
-                add_sides(polygon, cells_.portal(index).rooms[0].value == room);
+                add_sides(polygon, cells_.rooms_of(cells_.portal(index))[0].value == room);
         std::sort(sides_.begin(), sides_.end());
         for (std::size_t first = 0, end = 0; first < sides_.size(); first = end) {
             std::int64_t sum = 0;

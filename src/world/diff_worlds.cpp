@@ -34,10 +34,10 @@ void add_slots(const std::vector<const Node*>& nodes, const WorldData& data, std
     }
 }
 
+/// But for their rooms.
 bool same(const Portal& one, const Portal& two) {
     if (&one == &two) return true;
-    if (one.rooms != two.rooms || one.name != two.name || one.material != two.material || one.mask != two.mask)
-        return false;
+    if (one.name != two.name || one.material != two.material || one.mask != two.mask) return false;
     const auto polygons = one.polygons(), others = two.polygons();
     return std::equal(polygons.begin(), polygons.end(), others.begin(), others.end(),
                       [](const PortalPolygon& p, const PortalPolygon& q) {
@@ -110,23 +110,35 @@ private:
     void compare_rooms(const WorldData& before, const WorldData& after) {
         before.cells.rooms().for_each_unshared(
             after.cells.rooms(), [&](std::uint32_t room, const Ref<const Room>* one, const Ref<const Room>* two) {
-                if (!one || !two || (*one)->record->merged_into != (*two)->record->merged_into)
-                    diff_.rooms.push_back({room});
+                if (one && two && (*one)->record->merged_into == (*two)->record->merged_into) return;
+                diff_.rooms.push_back({room});
+                for (const Ref<const Room>* its : {one, two})
+                    if (its)
+                        portals_.insert(portals_.end(), (*its)->record->portals.begin(), (*its)->record->portals.end());
             });
     }
 
     void compare_portals(const WorldData& before, const WorldData& after) {
         before.cells.portals().for_each_unshared(
             after.cells.portals(), [&](std::uint32_t k, const PortalState* one, const PortalState* two) {
-                const bool had = one && !one->portal->gone(), has = two && !two->portal->gone();
-                if (has && !had) add({k}, *two->portal, diff_.portals_come);
-                if (had && !has) add({k}, *one->portal, diff_.portals_gone);
-                if (!had || !has) return;
-                if (one->closed != two->closed) add({k}, *two->portal, two->closed ? diff_.closed : diff_.opened);
-                if (same(*one->portal, *two->portal)) return;
-                add({k}, *one->portal, diff_.portals_changed);
-                add_box(two->portal->box);
+                const bool shared = one && two && one->portal.get() == two->portal.get();
+                if (!shared || one->closed != two->closed) portals_.push_back(k);
             });
+        std::sort(portals_.begin(), portals_.end());
+        portals_.erase(std::unique(portals_.begin(), portals_.end()), portals_.end());
+        for (const std::uint32_t k : portals_) {
+            const PortalState *one = before.cells.portals().find(k), *two = after.cells.portals().find(k);
+            const bool had = one && !one->portal->gone(), has = two && !two->portal->gone();
+            if (has && !had) add({k}, *two->portal, diff_.portals_come);
+            if (had && !has) add({k}, *one->portal, diff_.portals_gone);
+            if (!had || !has) continue;
+            if (one->closed != two->closed) add({k}, *two->portal, two->closed ? diff_.closed : diff_.opened);
+            if (before.cells.rooms_of(*one->portal) == after.cells.rooms_of(*two->portal) &&
+                same(*one->portal, *two->portal))
+                continue;
+            add({k}, *one->portal, diff_.portals_changed);
+            add_box(two->portal->box);
+        }
     }
 
     void add(PortalId id, const Portal& portal, std::vector<PortalId>& portals) {
@@ -180,6 +192,7 @@ private:
 
     const double tile_size_;
     std::size_t sorted_ = 0;
+    std::vector<std::uint32_t> portals_;  ///< that may have changed
     WorldDiff diff_;
 };
 

@@ -56,7 +56,7 @@ Location locate(const World& world, const Vec3& point) {
         case Seen::Kind::kSolid:
             return {Location::Kind::kSolid, {}};
         case Seen::Kind::kPolygon:
-            return {Location::Kind::kRoom, data.cells.portal(seen.number).rooms[seen.front ? 0 : 1]};
+            return {Location::Kind::kRoom, data.cells.rooms_of(data.cells.portal(seen.number))[seen.front ? 0 : 1]};
         case Seen::Kind::kNothing:
             return outside(data);
         case Seen::Kind::kUnsure:

@@ -48,7 +48,8 @@ private:
 
     void add(const Cells& cells) {
         const auto is_new_page = [&](const void* page) { return is_new(page); };
-        bytes_ += cells.rooms().bytes(is_new_page) + cells.portals().bytes(is_new_page);
+        bytes_ +=
+            cells.rooms().bytes(is_new_page) + cells.portals().bytes(is_new_page) + cells.joined().bytes(is_new_page);
         if (cells.boxes() && is_new(cells.boxes().get()))
             bytes_ += sizeof(PortalBoxes) + cells.boxes()->tree.bytes() +
                       cells.boxes()->portals.capacity() * sizeof(std::uint32_t);

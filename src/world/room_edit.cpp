@@ -21,7 +21,7 @@ void RoomEdit::touch_portals(const GridBox& box) {
                                                 GridBox own;
                                                 for (const GridPoint& corner : polygon.corners) own.add(corner);
                                                 if (!boxes_meet(box, own)) continue;
-                                                for (const RoomId room : portal.rooms) touch(room.value);
+                                                for (const RoomId room : portal.made_between) touch(room.value);
                                             }
                                         });
 }
@@ -59,13 +59,56 @@ bool RoomEdit::step() {
     return false;
 }
 
+/// Portals between the rooms that become one go, others lead to that one: they are looked at one by one in all rooms
+/// but the one of the most.
+/// @return those whose terms of the hash may change: up to Cells::kCrowd more than were looked at
+std::vector<std::uint32_t> RoomEdit::join_portals(Cells& next, std::vector<std::uint32_t>& joined) const {
+    const Cells& cells = before_.cells;
+    const auto sort_once = [](std::vector<std::uint32_t>& numbers) {
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    };
+    std::uint32_t largest = target();
+    for (const std::uint32_t room : rooms_)
+        if (cells.portals_of(room).size() > cells.portals_of(largest).size()) largest = room;
+    std::vector<std::uint32_t> changed;
+    for (const std::uint32_t room : rooms_) {
+        const auto portals = cells.portals_of(room);
+        if (room != largest) changed.insert(changed.end(), portals.begin(), portals.end());
+    }
+    sort_once(changed);
+
+    const auto all = cells.portals_of(largest);
+    auto rest = all.begin();
+    joined.reserve(all.size() + changed.size());
+    for (const std::uint32_t number : changed) {
+        const auto here = std::lower_bound(rest, all.end(), number);
+        joined.insert(joined.end(), rest, here);
+        rest = here + (here != all.end() && *here == number);
+        const Portal& portal = cells.portal(number);
+        const std::array<RoomId, 2> rooms = cells.rooms_of(portal);
+        if (!touched(rooms[0].value) || !touched(rooms[1].value)) {
+            joined.push_back(number);
+            continue;
+        }
+        const RoomId into{target()};
+        PortalPart gone{{into, into}, {}, portal.name, portal.material, portal.mask};
+        next.set_portal(number, Ref<const Portal>(new Portal(std::move(gone))), false);
+    }
+    joined.insert(joined.end(), rest, all.end());
+    if (all.size() <= Cells::kCrowd || joined.size() <= Cells::kCrowd) {
+        changed.insert(changed.end(), all.begin(), all.end());
+        sort_once(changed);
+    }
+    return changed;
+}
+
 void RoomEdit::publish(WorldData& next) const {
     const Cells& cells = before_.cells;
     Ref<Room> made(new Room);
     made->tree = index_;
     RoomRecord record;
     record.merged_into = target();
-    if (!rooms_.empty()) record = *cells.room(target()).record;
     for (const std::uint32_t room : rooms_) {
         made->faces += cells.room(room).faces;
         made->face_hash += cells.room(room).face_hash;
@@ -75,38 +118,23 @@ void RoomEdit::publish(WorldData& next) const {
         made->faces += std::size_t(change.faces);
         made->face_hash += change.hash;
     }
+    std::vector<std::uint32_t> portals;
     if (rooms_.size() > 1) {
-        // Portals between them go, others lead to the one that they become.
-        std::vector<std::uint32_t> portals;
-        for (const std::uint32_t room : rooms_)
-            for (const std::uint32_t portal : cells.portals_of(room)) portals.push_back(portal);
-        std::sort(portals.begin(), portals.end());
-        portals.erase(std::unique(portals.begin(), portals.end()), portals.end());
-        record.portals.clear();
-        for (const std::uint32_t number : portals) {
-            PortalPart part = cells.portal(number).part();
-            for (RoomId& room : part.rooms)
-                if (touched(room.value)) room = {target()};
-            const bool goes = part.rooms[0] == part.rooms[1];
-            if (goes) part.polygons.clear();
-            if (!goes) record.portals.push_back(number);
-            next.cells.set_portal(number, Ref<const Portal>(new Portal(std::move(part))),
-                                  !goes && cells.is_closed(number));
-        }
+        record.name = cells.room(target()).record->name;
+        portals = join_portals(next.cells, record.portals);
+        next.cells.take_out(portals);
         for (const std::uint32_t room : rooms_) {
             if (room == target()) continue;
             Ref<Room> empty(new Room);
-            RoomRecord merged = *cells.room(room).record;
-            merged.exterior = false;
-            merged.merged_into = target();
-            merged.portals.clear();
-            empty->record = std::make_shared<const RoomRecord>(std::move(merged));
+            empty->record =
+                std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).record->name, false, target(), {}});
             next.cells.set_room(room, Ref<const Room>(empty.get()));
         }
     }
     const bool same_record = rooms_.size() == 1;
     made->record = same_record ? cells.room(target()).record : std::make_shared<const RoomRecord>(std::move(record));
     next.cells.set_room(target(), Ref<const Room>(made.get()));
+    next.cells.put_in(portals);
 }
 
 }  // namespace firma

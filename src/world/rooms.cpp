@@ -40,7 +40,7 @@ std::vector<std::uint32_t> portals_away(const WorldData& data, std::uint32_t fro
     for (std::size_t next = 0; next < reached.size(); ++next) {
         const std::uint32_t room = reached[next];
         for (const std::uint32_t portal : data.cells.portals_of(room)) {
-            const std::uint32_t beyond = data.cells.portal(portal).beyond({room}).value;
+            const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal), room);
             if (!leads_on(portal) || away[beyond] != ~0u) continue;
             away[beyond] = away[room] + 1;
             reached.push_back(beyond);
@@ -81,7 +81,7 @@ PortalInfo portal_info(const World& world, PortalId id) {
     PortalInfo info;
     if (!is_portal(data, id)) return info;
     const Portal& portal = data.cells.portal(id.value);
-    info.rooms = portal.rooms;
+    info.rooms = data.cells.rooms_of(portal);
     info.name = portal.name;
     info.material = portal.material;
     info.mask = portal.mask;
@@ -98,7 +98,7 @@ std::vector<RoomId> neighbours(const World& world, RoomId room) {
     if (!is_room(data, room)) return rooms;
     const RoomId here{data.cells.current_room(room.value)};
     for (const std::uint32_t portal : data.cells.portals_of(here.value))
-        rooms.push_back(data.cells.portal(portal).beyond(here));
+        rooms.push_back({data.cells.beyond(data.cells.portal(portal), here.value)});
     std::sort(rooms.begin(), rooms.end());
     rooms.erase(std::unique(rooms.begin(), rooms.end()), rooms.end());
     return rooms;
@@ -114,7 +114,7 @@ std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, 
     std::vector<PortalId> path;
     while (away[room] > 0)
         for (const std::uint32_t portal : data.cells.portals_of(room)) {
-            const std::uint32_t beyond = data.cells.portal(portal).beyond({room}).value;
+            const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal), room);
             if (!leads_on(portal) || away[beyond] + 1 != away[room]) continue;
             path.push_back({portal});
             room = beyond;

@@ -167,7 +167,7 @@ private:
             const Portal& portal = data_.cells.portal(index);
             // A large hall may have dozens; most are nowhere near.
             if (!boxes_meet(portal.box, around)) continue;
-            const std::uint32_t beyond = portal.beyond({from.room}).value;
+            const std::uint32_t beyond = data_.cells.beyond(portal, from.room);
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
             if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal, boxes)) return;

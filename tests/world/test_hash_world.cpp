@@ -274,6 +274,7 @@ World taken_anew(const World& world) {
     }
     for (std::uint32_t portal = 0; portal < data.cells.portal_count(); ++portal) {
         stored.portals.push_back(data.cells.portal(portal).part());
+        stored.portals.back().rooms = data.cells.rooms_of(data.cells.portal(portal));
         stored.portals.back().open = !data.cells.is_closed(portal);
     }
     stored.known = data.cells.known();
