@@ -25,6 +25,16 @@ int deepest_of(std::size_t facets) {
     return 2 * std::bit_width(facets) + 16;
 }
 
+/// Half the surface of what two boxes share, 0 when they are apart.
+double shared_half_area(const BoxF& a, const BoxF& b) {
+    double extent[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        extent[axis] = double(std::min(a.high[axis], b.high[axis])) - double(std::max(a.low[axis], b.low[axis]));
+        if (extent[axis] < 0) return 0;
+    }
+    return half_area(extent);
+}
+
 }  // namespace
 
 bool NodeEdit::step() {
@@ -120,6 +130,7 @@ void NodeEdit::place_some() {
         parent.first_added = std::uint32_t(next_);
     }
     if (next_ < added_.size()) return;
+    touch_beside();
     next_ = touched_.size();
     phase_ = Phase::kRebuild;
 }
@@ -139,6 +150,41 @@ std::uint32_t NodeEdit::place(const GridBox& box) {
         if (node.children[item]->is_leaf()) return at;
         at = touch(at, item);
     }
+}
+
+// ---- what lies beside it ----
+
+/// For each node with touched children over leaves, one more of its children: see the head of edit_nodes.h.
+void NodeEdit::touch_beside() {
+    const std::size_t count = touched_.size();
+    for (std::uint32_t parent = 0; parent < count; ++parent) {
+        if (touched_[parent].first_child == kNone) continue;
+        if (const std::uint32_t item = find_beside(parent); item != kNone) touch(parent, item);
+    }
+}
+
+/// Of the children over leaves that are not touched, the one that covers most of one that is; or none.
+std::uint32_t NodeEdit::find_beside(std::uint32_t parent) {
+    const auto over_leaves = [](const Node& node) { return !node.is_leaf() && node.children[0]->is_leaf(); };
+    const Node& node = *touched_[parent].node;
+    touched_by_.assign(node.children.size(), kNone);
+    std::vector<BoxF> here;
+    for (std::uint32_t k = touched_[parent].first_child; k != kNone; k = touched_[k].next_sibling) {
+        touched_by_[touched_[k].item] = k;
+        if (over_leaves(*touched_[k].node)) here.push_back(touched_[k].node->bins[0].box);
+    }
+    if (here.empty()) return kNone;
+    std::uint32_t found = kNone;
+    double most = 0;
+    for (const Bin& bin : node.bins) {
+        if (!bin.is_leaf() || touched_by_[bin.first] != kNone) continue;
+        double shared = 0;
+        for (const BoxF& box : here) shared = std::max(shared, shared_half_area(bin.box, box) / half_area(box));
+        if (shared <= most || !over_leaves(*node.children[bin.first])) continue;
+        found = bin.first;
+        most = shared;
+    }
+    return found;
 }
 
 // ---- nodes made anew ----

@@ -6,6 +6,9 @@
 // the child that has to grow least, to a node above leaves. Each node above a change is made anew, from the bottom up:
 // bins over its children are split anew, one of more than 64 children becomes several, one of few, or of nothing but
 // leaves, hands its children to the node above. So the work follows the change, not the index.
+//
+// Nodes over leaves grow into each other, edit by edit. So beside those that a change touches one more is divided anew
+// with them: the one that covers the largest share of one of them.
 #pragma once
 
 #include <cstdint>
@@ -61,6 +64,9 @@ private:
     std::uint32_t touch(std::uint32_t parent, std::uint32_t item);
     bool find_leaf(const Removed& removed);
     std::uint32_t place(const GridBox& box);
+
+    void touch_beside();
+    std::uint32_t find_beside(std::uint32_t parent);
 
     void rebuild_inner(std::uint32_t index);
     void collect_items(const Touched& touched);

@@ -67,7 +67,7 @@ void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, Ve
 
 }  // namespace
 
-Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options) {
+Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
     if (faces.faces.empty()) return {};
     faces_ = &faces;
     tree_.items.resize(faces.faces.size());
@@ -79,7 +79,8 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
     const TreeOptions rules = in_range(options);
     divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
-                    if (!is_done(items.size(), box, at, rules)) return split_bin(items, box, rules.split);
+                    if (!is_done(items.size(), box, at, rules))
+                        return split_bin(items, box, items.size() > by_area ? Split::kSurfaceArea : rules.split);
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
     return pack(0);

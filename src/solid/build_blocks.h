@@ -17,9 +17,10 @@ namespace firma {
 /// Keeps its scratch memory from call to call: for edits, which build many small trees.
 class BlockBuilder {
 public:
-    /// @param faces  of one part, at most 2^31
+    /// @param faces    of one part, at most 2^31
+    /// @param by_area  bins of more faces than this are divided by surface area, whatever the options say
     /// @return the root; null for no faces
-    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options);
+    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area = ~std::size_t{});
 
 private:
     Ref<const Node> pack(std::uint32_t top);

@@ -14,7 +14,7 @@ namespace firma {
 namespace {
 
 constexpr std::size_t kPlacesInAStep = 128;
-constexpr std::size_t kBlocksTogether = 8;  ///< divided anew in one step
+constexpr std::size_t kBlocksTogether = 16;  ///< divided anew in one step
 
 /// What is divided anew is so by the rules for so many levels of bins; what is left then is halved by count.
 int depth_of_rebuilt(std::size_t faces) {
@@ -151,7 +151,7 @@ void BlockEdit::rebuild_one() {
         append_face(added_, added_.faces[comes->index], faces_);
     TreeOptions rules = options_;
     rules.max_depth = std::min(rules.max_depth, depth_of_rebuilt(faces_.faces.size()));
-    if (const Ref<const Node> built = builder_.build(faces_, rules))
+    if (const Ref<const Node> built = builder_.build(faces_, rules, kNodeItems))
         for_each_leaf(built, [&](const Ref<const Node>& leaf) { made_.push_back(leaf); });
     if (++next_ == groups_.size()) phase_ = Phase::kDone;
 }

@@ -35,7 +35,7 @@ TEST(CarvedTree, CastsLookAtLittleMoreThanInATreeFromScratch) {
         EXPECT_GT(done, 300);
         const double ratio = looked_at(world) / looked_at(rebuild_index(world, {.split = split}));
         RecordProperty(split == Split::kLongestAxis ? "longest_axis" : "surface_area", std::to_string(ratio));
-        EXPECT_LT(ratio, 1.3) << done;
+        EXPECT_LT(ratio, 1.2) << done;
         EXPECT_GT(ratio, 0.8);
     }
 }
