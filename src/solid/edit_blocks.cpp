@@ -14,7 +14,7 @@ namespace firma {
 namespace {
 
 constexpr std::size_t kPlacesInAStep = 128;
-constexpr std::size_t kBlocksTogether = 16;  ///< divided anew in one step
+constexpr std::size_t kBlocksTogether = 32;  ///< divided anew in one step
 
 /// What is divided anew is so by the rules for so many levels of bins; what is left then is halved by count.
 int depth_of_rebuilt(std::size_t faces) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changing which faces there are: blocks that lose faces go, new ones hold what is left of theirs and what is added.
 //
-// Blocks that go are put together with those near them, up to sixteen of a part, and faces that are added with those
+// Blocks that go are put together with those near them, up to 32 of a part, and faces that are added with those
 // that have to grow least for them; each such group is divided anew, down to blocks by surface area: edit by edit
 // blocks would grow into each other otherwise. So the work follows the change, and blocks stay as full and as compact
 // as those of a build.
