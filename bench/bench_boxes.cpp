@@ -140,7 +140,7 @@ struct Setup {
     std::size_t tests = 0;
 
     Setup(const Level& level, const std::vector<CastQuery>& moves) : world(world_of(level)), boxes(level.faces.size()) {
-        const Node& root = *world.data().cells.room(0).tree;
+        const Node& root = *world.data().faces_of(0).tree;
         for_each_block(root, [&](const Block& block) {
             for (const FaceRecord& face : block.faces) {
                 const CornerBox box(block, face);  // grid coordinates of these scenes fit a float

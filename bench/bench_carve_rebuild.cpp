@@ -73,7 +73,7 @@ void measure_room(int panels, const Settings& settings, Table& table) {
     const World after = carve(before, cutter, pose(0)).world;
     const std::vector<BspPolygon> polygons = polygons_of(after);
     FaceSet faces;
-    append_all_faces(*after.data().cells.room(0).tree, faces);
+    append_all_faces(*after.data().faces_of(0).tree, faces);
     BlockBuilder builder;
     PlainBsp bsp;
     std::vector<double> bsp_ms, bins_ms, blocks_us, cut_us;

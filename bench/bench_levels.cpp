@@ -187,7 +187,7 @@ void race_changes(const OfLevel& of, const Settings& settings, Table& table) {
         return [&shots, &world, rooms] {
             for (const Shot& shot : shots) {
                 FaceSet faces;
-                append_all_faces(*world.data().cells.room(rooms ? shot.room : 0).tree, faces);
+                append_all_faces(*world.data().faces_of(rooms ? shot.room : 0).tree, faces);
                 for (FaceSet::Entry& face : faces.faces) face.part = 0;
                 keep(build_blocks(faces, world.data().tree_options)[0].root->facets_below);
             }

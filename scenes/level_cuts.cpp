@@ -63,7 +63,7 @@ void repeat(std::vector<CutOrder>& cuts, Rng& rng) {
 CutPlaces cut_places(const World& world) {
     CutPlaces places;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
-        if (const Node* tree = world.data().cells.room(room).tree.get())
+        if (const Node* tree = world.data().faces_of(room).tree.get())
             add_faces(*tree, room_info(world, {room}).exterior ? places.outside : places.inside);
     if (places.inside.faces.empty()) places.inside = places.outside;
     if (places.outside.faces.empty()) places.outside = places.inside;

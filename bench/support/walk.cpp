@@ -19,7 +19,7 @@ World world_of(const Level& level, const TreeOptions& options) {
 void sort_like_tree(Level& level, const TreeOptions& options) {
     const World world = world_of(level, options);
     std::vector<LevelFace> sorted;
-    for_each_block(*world.data().cells.room(0).tree, [&](const Block& block) {
+    for_each_block(*world.data().faces_of(0).tree, [&](const Block& block) {
         for (const FaceRecord& face : block.faces) sorted.push_back(level.faces[face.id.value]);
     });
     level.faces = std::move(sorted);

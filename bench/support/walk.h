@@ -57,7 +57,7 @@ First walk(const World& world, const scenes::CastQuery& move, Test& test) {
     if (make_sweep(move.sphere, move.path, sweep) != Status::kHit) return {};
     test.begin(sweep);
     Walk<Test> walk(sweep, test);
-    traverse(*world.data().cells.room(0).tree, walk);
+    traverse(*world.data().faces_of(0).tree, walk);
     return walk.first;
 }
 

@@ -81,7 +81,7 @@ firma_code firma_world_room(firma_world world, uint32_t room, firma_room* out) {
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_room(object->world, room, function)) return code;
         const RoomInfo info = room_info(object->world, {room});
-        const RoomRecord& record = *object->world.data().cells.room(room).record;
+        const RoomRecord& record = object->world.data().cells.room(room);
         *out = {};
         put_box(info.bounds, out->low, out->high);
         out->face_count = info.faces;

@@ -14,7 +14,7 @@ namespace {
 
 /// Names the room that an entity stands in.
 /// @return why it does not; empty when it does
-std::string name_room(const World& world, const BrushLevel& level, const Entity& entity, Cells& cells) {
+std::string name_room(const World& world, const BrushLevel& level, const Entity& entity, WorldData& named) {
     const std::string_view name = entity.value("name");
     if (name.empty()) return "it has no name";
     const std::optional<Vec3> place = entity_origin(level, entity);
@@ -22,16 +22,11 @@ std::string name_room(const World& world, const BrushLevel& level, const Entity&
     const Location found = locate(world, *place);
     if (found.kind != Location::Kind::kRoom)
         return found.kind == Location::Kind::kSolid ? "it stands in the solid" : "it stands on a face";
-    const Room& room = cells.room(found.room.value);
-    RoomRecord record = *room.record;
+    const std::uint32_t room = found.room.value;
+    RoomRecord record = named.cells.room(room);
     if (!record.name.empty()) return "the room it stands in has the name '" + record.name + "' already";
     record.name = name;
-    Ref<Room> named(new Room);
-    named->record = std::make_shared<const RoomRecord>(std::move(record));
-    named->tree = room.tree;
-    named->faces = room.faces;
-    named->face_hash = room.face_hash;
-    cells.set_room(found.room.value, Ref<const Room>(named.get()));
+    named.set_room(room, std::make_shared<const RoomRecord>(std::move(record)), named.room_faces[room]);
     return "";
 }
 
@@ -39,18 +34,15 @@ std::string name_room(const World& world, const BrushLevel& level, const Entity&
 
 World name_rooms(const World& world, const BrushLevel& level, std::vector<EntityNote>* notes) {
     if (!world.data().cells.known()) return world;
-    Cells cells = world.data().cells;
+    auto data = std::make_shared<WorldData>(world.data());
     bool named = false;
     for (std::uint32_t k = 0; k < level.entities.size(); ++k) {
         if (level.entities[k].value("classname") != "firma_room") continue;
-        std::string why_not = name_room(world, level, level.entities[k], cells);
+        std::string why_not = name_room(world, level, level.entities[k], *data);
         named = named || why_not.empty();
         if (notes && !why_not.empty()) notes->push_back({k, std::move(why_not)});
     }
-    if (!named) return world;
-    auto data = std::make_shared<WorldData>(world.data());
-    data->cells = std::move(cells);
-    return World(std::move(data));
+    return named ? World(std::move(data)) : world;
 }
 
 }  // namespace firma

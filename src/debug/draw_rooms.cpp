@@ -92,7 +92,7 @@ std::size_t label_rooms(SvgText& svg, const World& world, const PlanRaster& rast
         const Place& place = best[id];
         if (place.reach < kLeastReach) continue;
         ++count;
-        const std::string name = world.data().cells.room(id).record->name;
+        const std::string name = world.data().cells.room(id).name;
         const double half = kLetter * double(name.size()) / 2;
         const bool named = !name.empty() && place.reach >= kNameReach &&
                            run_around(raster, room, place.x, place.y) * PlanRaster::kCell >= half;

@@ -28,7 +28,7 @@ constexpr std::array<Vec3, 11> kHues = {{{0.31, 0.47, 0.66},
                                          {0.48, 0.40, 0.80}}};
 
 bool is_exterior(const World& world, RoomId room) {
-    return world.data().cells.room(room.value).record->exterior;
+    return world.data().cells.room(room.value).exterior;
 }
 
 /// Only who walks meets it.
@@ -77,14 +77,14 @@ std::string hex_colour(const Vec3& colour) {
 }
 
 std::string room_label(const World& world, RoomId room) {
-    const std::string& name = world.data().cells.room(room.value).record->name;
+    const std::string& name = world.data().cells.room(room.value).name;
     return std::to_string(room.value) + (name.empty() ? "" : " " + name);
 }
 
 std::size_t count_inner_rooms(const World& world) {
     std::size_t count = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
-        count += world.data().cells.room(room).faces > 0 && !is_exterior(world, {room});
+        count += world.data().faces_of(room).count > 0 && !is_exterior(world, {room});
     return count;
 }
 

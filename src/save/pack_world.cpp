@@ -147,13 +147,12 @@ private:
     void pack_records() {
         const Cells& cells = data_.cells;
         for (std::uint32_t room = 0; room < cells.room_count(); ++room) {
-            const RoomRecord& record = *cells.room(room).record;
+            const RoomRecord& record = cells.room(room);
             records_.u32(std::uint32_t(record.name.size()));
             records_.u32(record.exterior ? kExteriorRoom : 0);
             records_.u32(record.merged_into);
         }
-        for (std::uint32_t room = 0; room < cells.room_count(); ++room)
-            add_text(records_, cells.room(room).record->name);
+        for (std::uint32_t room = 0; room < cells.room_count(); ++room) add_text(records_, cells.room(room).name);
     }
 
     void pack_portals() {
@@ -180,7 +179,8 @@ private:
     void pack_index() {
         const SolidData& solid = data_.solid.data();
         for (const Ref<const Node>* root : {&solid.faces.root, &data_.castable.root}) pack_root(root->get());
-        data_.cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) { pack_root(room->tree.get()); });
+        data_.room_faces.for_each(
+            [&](std::uint32_t, const Ref<const RoomFaces>& room) { pack_root(room->tree.get()); });
     }
 
     void pack_root(const Node* root) { roots_.u32(root ? pack_node(*root) : kNothing); }

@@ -63,18 +63,22 @@ std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
     if (mine.boxes() && mine.boxes() != theirs.boxes())
         sum +=
             sizeof(PortalBoxes) + mine.boxes()->tree.bytes() + mine.boxes()->portals.capacity() * sizeof(std::uint32_t);
-    mine.rooms().for_each_unshared(theirs.rooms(),
-                                   [&](std::uint32_t, const Ref<const Room>* own, const Ref<const Room>* other) {
-                                       if (!own || (other && own->get() == other->get())) return;
-                                       sum += pool_size(sizeof(Room));
-                                       if (!other || (*own)->record != (*other)->record)
-                                           sum += bytes_of(*(*own)->record);
-                                   });
+    mine.rooms().for_each_unshared(theirs.rooms(), [&](std::uint32_t, const auto* own, const auto* other) {
+        if (own && (!other || *own != *other)) sum += bytes_of(**own);
+    });
     mine.portals().for_each_unshared(theirs.portals(),
                                      [&](std::uint32_t, const PortalState* own, const PortalState* other) {
                                          if (own && (!other || own->portal.get() != other->portal.get()))
                                              sum += own->portal->bytes();
                                      });
+    return sum;
+}
+
+std::size_t bytes_of_room_faces_alone(const RoomFacesMap& mine, const RoomFacesMap& theirs) {
+    std::size_t sum = mine.bytes_unshared(theirs);
+    mine.for_each_unshared(theirs, [&](std::uint32_t, const auto* own, const auto* other) {
+        if (own && (!other || own->get() != other->get())) sum += pool_size(sizeof(RoomFaces));
+    });
     return sum;
 }
 
@@ -120,15 +124,15 @@ std::vector<const Node*> nodes_alone(const WorldData& mine, const WorldData& the
     Roots stores, rooms;
     stores.add(mine.solid.data().faces.root, theirs.solid.data().faces.root);
     stores.add(mine.castable.root, theirs.castable.root);
-    mine.cells.rooms().for_each_unshared(
-        theirs.cells.rooms(), [&](std::uint32_t, const Ref<const Room>* own, const Ref<const Room>* other) {
+    mine.room_faces.for_each_unshared(
+        theirs.room_faces, [&](std::uint32_t, const Ref<const RoomFaces>* own, const Ref<const RoomFaces>* other) {
             rooms.add(own ? (*own)->tree : Ref<const Node>(), other ? (*other)->tree : Ref<const Node>());
         });
     of_stores = unshared_nodes(stores.mine, stores.theirs);
     const auto in_their_rooms = [&](const Node& node) {
         const std::uint32_t part = part_below(node);
         if (part >= theirs.cells.room_count()) return false;
-        return has_node(theirs.cells.room(theirs.cells.current_room(part)).tree.get(), node);
+        return has_node(theirs.faces_of(theirs.cells.current_room(part)).tree.get(), node);
     };
     std::vector<const Node*> alone;
     for (const Node* node : of_stores.before)
@@ -158,6 +162,7 @@ std::size_t bytes_alone(const World& world, const World& other) {
     if (&mine.solid.data() != &theirs.solid.data()) sum += sizeof(SolidData);
     if (mine.materials != theirs.materials) sum += bytes_of(mine.materials.get());
     sum += bytes_of_cells_alone(mine.cells, theirs.cells);
+    sum += bytes_of_room_faces_alone(mine.room_faces, theirs.room_faces);
     const SolidData &my_solid = mine.solid.data(), &their_solid = theirs.solid.data();
     sum += my_solid.points.bytes_unshared(their_solid.points) +
            my_solid.faces.regions.bytes_unshared(their_solid.faces.regions);

@@ -112,29 +112,10 @@ Cells make_cells(StoredWorld& stored) {
             if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
         }
     }
-    struct Contents {
-        std::vector<Ref<const Node>> indices;
-        std::size_t faces = 0;
-        std::uint64_t hash = 0;
-    };
-    std::vector<Contents> contents(records.size());
-    for (const BuiltStore* store : {&stored.solid, &stored.castable}) {
-        for (const PartIndex& part : store->parts) contents[current[part.part]].indices.push_back(part.root);
-        for (const PartChange& change : store->changes) {
-            contents[current[change.part]].faces += std::size_t(change.faces);
-            contents[current[change.part]].hash += change.hash;
-        }
-    }
     Cells cells;
     if (stored.known) cells.set_known();
-    for (std::uint32_t k = 0; k < records.size(); ++k) {
-        Ref<Room> room(new Room);
-        room->tree = stored.indices.empty() ? join_nodes(contents[k].indices) : stored.indices[k];
-        room->faces = contents[k].faces;
-        room->face_hash = contents[k].hash;
-        room->record = std::make_shared<const RoomRecord>(std::move(records[k]));
-        cells.set_room(k, Ref<const Room>(room.get()));
-    }
+    for (std::uint32_t k = 0; k < records.size(); ++k)
+        cells.set_room(k, std::make_shared<const RoomRecord>(std::move(records[k])));
     for (std::uint32_t k = 0; k < portals.size(); ++k)
         cells.set_portal(k, Ref<const Portal>(new Portal(portals[k])), !portals[k].open);
     if (!portals.empty()) cells.set_boxes();
@@ -146,6 +127,7 @@ Cells make_cells(StoredWorld& stored) {
 World world_of(StoredWorld stored) {
     auto data = std::make_shared<WorldData>();
     data->cells = make_cells(stored);
+    data->set_faces(faces_of_rooms(data->cells, {&stored.solid, &stored.castable}, stored.indices));
     data->castable = stored.castable.store;
     data->solid =
         solid_of(stored.solid.store, stored.rock_outside, stored.next_face, stored.edits, stored.tree_options);
@@ -160,18 +142,11 @@ World world_of(StoredWorld stored) {
 World make_world(const Solid& given, const WorldOptions& options) {
     const Solid solid = in_one_part(given);
     StoredWorld stored;
-    stored.solid.store = solid.data().faces;
-    FaceSums sums;
-    if (const Ref<const Node>& root = solid.data().faces.root) {
-        stored.solid.parts.push_back({0, root});
-        for_each_block(*root, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) sums.add(block, face);
-        });
-    }
-    stored.solid.changes = sums.parts();
-    auto data = std::make_shared<WorldData>();
     stored.records.resize(1);
+    auto data = std::make_shared<WorldData>();
     data->cells = make_cells(stored);
+    const BuiltStore faces = parts_of(solid.data().faces);
+    data->set_faces(faces_of_rooms(data->cells, {&faces}));
     data->solid = solid;
     data->materials = std::make_shared<std::vector<std::string>>(1);
     data->tolerance = options.tolerance;

@@ -77,10 +77,10 @@ struct CollectAll {
 void dress_face(const World& world, const SweepContact& found, Hit& hit) {
     const FaceRecord& face = found.face();
     hit.face = face.id;
-    const Cells& cells = world.data().cells;
-    const std::uint32_t room = cells.current_room(found.block->part);
+    const WorldData& data = world.data();
+    const std::uint32_t room = data.cells.current_room(found.block->part);
     if (hit.feature == Feature::kEdge)
-        hit.other_face = find_neighbour(*cells.room(room).tree, *found.block, face, hit.feature_index);
+        hit.other_face = find_neighbour(*data.faces_of(room).tree, *found.block, face, hit.feature_index);
     hit.ref = ref_to(*found.block, found.slot);
     if (const FaceOwner* owner = found.block->owner_of(face)) hit.face_normal = owner->normal;
     hit.source = face.source;

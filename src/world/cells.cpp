@@ -68,16 +68,6 @@ std::size_t bytes_of(const RoomRecord& record) {
     return sizeof record + text_bytes(record.name) + record.portals.capacity() * sizeof(std::uint32_t);
 }
 
-std::uint64_t hash_room(std::uint32_t number, const Room& room) {
-    Hasher hasher;
-    hasher.add(number, std::uint32_t(room.record->exterior));
-    hasher.add(room.record->merged_into);
-    add_text(hasher, room.record->name);
-    hasher.add(room.faces);
-    hasher.add(room.face_hash);
-    return hasher.value();
-}
-
 std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
     const PortalState& state = portals_[number];
     const Portal& portal = *state.portal;
@@ -99,11 +89,9 @@ std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
     return hasher.value();
 }
 
-void Cells::set_room(std::uint32_t number, Ref<const Room> room) {
-    if (const Ref<const Room>* before = rooms_.find(number)) hash_ -= hash_room(number, **before);
-    hash_ += hash_room(number, *room);
-    const std::uint32_t into = room->record->merged_into;
-    rooms_.set(number, std::move(room));
+void Cells::set_room(std::uint32_t number, std::shared_ptr<const RoomRecord> record) {
+    const std::uint32_t into = record->merged_into;
+    rooms_.set(number, std::move(record));
     if (into != number) join(number, into);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cells: a partition of the air into rooms, and the portals between them, in persistent pieces. A change copies what it
-// changes, however many rooms and portals there are. Rooms and portals name each other by number, never by pointer.
+// changes, however many rooms and portals there are. Rooms and portals name each other by number, never by pointer, and
+// know no faces: room_faces.h.
 #pragma once
 
 #include <array>
@@ -18,24 +19,15 @@
 #include "geometry/grid_box.h"
 #include "geometry/polygon_shape.h"
 #include "index/box_tree.h"
-#include "index/node.h"
 
 namespace firma {
 
-/// What a room is besides its faces.
+/// A volume of air.
 struct RoomRecord {
     std::string name;
     bool exterior = false;               ///< it reaches to infinity
     std::uint32_t merged_into = 0;       ///< itself; of a room that an edit made part of another: that one
     std::vector<std::uint32_t> portals;  ///< that lead out of it, ascending; without those that are gone
-};
-
-/// A volume of air.
-struct Room : RefCounted, Pooled {
-    std::shared_ptr<const RoomRecord> record;  ///< never null
-    Ref<const Node> tree;                      ///< over its faces, of the solid and castable only; null for none
-    std::size_t faces = 0;
-    std::uint64_t face_hash = 0;  ///< sum of hash_facet()
 };
 
 /// A portal on its way into a world: where the air of one room passes into that of another.
@@ -98,12 +90,13 @@ public:
     static constexpr std::size_t kCrowd = 64;
 
     std::uint32_t room_count() const { return std::uint32_t(rooms_.size()); }
-    const Room& room(std::uint32_t number) const { return *rooms_[number]; }
+    const RoomRecord& room(std::uint32_t number) const { return *rooms_[number]; }
+    const std::shared_ptr<const RoomRecord>& record(std::uint32_t room) const { return rooms_[room]; }
     std::uint32_t portal_count() const { return std::uint32_t(portals_.size()); }
     const Portal& portal(std::uint32_t number) const { return *portals_[number].portal; }
     bool is_closed(std::uint32_t portal) const { return portals_[portal].closed; }
     bool any_closed() const { return closed_ > 0; }
-    std::span<const std::uint32_t> portals_of(std::uint32_t room) const { return rooms_[room]->record->portals; }
+    std::span<const std::uint32_t> portals_of(std::uint32_t room) const { return rooms_[room]->portals; }
     /// The room that a room is by now part of: itself, as long as no edit joined it to another. In as many steps as the
     /// logarithm of the rooms joined.
     std::uint32_t current_room(std::uint32_t room) const { return joined_.empty() ? room : joined_room(room); }
@@ -119,7 +112,7 @@ public:
     }
     /// Whether the level says anything of rooms: false for one room, and nothing to say of it.
     bool known() const { return known_; }
-    /// A sum over rooms and portals of all that they are, faces included.
+    /// A sum over portals of all that they are.
     std::uint64_t hash() const { return hash_; }
 
     /// Calls `function(number, portal)` for the portals whose boxes meet, and perhaps for others; in no order that
@@ -135,7 +128,8 @@ public:
     }
 
     void set_known() { known_ = true; }
-    void set_room(std::uint32_t number, Ref<const Room> room);
+    /// Of a world: WorldData::set_room(), which keeps the sum over rooms.
+    void set_room(std::uint32_t number, std::shared_ptr<const RoomRecord> record);
     void set_portal(std::uint32_t number, Ref<const Portal> portal, bool closed);
     /// A portal's term of hash(). It names the portal's rooms, but for those of more than kCrowd portals: so that
     /// joining such a room to another changes few terms. Which they are follows from where the portal lies.
@@ -146,7 +140,7 @@ public:
     /// Once all portals of a level are in.
     void set_boxes();
 
-    const PersistentMap<Ref<const Room>>& rooms() const { return rooms_; }
+    const PersistentMap<std::shared_ptr<const RoomRecord>>& rooms() const { return rooms_; }
     const PersistentMap<PortalState>& portals() const { return portals_; }
     const PersistentMap<std::uint64_t>& joined() const { return joined_; }
     const std::shared_ptr<const PortalBoxes>& boxes() const { return boxes_; }
@@ -158,7 +152,7 @@ private:
     std::uint64_t find_root(std::uint32_t& room) const;
     void join(std::uint32_t room, std::uint32_t into);
 
-    PersistentMap<Ref<const Room>> rooms_;
+    PersistentMap<std::shared_ptr<const RoomRecord>> rooms_;
     PersistentMap<PortalState> portals_;
     /// Disjoint sets of rooms joined: the next one on the way to the root; of a root kRoot, its rank times 2^32, and
     /// which room they are now. Without rooms that were never joined.
@@ -169,9 +163,6 @@ private:
     std::uint64_t hash_ = 0;
     bool known_ = false;
 };
-
-/// All that a room is: a term of Cells::hash().
-std::uint64_t hash_room(std::uint32_t number, const Room& room);
 
 /// Memory of a record, its name and list with it.
 std::size_t bytes_of(const RoomRecord& record);

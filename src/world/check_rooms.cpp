@@ -65,11 +65,11 @@ private:
             }
         });
         for (std::uint32_t room = 0; room < cells_.room_count(); ++room) {
-            const RoomRecord& record = *cells_.room(room).record;
+            const RoomRecord& record = cells_.room(room);
             infinite += record.exterior;
             const std::uint32_t into = record.merged_into;
             if (into > room) return report(room_text(room, "is part of a higher one"), {});
-            if (into != room && (cells_.room(room).tree || record.exterior))
+            if (into != room && (data_.faces_of(room).tree || record.exterior))
                 return report(room_text(room, "is part of another, and yet not empty"), {});
             if (cells_.current_room(room) != (into == room ? room : cells_.current_room(into)))
                 return report(room_text(room, "is not found where it is part of"), {});
@@ -111,7 +111,7 @@ private:
     /// Around a room, the edges of its solid faces and of its portals, as seen from it, cancel.
     void check_closed(std::uint32_t room) {
         sides_.clear();
-        if (const Node* tree = cells_.room(room).tree.get())
+        if (const Node* tree = data_.faces_of(room).tree.get())
             for_each_block(*tree, [&](const Block& block) {
                 for (const FaceRecord& face : block.faces)
                     if (face.solid) add_sides(block, face);

@@ -54,8 +54,11 @@ public:
         if (const Node* root = data.castable.root.get()) check_store(*root, false);
         if (!fault_ && ids_.size() != world.face_count()) report("the count of faces is not how many there are", {});
         if (!fault_) check_ids(world);
-        data.cells.rooms().for_each(
-            [&](std::uint32_t number, const Ref<const Room>& room) { check_room(number, *room); });
+        if (data.room_faces.size() != data.cells.room_count())
+            report("the indices of rooms are not as many as the rooms", {});
+        if (!fault_)
+            data.room_faces.for_each(
+                [&](std::uint32_t number, const Ref<const RoomFaces>& faces) { check_room(number, *faces); });
         if (!fault_) check_all_in_rooms(data);
         if (!fault_) check_hashes(data);
         if (!fault_) fault_ = check_rooms(world);
@@ -75,14 +78,14 @@ private:
     }
 
     /// A room's index: over blocks that were looked at.
-    void check_room(std::uint32_t number, const Room& room) {
+    void check_room(std::uint32_t number, const RoomFaces& room) {
         in_store_ = false;
         faces_ = 0;
         hash_ = 0;
         room_ = number;
         if (room.tree) check_node(*room.tree, nullptr);
-        if (!fault_ && room.faces != faces_) report("a room's count of faces is not how many there are", {});
-        if (!fault_ && room.face_hash != hash_) report("a room's hash is not that of its faces", {});
+        if (!fault_ && room.count != faces_) report("a room's count of faces is not how many there are", {});
+        if (!fault_ && room.hash != hash_) report("a room's hash is not that of its faces", {});
     }
 
     void check_node(const Node& node, const BoxF* around) {
@@ -219,10 +222,10 @@ private:
                 return report("a region's hash of faces is not that of its faces", {});
         }
         std::uint64_t sum = 0;
-        data.cells.rooms().for_each(
-            [&](std::uint32_t number, const Ref<const Room>& room) { sum += hash_room(number, *room); });
+        for (std::uint32_t k = 0; k < data.cells.room_count(); ++k)
+            sum += hash_room(k, data.cells.room(k), data.faces_of(k));
         for (std::uint32_t k = 0; k < data.cells.portal_count(); ++k) sum += data.cells.hash_of_portal(k);
-        if (sum != data.cells.hash()) report("the hash of rooms and portals is not theirs", {});
+        if (sum != data.room_hashes + data.cells.hash()) report("the hash of rooms and portals is not theirs", {});
     }
 
     std::optional<WorldFault> fault_;

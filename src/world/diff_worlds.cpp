@@ -109,12 +109,11 @@ private:
 
     void compare_rooms(const WorldData& before, const WorldData& after) {
         before.cells.rooms().for_each_unshared(
-            after.cells.rooms(), [&](std::uint32_t room, const Ref<const Room>* one, const Ref<const Room>* two) {
-                if (one && two && (*one)->record->merged_into == (*two)->record->merged_into) return;
+            after.cells.rooms(), [&](std::uint32_t room, const auto* one, const auto* two) {
+                if (one && two && (*one)->merged_into == (*two)->merged_into) return;
                 diff_.rooms.push_back({room});
-                for (const Ref<const Room>* its : {one, two})
-                    if (its)
-                        portals_.insert(portals_.end(), (*its)->record->portals.begin(), (*its)->record->portals.end());
+                for (const auto* its : {one, two})
+                    if (its) portals_.insert(portals_.end(), (*its)->portals.begin(), (*its)->portals.end());
             });
     }
 

@@ -16,13 +16,14 @@ std::uint64_t hash_world(const World& world) {
     if (data.materials)
         for (const std::string& name : *data.materials) add_text(hasher, name);
     hasher.add(data.cells.room_count(), data.cells.portal_count());
-    hasher.add(data.cells.hash());
+    hasher.add(data.room_hashes + data.cells.hash());
     return hasher.value();
 }
 
 std::uint64_t hash_room(const World& world, RoomId room) {
-    const Cells& cells = world.data().cells;
-    return room.value < cells.room_count() ? hash_room(room.value, cells.room(room.value)) : 0;
+    const WorldData& data = world.data();
+    if (room.value >= data.cells.room_count()) return 0;
+    return hash_room(room.value, data.cells.room(room.value), data.faces_of(room.value));
 }
 
 std::vector<RegionHash> hash_regions(const World& world) {

@@ -39,7 +39,7 @@ Location outside(const WorldData& data) {
     if (data.rock_outside()) return {Location::Kind::kSolid, {}};
     if (data.cells.room_count() == 1) return in_room(data, 0);
     for (std::uint32_t room = 0; room < data.cells.room_count(); ++room)
-        if (data.cells.room(room).record->exterior) return in_room(data, room);
+        if (data.cells.room(room).exterior) return in_room(data, room);
     return {};
 }
 

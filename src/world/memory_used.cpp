@@ -24,6 +24,7 @@ public:
             if (store->root) add(*store->root);
         }
         add(data.cells);
+        add(data.room_faces);
     }
     std::size_t bytes() const { return bytes_; }
 
@@ -53,14 +54,20 @@ private:
         if (cells.boxes() && is_new(cells.boxes().get()))
             bytes_ += sizeof(PortalBoxes) + cells.boxes()->tree.bytes() +
                       cells.boxes()->portals.capacity() * sizeof(std::uint32_t);
-        cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) {
-            if (!is_new(room.get())) return;
-            bytes_ += pool_size(sizeof(Room));
-            if (is_new(room->record.get())) bytes_ += bytes_of(*room->record);
-            if (room->tree) add(*room->tree);
+        cells.rooms().for_each([&](std::uint32_t, const std::shared_ptr<const RoomRecord>& record) {
+            if (is_new(record.get())) bytes_ += bytes_of(*record);
         });
         cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
             if (is_new(state.portal.get())) bytes_ += state.portal->bytes();
+        });
+    }
+
+    void add(const RoomFacesMap& rooms) {
+        bytes_ += rooms.bytes([&](const void* page) { return is_new(page); });
+        rooms.for_each([&](std::uint32_t, const Ref<const RoomFaces>& room) {
+            if (!is_new(room.get())) return;
+            bytes_ += pool_size(sizeof(RoomFaces));
+            if (room->tree) add(*room->tree);
         });
     }
 

@@ -63,7 +63,7 @@ void look_near(const World& world, const Vec3& point, std::uint32_t mask, RoomId
     };
     if (room != kAnyRoom) {
         const std::uint32_t here = cells.current_room(room.value);
-        if (const Node* tree = cells.room(here).tree.get()) traverse(*tree, visitor);
+        if (const Node* tree = data.faces_of(here).tree.get()) traverse(*tree, visitor);
         if (cells.any_closed())
             for (const std::uint32_t portal : cells.portals_of(here)) look_at(portal, cells.portal(portal));
         return;

@@ -2,7 +2,6 @@
 // Blocks and indices of a world anew.
 #include <algorithm>
 
-#include "index/join_nodes.h"
 #include "solid/append_faces.h"
 #include "world/world_data.h"
 
@@ -31,18 +30,7 @@ World rebuild_index(const World& world, const TreeOptions& options) {
     data->tree_options = options;
     after->solid = Solid(std::move(data));
     after->castable = castable.store;
-    std::vector<std::vector<Ref<const Node>>> indices(before.cells.room_count());
-    for (const BuiltStore* store : {&solid, &castable})
-        for (const PartIndex& part : store->parts) indices[before.cells.current_room(part.part)].push_back(part.root);
-    for (std::uint32_t k = 0; k < indices.size(); ++k) {
-        const Room& room = before.cells.room(k);
-        Ref<Room> made(new Room);
-        made->record = room.record;
-        made->faces = room.faces;
-        made->face_hash = room.face_hash;
-        made->tree = join_nodes(indices[k]);
-        after->cells.set_room(k, Ref<const Room>(made.get()));
-    }
+    after->set_faces(faces_of_rooms(before.cells, {&solid, &castable}));
     return World(std::move(after));
 }
 

@@ -33,7 +33,7 @@ bool RoomEdit::touched(std::uint32_t room) const {
 /// With nothing but the solid in one room, both are one index.
 bool RoomEdit::shares_the_solids_index() const {
     return before_.cells.room_count() == 1 && !rooms_.empty() &&
-           before_.cells.room(0).tree.get() == before_.solid.data().faces.root.get();
+           before_.faces_of(0).tree.get() == before_.solid.data().faces.root.get();
 }
 
 void RoomEdit::start(const SolidEdit& solid) {
@@ -46,7 +46,7 @@ void RoomEdit::start(const SolidEdit& solid) {
     }
     std::vector<Ref<const Node>> indices;
     for (const std::uint32_t room : rooms_)
-        if (before_.cells.room(room).tree) indices.push_back(before_.cells.room(room).tree);
+        if (const Ref<const Node>& tree = before_.faces_of(room).tree) indices.push_back(tree);
     NodeEdit& edit = edits_.emplace_back(join_nodes(indices));
     for (const Block* block : solid.store().removed()) edit.remove(block, block->box());
     for (const Ref<const Node>& leaf : solid.store().added()) edit.add(leaf);
@@ -105,35 +105,35 @@ std::vector<std::uint32_t> RoomEdit::join_portals(Cells& next, std::vector<std::
 
 void RoomEdit::publish(WorldData& next) const {
     const Cells& cells = before_.cells;
-    Ref<Room> made(new Room);
+    Ref<RoomFaces> made(new RoomFaces);
     made->tree = index_;
     RoomRecord record;
     record.merged_into = target();
     for (const std::uint32_t room : rooms_) {
-        made->faces += cells.room(room).faces;
-        made->face_hash += cells.room(room).face_hash;
-        record.exterior |= cells.room(room).record->exterior;
+        made->count += before_.faces_of(room).count;
+        made->hash += before_.faces_of(room).hash;
+        record.exterior |= cells.room(room).exterior;
     }
     for (const PartChange& change : solid_->store().parts()) {
-        made->faces += std::size_t(change.faces);
-        made->face_hash += change.hash;
+        made->count += std::size_t(change.faces);
+        made->hash += change.hash;
     }
     std::vector<std::uint32_t> portals;
     if (rooms_.size() > 1) {
-        record.name = cells.room(target()).record->name;
+        record.name = cells.room(target()).name;
         portals = join_portals(next.cells, record.portals);
         next.cells.take_out(portals);
         for (const std::uint32_t room : rooms_) {
             if (room == target()) continue;
-            Ref<Room> empty(new Room);
-            empty->record =
-                std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).record->name, false, target(), {}});
-            next.cells.set_room(room, Ref<const Room>(empty.get()));
+            next.set_room(room,
+                          std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, target(), {}}),
+                          Ref<const RoomFaces>(new RoomFaces));
         }
     }
     const bool same_record = rooms_.size() == 1;
-    made->record = same_record ? cells.room(target()).record : std::make_shared<const RoomRecord>(std::move(record));
-    next.cells.set_room(target(), Ref<const Room>(made.get()));
+    next.set_room(target(),
+                  same_record ? cells.record(target()) : std::make_shared<const RoomRecord>(std::move(record)),
+                  Ref<const RoomFaces>(made.get()));
     next.cells.put_in(portals);
 }
 

@@ -56,18 +56,19 @@ RoomInfo room_info(const World& world, RoomId room) {
     RoomInfo info;
     info.part_of = room;
     if (!is_room(data, room)) return info;
-    const Room& it = data.cells.room(room.value);
-    info.faces = it.faces;
-    if (it.tree)
-        for_each_block(*it.tree, [&](const Block& block) {
+    const RoomRecord& record = data.cells.room(room.value);
+    const RoomFaces& faces = data.faces_of(room.value);
+    info.faces = faces.count;
+    if (faces.tree)
+        for_each_block(*faces.tree, [&](const Block& block) {
             for (const GridPoint& vertex : block.vertices) info.bounds.add(to_metres(vertex));
         });
-    for (const std::uint32_t portal : it.record->portals) {
+    for (const std::uint32_t portal : record.portals) {
         info.portals.push_back({portal});
         add(info.bounds, data.cells.portal(portal).box);
     }
-    info.name = it.record->name;
-    info.exterior = it.record->exterior;
+    info.name = record.name;
+    info.exterior = record.exterior;
     info.part_of = {data.cells.current_room(room.value)};
     return info;
 }

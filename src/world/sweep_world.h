@@ -140,7 +140,7 @@ public:
                 rooms_.mark_passed(next.room);
             }
             rooms_.mark_looked_into(next.room);
-            const Node* tree = data_.cells.room(next.room).tree.get();
+            const Node* tree = data_.faces_of(next.room).tree.get();
             if (first_look && tree) look_into(*tree);
             if (!ended_) pass_portals(next, first_look, boxes);
         }

@@ -21,7 +21,7 @@ void for_each_face(const WorldData& data, const Function& function) {
 }
 
 const Node& root_of(const WorldData& data, const Block& block) {
-    return *data.cells.room(data.cells.current_room(block.part)).tree;
+    return *data.faces_of(data.cells.current_room(block.part)).tree;
 }
 
 /// Looks for a block, by a corner of one of its faces. Its address alone is compared.
@@ -57,9 +57,7 @@ void add(TreeStatistics& sum, const TreeStatistics& more) {
 
 std::shared_ptr<const WorldData> empty_world() {
     auto data = std::make_shared<WorldData>();
-    Ref<Room> room(new Room);
-    room->record = std::make_shared<const RoomRecord>();
-    data->cells.set_room(0, Ref<const Room>(room.get()));
+    data->set_room(0, std::make_shared<const RoomRecord>(), Ref<const RoomFaces>(new RoomFaces));
     data->materials = std::make_shared<std::vector<std::string>>(1);
     return data;
 }
@@ -101,7 +99,7 @@ Box World::bounds() const {
 
 TreeStatistics World::statistics() const {
     TreeStatistics sum;
-    data_->cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) {
+    data_->room_faces.for_each([&](std::uint32_t, const Ref<const RoomFaces>& room) {
         if (room->tree) add(sum, tree_statistics(*room->tree));
     });
     return sum;

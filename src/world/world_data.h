@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a World is a handle to: a solid, faces that are castable only, cells, rules; each replaceable alone. Nothing in
+// What a World is a handle to: a solid, faces that are castable only, cells, rules; each replaceable alone
+// (replace.h). Nothing in
 // it changes once published.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include "solid/face_store.h"
 #include "solid/solid_data.h"
 #include "world/cells.h"
+#include "world/room_faces.h"
 
 namespace firma {
 
@@ -24,6 +26,8 @@ struct WorldData {
     Solid solid;
     FaceStore castable;  ///< faces that bound no solid
     Cells cells;
+    RoomFacesMap room_faces;        ///< follows from the three above
+    std::uint64_t room_hashes = 0;  ///< sum of hash_room()
     std::shared_ptr<const std::vector<std::string>> materials;
     Tolerance tolerance;
     TreeOptions tree_options;  ///< how indices are built, and rebuilt by edits
@@ -32,16 +36,21 @@ struct WorldData {
 
     std::size_t face_count() const { return solid.face_count() + castable.count; }
     bool rock_outside() const { return solid.rock_outside(); }
+    const RoomFaces& faces_of(std::uint32_t room) const { return *room_faces[room]; }
     std::uint32_t edits() const { return solid.edits(); }
     /// The id that the next new face gets.
     std::uint32_t next_face() const { return solid.data().next_face; }
     /// Of several rooms: whether rays from a point tell its room, as some face bounds the solid.
     bool knows_walls() const { return !cells.known() || cells.room_count() == 1 || solid.face_count() > 0; }
+
+    void set_room(std::uint32_t number, std::shared_ptr<const RoomRecord> record, Ref<const RoomFaces> faces);
+    /// Of all rooms that there are.
+    void set_faces(RoomFacesMap faces);
 };
 
 /// Indices over all faces of all rooms: one, or one over the solid and one over what is castable only. Null for none.
 inline std::array<const Node*, 2> indices_of(const WorldData& data) {
-    if (data.cells.room_count() == 1) return {data.cells.room(0).tree.get(), nullptr};
+    if (data.cells.room_count() == 1) return {data.faces_of(0).tree.get(), nullptr};
     return {data.solid.data().faces.root.get(), data.castable.root.get()};
 }
 

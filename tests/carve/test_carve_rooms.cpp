@@ -54,7 +54,7 @@ TEST(CarveRooms, ACutInOneRoomLeavesTheOtherAlone) {
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
-    EXPECT_EQ(&result.world.data().cells.room(1), &world.data().cells.room(1));
+    EXPECT_EQ(&result.world.data().faces_of(1), &world.data().faces_of(1));
     EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
     EXPECT_EQ(locate(result.world, {-0.3, 2, 2}), in_room(0));
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{0}});
@@ -119,7 +119,7 @@ TEST(CarveRooms, FillsInTheAir) {
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
     EXPECT_EQ(room_info(result.world, {1}).faces, 5 + result.report.faces_new);
-    EXPECT_EQ(&result.world.data().cells.room(0), &world.data().cells.room(0));
+    EXPECT_EQ(&result.world.data().faces_of(0), &world.data().faces_of(0));
     result = cut(result.world, CutterShape::kBox, {4, 2, 2}, 0.5, true);  // astride the portal
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);

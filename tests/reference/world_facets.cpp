@@ -53,7 +53,7 @@ std::vector<FacetPlace> all_facets(const World& world) {
 
 std::vector<FacetPlace> facets_of_room(const World& world, std::uint32_t room) {
     std::vector<FacetPlace> facets;
-    if (const Node* tree = world.data().cells.room(room).tree.get())
+    if (const Node* tree = world.data().faces_of(room).tree.get())
         for_each_block(*tree, [&](const Block& block) { collect(block, facets); });
     return facets;
 }

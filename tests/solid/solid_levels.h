@@ -71,7 +71,7 @@ struct Parts {
     std::vector<Ref<SolidFace>> faces;
 
     explicit Parts(const World& world) : from(world) {
-        append_all_faces(*world.data().cells.room(0).tree, set);
+        append_all_faces(*world.data().faces_of(0).tree, set);
         std::vector<const FaceOwner*> known;
         for (FaceSet::Entry& entry : set.faces) {
             if (!entry.owner) continue;

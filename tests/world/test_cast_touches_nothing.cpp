@@ -199,7 +199,7 @@ TEST(CastTouchesNothing, AllOfTheWorldIsInMemoryThatIsWatched) {
     EXPECT_TRUE(handle_arena.holds(&data.solid.data()));
     std::size_t blocks = 0, owners = 0, outside = 0;
     std::vector<const Node*> waiting;
-    data.cells.rooms().for_each([&](std::uint32_t, const Ref<const Room>& room) {
+    data.room_faces.for_each([&](std::uint32_t, const Ref<const RoomFaces>& room) {
         EXPECT_TRUE(pool_arena.holds(room.get()));
         waiting.push_back(room->tree.get());
     });
@@ -328,7 +328,7 @@ TEST(CastTouchesNothing, NorDoThoseFromRoomToRoom) {
 // That the above can fail: each of these is what a careless cast might do.
 
 TEST(CastTouchesNothingDeathTest, ACopiedReferenceIsCaught) {
-    const Room& room = the_world().data().cells.room(0);
+    const RoomFaces& room = the_world().data().faces_of(0);
     const auto copy_block = [&] {
         const ReadOnly guard;
         const Ref<const Node> copy(room.tree);
@@ -337,7 +337,7 @@ TEST(CastTouchesNothingDeathTest, ACopiedReferenceIsCaught) {
     EXPECT_EXIT(copy_block(), testing::ExitedWithCode(kWritten), "a write to the world");
     const auto copy_room = [&] {
         const ReadOnly guard;
-        const Ref<const Room> copy(*the_world().data().cells.rooms().find(0));
+        const Ref<const RoomFaces> copy(*the_world().data().room_faces.find(0));
         std::fprintf(stderr, "%u faces\n", copy->tree->facets_below);
     };
     EXPECT_EXIT(copy_room(), testing::ExitedWithCode(kWritten), "a write to the world");
@@ -354,7 +354,7 @@ TEST(CastTouchesNothingDeathTest, ACopiedHandleIsCaught) {
 }
 
 TEST(CastTouchesNothingDeathTest, AMarkLeftInAFaceIsCaught) {
-    const Node* node = the_world().data().cells.room(0).tree.get();
+    const Node* node = the_world().data().faces_of(0).tree.get();
     while (!node->is_leaf()) node = node->children[0].get();
     const Block* block = &block_of(*node);
     const auto mark = [&] {

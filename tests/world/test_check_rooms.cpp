@@ -68,21 +68,15 @@ TEST(CheckRooms, WhatIsWrong) {
 }
 
 /// The same room with another record.
-void set_record(Cells& cells, std::uint32_t number, const std::function<void(RoomRecord&)>& change) {
-    const Room& room = cells.room(number);
-    RoomRecord record = *room.record;
+void set_record(WorldData& data, std::uint32_t number, const std::function<void(RoomRecord&)>& change) {
+    RoomRecord record = data.cells.room(number);
     change(record);
-    Ref<Room> changed(new Room);
-    changed->tree = room.tree;
-    changed->faces = room.faces;
-    changed->face_hash = room.face_hash;
-    changed->record = std::make_shared<const RoomRecord>(std::move(record));
-    cells.set_room(number, Ref<const Room>(changed.get()));
+    data.set_room(number, std::make_shared<const RoomRecord>(std::move(record)), data.room_faces[number]);
 }
 
 TEST(CheckRooms, Records) {
     const auto with_record = [](std::uint32_t number, const std::function<void(RoomRecord&)>& change) {
-        return fault_with([&](WorldData& data) { set_record(data.cells, number, change); });
+        return fault_with([&](WorldData& data) { set_record(data, number, change); });
     };
     EXPECT_EQ(with_record(0, [](auto&) {}), "");
     EXPECT_EQ(with_record(0, [](auto& r) { r.merged_into = 1; }),
@@ -94,18 +88,17 @@ TEST(CheckRooms, Records) {
     EXPECT_EQ(with_record(1, [](auto& r) { r.portals.clear(); }), "room 1 does not list its portals");
     EXPECT_EQ(fault_with([](WorldData& data) {
                   Cells unknown;
-                  for (std::uint32_t k = 0; k < 2; ++k) unknown.set_room(k, *data.cells.rooms().find(k));
+                  for (std::uint32_t k = 0; k < 2; ++k) unknown.set_room(k, data.cells.record(k));
                   data.cells = unknown;
               }),
               "rooms have no records");
     // An empty room may be part of a lower one, and of no other.
     const auto with_third = [](const std::function<void(RoomRecord&)>& change) {
         return fault_with([&](WorldData& data) {
-            Ref<Room> third(new Room);
             RoomRecord record;
             change(record);
-            third->record = std::make_shared<const RoomRecord>(std::move(record));
-            data.cells.set_room(2, Ref<const Room>(third.get()));
+            data.set_room(2, std::make_shared<const RoomRecord>(std::move(record)),
+                          Ref<const RoomFaces>(new RoomFaces));
         });
     };
     EXPECT_EQ(with_third([](auto& r) { r.merged_into = 1; }), "");
@@ -115,25 +108,24 @@ TEST(CheckRooms, Records) {
 }
 
 TEST(CheckRooms, KeptHashesAndCounts) {
-    const auto with_room = [](const std::function<void(Room&)>& change) {
+    const auto with_room = [](const std::function<void(RoomFaces&)>& change) {
         return fault_with([&](WorldData& data) {
-            const Room& room = data.cells.room(0);
-            Ref<Room> changed(new Room);
+            const RoomFaces& room = data.faces_of(0);
+            Ref<RoomFaces> changed(new RoomFaces);
             changed->tree = room.tree;
-            changed->faces = room.faces;
-            changed->face_hash = room.face_hash;
-            changed->record = room.record;
+            changed->count = room.count;
+            changed->hash = room.hash;
             change(*changed);
-            data.cells.set_room(0, Ref<const Room>(changed.get()));
+            data.set_room(0, data.cells.record(0), Ref<const RoomFaces>(changed.get()));
         });
     };
-    EXPECT_EQ(with_room([](Room&) {}), "");
-    EXPECT_EQ(with_room([](Room& r) { ++r.faces; }), "a room's count of faces is not how many there are");
-    EXPECT_EQ(with_room([](Room& r) { ++r.face_hash; }), "a room's hash is not that of its faces");
-    EXPECT_EQ(with_room([](Room& r) {
+    EXPECT_EQ(with_room([](RoomFaces&) {}), "");
+    EXPECT_EQ(with_room([](RoomFaces& r) { ++r.count; }), "a room's count of faces is not how many there are");
+    EXPECT_EQ(with_room([](RoomFaces& r) { ++r.hash; }), "a room's hash is not that of its faces");
+    EXPECT_EQ(with_room([](RoomFaces& r) {
                   r.tree = {};
-                  r.faces = 0;
-                  r.face_hash = 0;
+                  r.count = 0;
+                  r.hash = 0;
               }),
               "a block lies in no room, or in several");
     const auto with_solid = [](const std::function<void(SolidData&)>& change) {
@@ -200,7 +192,7 @@ TEST(CheckRooms, DiffsSeeRoomsAndPortals) {
     EXPECT_EQ(diff_worlds(world, assemble_world(std::move(parts)).value()).portals_changed, std::vector<PortalId>{{0}});
     // A room that became part of another.
     auto data = std::make_shared<WorldData>(world.data());
-    set_record(data->cells, 1, [](RoomRecord& record) { record.merged_into = 0; });
+    set_record(*data, 1, [](RoomRecord& record) { record.merged_into = 0; });
     const WorldDiff diff = diff_worlds(world, World(data));
     EXPECT_TRUE(diff.gone.empty() && diff.come.empty());
     EXPECT_EQ(diff.rooms, std::vector<RoomId>{{1}});

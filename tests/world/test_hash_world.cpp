@@ -269,7 +269,7 @@ World taken_anew(const World& world) {
     stored.solid = anew(data.solid.data().faces);
     stored.castable = anew(data.castable);
     for (std::uint32_t room = 0; room < data.cells.room_count(); ++room) {
-        stored.records.push_back(*data.cells.room(room).record);
+        stored.records.push_back(data.cells.room(room));
         stored.records.back().portals.clear();
     }
     for (std::uint32_t portal = 0; portal < data.cells.portal_count(); ++portal) {
@@ -304,7 +304,7 @@ void expect_hashes_taken_anew(const World& world) {
     std::uint64_t of_rooms = 0, of_regions = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
         ASSERT_EQ(hash_room(world, {room}), hash_room(anew, {room})) << room;
-        of_rooms += world.data().cells.room(room).face_hash;
+        of_rooms += world.data().faces_of(room).hash;
     }
     for (const RegionHash& region : hash_regions(world)) of_regions += region.faces;
     ASSERT_EQ(of_rooms, sum_of_facets(world));

@@ -141,11 +141,9 @@ TEST(JoinRooms, ALongChainOfJoinedRooms) {
     Cells cells;
     constexpr std::uint32_t kRooms = 3000;
     const auto set = [&](std::uint32_t number, std::uint32_t into) {
-        Ref<Room> room(new Room);
         RoomRecord record;
         record.merged_into = into;
-        room->record = std::make_shared<const RoomRecord>(std::move(record));
-        cells.set_room(number, Ref<const Room>(room.get()));
+        cells.set_room(number, std::make_shared<const RoomRecord>(std::move(record)));
     };
     for (std::uint32_t k = 0; k < kRooms; ++k) set(k, k);
     for (std::uint32_t k = kRooms - 1; k > 1; --k) {

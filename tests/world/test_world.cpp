@@ -210,7 +210,7 @@ TEST(World, CheckFindsWhatIsBroken) {
         Node& node;
         Block& block;
         SolidData& solid;
-        Room& room;
+        RoomFaces& room;
     };
     const auto broken = [&](auto&& change) {
         auto data = std::make_shared<WorldData>(world.data());
@@ -226,16 +226,15 @@ TEST(World, CheckFindsWhatIsBroken) {
         node->facets_below = sound.facets_below;
         node->depth = sound.depth;
         node->facets = Ref<const IndexedFacets>(block.get());
-        Ref<Room> room(new Room);
-        room->record = data->cells.room(0).record;
-        room->faces = data->cells.room(0).faces;
-        room->face_hash = data->cells.room(0).face_hash;
+        Ref<RoomFaces> room(new RoomFaces);
+        room->count = data->faces_of(0).count;
+        room->hash = data->faces_of(0).hash;
         Spoilt spoilt{*node, *block, *solid, *room};
         change(spoilt);
         solid->faces.root = Ref<const Node>(node.get());
         room->tree = solid->faces.root;
         data->solid = Solid(std::move(solid));
-        data->cells.set_room(0, Ref<const Room>(room.get()));
+        data->set_room(0, data->cells.record(0), Ref<const RoomFaces>(room.get()));
         const auto fault = check_world(World(std::move(data)));
         return fault ? fault->what : "";
     };

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Parts of a world replaced.
+#include "world/replace.h"
+
+#include <utility>
+
+namespace firma {
+namespace {
+
+World with_faces_by_room(std::shared_ptr<WorldData> data) {
+    const BuiltStore solid = parts_of(data->solid.data().faces), castable = parts_of(data->castable);
+    data->set_faces(faces_of_rooms(data->cells, {&solid, &castable}));
+    return World(std::move(data));
+}
+
+}  // namespace
+
+World with_solid(const World& world, const Solid& solid) {
+    std::shared_ptr<WorldData> next = next_version(world.data());
+    next->solid = solid;
+    return with_faces_by_room(std::move(next));
+}
+
+World with_castable(const World& world, const FaceStore& castable) {
+    std::shared_ptr<WorldData> next = next_version(world.data());
+    next->castable = castable;
+    return with_faces_by_room(std::move(next));
+}
+
+World with_cells(const World& world, const Cells& cells) {
+    std::shared_ptr<WorldData> next = next_version(world.data());
+    next->cells = cells;
+    return with_faces_by_room(std::move(next));
+}
+
+}  // namespace firma
