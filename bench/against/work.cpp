@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// One turn of bench/against/run.py: the same work for any version of the library, by what its public headers have had
+// since 0.1. Prints what it came to, a line each: name, median in nanoseconds.
+//
+//   work LEVEL.map SEED
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firma/brush_world.h"
+#include "firma/carve.h"
+#include "firma/rooms.h"
+#include "firma/solid.h"
+
+namespace {
+
+using namespace firma;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kCuts = 200, kCasts = 20'000;
+
+/// Source: S. Vigna, splitmix64.
+struct Numbers {
+    std::uint64_t state;
+    std::uint64_t next() {
+        std::uint64_t z = state += 0x9e3779b97f4a7c15;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+        return z ^ (z >> 31);
+    }
+    double within(double low, double high) { return low + (high - low) * double(next() >> 11) * 0x1p-53; }
+    Vec3 point(const Box& box) {
+        return {within(box.low.x, box.high.x), within(box.low.y, box.high.y), within(box.low.z, box.high.z)};
+    }
+};
+
+double nanoseconds(Clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+void tell(const char* name, std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    std::printf("%s %.1f\n", name, values[values.size() / 2]);
+}
+
+/// Craters of 0.7 m somewhere; those that take nothing are not counted.
+World cut(World world, std::uint64_t seed, bool hashed) {
+    Numbers numbers{seed};
+    const Box bounds = world.bounds();
+    std::vector<double> times;
+    std::uint64_t sum = 0;
+    for (int tries = 0; int(times.size()) < kCuts && tries < 20 * kCuts; ++tries) {
+        const Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
+        const Pose pose{.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7};
+        const Clock::time_point start = Clock::now();
+        CarveResult result = carve(world, cutter, pose);
+        if (!result.done()) continue;
+        if (hashed) sum += hash_world(result.world) + hash_solid(result.world);
+        times.push_back(nanoseconds(start));
+        world = result.world;
+    }
+    tell(hashed ? "cut_and_hashes" : "cut", times);
+    if (hashed && sum == 0) std::printf("# no hash\n");
+    return world;
+}
+
+/// Medians of a hundred casts each.
+void cast_all(const World& world, const char* name, double radius, double length, std::uint64_t seed) {
+    Numbers numbers{seed};
+    const Box bounds = world.bounds();
+    struct Query {
+        Sphere sphere;
+        Vec3 path;
+    };
+    std::vector<Query> queries;
+    while (int(queries.size()) < kCasts) {
+        const Vec3 start = numbers.point(bounds);
+        if (locate(world, start).kind != Location::Kind::kRoom) continue;
+        const Vec3 way{numbers.within(-1, 1), numbers.within(-1, 1), numbers.within(-1, 1)};
+        queries.push_back({{start, radius}, way * length});
+    }
+    std::vector<double> times;
+    double sum = 0;
+    for (int k = 0; k + 100 <= kCasts; k += 100) {
+        const Clock::time_point start = Clock::now();
+        for (int i = k; i < k + 100; ++i) sum += cast(world, queries[i].sphere, queries[i].path).fraction;
+        times.push_back(nanoseconds(start) / 100);
+    }
+    tell(name, times);
+    if (sum < 0) std::printf("# no fractions\n");
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count != 3) {
+        std::fprintf(stderr, "work LEVEL.map SEED\n");
+        return EXIT_FAILURE;
+    }
+    std::ifstream file(words[1], std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto level = read_map(text, words[1]);
+    if (!level.ok()) {
+        std::fprintf(stderr, "%s is no level\n", words[1]);
+        return EXIT_FAILURE;
+    }
+    const World world = make_world(level.value()).value();
+    const std::uint64_t seed = std::strtoull(words[2], nullptr, 10);
+    const World carved = cut(world, seed, false);
+    cut(world, seed, true);
+    for (const auto& [of, in] : {std::pair{"", &world}, std::pair{"_carved", &carved}}) {
+        cast_all(*in, (std::string("short_spheres") + of).c_str(), 0.3, 1, seed);
+        cast_all(*in, (std::string("long_spheres") + of).c_str(), 0.3, 20, seed);
+        cast_all(*in, (std::string("rays") + of).c_str(), 0, 20, seed);
+    }
+    return EXIT_SUCCESS;
+}
