@@ -39,6 +39,7 @@ double volume_of(const BrushLevel& level) {
     return measure_solid(world.value()).volume;
 }
 
+// Finding 24: these brushes were dropped.
 TEST(ReadPrimitives, BrushDefIsThePlanesOfItsPoints) {
     const Vec3 low{0, -32, 16}, high{64, 32, 96};
     const BrushLevel level = read(world(primitive_box(low, high))).value();

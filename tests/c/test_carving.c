@@ -132,6 +132,7 @@ static void test_rules(firma_world room, firma_cutter cutter) {
     firma_world guarded = {0}, after = {0};
     CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_BAD_CALL, "size");
     rules.size = sizeof rules;
+    /* Finding 12 (F12). */
     rules.reserved = 1;
     CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_INVALID, "reserved");
     rules.reserved = 0;

@@ -140,6 +140,7 @@ static void test_batch(firma_world room) {
     firma_hit* again = calloc(kCasts, sizeof *again);
     CHECK_OK(firma_cast_batch(room, inputs, kCasts, NULL, again, &threaded));
     CHECK(runs == 1 && memcmp(again, hits, kCasts * sizeof *hits) == 0 && threaded.bins == batched.bins);
+    /* Finding 12 (F12): a callback that runs nothing gave OK with hits unwritten. */
     const firma_tasks lazy[] = {{sizeof tasks, run_nothing, NULL}, {sizeof tasks, run_too_little, NULL}};
     for (int t = 0; t < 2; ++t) {
         CHECK_OK(firma_set_tasks(&lazy[t]));

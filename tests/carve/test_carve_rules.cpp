@@ -246,6 +246,7 @@ TEST(Carve, ABoxOutOfARoomsWallHasItsVolume) {
     EXPECT_EQ(cast(flush.world, {{0, 0, 0}, 0.5}, {5, 0, 0}).status, Status::kMiss);
 }
 
+// Finding 8 (F8).
 TEST(CarveVolume, IsAsExactFarOutAsInTheMiddle) {
     // The same tiny cuts, through an edge of a box that lies in the middle of the world, and one at its rim.
     const auto taken = [](std::int32_t x, CutterShape shape, std::uint64_t seed) {

@@ -30,6 +30,7 @@ void add_sheet(Level& level, double x, double y, double z) {
     add_polygon(level, {{x, y, z}, {x + 2, y, z}, {x + 2, y + 2, z}, {x, y + 2, z}});
 }
 
+// Finding 13 (F13): it was "nothing (met only air)".
 TEST(CastableOnly, WhatABlastMeetsOfThemIsTold) {
     Level level = empty_level();
     add_box(level, {0, 0, 0}, {10, 10, 4}, true);

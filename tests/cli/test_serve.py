@@ -187,6 +187,7 @@ class Serve(CliTest):
             self.assertEqual(line.getresponse().read(), self.read('site/firma.wasm'))
             line.close()
 
+    # Finding 11 (F11).
     def test_silent_connections_hold_up_nobody(self):
         _, port = self.serve()
         for said in [b'', b'G', b'GET / HTTP/1.1\r\n', b'GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX-Unfinished: ']:

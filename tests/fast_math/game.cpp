@@ -2,7 +2,7 @@
 // A program that has all inline functions of the public headers, and asks the pair functions about numbers that are not
 // finite and about many casts. Built three times, with -ffast-math and without, it must print the same lines: the
 // library's answers are not to depend on how the program is compiled. What it asks comes from whole numbers, as its own
-// arithmetic does depend on that.
+// arithmetic does depend on that. Finding 4 (F4).
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>

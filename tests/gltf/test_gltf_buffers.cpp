@@ -74,6 +74,7 @@ TEST(GltfBuffers, FilesBeside) {
 
     namespace fs = std::filesystem;
     folder.write("parts/box.bin", file.buffer());
+    // Finding 12 (F12).
     fs::create_symlink("parts/box.bin", folder.path / "inside.bin");
     fs::create_symlink("box.bin", folder.path / "parts/near.bin");
     EXPECT_EQ(error("inside.bin"), "none");

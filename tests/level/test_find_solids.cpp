@@ -241,6 +241,7 @@ std::uint64_t work_of(const SolidWork& work) {
     return work.of_pairs() + work.on_rays;
 }
 
+// Finding 9 (F9): time grew with the square of the shells.
 TEST(FindSolids, AnOnionTakesLittleMoreThanInProportion) {
     for (const bool tilted : {false, true}) {
         const LevelSolids small = find_solids(onion(250, tilted)), large = find_solids(onion(1000, tilted));

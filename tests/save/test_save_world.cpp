@@ -109,6 +109,7 @@ TEST_F(SaveWorld, PipesAreRead) {
     EXPECT_EQ(hash_world(read.value()), hash_world(world));
 }
 
+// Finding 10 (F10): files were mapped.
 TEST_F(SaveWorld, AFileCutShortMeanwhileIsAnErrorAtMost) {
     const World world = cut_room(150, 3);
     ASSERT_FALSE(save_world(world, path("a.firma")));

@@ -266,6 +266,7 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Spoilt& s) { s.solid.next_face = 3; }), "a face's id is not below the next one");
 }
 
+// Finding 2 (F2).
 TEST(World, ARefThatIsNoLongerGoodIsTold) {
     World world = room();
     const Hit hit = cast(world, {{0, 0, 0}, 0}, {20, 0, 0});
