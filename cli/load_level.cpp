@@ -185,14 +185,12 @@ LoadedLevel load_quietly(const LevelArguments& arguments, const WorldOptions& op
 
 LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
     LoadedLevel loaded = load_quietly(arguments, options);
-    if (arguments.tells_left_out) return loaded;
-    const auto warn = [&](const std::string& text) {
-        std::fputs(fmt::format("firma: warning: {}: {}\n", arguments.path, text).c_str(), stderr);
-    };
-    if (const std::vector<Omission> omissions = left_out(loaded); !omissions.empty())
-        warn("left out: " + left_out_text(omissions) + " (firma info --json says where)");
-    if (loaded.gltf)
-        for (const std::string& note : loaded.gltf->notes) warn(note);
+    const std::vector<Omission> omissions = left_out(loaded);
+    if (!omissions.empty() && !arguments.tells_left_out)
+        std::fputs(fmt::format("firma: warning: {}: left out: {} (firma info --json says where)\n", arguments.path,
+                               left_out_text(omissions))
+                       .c_str(),
+                   stderr);
     return loaded;
 }
 

@@ -68,7 +68,8 @@ class Gltf(CliTest):
         self.assertEqual([portal['name'] for portal in told['portals']], ['Portal 1'])
         self.assertIn('1 animations are left out', self.firma('info', 'room.gltf'))
         drawn = self.run_firma('draw', 'room.gltf', '-o', 'plan.svg')
-        self.assertEqual((drawn.returncode, drawn.stderr), (0, b'firma: warning: room.gltf: 1 animations are left out\n'))
+        self.assertEqual((drawn.returncode, drawn.stderr), (0,
+                                                              b'firma: warning: room.gltf: left out: animations: 1 (firma info --json says where)\n'))
         report = self.firma_json('check', 'room.gltf')
         self.assertEqual((report['sound'], report['rooms'], report['portals'], report['idle_portals']), (True, 2, 1, []))
         self.assertEqual((report['undivided'], report['reader_notes'], report['note_count']),
