@@ -5,6 +5,7 @@ list(FILTER FIRMA_HOT_SOURCES EXCLUDE REGEX "/(check_polygon|clip_ears|polygons_
 set_source_files_properties(${FIRMA_HOT_SOURCES} PROPERTIES COMPILE_OPTIONS -O3)
 # The signs that every cut asks for; all else of carving, for which there is no room, is compiled for size too.
 file(GLOB FIRMA_WARM_SOURCES CONFIGURE_DEPENDS src/geometry/exact_*.cpp)
+list(FILTER FIRMA_WARM_SOURCES EXCLUDE REGEX "/exact_(plane|shift)\\.cpp$")  # made once a face; asked for where a sign is 0
 set_source_files_properties(${FIRMA_WARM_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
 
 # For all of it: linked as one program, which makes it smaller; a small sort instead of libc++'s; and instructions that
