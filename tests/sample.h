@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #if defined(__SANITIZE_ADDRESS__)
 #define FIRMA_SANITIZED 1
 #elif defined(__has_feature)
@@ -19,6 +23,15 @@ constexpr int sample(int count) {
 #else
     return count;
 #endif
+}
+
+/// Every fifth of these under the sanitizers, the first among them.
+template <typename T>
+std::vector<T> sampled(std::vector<T> all) {
+    const std::size_t step = std::size_t(5 / sample(5));
+    std::vector<T> some;
+    for (std::size_t k = 0; k < all.size(); k += step) some.push_back(std::move(all[k]));
+    return some;
 }
 
 }  // namespace firma::test

@@ -10,6 +10,7 @@
 
 #include "join/join_brushes.h"
 #include "tests/openarena_maps.h"
+#include "tests/sample.h"
 
 namespace firma {
 namespace {
@@ -47,10 +48,11 @@ TEST(ChoosePortals, TheDepotIsJoinedOnce) {
 
 /// Planes are moved in some of them.
 TEST(ChoosePortals, MapsAreJoinedOnce) {
-    const std::set<std::string> some{"aggressor", "ctf_gate1", "czest2ctf", "kaos2", "oa_koth1", "sleekgrinder"};
+    const std::vector<std::string> some =
+        test::sampled<std::string>({"aggressor", "ctf_gate1", "czest2ctf", "kaos2", "oa_koth1", "sleekgrinder"});
     std::size_t seen = 0;
     for (const std::filesystem::path& path : openarena_maps()) {
-        if (!some.contains(path.stem().string())) continue;
+        if (std::find(some.begin(), some.end(), path.stem().string()) == some.end()) continue;
         SCOPED_TRACE(path);
         ++seen;
         expect_joined_once(read_brush_level(path.string()).value());

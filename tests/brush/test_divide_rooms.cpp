@@ -18,6 +18,7 @@
 #include "scenes/brush_piles.h"
 #include "tests/brush/casts_agree.h"
 #include "tests/brush/depot_level.h"
+#include "tests/sample.h"
 
 namespace firma {
 namespace {
@@ -372,7 +373,7 @@ TEST(DivideRooms, TheDepotAsItIs) {
 TEST(DivideRooms, MapsOfOpenArena) {
     const char* folder = std::getenv("FIRMA_OPENARENA");
     int seen = 0;
-    for (const char* map : {"kaos2", "oa_dm1", "oa_bases3", "aggressor"}) {
+    for (const char* map : test::sampled<const char*>({"kaos2", "oa_dm1", "oa_bases3", "aggressor"})) {
         const std::string path = std::string(folder == nullptr ? "" : folder) + "/" + map + ".bsp";
         if (!std::filesystem::exists(path)) continue;
         SCOPED_TRACE(map);

@@ -2,6 +2,7 @@
 """Runs the built `firma` for the tests: path of the binary as first argument or in FIRMA."""
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -12,6 +13,9 @@ FIRMA = os.path.abspath(sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1]
                         else os.environ.get('FIRMA', 'build/release/bin/firma'))
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
 FIRST = os.path.join(ROOT, 'levels', 'first.obj')
+# Whether it was built under the address or thread sanitizer: then all takes ten times as long.
+with open(FIRMA, 'rb') as program:
+    SANITIZED = re.search(b'__[at]san_init', program.read()) is not None
 
 
 class CliTest(unittest.TestCase):

@@ -2,10 +2,13 @@
 // Whole levels, joined and judged: our demo level and, where they are, some maps of OpenArena; ./test --full takes all.
 #include <gtest/gtest.h>
 
-#include <set>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "tests/openarena_maps.h"
 #include "tests/reference/judge_joined.h"
+#include "tests/sample.h"
 
 namespace firma {
 namespace {
@@ -26,10 +29,11 @@ TEST(JoinedLevels, TheDepot) {
 
 /// Small ones, with and without area portals; czest1dm and delta are of those in which planes are moved.
 TEST(JoinedLevels, SomeMapsOfOpenArena) {
-    const std::set<std::string> some{"aggressor", "am_galmevish", "czest1dm", "delta", "kaos2", "oa_dm5"};
+    const std::vector<std::string> some =
+        test::sampled<std::string>({"aggressor", "am_galmevish", "czest1dm", "delta", "kaos2", "oa_dm5"});
     std::size_t judged = 0;
     for (const std::filesystem::path& path : openarena_maps()) {
-        if (!some.contains(path.stem().string())) continue;
+        if (std::find(some.begin(), some.end(), path.stem().string()) == some.end()) continue;
         ++judged;
         const reference::JoinedVerdict verdict = judge_file(path.string());
         EXPECT_EQ(verdict.fault, "") << path;

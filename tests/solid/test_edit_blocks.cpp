@@ -12,6 +12,7 @@
 #include "index/statistics.h"
 #include "scenes/room_grid.h"
 #include "solid/hash_facet.h"
+#include "tests/sample.h"
 #include "tests/solid/edited_tree.h"
 
 namespace firma {
@@ -131,10 +132,10 @@ TEST(EditBlocks, RandomEditsAgreeWithAPlainList) {
         EditedTree edited = rooms(options);
         scenes::Rng rng(4);
         const Box bounds = edited.world().bounds();
-        for (int k = 0; k < 60; ++k) {
+        for (int k = 0; k < test::sample(60); ++k) {
             const Vec3 centre = point_in(bounds, rng);
             const double radius = rng.uniform(0.3, 2.5);
-            edited.crater(centre, radius, 1 + int(rng.below(k == 30 ? 30 : 8)), rng);
+            edited.crater(centre, radius, 1 + int(rng.below(k == test::sample(30) ? 30 : 8)), rng);
             expect_sound(edited);
             if (HasFatalFailure()) return;
         }
