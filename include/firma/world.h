@@ -92,7 +92,7 @@ World rebuild_index(const World& world, const TreeOptions& options);
 World with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
-/// many as there are, are put into blocks anew.
+/// many as there are, are put into blocks anew. Materials keep their numbers and have no names.
 World make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.

@@ -2,12 +2,13 @@
 // A hash map from 64 bits to 32, for scratch: open addressing, emptied in no time, its memory kept.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "base/random.h"
+#include "base/table_key.h"
 
 namespace firma {
 
@@ -47,6 +48,15 @@ public:
 
     std::size_t size() const { return count_; }
 
+    /// How far the farthest entry lies from its place: what the slowest call looks at. For tests; looks at all.
+    std::size_t longest_search() const {
+        std::size_t longest = 0;
+        for (std::size_t at = 0; at < entries_.size(); ++at)
+            if (entries_[at].round == round_)
+                longest = std::max(longest, (at - place(entries_[at].key)) & (entries_.size() - 1));
+        return longest;
+    }
+
     /// Makes room for as many entries, before the first.
     void reserve(std::size_t count) {
         const std::size_t places = std::bit_ceil(2 * (count + 1));
@@ -60,7 +70,9 @@ private:
         std::uint32_t round = 0;
     };
 
-    std::size_t place(std::uint64_t key) const { return std::size_t(mix_bits(key)) & (entries_.size() - 1); }
+    std::size_t place(std::uint64_t key) const {
+        return std::size_t(mix_bits(key ^ table_seed())) & (entries_.size() - 1);
+    }
 
     void grow() {
         std::vector<Entry> old(entries_.empty() ? 64 : 2 * entries_.size());

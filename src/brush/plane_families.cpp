@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/table_key.h"
+
 namespace firma {
 namespace {
 
@@ -43,11 +45,8 @@ bool alike(const FloatPlane& family, const FloatPlane& plane, std::span<const Ve
 }  // namespace
 
 std::size_t PlaneFamilies::Hash::operator()(const Cell& cell) const {
-    std::uint64_t mixed = 0;
-    for (const std::int64_t part : cell) {
-        mixed = (mixed ^ std::uint64_t(part)) * 0x9E3779B97F4A7C15u;
-        mixed ^= mixed >> 32;
-    }
+    std::uint64_t mixed = table_seed();
+    for (const std::int64_t part : cell) mixed = mix_bits(mixed ^ std::uint64_t(part));
     return std::size_t(mixed);
 }
 

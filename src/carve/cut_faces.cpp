@@ -84,9 +84,7 @@ std::uint32_t FaceCutter::vertex_of(std::uint32_t crossing) {
     if (it.vertex != ~0u) return it.vertex;
     made_.met.push_back(crossing);
     if (!it.of_world) return it.vertex = new_vertex(crossing);
-    const GridPoint& p = it.point.rounded();
-    const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
-    for (std::uint64_t key = mix_bits(xy) + std::uint32_t(p.z) + mix_bits(it.face);; key = mix_bits(key + 1)) {
+    for (std::uint64_t key = point_key(it.point.rounded()) + mix_bits(it.face);; key = next_key(key)) {
         std::uint32_t& known = met_at_.at(key);
         if (known == FlatMap::kNone) {
             known = crossing;

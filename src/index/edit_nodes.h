@@ -7,8 +7,8 @@
 // bins over its children are split anew, one of more than 64 children becomes several, one of few, or of nothing but
 // leaves, hands its children to the node above. So the work follows the change, not the index.
 //
-// Nodes over leaves grow into each other, edit by edit. So in one edit of eight, beside those that a change touches,
-// one more is divided anew with them: the one that covers the largest share of one of them.
+// Nodes over leaves grow into each other, edit by edit. So beside those that a change touches one more is divided anew
+// with them: the one that covers the largest share of one of them.
 #pragma once
 
 #include <cstdint>

@@ -49,7 +49,7 @@ std::uint64_t hash_of(const Plane& a, const Plane& b) {
     std::uint64_t factor = 0;
     for (int k = 0; k < 3 && factor == 0; ++k) factor = part[k];
     factor = inverse(factor);
-    std::uint64_t hash = 0;
+    std::uint64_t hash = table_seed();
     for (const std::uint64_t p : part) hash = mix_bits(hash ^ times(p, factor));
     return hash;
 }
@@ -64,7 +64,7 @@ std::uint32_t LineTable::add(PlaneId a, PlaneId b, std::uint32_t point) {
     const std::uint32_t known = of_planes_.find(both);
     if (known != FlatMap::kNone) return known;
     const Plane &p = tables_.planes.plane(a), &q = tables_.planes.plane(b);
-    for (std::uint64_t key = hash_of(p, q);; key = mix_bits(key + 1)) {
+    for (std::uint64_t key = hash_of(p, q);; key = next_key(key)) {
         std::uint32_t& found = of_hash_.at(key);
         if (found == FlatMap::kNone) {
             found = std::uint32_t(lines_.size());

@@ -6,7 +6,7 @@ namespace firma {
 namespace {
 
 std::uint64_t hash_of(const Plane& plane) {
-    std::uint64_t hash = 0;
+    std::uint64_t hash = table_seed();
     for (const std::int64_t n : plane.normal) hash = mix_bits(hash ^ std::uint64_t(n));
     hash = mix_bits(hash ^ std::uint64_t(plane.offset()));
     return mix_bits(hash ^ std::uint64_t(plane.offset() >> 64));
@@ -24,7 +24,7 @@ bool looks_forward(const Plane& plane) {
 PlaneId PlaneTable::add(const Plane& plane) {
     const bool behind = !looks_forward(plane);
     const Plane forward = behind ? flipped(plane) : plane;
-    for (std::uint64_t key = hash_of(forward);; key = mix_bits(key + 1)) {
+    for (std::uint64_t key = hash_of(forward);; key = next_key(key)) {
         std::uint32_t& known = of_hash_.at(key);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(planes_.size());

@@ -11,11 +11,6 @@ namespace {
 
 constexpr int kPlaneBits = 21;  // three numbers of planes in one key
 
-std::uint64_t key_of(const GridPoint& p) {
-    const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
-    return mix_bits(xy) + std::uint64_t(std::uint32_t(p.z)) * 0x9E3779B97F4A7C15ull;
-}
-
 }  // namespace
 
 std::uint32_t PointTable::add(PlaneId a, PlaneId b, PlaneId c) {
@@ -41,7 +36,7 @@ std::uint32_t PointTable::add(PlaneId a, PlaneId b, PlaneId c) {
 
 /// Equal points round to the same place; what lies there is compared exactly.
 std::uint32_t PointTable::find_or_add(const Entry& entry) {
-    for (std::uint64_t key = key_of(entry.point.rounded());; key = mix_bits(key + 1)) {
+    for (std::uint64_t key = point_key(entry.point.rounded());; key = next_key(key)) {
         std::uint32_t& known = of_place_.at(key);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(points_.size());

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/table_key.h"
 #include "firma/grid.h"
 #include "level/level_builder.h"
 
@@ -24,14 +25,7 @@ public:
 
 private:
     struct Hash {
-        std::size_t operator()(const GridPoint& p) const {
-            std::uint64_t mixed = 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                mixed = (mixed ^ std::uint32_t(p[axis])) * 0x9E3779B97F4A7C15u;
-                mixed ^= mixed >> 32;
-            }
-            return std::size_t(mixed);
-        }
+        std::size_t operator()(const GridPoint& p) const { return std::size_t(point_key(p)); }
     };
 
     LevelBuilder& builder_;

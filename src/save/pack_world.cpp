@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/flat_map.h"
+#include "base/point_numbers.h"
 #include "base/sort.h"
 #include "firma/save.h"
 #include "save/sections.h"
@@ -132,16 +133,10 @@ private:
 
     /// Numbered in order of first use.
     std::uint32_t vertex(const GridPoint& point) {
-        const std::uint64_t xy = std::uint64_t(std::uint32_t(point.x)) << 32 | std::uint32_t(point.y);
-        for (std::uint64_t key = mix_bits(xy) + std::uint32_t(point.z);; key = mix_bits(key + 1)) {
-            std::uint32_t& known = number_of_vertex_.at(key);
-            if (known == FlatMap::kNone) {
-                known = std::uint32_t(points_.size());
-                points_.push_back(point);
-                add_point(vertices_, point);
-            }
-            if (points_[known] == point) return known;
-        }
+        const std::size_t before = points_.count();
+        const std::uint32_t number = points_.number(point);
+        if (points_.count() > before) add_point(vertices_, point);
+        return number;
     }
 
     void pack_records() {
@@ -304,8 +299,8 @@ private:
     ByteWriter records_, portals_, portal_polygons_, portal_corners_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
     ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
-    FlatMap number_of_vertex_, number_of_node_, number_of_block_;
-    std::vector<GridPoint> points_;
+    FlatMap number_of_node_, number_of_block_;
+    PointNumbers points_;
     std::uint32_t node_count_ = 0, block_count_ = 0;
     Numbers<SolidFace> exact_faces_;
     Numbers<SolidEdge> edges_;

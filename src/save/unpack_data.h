@@ -2,6 +2,9 @@
 // What a saved world has besides faces: counters, tolerance, options, materials, rules.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include "save/entries.h"
 #include "world/assemble_world.h"
 
@@ -12,6 +15,9 @@ struct UnpackedData {
     std::size_t faces = 0, rooms = 0;
     bool exact = false;                             ///< whether the exact part is there
     bool has_records = false, has_portals = false;  ///< whether those are
+
+    /// The first is there without a name too.
+    std::size_t material_count() const { return std::max<std::size_t>(world.materials->size(), 1); }
 };
 
 /// Check the Damage before using it.

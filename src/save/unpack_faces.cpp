@@ -55,6 +55,7 @@ private:
         const auto fault = [&](const char* reason) { return damage_.report(faces_.type(), entry, reason); };
         if (face.corner_count < 3 || face.corner_count > std::uint32_t(kMaxCorners))
             return fault("does not have 3 to 64 corners");
+        if (face.material >= data_.material_count()) return fault("has a material that is not there");
         if (face.corner_count > corners_.left()) return fault("has corners that are not there");
         if (face.part >= data_.rooms) return fault("lies in a room that is not there");
         if (!set.faces.empty() && !(set.faces.back().id < face.id))

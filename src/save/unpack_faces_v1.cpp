@@ -98,6 +98,7 @@ private:
         const auto fault = [&](const char* reason) { return damage_.report(faces_.type(), entry, reason); };
         if (face.corner_count < 3 || face.corner_count > std::uint32_t(kMaxCorners))
             return fault("does not have 3 to 64 corners");
+        if (face.material >= data_.material_count()) return fault("has a material that is not there");
         if (std::size_t(first) + face.corner_count > of_block_.size()) return fault("has corners that are not there");
         if (owner != kNoOwner && owner >= of_block_owners_.size()) return fault("has an exact face that is not there");
         if (owner != kNoOwner && !face.solid) return fault("bounds no solid, and yet has an exact face");

@@ -59,10 +59,16 @@ public:
             else
                 index.rooms.push_back(std::move(node));
         }
+        if (facets_below(index.solid) + facets_below(index.castable) != faces_.faces.size()) {
+            damage_.report(roots_.type(), "does not lead to as many faces as there are");
+            return {};
+        }
         return index;
     }
 
 private:
+    static std::size_t facets_below(const Ref<const Node>& root) { return root ? root->facets_below : 0; }
+
     bool read_block(std::size_t entry) {
         const std::uint32_t count = read_u32(blocks_.at(entry));
         const auto fault = [&](const char* reason) { return damage_.report(blocks_.type(), entry, reason); };

@@ -5,33 +5,12 @@
 #include <vector>
 
 #include "base/flat_map.h"
+#include "base/point_numbers.h"
 #include "geometry/flat_loop.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
 namespace {
-
-/// Numbers for points of the surface grid.
-class PointNumbers {
-public:
-    std::uint32_t number(const GridPoint& p) {
-        const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
-        for (std::uint64_t key = mix_bits(xy) + std::uint32_t(p.z);; key = mix_bits(key + 1)) {
-            std::uint32_t& known = map_.at(key);
-            if (known == FlatMap::kNone) {
-                known = std::uint32_t(points_.size());
-                points_.push_back(p);
-            }
-            if (points_[known] == p) return known;
-        }
-    }
-    const GridPoint& point(std::uint32_t number) const { return points_[number]; }
-    std::size_t count() const { return points_.size(); }
-
-private:
-    FlatMap map_;
-    std::vector<GridPoint> points_;
-};
 
 /// Directed edges that ought to cancel.
 class EdgeSum {

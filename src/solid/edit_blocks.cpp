@@ -71,12 +71,15 @@ void BlockEdit::start() {
     sort_blocks();
     std::sort(goes_.begin(), goes_.end());
     goes_.erase(std::unique(goes_.begin(), goes_.end()), goes_.end());
-    std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> of_parts;  // few
+    std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> of_parts;
     for (std::uint32_t k = 0; k < blocks_.size(); ++k) {
         const std::uint32_t part = blocks_[k]->part;
-        auto at = std::find_if(of_parts.begin(), of_parts.end(), [&](const auto& it) { return it.first == part; });
-        if (at == of_parts.end()) at = of_parts.insert(at, {part, {}});
-        at->second.push_back(k);
+        std::uint32_t& known = tree_of_part_.at(part);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(of_parts.size());
+            of_parts.push_back({part, {}});
+        }
+        of_parts[known].second.push_back(k);
     }
     for (const auto& [part, blocks] : of_parts) group_blocks(part, blocks);
     phase_ = Phase::kPlace;
@@ -121,18 +124,20 @@ void BlockEdit::place_some() {
 
 /// The group that a face goes to: one of its part, down the tree to where boxes have to grow least.
 std::uint32_t BlockEdit::place(const FaceSet::Entry& face) {
-    auto tree = std::find_if(trees_.begin(), trees_.end(), [&](const PartTree& it) { return it.part == face.part; });
-    if (tree == trees_.end()) {
-        tree = trees_.insert(tree, PartTree{face.part, {{{}, kNone, kNone, std::uint32_t(groups_.size())}}});
+    std::uint32_t& known = tree_of_part_.at(face.part);
+    if (known == FlatMap::kNone) {
+        known = std::uint32_t(trees_.size());
+        trees_.push_back({face.part, {{{}, kNone, kNone, std::uint32_t(groups_.size())}}});
         groups_.emplace_back().part = face.part;
     }
+    const PartTree& tree = trees_[known];
     const Bounds box(added_.box_of(face));
     std::uint32_t at = 0;
-    while (tree->nodes[at].group == kNone) {
-        const std::uint32_t left = tree->nodes[at].left, right = tree->nodes[at].right;
-        at = goes_right(tree->nodes[left].box, tree->nodes[right].box, box) ? right : left;
+    while (tree.nodes[at].group == kNone) {
+        const std::uint32_t left = tree.nodes[at].left, right = tree.nodes[at].right;
+        at = goes_right(tree.nodes[left].box, tree.nodes[right].box, box) ? right : left;
     }
-    return tree->nodes[at].group;
+    return tree.nodes[at].group;
 }
 
 void BlockEdit::rebuild_one() {

@@ -81,6 +81,7 @@ private:
     std::size_t next_ = 0;  ///< in this phase
     std::vector<Group> groups_;
     std::vector<PartTree> trees_;
+    FlatMap tree_of_part_;
     std::vector<Ref<const Node>> made_;
 
     BlockBuilder builder_;  // and scratch

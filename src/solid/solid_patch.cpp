@@ -12,11 +12,6 @@ std::uint64_t key_of(const void* object, std::uint64_t tag) {
 }
 constexpr std::uint64_t kWhole = 255;  // blocks have no such slot
 
-std::uint64_t key_of(const InputPoint& p) {
-    const std::uint64_t xy = std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y);
-    return mix_bits(xy) + std::uint64_t(std::uint32_t(p.z)) * 0x9E3779B97F4A7C15ull;
-}
-
 /// Faces, their edges and vertices lie scattered: asks for all of a kind before the first is needed.
 void fetch_faces_ahead(std::span<const FacetPlace> facets) {
     std::vector<const SolidFace*> faces;
@@ -84,7 +79,7 @@ void SolidPatch::add(std::span<const FacetPlace> facets) {
 }
 
 std::uint32_t SolidPatch::grid_vertex(const InputPoint& point) {
-    for (std::uint64_t key = key_of(point);; key = mix_bits(key + 1)) {
+    for (std::uint64_t key = point_key(point);; key = next_key(key)) {
         std::uint32_t& known = vertex_of_point_.at(key);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(vertices.size());

@@ -165,7 +165,8 @@ std::size_t bytes_alone(const World& world, const World& other) {
     sum += bytes_of_room_faces_alone(mine.room_faces, theirs.room_faces);
     const SolidData &my_solid = mine.solid.data(), &their_solid = theirs.solid.data();
     sum += my_solid.points.bytes_unshared(their_solid.points) +
-           my_solid.faces.regions.bytes_unshared(their_solid.faces.regions);
+           my_solid.faces.regions.bytes_unshared(their_solid.faces.regions) +
+           mine.castable.regions.bytes_unshared(theirs.castable.regions);
     UnsharedNodes of_stores;
     for (const Node* node : nodes_alone(mine, theirs, of_stores)) sum += bytes_of(*node);
     const std::vector<const Block*> my_blocks = blocks_of(of_stores.before), their_blocks = blocks_of(of_stores.after);

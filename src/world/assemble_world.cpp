@@ -97,6 +97,16 @@ Solid in_one_part(const Solid& solid) {
     return Solid(std::move(data));
 }
 
+/// Without names, as many as the solid's faces have numbers for: a material that an edit adds gets one of its own.
+std::vector<std::string> unnamed_materials(const Solid& solid) {
+    std::size_t count = 1;
+    if (const Node* root = solid.data().faces.root.get())
+        for_each_block(*root, [&](const Block& block) {
+            for (const FaceRecord& face : block.faces) count = std::max(count, std::size_t(face.material) + 1);
+        });
+    return std::vector<std::string>(count);
+}
+
 Cells make_cells(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
@@ -148,7 +158,7 @@ World make_world(const Solid& given, const WorldOptions& options) {
     const BuiltStore faces = parts_of(solid.data().faces);
     data->set_faces(faces_of_rooms(data->cells, {&faces}));
     data->solid = solid;
-    data->materials = std::make_shared<std::vector<std::string>>(1);
+    data->materials = std::make_shared<std::vector<std::string>>(unnamed_materials(solid));
     data->tolerance = options.tolerance;
     data->tree_options = options.tree;
     data->rules = std::make_shared<const CarveRules>(options.rules);

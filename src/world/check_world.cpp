@@ -148,24 +148,27 @@ private:
             ++held[item];
             if (!node.is_leaf())
                 check_node(*node.children[item], &bin.box);
-            else if (in_store_)
+            else
                 check_face(block_of(node), block_of(node).faces[item], bin.box);
         }
         return 1;
     }
 
+    /// In a store all that it is, in a room's index whether it lies in its bin.
     void check_face(const Block& block, const FaceRecord& record, const BoxF& box) {
         if (std::size_t(record.first_corner) + record.corner_count > block.corner_vertices.size())
             return report("a face has corners that are not there", record.id);
         for (const std::uint16_t vertex : block.corners_of(record))
             if (vertex >= block.vertices.size()) return report("a corner has no vertex", record.id);
+        for (std::uint32_t k = 0; k < record.corner_count; ++k)
+            if (!contains(box, to_metres(block.corner(record, k))))
+                return report("a face reaches out of its bin", record.id);
+        if (!in_store_) return;
         if (record.owner != kNoOwner && record.owner >= block.owners.size())
             return report("a face has an owner that is not there", record.id);
         const Face face = describe_face(block, record);
         const PolygonFault polygon = check_polygon(face.corners);
         if (polygon != PolygonFault::kNone) return report(describe(polygon), face.id);
-        for (const Vec3& corner : face.corners)
-            if (!contains(box, corner)) return report("a face reaches out of its bin", face.id);
         if (!face.id.valid()) return report("a face has no id", face.id);
         if (face.solid != solid_)
             return report(solid_ ? "a face of the solid does not say so" : "a castable-only face says it is solid",

@@ -10,8 +10,11 @@ namespace firma {
 
 void RoomEdit::touch(std::uint32_t part) {
     const std::uint32_t room = before_.cells.current_room(part);
-    const auto at = std::lower_bound(rooms_.begin(), rooms_.end(), room);
-    if (at == rooms_.end() || *at != room) rooms_.insert(at, room);
+    if (std::uint32_t& known = known_.at(room); known == FlatMap::kNone) {
+        known = 0;
+        rooms_.push_back(room);
+        lowest_ = std::min(lowest_, room);
+    }
 }
 
 void RoomEdit::touch_portals(const GridBox& box) {
@@ -37,6 +40,7 @@ bool RoomEdit::shares_the_solids_index() const {
 }
 
 void RoomEdit::start(const SolidEdit& solid) {
+    std::sort(rooms_.begin(), rooms_.end());
     solid_ = &solid;
     index_ = {};
     edits_.clear();

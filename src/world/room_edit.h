@@ -2,10 +2,12 @@
 // What a change to the solid does to rooms: which of them it touches, and the cells after it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "base/flat_map.h"
 #include "index/edit_nodes.h"
 #include "solid/change_solid.h"
 #include "world/world_data.h"
@@ -24,7 +26,7 @@ public:
     void touch_portals(const GridBox& box);
     bool any() const { return !rooms_.empty(); }
     /// The part of the faces that come, of the cutter and of no room yet: the lowest of the rooms, or a new one.
-    std::uint32_t target() const { return rooms_.empty() ? before_.cells.room_count() : rooms_[0]; }
+    std::uint32_t target() const { return std::min(lowest_, before_.cells.room_count()); }
 
     /// Begins to edit the index of what the rooms become.
     void start(const SolidEdit& solid);
@@ -40,7 +42,9 @@ private:
     std::vector<std::uint32_t> join_portals(Cells& next, std::vector<std::uint32_t>& joined) const;
 
     const WorldData& before_;
-    std::vector<std::uint32_t> rooms_;  ///< ascending, each once
+    std::vector<std::uint32_t> rooms_;  ///< each once; ascending from start() on
+    FlatMap known_;                     ///< those that are among them
+    std::uint32_t lowest_ = ~0u;        ///< of them
     std::vector<NodeEdit> edits_;       ///< of the one index over all of them; none: it is the solid's
     Ref<const Node> index_;
     const SolidEdit* solid_ = nullptr;

@@ -50,5 +50,15 @@ TEST(FlatMap, ReservingChangesNothingButTheTimeItTakes) {
     }
 }
 
+/// Keys that all fall into one part of the table, were they only mixed.
+TEST(FlatMap, NobodyCanChooseKeysThatLieTogether) {
+    constexpr std::uint64_t kPlaces = 1 << 13;
+    FlatMap map;
+    std::uint32_t count = 0;
+    for (std::uint64_t key = 0; count < 4000; ++key)
+        if ((mix_bits(key) & (kPlaces - 1)) < 64) map.at(key) = count++;
+    EXPECT_LT(map.longest_search(), 400u);  // 3,900 without the seed; 70 is a long one
+}
+
 }  // namespace
 }  // namespace firma

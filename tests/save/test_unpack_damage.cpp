@@ -110,6 +110,8 @@ TEST(UnpackDamage, ErrorsNameTheirPlace) {
               "a.firma: section FACE, entry 1: does not have a higher id than the last");
     EXPECT_EQ(text_of(kFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 20, 1); }),
               "a.firma: section FACE, entry 0: lies in a room that is not there");
+    EXPECT_EQ(text_of(kFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 12, 99); }),
+              "a.firma: section FACE, entry 0: has a material that is not there");
     EXPECT_EQ(text_of(kWorldSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, 1); }),
               "a.firma: section FACE: has not as many entries as faces");
 }
@@ -127,6 +129,11 @@ TEST(UnpackDamage, ErrorsOfTheIndexNameTheirPlace) {
               "a.firma: section IROO, entry 0: names a node that is not there");
     EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, ~0u); }),
               "a.firma: the world is broken: a room's count of faces is not how many there are");
+    EXPECT_EQ(text_of(kIndexRootsSection,
+                      [](Bytes& b, const SectionPlace& p) {
+                          for (std::size_t at = p.first; at < p.first + p.length; at += 4) put_u32(b, at, ~0u);
+                      }),
+              "a.firma: section IROO: does not lead to as many faces as there are");
     EXPECT_EQ(text_of(kIndexNodesSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 2] = std::byte(2); }),
               "a.firma: section INOD, entry 0: holds both faces and nodes, or neither");
     EXPECT_EQ(text_of(kIndexBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 24, 7); }),

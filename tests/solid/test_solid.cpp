@@ -135,6 +135,23 @@ TEST(Solid, CarvedAloneIsWhatIsCarvedInAWorld) {
     EXPECT_GE(done, test::sample(100));
 }
 
+/// A world around a solid alone has no names of its materials, but their numbers: one that a cut adds is none of them.
+TEST(Solid, MaterialsKeepTheirNumbersInAWorldOfItAlone) {
+    const World level = make_world(read_level(FIRMA_ROOT "/levels/first.obj").value()).value();
+    const World bare = make_world(level.solid());
+    const Hit floor = cast(bare, {{35, 29, 1}, 0}, {0, 0, -9});
+    ASSERT_TRUE(floor.touched());
+    CarveOptions options;
+    options.material = "inside";
+    const CarveResult cut = carve(bare, make_crater(CutterShape::kRocky, 1), {.position = floor.point}, options);
+    ASSERT_TRUE(cut.done());
+    for (const Face& face : cut.world.faces()) {
+        EXPECT_EQ(cut.world.material_name(face.material), face.source_edit > 0 ? "inside" : "") << face.id.value;
+        const auto before = level.find_face(face.id);
+        EXPECT_TRUE(!before || face.material == before->material) << face.id.value;
+    }
+}
+
 TEST(Solid, FacesBesideItChangeNothing) {
     Level level = test::box_level({-12, -12, -4}, {12, 12, 4}, true);
     test::add_box(level, {-6, -6, -2}, {-2, -2, 2});

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "firma/carve_rules.h"
+#include "firma/level.h"
 #include "firma/memory.h"
 #include "tests/store/cratered.h"
+#include "world/world_data.h"
 
 namespace firma {
 namespace {
@@ -42,6 +44,15 @@ TEST(BytesAlone, OfWorldsWithoutAnythingInCommonIsAll) {
     expect_the_difference(one, other);
     EXPECT_EQ(bytes_alone(one, other), memory_used(one));
     expect_the_difference(World(), one);
+}
+
+TEST(BytesAlone, CountsWhatIsCastableOnly) {
+    // Half a box is open: castable only.
+    Level level =
+        read_obj("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 4\nv 4 0 4\nf 1 2 3 4\nf 1 2 6 5\n", "open").value();
+    const World world = make_world(level).value();
+    ASSERT_EQ(world.data().castable.count, 2u);
+    expect_the_difference(world, rebuild_index(world, {}));
 }
 
 TEST(BytesAlone, OfOneVersionIsNothing) {
