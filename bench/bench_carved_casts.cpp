@@ -3,6 +3,7 @@
 // facets.
 #include <memory>
 
+#include "firma/queries.h"
 #include "scenes/cast_range.h"
 #include "support/craters.h"
 #include "support/race.h"

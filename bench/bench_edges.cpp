@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firma/queries.h"
 #include "cast/cast_sphere_edge.h"
 #include "cast/cast_sphere_face.h"
 #include "cast/cast_sphere_vertex.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firma/queries.h"
 #include "cast/cast_particle_polygon.h"
 #include "cast/sweep.h"
 #include "naive/inside.h"

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"

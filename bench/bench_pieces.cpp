@@ -5,6 +5,7 @@
 // --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 
+#include "firma/queries.h"
 #include "cast/cast_sphere_polygon.h"
 #include "support/sets.h"
 #include "support/walk.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "support/race.h"
 #include "support/sets.h"

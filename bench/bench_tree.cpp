@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "firma/queries.h"
 #include "support/race.h"
 #include "support/sets.h"
 #include "support/settings.h"

@@ -156,7 +156,7 @@ World undivided(const LoadedLevel& loaded) {
 /// Whether a room is the exterior, or a way leads there through portals.
 bool is_open(const World& world, RoomId room) {
     for (std::uint32_t other = 0; other < world.room_count(); ++other)
-        if (room_info(world, {other}).exterior && find_path(world, room, {other}, Doors::kAllOpen)) return true;
+        if (room_info(world, {other})->exterior && find_path(world, room, {other}, Doors::kAllOpen)) return true;
     return false;
 }
 
@@ -171,8 +171,8 @@ std::optional<Leak> leak_of(const LoadedLevel& loaded) {
         if (any_player && !is_player(level.entities[k])) continue;
         const std::optional<Vec3> origin = entity_origin(level, level.entities[k]);
         if (!origin) continue;
-        const Location where = locate(world, *origin);
-        if (where.kind == Location::Kind::kRoom && is_open(world, where.room))
+        const Location found = locate(world, *origin);
+        if (found.where == Where::kAir && is_open(world, found.room))
             return Leak{k, find_leak(world, *origin)};
     }
     return {};

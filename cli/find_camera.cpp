@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tries views on a small canvas.
+#include "firma/queries.h"
 #include "cli/find_camera.h"
 
 #include <algorithm>

@@ -117,7 +117,8 @@ typedef struct firma_bytes {
 #define FIRMA_NO_FACE UINT32_MAX
 #define FIRMA_NO_PORTAL UINT32_MAX
 /* In place of a room: all of them, or the one that a cast's start lies in, which the cast finds out. */
-#define FIRMA_ANY_ROOM UINT32_MAX
+#define FIRMA_NO_ROOM UINT32_MAX
+#define FIRMA_ANY_ROOM FIRMA_NO_ROOM
 #define FIRMA_LOCATE_ROOM (UINT32_MAX - 1)
 
 /* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
@@ -239,6 +240,7 @@ typedef struct firma_face {
     uint32_t material;
     uint32_t mask;
     uint32_t flags;        /* FIRMA_FACE_... */
+    uint32_t room;         /* that it looks into */
     uint32_t first_corner; /* in firma_faces_view.corners, counted in points */
     uint32_t corner_count;
 } firma_face;
@@ -263,11 +265,15 @@ FIRMA_API firma_code firma_faces_release(firma_faces faces);
 /* Rooms are volumes of air, bounded by faces and by portals, through which their air passes into other rooms. A level
  * that knows no rooms makes a world of one. Rooms and portals keep their numbers through edits: docs/rooms.md. */
 
-/* Where a point is; FIRMA_UNSURE on a face. */
-typedef enum firma_where { FIRMA_ROOM = 0, FIRMA_SOLID = 1, FIRMA_UNSURE = 2 } firma_where;
+typedef enum firma_where {
+    FIRMA_AIR = 0,
+    FIRMA_SOLID = 1,
+    FIRMA_ON_SURFACE = 2, /* on a face that bounds the solid, exactly */
+    FIRMA_UNKNOWN = 3     /* in a fold of the surface that rounding to the grid made; docs/rooms.md has more */
+} firma_where;
 
-/* `where` gets a firma_where, `room` the room, with FIRMA_ROOM, or FIRMA_ANY_ROOM. Takes no memory.
- * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good. */
+/* Where a point is. `where` gets a firma_where, `room` the room, with FIRMA_AIR, or FIRMA_NO_ROOM; it may be null. Takes
+ * no memory. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too large. */
 FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3], uint32_t* where, uint32_t* room);
 
 /* What pointers show is good as long as the handle of the world. */
@@ -278,7 +284,7 @@ typedef struct firma_room {
     const uint32_t* portals; /* ascending */
     size_t portal_count;
     uint32_t exterior; /* 1: reaches to infinity */
-    uint32_t part_of;  /* itself; of a room that an edit joined to another: that one, and it is empty */
+    uint32_t merged_into; /* itself; of a room that an edit joined to another: that one, and it is empty */
 } firma_room;
 
 /* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
@@ -331,13 +337,17 @@ typedef struct firma_cast_options {
     uint32_t room;    /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
                          FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
     double skin;      /* metres; negative takes the world's */
-    uint32_t* passed; /* gets the rooms that firma_cast() passes, the first `passed_capacity` of them; may be null when
-                         that is 0. Of no use to the other calls */
+    uint32_t* passed; /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
+                         `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
     size_t passed_capacity;
+    uint32_t* passed_count; /* gets how many there were, the first included: 0 when all rooms of a world of several were
+                               asked; may be null */
 } firma_cast_options;
 
 FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
 
+/* A miss has fraction and safe_fraction 1, and the end of the path as its centre; FIRMA_INVALID has fraction 0. What else
+ * there is to know of the face met tells firma_world_hit_info(). */
 typedef struct firma_hit {
     double fraction;      /* of the path, 0..1 */
     double safe_fraction; /* how far to go so that the skin is kept */
@@ -345,19 +355,30 @@ typedef struct firma_hit {
     double point[3];      /* of the surface */
     double normal[3];     /* unit, from `point` toward the centre */
     double face_normal[3];
-    uint64_t version;       /* of the world asked */
     uint32_t status;        /* firma_status; FIRMA_INVALID: a number of the input is no good, nothing was asked */
     uint32_t feature;       /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
     uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
-    uint32_t other_face;    /* across the edge met, or FIRMA_NO_FACE */
-    uint32_t source, source_edit, material; /* as in firma_face */
-    uint32_t room;                          /* of the contact */
-    uint32_t rooms_passed; /* how many, the first included; 0 when all rooms of a world of several were asked */
-    uint32_t passed[8];    /* the first of them, in the order in which they are reached */
-    uint32_t portal;       /* the closed one met, or FIRMA_NO_PORTAL */
+    int32_t corner[3];      /* the face's first, in steps of 1/262144 m: where to look for it */
+    uint32_t portal;        /* the closed one met, or FIRMA_NO_PORTAL */
+    uint32_t material;      /* of the face, or of the portal */
     uint32_t reserved;
 } firma_hit;
+
+/* What only some ask of a hit. */
+typedef struct firma_hit_info {
+    uint32_t size;                /* sizeof(firma_hit_info) */
+    uint32_t room;                /* that the face looks into; of a portal the one on the side that was met */
+    uint32_t source, source_edit; /* as in firma_face; 0 for a portal */
+    uint32_t mask;
+    uint32_t flags;      /* FIRMA_FACE_...; 0 for a portal */
+    uint32_t other_face; /* across the edge met, or FIRMA_NO_FACE */
+    uint32_t reserved;
+} firma_hit_info;
+
+/* FIRMA_ERROR_INVALID for a miss, and for a face or portal that the world does not have: of another world or version, or
+ * cut since. Takes no memory; costs a walk through the index, and another one at an edge. */
+FIRMA_API firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_hit_info* info);
 
 /* What casts looked at; added to. */
 typedef struct firma_cast_counts {
@@ -382,22 +403,35 @@ FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input*
 typedef struct firma_near {
     double point[3];
     double distance;
-    uint32_t face, source, source_edit, material; /* FIRMA_NO_FACE: it is a closed portal */
+    double direction[3]; /* of firma_overlap(): unit, the way out */
+    double depth;        /* metres to go that way until the sphere touches this face in a point at most */
+    uint32_t face;       /* FIRMA_NO_FACE: it is a closed portal */
+    int32_t corner[3];   /* the face's first, in steps of 1/262144 m */
     uint32_t feature, feature_index;
     uint32_t portal; /* or FIRMA_NO_PORTAL */
-    uint32_t reserved;
+    uint32_t material;
 } firma_near;
 
-/* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all().
- * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good. */
-FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask,
-                                   firma_near* found, size_t capacity, size_t* count);
+/* A null pointer takes the defaults: all bits, all rooms. */
+typedef struct firma_near_options {
+    uint32_t size; /* sizeof(firma_near_options) */
+    uint32_t mask; /* faces and closed portals that share a bit */
+    uint32_t room; /* only what bounds this room; or FIRMA_ANY_ROOM */
+    uint32_t reserved;
+} firma_near_options;
+
+FIRMA_API void firma_near_options_defaults(firma_near_options* options);
+
+/* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all(). For a centre behind a
+ * one-sided face the way out is that face's normal. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too
+ * large. */
+FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius,
+                                   const firma_near_options* options, firma_near* found, size_t capacity,
+                                   size_t* count);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
- * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good, here and below. */
-FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach, uint32_t mask,
-                                   firma_near* near, uint32_t* found);
-/* 1 in the solid, 0 in the air, 2 where that cannot be said (on a face). */
-FIRMA_API firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where);
+ * FIRMA_ERROR_OUT_OF_RANGE as above. */
+FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
+                                   const firma_near_options* options, firma_near* near, uint32_t* found);
 
 /* ---- carving ---------------------------------------------------------------------------------------------------- */
 
@@ -478,14 +512,23 @@ FIRMA_API firma_code firma_edit_release(firma_edit edit);
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 
 typedef struct firma_diff_view {
-    const uint32_t* gone; /* ids, in order */
-    size_t gone_count;
-    const firma_face* come; /* in order of id */
-    size_t come_count;
-    const double* corners; /* of `come`, three for each */
+    const uint32_t* removed; /* ids, in order */
+    size_t removed_count;
+    const firma_face* added; /* in order of id */
+    size_t added_count;
+    const double* corners; /* of `added`, three for each */
     size_t corner_count;
     const int32_t* tiles; /* three for each: the cell from tile * size to (tile + 1) * size */
     size_t tile_count;
+    /* Ascending. */
+    const uint32_t* rooms; /* that a face left or came to, that became part of another, or that one world only has */
+    size_t room_count;
+    const uint32_t *opened, *closed; /* portals of both worlds */
+    size_t opened_count, closed_count;
+    const uint32_t *portals_added, *portals_removed; /* with polygons in one world only */
+    size_t portals_added_count, portals_removed_count;
+    const uint32_t* portals_changed; /* of both, with other rooms, polygons or names */
+    size_t portals_changed_count;
     double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
     uint32_t too_many_tiles;
     uint32_t reserved;

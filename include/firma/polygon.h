@@ -21,6 +21,12 @@ struct Sphere {
     double radius = 0;  ///< metres, >= 0
 };
 
+/// A straight way of a particle.
+struct Ray {
+    Vec3 start;  ///< metres
+    Vec3 path;   ///< motion, metres: its length says how far
+};
+
 /// Why corners do not make a polygon that can be cast against.
 enum class PolygonFault : std::uint8_t {
     kNone,

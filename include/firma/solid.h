@@ -83,9 +83,16 @@ SolidMeasures measure_solid(const World& world);
 std::uint64_t hash_solid(const Solid& solid);
 std::uint64_t hash_solid(const World& world);
 
-/// The same for what lies in one cube of 32 m.
+/// A cube of 32 m: from (x, y, z) * 32 m to (x + 1, y + 1, z + 1) * 32 m.
+struct Region {
+    std::int32_t x = 0, y = 0, z = 0;
+    friend bool operator==(const Region&, const Region&) = default;
+    friend auto operator<=>(const Region&, const Region&) = default;
+};
+
+/// The same for what lies in one region.
 struct RegionHash {
-    std::array<std::int32_t, 3> region;  ///< its lowest corner / 32 m
+    Region region;
     std::uint64_t faces = 0;             ///< of all that a world's faces are: those whose lowest corner lies there
     std::uint64_t points = 0;            ///< of the solid's set of points: of its corners there
     friend bool operator==(const RegionHash&, const RegionHash&) = default;
@@ -94,12 +101,19 @@ struct RegionHash {
 /// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
 std::vector<RegionHash> hash_regions(const Solid& solid);
 
-/// Whether a point lies in the solid: behind the faces that bound it, whichever the point sees first.
-///
+/// Where a point lies.
+enum class Where : std::uint8_t {
+    kAir,        ///< in front of the faces that it sees first
+    kSolid,      ///< behind them
+    kOnSurface,  ///< on a face that bounds the solid, exactly
+    kUnknown,    ///< a number is not finite or too large; or in a fold of the surface that rounding to the grid made (a few
+                 ///< millionths of a metre wide)
+};
+
+/// Where a point lies, by what a ray from it meets first.
 /// @param point  metres; may lie outside the world
-/// @return nothing when it lies on a face, a number is not finite or too large, or in a fold of the surface that
-///         rounding to the grid made (a few millionths of a metre wide)
-std::optional<bool> in_solid(const Solid& solid, const Vec3& point);
+/// Never allocates. Costs a cast or two.
+[[nodiscard]] Where locate(const Solid& solid, const Vec3& point);
 
 /// Why a piece of a level's surface cannot be carved.
 enum class SolidNoteKind : std::uint8_t {

@@ -151,19 +151,21 @@ std::vector<RegionHash> hash_regions(const Solid& solid) {
     return region_hashes({&solid.data().faces.regions}, solid.data().points);
 }
 
-std::optional<bool> in_solid(const Solid& solid, const Vec3& point) {
+Where locate(const Solid& solid, const Vec3& point) {
     switch (see_first(solid.data().faces.root.get(), point).kind) {
         case Seen::Kind::kAir:
-            return false;
+            return Where::kAir;
         case Seen::Kind::kSolid:
-            return true;
+            return Where::kSolid;
         case Seen::Kind::kNothing:
-            return solid.rock_outside();
+            return solid.rock_outside() ? Where::kSolid : Where::kAir;
+        case Seen::Kind::kOnSurface:
+            return Where::kOnSurface;
         case Seen::Kind::kUnsure:
         case Seen::Kind::kPolygon:
             break;
     }
-    return {};
+    return Where::kUnknown;
 }
 
 }  // namespace firma

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/masks.h"

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"

@@ -2,6 +2,7 @@
 // Edits of worlds of several rooms: every room stays closed, every answer true.
 #include <gtest/gtest.h>
 
+#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/diff_worlds.h"
 #include "firma/memory.h"

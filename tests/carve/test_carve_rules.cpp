@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/level.h"
 #include "firma/solid.h"

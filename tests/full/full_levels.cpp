@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/masks.h"
 #include "firma/rooms.h"

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"

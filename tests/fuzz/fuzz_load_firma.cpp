@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "firma/queries.h"
 #include "base/assert.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "firma/queries.h"
 #include "cli/write_glb.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"

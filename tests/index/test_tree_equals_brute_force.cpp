@@ -7,6 +7,7 @@
 
 #include "firma/level.h"
 #include "firma/polygon.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "scenes/cast_families.h"
 #include "scenes/closed_meshes.h"

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/level_portals.h"
 #include "firma/rooms.h"

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "tests/reference/judge_scene.h"
 

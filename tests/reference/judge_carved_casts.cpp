@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Casts through a carved world.
+#include "firma/queries.h"
 #include "tests/reference/judge_carved_casts.h"
 #include "world/block_faces.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Judges the rooms of a world.
+#include "firma/queries.h"
 #include "tests/reference/judge_rooms.h"
 
 #include <algorithm>

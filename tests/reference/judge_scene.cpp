@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 
 namespace firma::reference {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/level.h"
 #include "firma/save.h"

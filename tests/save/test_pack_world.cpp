@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "firma/queries.h"
 #include "base/hasher.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/save/saved_worlds.h"
 

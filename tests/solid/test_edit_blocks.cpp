@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edited stores hold what they must, answer as stores from scratch, share what was not touched, and stay shallow.
+#include "firma/queries.h"
 #include "solid/edit_blocks.h"
 
 #include <gtest/gtest.h>

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "firma/queries.h"
 #include "base/hasher.h"
 #include "firma/world_store.h"
 #include "tests/store/cratered.h"

@@ -14,6 +14,7 @@
 #include <new>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/memory.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
 #include "world/world_data.h"

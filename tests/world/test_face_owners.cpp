@@ -2,6 +2,7 @@
 // Facets in a tree: what they were cut from is kept alive, and shows in hits.
 #include <gtest/gtest.h>
 
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "world/assemble_world.h"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "scenes/closed_meshes.h"
 #include "scenes/grid_polygons.h"

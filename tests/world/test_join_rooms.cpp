@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/diff_worlds.h"
 #include "firma/memory.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
 #include "tests/world/two_halves.h"

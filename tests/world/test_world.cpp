@@ -2,6 +2,7 @@
 // The World as a value and the questions it answers, on a small closed room.
 #include "firma/carve.h"
 #include "firma/solid.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 
 #include <gtest/gtest.h>

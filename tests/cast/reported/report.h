@@ -14,6 +14,7 @@
 
 #include "firma/level.h"
 #include "firma/polygon.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 
 namespace firma::reported {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What users of parry, rapier and ncollide reported, asked of Firma.
+#include "firma/queries.h"
 #include "tests/cast/reported/report.h"
 
 namespace firma::reported {
