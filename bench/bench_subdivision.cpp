@@ -44,7 +44,7 @@ public:
 
 private:
     const World& world_;
-    std::vector<NearFace> found_;
+    std::vector<Overlap> found_;
 };
 
 // ------------------------------------------------------------------------------------------------------- tunnelling

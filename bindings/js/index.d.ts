@@ -174,6 +174,8 @@ export interface Faces {
     masks: Uint32Array;
     /** Bits: FACE_TWO_SIDED, FACE_SOLID. */
     flags: Uint32Array;
+    /** That they look into. */
+    rooms: Uint32Array;
     /** Counted in points. */
     firstCorners: Uint32Array;
     cornerCounts: Uint32Array;
@@ -196,6 +198,7 @@ export interface Face {
     sourceEdit: number;
     mask: number;
     flags: number;
+    room: number;
     /** Three for each. */
     corners: Float64Array;
 }
@@ -222,9 +225,12 @@ export interface CastOptions {
     room?: number | 'any' | 'locate';
 }
 
-/** Where a point is; 'unsure' on a face. `room` is null unless it is in one. */
+/**
+ * Where a point is; 'unknown' in a fold of the surface that rounding to the grid made. `room` is null unless the point is in
+ * the air of one.
+ */
 export interface Location {
-    where: 'room' | 'solid' | 'unsure';
+    where: 'air' | 'solid' | 'on surface' | 'unknown';
     room: number | null;
 }
 
@@ -239,7 +245,7 @@ export interface Room {
     /** Reaches to infinity. */
     exterior: boolean;
     /** Itself; of a room that an edit joined to another: that one, and it is empty. */
-    partOf: number;
+    mergedInto: number;
     /** Ascending. */
     portals: number[];
 }
@@ -274,13 +280,34 @@ export interface CountedCastOptions extends CastOptions {
     counts?: Partial<CastCounts>;
 }
 
+export interface SingleCastOptions extends CountedCastOptions {
+    /**
+     * An array that gets the rooms that the cast reached, in their order, the first included; none when all rooms of a world
+     * of several were asked.
+     */
+    passed?: number[];
+}
+
+/** What overlap() and closest() are limited to. */
+export interface NearOptions {
+    /** Faces and closed portals that share a bit; all unless given. */
+    mask?: number;
+    /** Only what bounds this room; all rooms unless given. */
+    room?: number;
+}
+
 /** 'invalid': a number of the input is no good, nothing was asked. 'touching': at the start, and moving closer. */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
-/** Look at `status` first: of 'miss' and 'invalid' only roomsPassed and version mean anything, and fractions are 0. */
+/**
+ * A miss has fraction and safeFraction 1, and the end of the path as its centre; 'invalid' has fraction 0. The rest of the
+ * fields mean something where `hit` is true.
+ */
 export interface Hit {
     status: Status;
+    /** Whether anything was met: 'hit' or 'touching'. */
+    hit: boolean;
     /** Of the path, 0..1. */
     fraction: number;
     /** How far to go so that the skin is kept. */
@@ -297,33 +324,38 @@ export interface Hit {
     featureIndex: number;
     /** Null also where a closed portal was met. */
     face: number | null;
-    /** Across the edge that was met. */
-    otherFace: number | null;
-    source: number;
-    sourceEdit: number;
-    material: number;
-    /** Of the contact. */
-    room: number;
-    /** How many rooms the cast reached, the first included; 0 when all rooms of a world of several were asked. */
-    roomsPassed: number;
-    /** The first of them, eight at most, in the order in which they are reached. */
-    passed: number[];
+    /** The face's first corner, in steps of 1/262144 m: where hitInfo() looks for it. */
+    corner: Vector3;
     /** The closed portal that was met. */
     portal: number | null;
-    /** Of the world that was asked. */
-    version: number;
+    /** Of the face, or of the portal. */
+    material: number;
+}
+
+/** What only some ask of a hit. */
+export interface HitInfo {
+    /** That the face looks into; of a closed portal the one on the side that was met. */
+    room: number;
+    /** As in Faces; 0 for a portal. */
+    source: number;
+    sourceEdit: number;
+    mask: number;
+    twoSided: boolean;
+    /** The face bounds a closed solid, which can be carved. */
+    solid: boolean;
+    /** Across the edge that was met; null elsewhere, and where not exactly two faces share the edge. */
+    otherFace: number | null;
 }
 
 /**
  * The answers of castBatch(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
  * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE and NO_PORTAL
- * for null; `passed` has eight places for each.
+ * for null.
  */
 export class HitBatch {
     /** An empty one, to be given as `out`. */
     constructor();
     readonly count: number;
-    readonly version: number;
     readonly status: Uint8Array;
     readonly feature: Uint8Array;
     readonly fraction: Float64Array;
@@ -335,14 +367,10 @@ export class HitBatch {
     readonly faceNormal: Float64Array;
     readonly featureIndex: Uint32Array;
     readonly face: Uint32Array;
-    readonly otherFace: Uint32Array;
-    readonly source: Uint32Array;
-    readonly sourceEdit: Uint32Array;
-    readonly material: Uint32Array;
-    readonly room: Uint32Array;
-    readonly roomsPassed: Uint32Array;
-    readonly passed: Uint32Array;
+    /** Three for each. */
+    readonly corner: Int32Array;
     readonly portal: Uint32Array;
+    readonly material: Uint32Array;
     /** Answer k as cast() gives it; null when there is no such answer. */
     hit(k: number): Hit | null;
 }
@@ -354,12 +382,20 @@ export interface Near {
     /** Metres. */
     distance: number;
     face: number | null;
+    /** The face's first corner, in steps of 1/262144 m. */
+    corner: Vector3;
     portal: number | null;
-    source: number;
-    sourceEdit: number;
     material: number;
     feature: Feature;
     featureIndex: number;
+}
+
+/** What a sphere overlaps, and the way out. */
+export interface Overlap extends Near {
+    /** Unit: moved this way by `depth` metres, the sphere touches this face in a point at most. Out of the solid for a centre
+     * behind a one-sided face. */
+    direction: Vector3;
+    depth: number;
 }
 
 /** Where a cutter goes: turned, scaled, moved. */
@@ -404,12 +440,22 @@ export interface CarveResult {
     report: CarveReport;
 }
 
-/** What changed from one world to another: take `gone` out of the faces, put `come` in. */
+/** What changed from one world to another: take `removed` out of the faces, put `added` in. Numbers are ascending. */
 export interface Diff {
-    /** Ids, ascending. */
-    gone: Uint32Array;
+    /** Ids of faces. */
+    removed: Uint32Array;
     /** In order of id. */
-    come: Faces;
+    added: Faces;
+    /** Rooms that a face left or came to, that became part of another, or that one world only has. */
+    rooms: Uint32Array;
+    /** Portals of both worlds. */
+    opened: Uint32Array;
+    closed: Uint32Array;
+    /** Portals with polygons in one world only. */
+    portalsAdded: Uint32Array;
+    portalsRemoved: Uint32Array;
+    /** Portals of both, with other rooms, polygons or names. */
+    portalsChanged: Uint32Array;
     /** Three for each: the cell from tile * tileSize to (tile + 1) * tileSize. */
     tiles: Int32Array;
     /** Bounds of all that changed; low > high when nothing did. */
@@ -462,7 +508,12 @@ export interface World extends Handle {
     findFace(id: number): Face | null;
 
     /** The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. */
-    cast(input: CastInput, options?: CountedCastOptions): Hit;
+    cast(input: CastInput, options?: SingleCastOptions): Hit;
+    /**
+     * More about the face or portal that a cast met. Costs a walk through the index.
+     * @throws {FirmaError} INVALID for a miss, and where this world has no such face or portal: cut since, or of another world
+     */
+    hitInfo(hit: Hit): HitInfo;
     /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     castAny(input: CastInput, options?: CastOptions): boolean;
     /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
@@ -475,16 +526,14 @@ export interface World extends Handle {
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
     /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
-    overlap(centre: Vector, radius: number, mask?: number): Near[];
+    overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
     /**
      * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
      * @throws {FirmaError} OUT_OF_RANGE for numbers that are no good
      */
-    closest(point: Vector, reach?: number, mask?: number): Near | null;
-    /** Null where that cannot be said (on a face). @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
-    inSolid(point: Vector): boolean | null;
+    closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 
-    /** The room that a point is in. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     locate(point: Vector): Location;
     /** @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below */
     room(room: number): Room;

@@ -122,6 +122,7 @@ struct NearFace : ClosestPoint {
     std::uint32_t material = 0;
 
     [[nodiscard]] bool found() const { return status == Status::kHit; }
+    [[nodiscard]] explicit operator bool() const { return found(); }
 };
 
 /// What a sphere overlaps, and how to get out.

@@ -23,7 +23,7 @@ export function readStart(text) {
 
 /** Feet on the floor below a point, or null: nothing there, or no room to stand. */
 function standBelow(player, world, point) {
-    if (world.inSolid(point) === true) return null;
+    if (world.locate(point).where === 'solid') return null;
     const hit = world.cast({ centre: point, radius: kRadius, path: [0, 0, -60] }, { mask: kStopsWalk });
     if (hit.status !== 'hit' || hit.normal[2] < 0.7) return null;
     const feet = [point[0], point[1], point[2] - 60 * hit.safeFraction - kCentres[0] + 0.001];

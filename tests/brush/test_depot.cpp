@@ -74,7 +74,7 @@ TEST(Depot, HasNamedRoomsAndPortalsBetweenThem) {
     const World& world = depot().world;
     std::set<std::string> names;
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-        const RoomInfo info = room_info(world, {room});
+        const RoomInfo info = *room_info(world, {room});
         EXPECT_FALSE(info.name.empty()) << "room " << room;
         EXPECT_EQ(info.exterior, info.name == "exterior");
         EXPECT_EQ(info.portals.empty(), info.exterior) << info.name;
@@ -83,7 +83,7 @@ TEST(Depot, HasNamedRoomsAndPortalsBetweenThem) {
     EXPECT_EQ(names.size(), world.room_count());
     EXPECT_EQ(names.size(), 23u);
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
-        const PortalInfo info = portal_info(world, {portal});
+        const PortalInfo info = *portal_info(world, {portal});
         EXPECT_NE(info.rooms[0], info.rooms[1]) << info.name;
         EXPECT_FALSE(info.polygons.empty()) << info.name;
         EXPECT_FALSE(info.name.empty());
@@ -94,10 +94,10 @@ TEST(Depot, HasNamedRoomsAndPortalsBetweenThem) {
 TEST(Depot, EveryRoomIsReachedThroughPortals) {
     const World& world = depot().world;
     const Location start = locate(world, spawn_points().at(0));
-    ASSERT_EQ(start.kind, Location::Kind::kRoom);
-    EXPECT_EQ(room_info(world, start.room).name, "hall");
+    ASSERT_EQ(start.where, Where::kAir);
+    EXPECT_EQ(room_info(world, start.room)->name, "hall");
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-        const RoomInfo info = room_info(world, {room});
+        const RoomInfo info = *room_info(world, {room});
         EXPECT_EQ(find_path(world, start.room, {room}).has_value(), !info.exterior) << info.name;
     }
 }
@@ -116,8 +116,8 @@ TEST(Depot, SpawnPointsHaveSpace) {
     EXPECT_GE(places.size(), 10u);
     for (const Vec3& place : places) {
         const Location at = locate(depot().world, place);
-        ASSERT_EQ(at.kind, Location::Kind::kRoom) << place.x << " " << place.y << " " << place.z;
-        EXPECT_FALSE(room_info(depot().world, at.room).exterior);
+        ASSERT_EQ(at.where, Where::kAir) << place.x << " " << place.y << " " << place.z;
+        EXPECT_FALSE(room_info(depot().world, at.room)->exterior);
         const auto nearest = closest(depot().world, place, 0.4, kStopsWalk);
         EXPECT_FALSE(nearest) << place.x << " " << place.y << " " << place.z;
         const Hit below = cast(depot().world, {place, 0.3}, {0, 0, -1.2}, {.mask = kStopsWalk});
@@ -133,7 +133,7 @@ TEST(Depot, LightsAndAnchorsAreThere) {
     EXPECT_GE(count["light"], 23);
     for (const Entity& entity : depot().level.entities) {
         if (entity.value("classname") != "light") continue;
-        EXPECT_EQ(locate(depot().world, origin_of(entity)).kind, Location::Kind::kRoom) << "line " << entity.line;
+        EXPECT_EQ(locate(depot().world, origin_of(entity)).where, Where::kAir) << "line " << entity.line;
     }
 }
 
@@ -216,7 +216,7 @@ TEST(Depot, APlayerCanWalkThroughIt) {
                     << world.material_name(hit.material) << " at " << hit.point.x / kUnit << " " << hit.point.y / kUnit
                     << " " << hit.point.z / kUnit;
                 for (std::uint32_t p = 0; p < std::min(hit.rooms_passed, kRoomsInHit); ++p)
-                    entered.insert(room_info(world, hit.passed[p]).name);
+                    entered.insert(room_info(world, hit.passed[p])->name);
             }
             const Hit floor = cast(world, {from + Vec3{0, 0, 0.3}, 0.0}, {0, 0, -0.6}, {.mask = kStopsWalk});
             EXPECT_EQ(floor.status, Status::kHit) << walk.name << ": nothing to stand on at " << k;

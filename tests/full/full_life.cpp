@@ -47,7 +47,7 @@ std::vector<scenes::CastQuery> casts_within(const World& world, std::size_t coun
         scenes::CastQuery query;
         for (int axis = 0; axis < 3; ++axis)
             query.sphere.centre[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
-        if (locate(world, query.sphere.centre).kind != Location::Kind::kRoom) continue;
+        if (locate(world, query.sphere.centre).where != Where::kAir) continue;
         query.sphere.radius = rng.chance(0.5) ? 0 : rng.uniform(0.02, 0.4);
         query.path = rng.direction() * rng.uniform(0.1, rng.chance(0.5) ? 2.0 : 20.0);
         casts.push_back(query);

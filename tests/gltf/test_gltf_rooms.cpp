@@ -95,7 +95,7 @@ Made make(const std::vector<std::string>& nodes) {
 
 RoomId room_at(const World& world, const Vec3& point) {
     const Location where = locate(world, point);
-    EXPECT_EQ(where.kind, Location::Kind::kRoom) << point.x;
+    EXPECT_EQ(where.where, Where::kAir) << point.x;
     return where.room;
 }
 
@@ -115,16 +115,18 @@ TEST(GltfRooms, APortalDividesARoom) {
         EXPECT_TRUE(made.report.idle.empty());
         EXPECT_EQ(made.world.room_count(), 2u);
         ASSERT_EQ(portal_count(made.world), 1u);
-        const PortalInfo portal = portal_info(made.world, PortalId{0});
+        const PortalInfo portal = *portal_info(made.world, PortalId{0});
         EXPECT_EQ(portal.name, "portal A");
         EXPECT_EQ(area_of(portal), 16);
         const RoomId low = room_at(made.world, {1, 2, 2}), high = room_at(made.world, {7, 2, 2});
         EXPECT_NE(low, high);
         EXPECT_EQ(portal.rooms[0], high);  // the square looks toward +x
         EXPECT_EQ(portal.rooms[1], low);
-        EXPECT_EQ(locate(made.world, {-1, 2, 2}).kind, Location::Kind::kSolid);
+        EXPECT_EQ(locate(made.world, {-1, 2, 2}).where, Where::kSolid);
         EXPECT_EQ(measure_solid(made.world).volume, -128);
-        EXPECT_EQ(cast(made.world, {{1, 2, 2}, 0.25}, {20, 0, 0}, {.room = low}).rooms_passed, 2u);
+        RoomTrail trail;
+        EXPECT_TRUE(cast(made.world, {{1, 2, 2}, 0.25}, {20, 0, 0}, {.room = low, .trail = &trail}));
+        EXPECT_EQ(trail.count, 2u);
     }
 }
 
@@ -157,8 +159,8 @@ TEST(GltfRooms, PillarsHangWhereTheyStand) {
                             node(2, {4, 0, 0}, {1, 4, 4}, "portal")});
     EXPECT_EQ(made.world.room_count(), 2u);
     EXPECT_NE(room_at(made.world, {0.5, 0.5, 0.5}), room_at(made.world, {7.5, 0.5, 0.5}));
-    EXPECT_EQ(locate(made.world, {1.5, 1.5, 1.5}).kind, Location::Kind::kSolid);
-    EXPECT_EQ(room_info(made.world, room_at(made.world, {0.5, 2, 2})).bounds.high.x, 4);
+    EXPECT_EQ(locate(made.world, {1.5, 1.5, 1.5}).where, Where::kSolid);
+    EXPECT_EQ(room_info(made.world, room_at(made.world, {0.5, 2, 2}))->bounds.high.x, 4);
 }
 
 TEST(GltfRooms, WhatLooksAtItselfHangsWhereItStandsToo) {
@@ -197,7 +199,7 @@ TEST(GltfRooms, OfPortalsInOnePlaceTheFirstCounts) {
         make({hall, node(2, {4, 0, 0}, {1, 4, 4}, "portal A"), node(2, {4, 0, 0}, {1, 4, 4}, "portal B")});
     EXPECT_EQ(twice.world.room_count(), 2u);
     ASSERT_EQ(portal_count(twice.world), 1u);
-    EXPECT_EQ(portal_info(twice.world, PortalId{0}).name, "portal A");
+    EXPECT_EQ(portal_info(twice.world, PortalId{0})->name, "portal A");
     const Made partly =
         make({hall, node(2, {4, 0, 0}, {1, 3, 4}, "portal A"), node(2, {4, 2, 0}, {1, 9, 4}, "portal B")});
     EXPECT_EQ(partly.world.room_count(), 2u);
@@ -219,7 +221,7 @@ TEST(GltfRooms, TheExteriorIsARoom) {
                             node(2, {4, -3, -3}, {1, 10, 10}, "portal")});
     ASSERT_EQ(made.world.room_count(), 3u);
     const RoomId outside = room_at(made.world, {-5, 2, 2});
-    EXPECT_TRUE(room_info(made.world, outside).exterior);
+    EXPECT_TRUE(room_info(made.world, outside)->exterior);
     EXPECT_EQ(room_at(made.world, {20, 2, 2}), outside);
     ASSERT_EQ(portal_count(made.world), 1u);
     EXPECT_EQ(area_of(portal_info(made.world, PortalId{0})), 16);
@@ -242,8 +244,8 @@ TEST(GltfRooms, WhatIsNoSolidIsPutWhereItLies) {
     EXPECT_EQ(made.world.room_count(), 2u);
     const RoomId low = room_at(made.world, {1, 2, 1}), high = room_at(made.world, {7, 2, 3});
     const Made bare = make({node(1, {0, 0, 0}, {8, 4, 4}), node(2, {4, 0, 0}, {1, 4, 4}, "portal")});
-    EXPECT_GT(room_info(made.world, low).faces, room_info(bare.world, low).faces);
-    EXPECT_GT(room_info(made.world, high).faces, room_info(bare.world, high).faces + 1);
+    EXPECT_GT(room_info(made.world, low)->faces, room_info(bare.world, low)->faces);
+    EXPECT_GT(room_info(made.world, high)->faces, room_info(bare.world, high)->faces + 1);
     EXPECT_EQ(cast(made.world, {{7.5, 1.5, 1.5}, 0}, {-7, 0, 0}, {.sides = Sides::kBoth, .room = high}).point.x, 6);
 }
 
@@ -312,18 +314,19 @@ TEST(GltfRooms, OurLevelInEight) {
     while (walked < 300) {
         const Vec3 from = anywhere();
         const Location start = locate(divided, from);
-        EXPECT_EQ(start.kind, locate(world, from).kind);
-        if (start.kind != Location::Kind::kRoom) continue;
+        EXPECT_EQ(start.where, locate(world, from).where);
+        if (start.where != Where::kAir) continue;
         const Vec3 path = (anywhere() - from) * 0.3;
         RoomId rooms[16];
-        const Hit hit = cast(divided, {from, 0}, path, {.room = start.room, .passed = rooms});
+        RoomTrail trail{rooms};
+        const Hit hit = cast(divided, {from, 0}, path, {.room = start.room, .trail = &trail});
         const Hit whole = cast(world, {from, 0}, path);
         EXPECT_EQ(hit.status, whole.status);
         EXPECT_NEAR(hit.fraction * length(path), whole.fraction * length(path), 1e-4);  // corners of cuts are rounded
         ++walked;
-        if (hit.status != Status::kMiss || hit.rooms_passed > 16) continue;
-        EXPECT_EQ(rooms[hit.rooms_passed - 1], locate(divided, from + path).room);
-        passed += hit.rooms_passed > 1;
+        if (hit.status != Status::kMiss || trail.count > 16) continue;
+        EXPECT_EQ(rooms[trail.count - 1], locate(divided, from + path).room);
+        passed += trail.count > 1;
     }
     EXPECT_GT(passed, 20);
 }

@@ -140,13 +140,11 @@ private:
 
     void judge_names(const Cast& cast, const Hit& hit) {
         if (!hit.touched()) return;
-        if (!hit.face.valid() || !hit.ref.valid() || hit.version != world_.version())
-            return broken("face, ref or version unset", cast, hit);
-        const Face_ face = world_.face(hit.ref);
-        if (face.id != hit.face || face.source != hit.source) return broken("ref and face disagree", cast, hit);
-        const bool edge = hit.feature == Feature::kEdge;
-        const FaceId across = edge ? face.neighbours.at(hit.feature_index) : FaceId{};
-        if (hit.other_face != across) broken("other_face is not the neighbour across the edge", cast, hit);
+        if (!hit.face.valid()) return broken("face unset", cast, hit);
+        const std::optional<FaceInfo> face = world_.face_info(hit.face);
+        if (!face) return broken("the world does not find the face met", cast, hit);
+        if (face->ref() != hit.face || face->material != hit.material || room_of(world_, hit) != face->room)
+            return broken("hit and face disagree", cast, hit);
     }
 
     void judge_any(const Cast& cast, const CastOptions& options, const Hit& hit) {

@@ -27,17 +27,17 @@ std::vector<std::uint32_t> missing(const std::map<std::uint32_t, Corners>& a,
     return ids;
 }
 
-std::vector<std::uint32_t> ids_of(const std::vector<ChangedFace>& faces) {
+std::vector<std::uint32_t> ids_of(const std::vector<FaceInfo>& faces) {
     std::vector<std::uint32_t> ids;
-    for (const ChangedFace& face : faces) ids.push_back(face.id.value);
+    for (const FaceInfo& face : faces) ids.push_back(face.id.value);
     return ids;
 }
 
-std::set<Tile> tiles_of(const World& world, const std::vector<ChangedFace>& faces, double size) {
+std::set<Tile> tiles_of(const World& world, const std::vector<FaceInfo>& faces, double size) {
     std::set<Tile> tiles;
-    for (const ChangedFace& face : faces) {
+    for (const FaceInfo& face : faces) {
         Box box;
-        for (const Vec3& corner : world.face(face.ref).corners) box.add(corner);
+        for (const Vec3& corner : world.face(face.ref())->corners) box.add(corner);
         for (double x = std::floor(box.low.x / size); x <= std::floor(box.high.x / size); ++x)
             for (double y = std::floor(box.low.y / size); y <= std::floor(box.high.y / size); ++y)
                 for (double z = std::floor(box.low.z / size); z <= std::floor(box.high.z / size); ++z)
@@ -69,23 +69,23 @@ TEST(DiffWorlds, AgreesWithComparingAllFaces) {
         }
         const World world = edited.world();
         const WorldDiff diff = diff_worlds(old_world, world, 2);
-        ASSERT_EQ(ids_of(diff.gone), missing(before.held, edited.held));
-        ASSERT_EQ(ids_of(diff.come), missing(edited.held, before.held));
+        ASSERT_EQ(ids_of(diff.removed), missing(before.held, edited.held));
+        ASSERT_EQ(ids_of(diff.added), missing(edited.held, before.held));
         Box bounds;
-        for (const ChangedFace& face : diff.gone) {
-            EXPECT_EQ(old_world.face(face.ref).id, face.id);
+        for (const FaceInfo& face : diff.removed) {
+            EXPECT_EQ(old_world.face(face.ref())->id, face.id);
             EXPECT_EQ(face.source, face.id.value);
-            for (const Vec3& corner : old_world.face(face.ref).corners) bounds.add(corner);
+            for (const Vec3& corner : old_world.face(face.ref())->corners) bounds.add(corner);
         }
-        for (const ChangedFace& face : diff.come)
-            for (const Vec3& corner : world.face(face.ref).corners) bounds.add(corner);
+        for (const FaceInfo& face : diff.added)
+            for (const Vec3& corner : world.face(face.ref())->corners) bounds.add(corner);
         ASSERT_EQ(diff.bounds, bounds);
-        std::set<Tile> tiles = tiles_of(old_world, diff.gone, 2);
-        tiles.merge(tiles_of(world, diff.come, 2));
+        std::set<Tile> tiles = tiles_of(old_world, diff.removed, 2);
+        tiles.merge(tiles_of(world, diff.added, 2));
         ASSERT_EQ(diff.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
         const WorldDiff back = diff_worlds(world, old_world);
-        ASSERT_EQ(ids_of(back.gone), ids_of(diff.come));
-        ASSERT_EQ(ids_of(back.come), ids_of(diff.gone));
+        ASSERT_EQ(ids_of(back.gone), ids_of(diff.added));
+        ASSERT_EQ(ids_of(back.come), ids_of(diff.removed));
     }
 }
 
@@ -95,10 +95,10 @@ TEST(DiffWorlds, SameIdButAnotherFaceIsAChange) {
     set.faces[5].material = 3;
     other.store = build_store(set, {}).store;
     const WorldDiff diff = diff_worlds(one.world(), other.world());
-    ASSERT_EQ(diff.gone.size(), 1u);
-    ASSERT_EQ(diff.come.size(), 1u);
-    EXPECT_EQ(diff.gone[0].id, (FaceId{5}));
-    EXPECT_EQ(diff.come[0].material, 3u);
+    ASSERT_EQ(diff.removed.size(), 1u);
+    ASSERT_EQ(diff.added.size(), 1u);
+    EXPECT_EQ(diff.removed[0].id, (FaceId{5}));
+    EXPECT_EQ(diff.added[0].material, 3u);
 }
 
 TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
@@ -114,8 +114,8 @@ TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
     const World before = rooms().world();
     const WorldDiff diff = diff_worlds(before, world), other = diff_worlds(before, rebuild_index(world, {}));
     EXPECT_FALSE(diff.empty());
-    EXPECT_EQ(ids_of(diff.gone), ids_of(other.gone)) << "of faces, not of blocks";
-    EXPECT_EQ(ids_of(diff.come), ids_of(other.come));
+    EXPECT_EQ(ids_of(diff.removed), ids_of(other.gone)) << "of faces, not of blocks";
+    EXPECT_EQ(ids_of(diff.added), ids_of(other.come));
 }
 
 TEST(DiffWorlds, FromAndToNothing) {
@@ -139,7 +139,7 @@ TEST(DiffWorlds, TilesTooSmallOrNoNumberAreNone) {
     const World world = slanted_triangles(1);
     for (const double size : {0.0, -1.0, 1e-300, 1e-9, 3e-6, 0.0624, double(INFINITY), double(NAN)}) {
         const WorldDiff diff = diff_worlds(World(), world, size);
-        EXPECT_EQ(diff.come.size(), 1u);
+        EXPECT_EQ(diff.added.size(), 1u);
         EXPECT_TRUE(diff.tiles.empty()) << size;
         EXPECT_FALSE(diff.too_many_tiles) << size;
     }

@@ -3,18 +3,23 @@
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
 import { badCall, FirmaError } from './errors.js';
 import { CASTS_AT_ONCE } from './core.js';
-import { CAST_INPUT, HIT, NEAR, WORLD_FACTS } from './layout.js';
-import { doubles, flag, mask as maskOf, number, object, vector, word } from './arguments.js';
+import { CAST_INPUT, HIT, HIT_INFO, NEAR, WORLD_FACTS } from './layout.js';
+import { doubles, flag, number, object, vector, word } from './arguments.js';
 import {
     addCounts,
     clearCounts,
     getHit,
+    getHitInfo,
     getHits,
     getNear,
+    getOverlap,
     HitBatch,
     putCastOptions,
+    putHit,
     putInput,
+    putNearOptions,
     reserve,
+    withPassed,
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { takeDiff, takeFaces } from './faces.js';
@@ -107,6 +112,7 @@ export class World extends Handle {
             sourceEdit: found.sourceEdits[0],
             mask: found.masks[0],
             flags: found.flags[0],
+            room: found.rooms[0],
             corners: found.corners,
         };
     }
@@ -117,16 +123,25 @@ export class World extends Handle {
         const given = putInput(core, input, 'cast');
         const chosen = putCastOptions(core, options, 'cast');
         const counts = clearCounts(core, options, 'cast');
-        let code;
-        try {
-            code = core.exports.firma_cast(this[ID], given, chosen, at, counts);
-        } catch (error) {
-            throw core.stop(error);
-        }
+        const code = withPassed(core, options, chosen, (asked) => {
+            try {
+                return core.exports.firma_cast(this[ID], given, asked, at, counts);
+            } catch (error) {
+                throw core.stop(error);
+            }
+        });
         core.refresh();
         if (code !== 0) throw core.failure(code);
         addCounts(core, counts, options);
         return getHit(core, at);
+    }
+
+    hitInfo(hit) {
+        const core = this[CORE];
+        const at = core.at.hitInfo;
+        core.setU32(at + HIT_INFO.size, HIT_INFO.sizeof);
+        core.run('firma_world_hit_info', this[ID], putHit(core, hit, 'hitInfo'), at);
+        return getHitInfo(core, at);
     }
 
     castAny(input, options) {
@@ -185,34 +200,27 @@ export class World extends Handle {
         return out;
     }
 
-    overlap(centre, radius, mask = -1) {
+    overlap(centre, radius, options) {
         const core = this[CORE];
         vector(centre, 3, 'overlap', 'centre');
         number(radius, 'overlap', 'radius');
-        const bits = maskOf(mask, 'overlap');
         const ask = (at, room) => {
             core.setVector(core.at.input, centre);
-            core.run('firma_overlap', this[ID], core.at.input, radius, bits, at, room, core.at.out);
+            const chosen = putNearOptions(core, options, 'overlap');
+            core.run('firma_overlap', this[ID], core.at.input, radius, chosen, at, room, core.at.out);
             return core.getU32(core.at.out);
         };
-        return getList(core, ask, NEAR.sizeof, getNear);
+        return getList(core, ask, NEAR.sizeof, getOverlap);
     }
 
-    closest(point, reach = Infinity, mask = -1) {
+    closest(point, reach = Infinity, options = undefined) {
         const core = this[CORE];
         vector(point, 3, 'closest', 'point');
         number(reach, 'closest', 'reach');
-        const bits = maskOf(mask, 'closest');
+        const chosen = putNearOptions(core, options, 'closest');
         core.setVector(core.at.input, point);
-        core.run('firma_closest', this[ID], core.at.input, reach, bits, core.at.near, core.at.out);
+        core.run('firma_closest', this[ID], core.at.input, reach, chosen, core.at.near, core.at.out);
         return core.getU32(core.at.out) === 0 ? null : getNear(core, core.at.near);
-    }
-
-    inSolid(point) {
-        const core = this[CORE];
-        core.setVector(core.at.input, vector(point, 3, 'inSolid', 'point'));
-        core.run('firma_in_solid', this[ID], core.at.input, core.at.out);
-        return [false, true, null][core.getU32(core.at.out)];
     }
 
     locate(point) {

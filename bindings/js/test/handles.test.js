@@ -39,7 +39,6 @@ const callsOf = ({ world, cutter, job, edit, store }) => ({
     castNone: () => world.castBatch([]),
     overlap: () => world.overlap([4, 4, 4], 9),
     closest: () => world.closest([4, 4, 4]),
-    inSolid: () => world.inSolid([4, 4, 4]),
     carve: () => world.carve(cutter, pose),
     startCarve: () => world.startCarve(cutter, pose),
     edit: () => world.edit(),

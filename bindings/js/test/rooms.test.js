@@ -62,7 +62,7 @@ test('where a point is', () => {
     withRooms((world) => {
         assert.equal(new Set([1, 7, 99].map((x) => roomAt(world, x))).size, 3);
         assert.deepEqual(world.locate([-0.25, 2, 2]), { where: 'solid', room: null });
-        assert.deepEqual(world.locate([2, 2, 0]), { where: 'unsure', room: null });
+        assert.deepEqual(world.locate([2, 2, 0]), { where: 'on surface', room: null });
         throwsCode('OUT_OF_RANGE', () => world.locate([0, NaN, 0]));
         throwsCode('BAD_CALL', () => world.locate([0, 0]));
     });
@@ -77,7 +77,7 @@ test('rooms and portals, and what leads where', () => {
             high: [4, 4, 4],
             faceCount: 5,
             exterior: false,
-            partOf: west,
+            mergedInto: west,
             portals: [0],
         });
         assert.equal(world.room(outside).exterior, true);
@@ -118,6 +118,9 @@ test('a closed door is a wall', () => {
             assert.deepEqual(closed.path(west, east, { allOpen: true }), [0]);
             const hit = closed.cast({ centre: [1, 2, 2], radius: 0.5, path: [6, 0, 0] });
             assert.deepEqual([hit.status, hit.portal, hit.face, hit.fraction], ['hit', 0, null, 2.5 / 6]);
+            assert.equal(closed.hitInfo(hit).room, west);
+            const diff = open.diff(closed);
+            assert.deepEqual([[...diff.closed], [...diff.opened], diff.removed.length], [[0], [], 0]);
             const near = closed.closest([3.5, 2, 2], 1);
             assert.deepEqual([near.portal, near.face, near.distance], [0, null, 0.5]);
             assert.deepEqual(closed.overlap([3.5, 2, 2], 1).map((one) => one.portal), [0]);
@@ -134,11 +137,15 @@ test('casts by room', () => {
         const [west, east] = [1, 7].map((x) => roomAt(world, x));
         const through = { centre: [1, 2, 2], radius: 0.5, path: [10, 0, 0] };
         const any = world.cast(through);
-        assert.deepEqual([any.roomsPassed, any.passed, any.portal, any.room], [0, [], null, east]);
+        assert.deepEqual([any.portal, world.hitInfo(any).room], [null, east]);
+        const all = [7];
+        world.cast(through, { passed: all });
+        assert.deepEqual(all, []);
         for (const room of [west, 'locate']) {
-            const hit = world.cast(through, { room });
-            assert.deepEqual({ ...hit, roomsPassed: 0, passed: [] }, any);
-            assert.deepEqual(hit.passed, [west, east]);
+            const passed = [];
+            const hit = world.cast(through, { room, passed });
+            assert.deepEqual(hit, any);
+            assert.deepEqual(passed, [west, east]);
             assert.equal(world.castAny(through, { room }), true);
             assert.equal(world.castAll(through, { room })[0].face, any.face);
             const batch = world.castBatch([...through.centre, 0.5, ...through.path], { room }, new HitBatch());
@@ -177,7 +184,7 @@ test('the depot: rooms by name, ways, a cut that joins two of them', () => {
                 assert.equal(report.status, 'done');
                 assert.equal(after.portal(way[0]).polygons.length, 0); // the air of both is one
                 const [low, high] = [...portal.rooms].sort((a, b) => a - b);
-                assert.equal(after.room(high).partOf, low);
+                assert.equal(after.room(high).mergedInto, low);
                 after.check();
             });
         });

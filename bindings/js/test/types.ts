@@ -14,9 +14,11 @@ import {
     type Face,
     type Faces,
     type Hit,
+    type HitInfo,
     type Location,
     type Mesh,
     type Near,
+    type Overlap,
     type Portal,
     type Room,
     type StoreFacts,
@@ -85,12 +87,15 @@ const batch: HitBatch = world.castBatch(new Float64Array(7), { counts: {} }, new
 const one: Hit | null = batch.hit(0);
 const where: number = batch.point[0]! + batch.status[0]! + batch.count;
 const none: boolean = batch.face[0] === NO_FACE;
-const near: Near[] = world.overlap([1, 2, 3], 1, 1);
-const closest: Near | null = world.closest([1, 2, 3], 5, 1);
-const solid: boolean | null = world.inSolid([1, 2, 3]);
+const near: Overlap[] = world.overlap([1, 2, 3], 1, { mask: 1, room: 0 });
+const deep: number = near[0]!.depth + near[0]!.direction[0];
+const closest: Near | null = world.closest([1, 2, 3], 5, { mask: 1 });
+const info: HitInfo = world.hitInfo(hit);
+const across: number | null = info.otherFace;
 
 const place: Location = world.locate([1, 2, 3]);
-if (place.room !== null) world.cast(input, { room: place.room }).passed.includes(place.room);
+const passed: number[] = [];
+if (place.room !== null) world.cast(input, { room: place.room, passed }).hit.valueOf();
 world.castAny(input, { room: 'locate' });
 // @ts-expect-error no such word
 world.castAny(input, { room: 'here' });
@@ -121,7 +126,7 @@ const edit = world.edit();
 edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
 const diff: Diff = world.diff(after, 1);
-const corners: Float64Array = diff.come.corners;
+const corners: Float64Array = diff.added.corners;
 world.withRules({
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],
@@ -167,8 +172,10 @@ export const used = [
     where,
     none,
     near,
+    deep,
     closest,
-    solid,
+    across,
+    passed,
     total,
     corners,
     waiting,

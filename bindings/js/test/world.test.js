@@ -115,8 +115,8 @@ test('a mesh, with all its arrays and with few', () => {
         assert.equal(full.faces().flags[2] & FACE_TWO_SIDED, FACE_TWO_SIDED);
         assert.ok(plain.faces().flags.every((flags) => flags === FACE_SOLID));
         assert.equal(plain.measure().volume, -512);
-        assert.equal(plain.inSolid([4, 4, 4]), false);
-        assert.equal(plain.inSolid([9, 4, 4]), true);
+        assert.equal(plain.locate([4, 4, 4]).where, 'air');
+        assert.equal(plain.locate([9, 4, 4]).where, 'solid');
     });
     const triangles = { positions: Float32Array.of(0, 0, 0, 4, 0, 0, 0, 4, 0), corners: Uint16Array.of(0, 1, 2) };
     releasing([firma.worldFromMesh(triangles)], (world) => assert.equal(world.facts().faceCount, 1));
@@ -193,6 +193,7 @@ test('faces are copies, each found by its id', () => {
             sourceEdit: 0,
             mask: 0xffffffff,
             flags: FACE_SOLID,
+            room: 0,
             corners: faces.corners.slice(begin, begin + 3 * faces.cornerCounts[k]),
         });
         assert.equal(world.findFace(4_000_000), null);
