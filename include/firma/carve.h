@@ -60,6 +60,7 @@ public:
     CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options = {},
              CarveKind kind = CarveKind::kCarve);
     ~CarveJob();
+    /// Leaves a job behind that is finished and refused.
     CarveJob(CarveJob&&) noexcept;
     CarveJob& operator=(CarveJob&&) noexcept;
 

@@ -28,6 +28,12 @@ public:
     /// Nothing at all is solid.
     Solid();
     explicit Solid(std::shared_ptr<const SolidData> data);
+    Solid(const Solid&) = default;
+    Solid& operator=(const Solid&) = default;
+    /// Leaves an empty solid behind.
+    Solid(Solid&& other) noexcept;
+    Solid& operator=(Solid&& other) noexcept;
+    ~Solid() = default;
 
     /// Facets: what casts meet of it.
     std::size_t face_count() const;

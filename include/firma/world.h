@@ -60,6 +60,12 @@ class World {
 public:
     World();
     explicit World(std::shared_ptr<const WorldData> data);
+    World(const World&) = default;
+    World& operator=(const World&) = default;
+    /// Leaves an empty world behind.
+    World(World&& other) noexcept;
+    World& operator=(World&& other) noexcept;
+    ~World() = default;
 
     std::uint64_t version() const;
     std::size_t face_count() const;

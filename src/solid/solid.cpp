@@ -54,6 +54,11 @@ bool is_first(FlatMap& seen, const void* object) {
 
 Solid::Solid() : data_(no_solid()) {}
 Solid::Solid(std::shared_ptr<const SolidData> data) : data_(std::move(data)) {}
+Solid::Solid(Solid&& other) noexcept : data_(std::exchange(other.data_, no_solid())) {}
+Solid& Solid::operator=(Solid&& other) noexcept {
+    data_ = std::exchange(other.data_, no_solid());
+    return *this;
+}
 
 std::size_t Solid::face_count() const {
     return data_->faces.count;

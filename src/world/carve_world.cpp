@@ -206,15 +206,20 @@ bool CarveJob::run(double microseconds) {
 }
 
 bool CarveJob::finished() const {
-    return state_->finished || state_->broken;
+    return !state_ || state_->finished || state_->broken;
 }
 
 bool CarveJob::broken() const {
-    return state_->broken;
+    return state_ && state_->broken;
 }
 
 CarveResult CarveJob::result() const {
     FIRMA_ASSERT(finished(), "an edit has no result yet: call run() until it returns true");
+    if (!state_) {
+        CarveResult nothing;
+        nothing.error = {ErrorCode::kInvalid, "", "the job was moved away"};
+        return nothing;
+    }
     CarveResult result = state_->work.result();
     if (state_->finished) return result;
     result.status = CarveStatus::kRefused;

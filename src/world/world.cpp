@@ -3,6 +3,7 @@
 #include "firma/world.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/sort.h"
 #include "index/statistics.h"
@@ -66,17 +67,28 @@ void add(TreeStatistics& sum, const TreeStatistics& more) {
     sum.bytes += more.bytes;
 }
 
-std::shared_ptr<const WorldData> empty_world() {
+std::shared_ptr<const WorldData> make_empty_world() {
     auto data = std::make_shared<WorldData>();
     data->set_room(0, std::make_shared<const RoomRecord>(), Ref<const RoomFaces>(new RoomFaces));
     data->materials = std::make_shared<std::vector<std::string>>(1);
     return data;
 }
 
+/// Never destroyed: worlds may outlive any other object of a program.
+const std::shared_ptr<const WorldData>& empty_world() {
+    static const auto& empty = *new std::shared_ptr<const WorldData>(make_empty_world());
+    return empty;
+}
+
 }  // namespace
 
 World::World() : data_(empty_world()) {}
 World::World(std::shared_ptr<const WorldData> data) : data_(std::move(data)) {}
+World::World(World&& other) noexcept : data_(std::exchange(other.data_, empty_world())) {}
+World& World::operator=(World&& other) noexcept {
+    data_ = std::exchange(other.data_, empty_world());
+    return *this;
+}
 
 std::uint64_t World::version() const {
     return data_->version;
