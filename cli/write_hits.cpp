@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/numbers.h"
+#include "firma/rooms.h"
 
 namespace firma::cli {
 

@@ -27,6 +27,6 @@ int main() {
     const std::vector<firma::RegionHash> before = firma::hash_regions(rock), after = firma::hash_regions(first.solid);
     for (std::size_t k = 0; k < before.size() && before.size() == after.size(); ++k)
         if (!(before[k] == after[k]))
-            std::printf("they differ from (%d, %d, %d) m on\n", 32 * before[k].region[0], 32 * before[k].region[1],
-                        32 * before[k].region[2]);
+            std::printf("they differ from (%d, %d, %d) m on\n", 32 * before[k].region.x, 32 * before[k].region.y,
+                        32 * before[k].region.z);
 }

@@ -342,7 +342,7 @@ BrushLevel without_portals(BrushLevel level) {
 
 std::set<std::string> room_names(const World& world) {
     std::set<std::string> names;
-    for (std::uint32_t k = 0; k < world.room_count(); ++k) names.insert(room_info(world, {k})->name);
+    for (std::uint32_t k = 0; k < world.room_count(); ++k) names.emplace(room_info(world, {k})->name);
     names.erase("");
     return names;
 }

@@ -60,7 +60,7 @@ Made make(const std::string& text) {
 
 std::string name_at(const World& world, const Vec3& units) {
     const Location at = locate(world, units * (1.0 / 32));
-    return at.where == Where::kAir ? room_info(world, at.room)->name : "nowhere";
+    return at.where == Where::kAir ? std::string(room_info(world, at.room)->name) : "nowhere";
 }
 
 TEST(NameRooms, ByEntitiesInThem) {

@@ -104,7 +104,7 @@ TEST(CarveRooms, ACavityIsARoomUntilItIsOpened) {
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 3u);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(2));
-    EXPECT_EQ(cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom}).room, RoomId{2});
+    EXPECT_EQ(room_of(result.world, cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom})), RoomId{2});
     EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{2}});
     result = cut(result.world, CutterShape::kBox, {1.5, 2, -0.8}, 1);

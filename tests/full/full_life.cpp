@@ -103,13 +103,14 @@ std::uint64_t live(Life& life, std::uint64_t edits, scenes::Rng& rng) {
 
 double looked_at(const World& world, const std::vector<scenes::CastQuery>& casts) {
     CastCounts counts;
-    for (const scenes::CastQuery& query : casts) cast(world, query.sphere, query.path, {.counts = &counts});
+    for (const scenes::CastQuery& query : casts)
+        static_cast<void>(cast(world, query.sphere, query.path, {.counts = &counts}));
     return double(counts.bins + counts.boxes);
 }
 
 double seconds(const World& world, const std::vector<scenes::CastQuery>& casts) {
     const auto start = std::chrono::steady_clock::now();
-    for (const scenes::CastQuery& query : casts) cast(world, query.sphere, query.path);
+    for (const scenes::CastQuery& query : casts) static_cast<void>(cast(world, query.sphere, query.path));
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -11,6 +11,7 @@
 #include "firma/world.h"
 #include "scenes/cast_families.h"
 #include "scenes/closed_meshes.h"
+#include "tests/source_of.h"
 
 namespace {
 
@@ -74,7 +75,7 @@ void compare(const scenes::CastScene& scene, const std::string& name) {
             ASSERT_TRUE(same(hit, expected)) << name << ", cast " << k << ", options " << w << ": fraction "
                                              << hit.fraction << ", all faces " << expected.fraction;
             if (hit.touched()) {
-                ASSERT_EQ(hit.source, face) << name << ", cast " << k << ", options " << w;
+                ASSERT_EQ(source_of(worlds[w], hit), face) << name << ", cast " << k << ", options " << w;
             }
         }
     }

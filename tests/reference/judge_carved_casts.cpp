@@ -53,7 +53,7 @@ PolygonHit with_own_normal(const Hit& hit, const std::vector<Vec3>& polygon) {
 bool is_lost(const World& world, const Vec3& start, const Vec3& path, std::vector<Vec3>& corners, RayTally& tally) {
     const Hit first = cast(world, {start, 0}, path, {.sides = Sides::kBoth});
     if (!first.touched()) return true;
-    const std::optional<Face> face = world.face(first.face);
+    const std::optional<firma::Face> face = world.face(first.face);
     if (!face) return true;
     const PolygonShape shape = make_shape(face->corners);
     const double distance = length(path);
@@ -113,7 +113,7 @@ Tally judge_casts_at(const World& world, Rng& rng, int casts, double size) {
         const Hit hit = cast(world, asked.sphere, asked.path, {.sides = asked.sides});
         Answer answer{hit, 0, NAN, world.tolerance().skin, false};
         if (hit.touched()) {
-            const auto found = index.find(hit.face);
+            const auto found = index.find(hit.face.id);
             if (found == index.end()) {
                 tally.add({Fault::kFalse, false, "a face that is nowhere near"}, true, describe(twin, asked, {}));
                 continue;

@@ -13,6 +13,7 @@
 #include "base/assert.h"
 #include "carve/check_shells.h"
 #include "carve/place_cutter.h"
+#include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/directed_edges.h"

@@ -132,7 +132,7 @@ private:
             verdict_.crossings += start.room != end.room;
         };
         for (std::uint32_t portal = 0; portal < portal_count(world); ++portal)
-            for (const std::vector<Vec3>& polygon : portal_info(world, {portal})->polygons) {
+            for (const std::vector<Vec3>& polygon : portal_polygons(world, {portal})) {
                 const Vec3 front = point_near(polygon, false);
                 const Vec3 behind = point_near(polygon, true);
                 judge(front, behind);

@@ -7,7 +7,9 @@
 
 #include "firma/level.h"
 #include "firma/queries.h"
+#include "firma/rooms.h"
 #include "firma/world.h"
+#include "tests/source_of.h"
 
 namespace firma::reference {
 
@@ -107,7 +109,7 @@ private:
         options.sides = cast.sides;
         if (rng_.chance(0.3)) options.skin = rng_.chance(0.5) ? 0.02 : 0;
         const Hit hit = firma::cast(world_, cast.sphere, cast.path, options);
-        Answer answer{hit, hit.touched() ? hit.source : 0, hit.safe_fraction,
+        Answer answer{hit, hit.touched() ? source_of(world_, hit) : 0, hit.safe_fraction,
                       options.skin < 0 ? world_.tolerance().skin : options.skin, false};
         if (!hit.touched()) answer.safe_fraction = NAN;
         count("World", judge(twin_, cast, answer), cast, hit, answer.face);
@@ -164,10 +166,11 @@ private:
             return broken("cast_all begins with another hit", cast, hit);
         std::vector<const Hit*> of_face(polygons_.size());
         for (std::size_t k = 0; k < hits.size(); ++k) {
-            if (of_face[hits[k].source]) return broken("cast_all names a face twice", cast, hit);
-            of_face[hits[k].source] = &hits[k];
+            const Hit*& first = of_face.at(source_of(world_, hits[k]));
+            if (first) return broken("cast_all names a face twice", cast, hit);
+            first = &hits[k];
             if (k > 0 && (hits[k].fraction < hits[k - 1].fraction ||
-                          (hits[k].fraction == hits[k - 1].fraction && hits[k].face <= hits[k - 1].face)))
+                          (hits[k].fraction == hits[k - 1].fraction && hits[k].face.id <= hits[k - 1].face.id)))
                 return broken("cast_all is not in order", cast, hit);
         }
         for (std::uint32_t f = 0; f < of_face.size(); ++f) {

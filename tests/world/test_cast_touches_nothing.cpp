@@ -286,7 +286,7 @@ Asked ask_by_room(const World& world, const std::vector<Question>& all, std::vec
         asked.touched += hit.touched();
         asked.edges += trail.count > 2;
         asked.any += cast(world, it.sphere, it.path, {.room = kLocateRoom}).touched();
-        asked.any += cast(world, it.sphere, it.path).touched() > 1;
+        asked.any += cast(world, it.sphere, it.path).status == Status::kInvalid;
         asked.any += cast_any(world, it.sphere, it.path, by_room) == Status::kInvalid;
         cast_all(world, it.sphere, it.path, hits, by_room);
         asked.all += hits.size();

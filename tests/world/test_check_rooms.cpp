@@ -185,8 +185,8 @@ TEST(CheckRooms, DiffsSeeRoomsAndPortals) {
     WorldParts parts = two_halves_parts();
     parts.portals[0].polygons.clear();
     const World gone = assemble_world(std::move(parts)).value();
-    EXPECT_EQ(diff_worlds(world, gone).portals_gone, std::vector<PortalId>{{0}});
-    EXPECT_EQ(diff_worlds(gone, world).portals_come, std::vector<PortalId>{{0}});
+    EXPECT_EQ(diff_worlds(world, gone).portals_removed, std::vector<PortalId>{{0}});
+    EXPECT_EQ(diff_worlds(gone, world).portals_added, std::vector<PortalId>{{0}});
     parts = two_halves_parts();
     parts.portals[0].name = "gate";
     EXPECT_EQ(diff_worlds(world, assemble_world(std::move(parts)).value()).portals_changed, std::vector<PortalId>{{0}});

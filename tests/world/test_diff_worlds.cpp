@@ -84,8 +84,8 @@ TEST(DiffWorlds, AgreesWithComparingAllFaces) {
         tiles.merge(tiles_of(world, diff.added, 2));
         ASSERT_EQ(diff.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
         const WorldDiff back = diff_worlds(world, old_world);
-        ASSERT_EQ(ids_of(back.gone), ids_of(diff.added));
-        ASSERT_EQ(ids_of(back.come), ids_of(diff.removed));
+        ASSERT_EQ(ids_of(back.removed), ids_of(diff.added));
+        ASSERT_EQ(ids_of(back.added), ids_of(diff.removed));
     }
 }
 
@@ -114,14 +114,14 @@ TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
     const World before = rooms().world();
     const WorldDiff diff = diff_worlds(before, world), other = diff_worlds(before, rebuild_index(world, {}));
     EXPECT_FALSE(diff.empty());
-    EXPECT_EQ(ids_of(diff.removed), ids_of(other.gone)) << "of faces, not of blocks";
-    EXPECT_EQ(ids_of(diff.added), ids_of(other.come));
+    EXPECT_EQ(ids_of(diff.removed), ids_of(other.removed)) << "of faces, not of blocks";
+    EXPECT_EQ(ids_of(diff.added), ids_of(other.added));
 }
 
 TEST(DiffWorlds, FromAndToNothing) {
     const EditedTree edited = rooms();
-    EXPECT_EQ(diff_worlds(World(), edited.world()).come.size(), edited.held.size());
-    EXPECT_EQ(diff_worlds(edited.world(), World()).gone.size(), edited.held.size());
+    EXPECT_EQ(diff_worlds(World(), edited.world()).added.size(), edited.held.size());
+    EXPECT_EQ(diff_worlds(edited.world(), World()).removed.size(), edited.held.size());
     EXPECT_TRUE(diff_worlds(World(), World()).empty());
 }
 
@@ -146,7 +146,7 @@ TEST(DiffWorlds, TilesTooSmallOrNoNumberAreNone) {
     const World plain = rooms().world();
     const WorldDiff least = diff_worlds(World(), plain, kLeastTile);
     EXPECT_FALSE(least.too_many_tiles);
-    const std::set<Tile> tiles = tiles_of(plain, least.come, kLeastTile);
+    const std::set<Tile> tiles = tiles_of(plain, least.added, kLeastTile);
     EXPECT_EQ(least.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
 }
 
@@ -159,7 +159,7 @@ TEST(DiffWorlds, TooManyTilesAreSaidSo) {
     const WorldDiff five = diff_worlds(World(), slanted_triangles(5), 1);
     EXPECT_TRUE(five.tiles.empty());
     EXPECT_TRUE(five.too_many_tiles);
-    EXPECT_EQ(five.come.size(), 5u);
+    EXPECT_EQ(five.added.size(), 5u);
     const WorldDiff fine = diff_worlds(slanted_triangles(1), World(), kLeastTile);
     EXPECT_TRUE(fine.tiles.empty()) << "one face alone";
     EXPECT_TRUE(fine.too_many_tiles);

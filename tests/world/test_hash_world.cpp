@@ -362,9 +362,9 @@ TEST(HashWorld, RegionsThatDifferAreThoseOfTheEdit) {
     const std::vector<RegionHash> before = hash_regions(world), after = hash_regions(cut.world);
     EXPECT_GT(before.size(), 4u);
     for (const RegionHash& region : after) {
-        const bool near = region.region[0] <= 0 && region.region[1] <= 0;
+        const bool near = region.region.x <= 0 && region.region.y <= 0;
         const bool same = std::find(before.begin(), before.end(), region) != before.end();
-        EXPECT_TRUE(same || near) << region.region[0] << " " << region.region[1] << " " << region.region[2];
+        EXPECT_TRUE(same || near) << region.region.x << " " << region.region.y << " " << region.region.z;
     }
     EXPECT_NE(before, after);
 }

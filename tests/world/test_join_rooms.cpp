@@ -78,7 +78,7 @@ TEST(JoinRooms, AHallKeepsThePortalsThatDoNotChange) {
             EXPECT_EQ(neighbours(joined, hall_of(hub)).size(), std::size_t(hub.closets) - 1);
             const WorldDiff diff = diff_worlds(world, joined), back = diff_worlds(joined, world);
             EXPECT_EQ(diff.portals_removed.size(), 1u);
-            EXPECT_EQ(back.portals_come, diff.portals_removed);
+            EXPECT_EQ(back.portals_added, diff.portals_removed);
             EXPECT_EQ(diff.portals_changed.size(), hall_last ? std::size_t(hub.closets) - 1 : 0u);
             EXPECT_EQ(back.portals_changed, diff.portals_changed);
         }

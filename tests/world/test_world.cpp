@@ -3,6 +3,7 @@
 #include "firma/carve.h"
 #include "firma/solid.h"
 #include "firma/queries.h"
+#include "firma/rooms.h"
 #include "firma/world.h"
 
 #include <gtest/gtest.h>
