@@ -23,6 +23,7 @@
 #include "firma/solid_cut.h"
 #include "firma/tolerance.h"
 #include "firma/tree_options.h"
+#include "firma/triangles.h"
 #include "firma/vec.h"
 #include "firma/world.h"
 #include "firma/world_store.h"
