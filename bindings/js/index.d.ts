@@ -203,6 +203,61 @@ export interface Face {
     corners: Float64Array;
 }
 
+/** What triangles() is limited to; all faces of the world, from its origin, unless given. */
+export interface TriangleOptions {
+    /** Faces that share a bit. */
+    mask?: number;
+    /** Without the faces that bound no solid. */
+    solidOnly?: boolean;
+    /** Only faces that look into this room. Not together with a region. */
+    room?: number;
+    /** Only faces whose lowest corner lies in the cube from region * 32 m on, 32 m wide: three integers. */
+    region?: ArrayLike<number>;
+    /** Metres: what positions are told from. Near the faces, floats lose least. */
+    origin?: Vector;
+}
+
+/** Faces as triangles, none of them without area on the surface grid. Vertices are not shared between faces. */
+export interface Triangles {
+    /** Three for each vertex, metres from the origin of the options. */
+    positions: Float32Array;
+    /** Three for each vertex, unit. */
+    normals: Float32Array;
+    /** Three for each triangle: vertices, counter-clockwise seen from the front. */
+    corners: Uint32Array;
+    /** Of each triangle. */
+    faces: Uint32Array;
+    /** Triangles of one material, one behind the other, in order of material. */
+    runs: TriangleRun[];
+    /** The faces, in order of material, then id. */
+    sources: TriangleSource[];
+}
+
+/** A draw call: no other run's triangles name its vertices. */
+export interface TriangleRun {
+    material: number;
+    firstTriangle: number;
+    triangleCount: number;
+    firstVertex: number;
+    vertexCount: number;
+}
+
+export interface TriangleSource {
+    face: number;
+    /** That the face looks into. */
+    room: number;
+    source: number;
+    sourceEdit: number;
+    material: number;
+    mask: number;
+    /** Bits: FACE_TWO_SIDED, FACE_SOLID. */
+    flags: number;
+    firstTriangle: number;
+    triangleCount: number;
+    firstVertex: number;
+    vertexCount: number;
+}
+
 /** A sphere that moves along `path`; radius 0 casts a particle. */
 export interface CastInput {
     centre: Vector;
@@ -504,6 +559,8 @@ export interface World extends Handle {
     memory(): number;
     /** Copies of all faces, in order of id. */
     faces(): Faces;
+    /** Copies of faces as triangles, for a renderer or another engine's collider. @throws {FirmaError} INVALID for a room that is not there */
+    triangles(options?: TriangleOptions): Triangles;
     /** Null when the world has no such face. Searches all faces. */
     findFace(id: number): Face | null;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
  *
- * Handles. A world, cutter, job, edit, store, diff, faces or bytes is a handle: a struct with a number that is 0 for
+ * Handles. A world, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a number that is 0 for
  * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
  * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
@@ -108,6 +108,9 @@ typedef struct firma_diff {
 typedef struct firma_faces {
     uint64_t id;
 } firma_faces;
+typedef struct firma_triangles {
+    uint64_t id;
+} firma_triangles;
 typedef struct firma_bytes {
     uint64_t id;
 } firma_bytes;
@@ -259,6 +262,61 @@ FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma
 /* Views are good until the handle is released. */
 FIRMA_API firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view);
 FIRMA_API firma_code firma_faces_release(firma_faces faces);
+
+/* ---- triangles -------------------------------------------------------------------------------------------------- */
+
+/* Of one material, one behind the other: a draw call. */
+typedef struct firma_triangle_run {
+    uint32_t material;
+    uint32_t first_triangle, triangle_count;
+    uint32_t first_vertex, vertex_count; /* which its triangles name, and no other run's do */
+    uint32_t reserved;
+} firma_triangle_run;
+
+/* A face, and where it came from. */
+typedef struct firma_triangle_source {
+    uint32_t face;
+    uint32_t room;                /* that it looks into */
+    uint32_t source, source_edit; /* as in firma_face */
+    uint32_t material, mask;
+    uint32_t flags; /* FIRMA_FACE_... */
+    uint32_t first_triangle, triangle_count;
+    uint32_t first_vertex, vertex_count;
+    uint32_t reserved;
+} firma_triangle_source;
+
+typedef struct firma_triangles_view {
+    const float* positions; /* three for each vertex: metres from the origin of the options */
+    const float* normals;   /* three for each vertex, unit */
+    size_t vertex_count;
+    const uint32_t* corners; /* three for each triangle: vertices, counter-clockwise seen from the front */
+    const uint32_t* faces;   /* of each triangle */
+    size_t triangle_count;
+    const firma_triangle_run* runs; /* in order of material */
+    size_t run_count;
+    const firma_triangle_source* sources; /* in order of material, then face */
+    size_t source_count;
+} firma_triangles_view;
+
+/* A null pointer takes the defaults: all faces of the world, from the world's origin. */
+typedef struct firma_triangle_options {
+    uint32_t size;         /* sizeof(firma_triangle_options) */
+    uint32_t mask;         /* faces that share a bit */
+    uint32_t solid_only;   /* 1: without the faces that bound no solid */
+    uint32_t room;         /* only faces that look into this room; or FIRMA_ANY_ROOM */
+    double origin[3];      /* metres: what positions are told from. Near the faces, floats lose least */
+    const int32_t* region; /* three: only faces whose lowest corner lies in the cube of 32 m from region * 32 m on; null:
+                              all. Not together with a room */
+} firma_triangle_options;
+
+FIRMA_API void firma_triangle_options_defaults(firma_triangle_options* options);
+
+/* Faces as triangles, for a renderer or another engine's collider. None is without area on the surface grid. */
+FIRMA_API firma_code firma_world_triangles(firma_world world, const firma_triangle_options* options,
+                                           firma_triangles* triangles);
+/* Views are good until the handle is released. */
+FIRMA_API firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_view* view);
+FIRMA_API firma_code firma_triangles_release(firma_triangles triangles);
 
 /* ---- rooms ------------------------------------------------------------------------------------------------------ */
 

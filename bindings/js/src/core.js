@@ -25,6 +25,7 @@ const FIXED = {
     mesh: layout.MESH.sizeof,
     rules: layout.RULES.sizeof,
     facesView: layout.FACES_VIEW.sizeof,
+    trianglesView: layout.TRIANGLES_VIEW.sizeof,
     diffView: layout.DIFF_VIEW.sizeof,
     pose: layout.POSE.sizeof,
     carveOptions: layout.CARVE_OPTIONS.sizeof,

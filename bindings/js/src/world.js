@@ -25,6 +25,7 @@ import { carve, Edit, Job } from './carving.js';
 import { takeDiff, takeFaces } from './faces.js';
 import { getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
 import { putRules } from './rules.js';
+import { takeTriangles } from './triangles.js';
 
 /** All of a list whose length is not known before: asks again when there is no room for all. */
 function getList(core, ask, bytes, get) {
@@ -97,6 +98,10 @@ export class World extends Handle {
     faces() {
         const core = this[CORE];
         return takeFaces(core, makeHandle(core, 'firma_world_faces', this[ID]));
+    }
+
+    triangles(options) {
+        return takeTriangles(this[CORE], this[ID], options);
     }
 
     findFace(id) {

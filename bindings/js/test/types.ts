@@ -22,6 +22,8 @@ import {
     type Portal,
     type Room,
     type StoreFacts,
+    type TriangleRun,
+    type Triangles,
     type World,
     type WorldFacts,
 } from 'firma';
@@ -74,6 +76,9 @@ const memory: number = world.memory() + firma.memory([world, world.copy()]);
 const faces: Faces = world.faces();
 const flags: number = faces.flags[0]! & (FACE_SOLID | FACE_TWO_SIDED);
 const face: Face | null = world.findFace(0);
+const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
+const run: TriangleRun | undefined = triangles.runs[0];
+const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
 const counts: CastCounts = { bins: 0, boxes: 0, faces: 0, precise: 0 };
@@ -166,6 +171,7 @@ export const used = [
     memory,
     flags,
     face,
+    origin,
     any,
     all,
     one,
