@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "brush/entity_origin.h"
+#include "firma/brush_level.h"
 #include "cli/atomic_file.h"
 #include "cli/describe_world.h"
 #include "cli/failure.h"

@@ -77,6 +77,9 @@ export interface Firma {
      * its author placed.
      */
     worldFromMap(file: string | Bytes, options?: WorldOptions): World;
+    /** A level of brushes as its file has it: for its entities, and for a world of it. */
+    levelFromMap(file: string | Bytes, options?: LevelOptions): Level;
+    levelFromBsp(file: Bytes, options?: LevelOptions): Level;
     worldFromMesh(mesh: Mesh, options?: WorldOptions): World;
     /** What World.pack() gave, or a .firma file. `name` is for messages. @throws {FirmaError} MALFORMED, UNSUPPORTED */
     unpackWorld(file: Bytes, name?: string): World;
@@ -119,6 +122,39 @@ export interface WorldOptions {
     facesPerBin?: number;
     /** Cubic metres. */
     minBinVolume?: number;
+}
+
+export interface LevelOptions {
+    /** For messages. */
+    name?: string;
+    /** Metres a unit of the file; 0 or none: 1/32. */
+    scale?: number;
+}
+
+/** A level of brushes; it never changes. */
+export interface Level extends Handle {
+    /** As worldFromMap() makes it; the options' scale and name are not looked at. */
+    world(options?: WorldOptions): World;
+    /** In the file's order; the first is the world. */
+    entities(): Entity[];
+    /** For people: what was dropped, replaced or not understood, with its place. */
+    notes(): string[];
+    /** For numbers in the entities' values. */
+    readonly metresPerUnit: number;
+}
+
+/** A spawn point, a light, a door: what the author placed, by its keys. */
+export interface Entity {
+    /** '' where it has none. */
+    classname: string;
+    /** In the file's order, as written. */
+    keys: [key: string, value: string][];
+    /** By key: the first value of each. */
+    values: Map<string, string>;
+    /** Metres; null where `origin` is no three numbers. */
+    origin: Vector3 | null;
+    /** Where it begins in the file, from 1; 0 where the format has none. */
+    line: number;
 }
 
 /** Polygons; each is divided where it is not convex and planar on the grid of 1/4096 m. */

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -88,6 +89,10 @@ struct BrushLevel {
     /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
     double greatest_shift = 0;
 };
+
+/// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks
+/// between them.
+[[nodiscard]] std::optional<Vec3> entity_origin(const BrushLevel& level, const Entity& entity);
 
 /// Reads a Quake .map: brushes in the forms Standard, Valve 220, brushDef (Quake 3's brush primitives) and brushDef3
 /// (Doom 3's), patches (patchDef2, patchDef3), entities. docs/formats.md says what is kept, dropped and refused.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
  *
- * Handles. A world, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a number that is 0 for
+ * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a number that is 0 for
  * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
  * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
@@ -90,6 +90,9 @@ FIRMA_API size_t firma_live_handles(void);
 typedef struct firma_world {
     uint64_t id;
 } firma_world;
+typedef struct firma_level {
+    uint64_t id;
+} firma_level;
 typedef struct firma_cutter {
     uint64_t id;
 } firma_cutter;
@@ -178,6 +181,38 @@ FIRMA_API firma_code firma_world_save(firma_world world, const char* path, uint3
 /* The bytes of such a file, and back. */
 FIRMA_API firma_code firma_world_pack(firma_world world, uint32_t exact, firma_bytes* bytes);
 FIRMA_API firma_code firma_world_unpack(const void* data, size_t length, const char* name, firma_world* world);
+
+/* ---- levels ----------------------------------------------------------------------------------------------------- */
+
+/* A level of brushes as its file has it: for its entities, and for a world of it. */
+FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const char* name, double scale,
+                                          firma_level* level);
+FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
+                                          firma_level* level);
+/* The world that firma_world_from_map() would make; the scale of the options is not looked at. */
+FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
+
+typedef struct firma_entity {
+    const char* classname;     /* "" where it has none */
+    const char* const* keys;   /* UTF-8, in the file's order, as written */
+    const char* const* values; /* for each key */
+    size_t key_count;
+    double origin[3];    /* metres; where has_origin is 1 */
+    uint32_t has_origin; /* 1: its `origin` is three numbers */
+    uint32_t line;       /* where it begins in the file, from 1; 0 where the format has none */
+} firma_entity;
+
+typedef struct firma_level_view {
+    const firma_entity* entities; /* the first is the world */
+    size_t entity_count;
+    const char* const* notes; /* for people: what was dropped, replaced or not understood, with its place */
+    size_t note_count;
+    double metres_a_unit; /* for numbers in the entities' values */
+} firma_level_view;
+
+/* Views are good until the handle is released. */
+FIRMA_API firma_code firma_level_get_view(firma_level level, firma_level_view* view);
+FIRMA_API firma_code firma_level_release(firma_level level);
 
 /* Another handle to the same value. */
 FIRMA_API firma_code firma_world_copy(firma_world world, firma_world* copy);

@@ -70,7 +70,7 @@ public:
     std::uint64_t version() const;
     std::size_t face_count() const;
     std::size_t room_count() const;
-    /// Of all faces; empty for a world without any.
+    /// Of all faces; empty for a world without any. Costs a few walks through the index.
     Box bounds() const;
     const Tolerance& tolerance() const;
     /// What can be carved: a value of its own.

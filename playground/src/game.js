@@ -17,7 +17,7 @@ const kArm = 5; // metres: how far a door may be that one opens
 const summary = (samples) => ({ last: samples.last, least: samples.least(), median: samples.median(), count: samples.count });
 
 export class Game {
-    /** @param start  where the level's author has players start, or null: see readStart() */
+    /** @param start  where the level's author has players start, or null: see startOf() */
     constructor(firma, world, levelName, stage, start = null) {
         this.stage = stage;
         this.probe = new Probe(world);

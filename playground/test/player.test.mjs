@@ -9,7 +9,7 @@ import { Launcher } from '../src/launcher.js';
 import { kCentres, kRadius, Player } from '../src/player.js';
 import { Probe } from '../src/probe.js';
 import { Rooms } from '../src/rooms.js';
-import { findSpawn, readStart } from '../src/spawn.js';
+import { findSpawn, startOf } from '../src/spawn.js';
 import { direction } from '../src/vector.js';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -181,9 +181,11 @@ test('no handle is left behind', () => {
 
 test('the depot: begins where its author says, rooms on the way, through a closed portal nobody goes', () => {
     const text = readFileSync(path.join(root, 'levels/depot.map'), 'utf8');
-    const start = readStart(text);
+    const level = firma.levelFromMap(text, { name: 'depot.map' });
+    const start = startOf(level.entities());
     assert.deepEqual(start, { point: [18.75, 7, 1], yaw: Math.PI });
-    const world = firma.worldFromMap(text, { name: 'depot.map' });
+    const world = level.world();
+    level.release();
     const probe = new Probe(world);
     const player = new Player(probe);
     const launcher = new Launcher(firma, world, probe, (diff, after) => rooms.learn(after));
@@ -217,9 +219,17 @@ test('the depot: begins where its author says, rooms on the way, through a close
 
 test('where a .map has players start', () => {
     const entity = (...keys) => `{\n${keys.map(([key, value]) => `"${key}" "${value}"\n`).join('')}}\n`;
+    const readStart = (text) => {
+        const level = firma.levelFromMap(text);
+        try {
+            return startOf(level.entities());
+        } finally {
+            level.release();
+        }
+    };
     const worldspawn = entity(['classname', 'worldspawn'], ['origin', '1 2 3']);
     assert.deepEqual(readStart(worldspawn + entity(['origin', '32 -64 16'], ['classname', 'info_player_start'], ['angle', '90'])), { point: [1, -2, 0.5], yaw: Math.PI / 2 });
     assert.deepEqual(readStart(entity(['classname', 'info_player_deathmatch'], ['origin', ' 32  0 0 '])), { point: [1, 0, 0], yaw: 0 });
-    for (const text of ['', worldspawn, entity(['classname', 'info_player_start']), entity(['classname', 'info_player_start'], ['origin', '1 2']), entity(['classname', 'info_player_start'], ['origin', '1 2 x'])])
+    for (const text of [worldspawn, entity(['classname', 'info_player_start']), entity(['classname', 'info_player_start'], ['origin', '1 2']), entity(['classname', 'info_player_start'], ['origin', '1 2 x'])])
         assert.equal(readStart(text), null);
 });

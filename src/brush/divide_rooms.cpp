@@ -3,7 +3,7 @@
 #include "firma/divide_rooms.h"
 
 #include "brush/choose_portals.h"
-#include "brush/entity_origin.h"
+#include "firma/brush_level.h"
 #include "brush/judge_brush_level.h"
 
 namespace firma {

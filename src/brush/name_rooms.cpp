@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "brush/entity_origin.h"
+#include "firma/brush_level.h"
 #include "firma/rooms.h"
 #include "world/world_data.h"
 

@@ -2,6 +2,7 @@
 // The Solid's handle, and what is asked of solids.
 
 #include "base/random.h"
+#include "solid/bounds_of.h"
 #include "solid/check_boundary.h"
 #include "solid/first_seen.h"
 #include "solid/hash_points.h"
@@ -71,12 +72,7 @@ std::uint32_t Solid::edits() const {
 }
 
 Box Solid::bounds() const {
-    Box box;
-    if (data_->faces.root)
-        for_each_block(*data_->faces.root, [&](const Block& block) {
-            for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
-        });
-    return box;
+    return data_->faces.root ? bounds_of(*data_->faces.root) : Box{};
 }
 
 void hash_points_anew(SolidData& data) {

@@ -8,6 +8,7 @@
 #include "base/sort.h"
 #include "index/statistics.h"
 #include "index/traverse.h"
+#include "solid/bounds_of.h"
 #include "solid/find_neighbour.h"
 #include "world/block_faces.h"
 #include "world/world_data.h"
@@ -114,9 +115,8 @@ const Solid& World::solid() const {
 
 Box World::bounds() const {
     Box box;
-    for_each_block_of(*data_, [&](const Block& block) {
-        for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
-    });
+    for (const Node* root : {data_->solid.data().faces.root.get(), data_->castable.root.get()})
+        if (root) box.add(bounds_of(*root));
     return box;
 }
 

@@ -231,6 +231,34 @@ static void test_casts_by_room(firma_world world) {
     CHECK_FAILS(firma_cast(world, &through, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "array");
 }
 
+static void test_level(void) {
+    static const char text[] =
+        "{ \"classname\" \"worldspawn\" \"message\" \"a\" }\n"
+        "{ \"classname\" \"light\" \"origin\" \"32 0 -64\" }\n"
+        "{ \"origin\" \"1 2\" }\n";
+    firma_level level = {0};
+    firma_level_view view;
+    CHECK_OK(firma_level_from_map(text, sizeof text - 1, "a.map", 0, &level));
+    CHECK_OK(firma_level_get_view(level, &view));
+    CHECK(view.entity_count == 3 && view.metres_a_unit == 1.0 / 32);
+    CHECK(strcmp(view.entities[0].classname, "worldspawn") == 0 && view.entities[0].key_count == 2);
+    CHECK(strcmp(view.entities[0].keys[1], "message") == 0 && strcmp(view.entities[0].values[1], "a") == 0);
+    CHECK(view.entities[1].has_origin && view.entities[1].origin[0] == 1 && view.entities[1].origin[2] == -2);
+    CHECK(view.entities[1].line == 2 && !view.entities[0].has_origin);
+    CHECK(!view.entities[2].has_origin && strcmp(view.entities[2].classname, "") == 0);
+    firma_world world = {0};
+    CHECK_FAILS(firma_world_from_level(level, NULL, &world), FIRMA_ERROR_MALFORMED, "a.map");
+    CHECK_FAILS(firma_world_from_level(level, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_level_get_view(level, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_level_release(level));
+    CHECK_FAILS(firma_level_get_view(level, &view), FIRMA_ERROR_BAD_HANDLE, "level");
+    CHECK_FAILS(firma_world_from_level(level, NULL, &world), FIRMA_ERROR_BAD_HANDLE, "level");
+    CHECK_FAILS(firma_level_from_map("{", 1, "b.map", 0, &level), FIRMA_ERROR_MALFORMED, "b.map");
+    CHECK_FAILS(firma_level_from_map("{", 1, "b.map", -1, &level), FIRMA_ERROR_INVALID, "scale");
+    CHECK_FAILS(firma_level_from_map(NULL, 1, "b.map", 0, &level), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_level_from_bsp("{", 1, "b.bsp", 0, &level), FIRMA_ERROR_MALFORMED, "b.bsp");
+}
+
 /* kaos2 of OpenArena, where FIRMA_OPENARENA names the folder that it is in. */
 static void test_bsp(void) {
     const char* const folder = getenv("FIRMA_OPENARENA");
@@ -281,6 +309,7 @@ void test_rooms(const char* folder) {
     test_ways(world);
     test_door(world);
     test_casts_by_room(world);
+    test_level();
     CHECK_OK(firma_world_release(world));
     test_rooms_in_files(folder);
 }

@@ -22,6 +22,7 @@ const FIXED = {
     worldFacts: layout.WORLD_FACTS.sizeof,
     room: layout.ROOM.sizeof,
     portal: layout.PORTAL.sizeof,
+    levelView: layout.LEVEL_VIEW.sizeof,
     mesh: layout.MESH.sizeof,
     rules: layout.RULES.sizeof,
     facesView: layout.FACES_VIEW.sizeof,

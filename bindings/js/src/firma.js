@@ -5,6 +5,7 @@ import { makeHandle } from './handle.js';
 import { MESH, SHAPE_NAMES, WORLD_OPTIONS } from './layout.js';
 import { bytes, doubles, flag, longWord, masks, number, object, text, word, words } from './arguments.js';
 import { Cutter } from './carving.js';
+import { Level } from './level.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
 
@@ -121,6 +122,30 @@ export class Firma {
     worldFromMap(data, options) {
         const place = 'worldFromMap';
         return this.#worldFrom('firma_world_from_map', bytes(data, place, 'the file', true), options, place);
+    }
+
+    /** @param format  the function for the file's format */
+    #level(format, data, options, place) {
+        const core = this.#core;
+        const given = object(options, place, 'the options');
+        const scale = given.scale === undefined ? 0 : number(given.scale, place, 'scale');
+        const world = (id, chosen) => {
+            const at = putWorldOptions(core, object(chosen, 'world', 'the options'), 'world');
+            return new World(core, makeHandle(core, 'firma_world_from_level', id, at));
+        };
+        return core.borrow((lent) => {
+            const at = lent.bytes(data);
+            const name = nameOf(lent, given, place);
+            return new Level(core, makeHandle(core, format, at, data.length, name, scale), world);
+        });
+    }
+
+    levelFromMap(data, options) {
+        return this.#level('firma_level_from_map', bytes(data, 'levelFromMap', 'the file', true), options, 'levelFromMap');
+    }
+
+    levelFromBsp(data, options) {
+        return this.#level('firma_level_from_bsp', bytes(data, 'levelFromBsp', 'the file'), options, 'levelFromBsp');
     }
 
     worldFromMesh(mesh, options) {

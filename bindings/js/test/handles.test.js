@@ -20,10 +20,11 @@ function everything(module) {
         job: world.startCarve(cutter, pose),
         edit: world.edit(),
         store: module.openStore(world, 1e6),
+        level: module.levelFromMap('{ "classname" "worldspawn" }'),
     };
 }
 
-const callsOf = ({ world, cutter, job, edit, store }) => ({
+const callsOf = ({ world, cutter, job, edit, store, level }) => ({
     copy: () => world.copy(),
     facts: () => world.facts(),
     hash: () => world.hash(),
@@ -56,11 +57,15 @@ const callsOf = ({ world, cutter, job, edit, store }) => ({
     at: () => store.at(0),
     storeFacts: () => store.facts(),
     collect: () => store.collect(),
+    triangles: () => world.triangles(),
+    entities: () => level.entities(),
+    notes: () => level.notes(),
+    worldOfLevel: () => level.world(),
 });
 
 test('a call on a released object throws BAD_HANDLE, whatever came to live after it', () => {
     const all = everything(firma);
-    assert.equal(firma.liveHandles(), 5);
+    assert.equal(firma.liveHandles(), 6);
     for (const object of Object.values(all)) {
         assert.equal(object.released, false);
         object.release();

@@ -191,6 +191,38 @@ test('the depot: rooms by name, ways, a cut that joins two of them', () => {
     });
 });
 
+test('entities of a level, and its world', () => {
+    releasing([firma.levelFromMap(depot, { name: 'depot.map' })], (level) => {
+        const entities = level.entities();
+        assert.equal(entities[0].classname, 'worldspawn');
+        assert.equal(entities[0].origin, null);
+        assert.equal(level.metresPerUnit, 1 / 32);
+        const [start] = entities.filter((entity) => entity.classname === 'info_player_start');
+        const numbers = start.values.get('origin').split(' ').map(Number);
+        assert.deepEqual(start.origin, numbers.map((x) => x / 32));
+        assert.ok(start.line > 1 && start.keys.some(([key, value]) => key === 'classname' && value === start.classname));
+        assert.ok(entities.filter((entity) => entity.classname === 'firma_room').length > 12);
+        assert.ok(Array.isArray(level.notes()));
+        releasing([level.world({ skin: 0.01 }), firma.worldFromMap(depot, { skin: 0.01 })], (world, other) => {
+            assert.equal(world.hash(), other.hash());
+            assert.equal(world.locate(start.origin).where, 'air');
+        });
+    });
+    const noted = '{ "classname" "worldspawn" { brushDef9 { } } }\n{ "classname" "light" "origin" "1 2" "größe" "ü" "a" "1" "a" "2" }';
+    releasing([firma.levelFromMap(noted, { scale: 0.5 })], (level) => {
+        const [, light] = level.entities();
+        assert.equal(light.origin, null);
+        assert.deepEqual([light.values.get('größe'), light.values.get('a'), light.keys.length], ['ü', '1', 5]);
+        assert.equal(level.metresPerUnit, 0.5);
+        assert.match(level.notes().join(), /brushDef9/);
+        throwsCode('MALFORMED', () => level.world());
+    });
+    throwsCode('MALFORMED', () => firma.levelFromMap('{', { name: 'torn.map' }), /torn\.map/);
+    throwsCode('INVALID', () => firma.levelFromMap('{}', { scale: -1 }), /scale/);
+    throwsCode('BAD_CALL', () => firma.levelFromMap(5));
+    throwsCode('BAD_CALL', () => firma.levelFromMap('{}', { scale: '1' }));
+});
+
 test('a level without rooms has one', () => {
     releasing([firma.worldFromObj(levelBytes)], (world) => {
         assert.deepEqual([world.facts().roomCount, world.facts().portalCount], [1, 0]);

@@ -11,10 +11,12 @@ import {
     type CarveReport,
     type CastCounts,
     type Diff,
+    type Entity,
     type Face,
     type Faces,
     type Hit,
     type HitInfo,
+    type Level,
     type Location,
     type Mesh,
     type Near,
@@ -65,6 +67,11 @@ firma.unpackWorld(world.pack({ exact: true }), 'name');
 firma.worldFromBsp('text');
 // @ts-expect-error an option that is none
 firma.worldFromObj('', { skn: 1 });
+
+const level: Level = firma.levelFromMap('{}', { name: 'a', scale: 1 });
+const entity: Entity | undefined = level.entities()[0];
+const spawn: number = (entity?.origin?.[0] ?? 0) + level.metresPerUnit + level.notes().length;
+level.world({ skin: 0.1 }).release();
 
 const facts: WorldFacts = world.facts();
 const [x, y, z]: [number, number, number] = facts.low;
@@ -162,6 +169,7 @@ try {
 export const used = [
     version,
     live,
+    spawn,
     x,
     y,
     z,
