@@ -11,22 +11,22 @@ namespace {
 struct TrianglesObject final : Object {
     static constexpr Kind kKind = Kind::kTriangles;
     static constexpr const char* kNoun = "list of triangles";
-    Triangles made;
+    TriangleMesh made;
     std::vector<std::uint32_t> faces;
     std::vector<firma_triangle_run> runs;
     std::vector<firma_triangle_source> sources;
 };
 
-std::unique_ptr<TrianglesObject> object_of(Triangles made) {
+std::unique_ptr<TrianglesObject> object_of(TriangleMesh made) {
     auto object = std::make_unique<TrianglesObject>();
     object->made = std::move(made);
     object->faces.reserve(object->made.faces.size());
     for (const FaceId face : object->made.faces) object->faces.push_back(face.value);
-    for (const Triangles::Run& run : object->made.runs)
+    for (const TriangleMesh::Run& run : object->made.runs)
         object->runs.push_back(
             {run.material, run.first_triangle, run.triangle_count, run.first_vertex, run.vertex_count, 0});
     object->sources.reserve(object->made.sources.size());
-    for (const Triangles::Source& one : object->made.sources) {
+    for (const TriangleMesh::Source& one : object->made.sources) {
         const std::uint32_t flags =
             (one.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (one.solid ? FIRMA_FACE_SOLID : 0);
         object->sources.push_back({one.face.value, one.room.value, one.source, one.source_edit, one.material, one.mask,
@@ -79,7 +79,7 @@ firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_v
         if (!view) return bad_call(function, kNull);
         const TrianglesObject* object = find<TrianglesObject>(triangles.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        const Triangles& made = object->made;
+        const TriangleMesh& made = object->made;
         static_assert(sizeof made.positions[0] == 3 * sizeof(float) && sizeof made.corners[0] == 3 * sizeof(uint32_t));
         *view = {};
         if (!made.positions.empty()) {

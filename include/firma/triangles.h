@@ -12,7 +12,7 @@
 namespace firma {
 
 /// Triangles of some faces. Vertices are not shared between faces, as normals differ; of one face they are.
-struct Triangles {
+struct TriangleMesh {
     // One for each vertex.
     std::vector<std::array<float, 3>> positions;  ///< metres from TriangleOptions::origin, rounded to float
     std::vector<std::array<float, 3>> normals;    ///< unit, of the exact plane that the face was cut from
@@ -45,7 +45,7 @@ struct Triangles {
 };
 
 struct TriangleOptions {
-    Vec3 origin;                 ///< metres: what positions are told from. Near the faces, floats lose least
+    Vec3 origin{};               ///< metres: what positions are told from. Near the faces, floats lose least
     std::uint32_t mask = ~0u;    ///< faces that share a bit
     bool castable_only = true;   ///< also the faces that bound no solid
 };
@@ -54,8 +54,8 @@ struct TriangleOptions {
 /// worlds give the same triangles in the same order, however their faces are kept.
 /// @return none for a room or region that is not there, or an origin that is not finite
 /// Costs some hundred nanoseconds a face, and sorting them.
-[[nodiscard]] Triangles triangles_of(const World& world, const TriangleOptions& options = {});
-[[nodiscard]] Triangles triangles_of(const World& world, RoomId room, const TriangleOptions& options = {});
-[[nodiscard]] Triangles triangles_of(const World& world, const Region& region, const TriangleOptions& options = {});
+[[nodiscard]] TriangleMesh triangles_of(const World& world, const TriangleOptions& options = {});
+[[nodiscard]] TriangleMesh triangles_of(const World& world, RoomId room, const TriangleOptions& options = {});
+[[nodiscard]] TriangleMesh triangles_of(const World& world, const Region& region, const TriangleOptions& options = {});
 
 }  // namespace firma

@@ -81,7 +81,8 @@ public:
     TreeStatistics statistics() const;
 
     /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of another
-    /// world, of a closed portal, or of nothing. Costs a walk through the index to the face.
+    /// world, of a closed portal, or of nothing. Keep it in a variable: `for (Vec3 c : world.face(ref)->corners)` would go
+    /// through corners that are gone. Costs a walk through the index to the face.
     [[nodiscard]] std::optional<Face> face(const FaceRef& ref) const;
     /// The same without its outline. Never allocates.
     [[nodiscard]] std::optional<FaceInfo> face_info(const FaceRef& ref) const;
@@ -132,7 +133,8 @@ Result<World> make_world(const Level& level, const WorldOptions& options = {});
 bool visit_faces(const World& world, FaceVisitor visit);
 /// Those whose own box shares a point with a box (metres, closed). A box that is empty or not finite has none.
 bool visit_faces(const World& world, const Box& box, FaceVisitor visit);
-/// Those that look into a room. A room that is not there has none; kAnyRoom has all.
+/// Those that look into a room, or into the one that it became part of. A room that is not there has none; kAnyRoom has
+/// all.
 bool visit_faces(const World& world, RoomId room, FaceVisitor visit);
 /// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region.
 bool visit_faces(const World& world, const Region& region, FaceVisitor visit);

@@ -7,14 +7,16 @@
 // ways would leave none, the other one does not.
 #include "geometry/triangulate_convex.h"
 
+#include "geometry/exact_integer.h"
+
 namespace firma {
 namespace {
 
 bool in_line(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-    using Wide = __int128;  // differences have 33 bits
-    const auto apart = [](std::int32_t from, std::int32_t to) { return Wide(to) - from; };
-    const Wide ux = apart(a.x, b.x), uy = apart(a.y, b.y), uz = apart(a.z, b.z);
-    const Wide vx = apart(b.x, c.x), vy = apart(b.y, c.y), vz = apart(b.z, c.z);
+    // Differences have 33 bits, products 66.
+    const auto apart = [](std::int32_t from, std::int32_t to) { return Int128(to) - from; };
+    const Int128 ux = apart(a.x, b.x), uy = apart(a.y, b.y), uz = apart(a.z, b.z);
+    const Int128 vx = apart(b.x, c.x), vy = apart(b.y, c.y), vz = apart(b.z, c.z);
     return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
 }
 

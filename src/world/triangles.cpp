@@ -31,7 +31,7 @@ public:
         return true;
     }
 
-    Triangles take() {
+    TriangleMesh take() {
         sort_range(faces_, [](const Collected& a, const Collected& b) {
             return a.info.material != b.info.material ? a.info.material < b.info.material : a.info.id < b.info.id;
         });
@@ -78,11 +78,11 @@ private:
     std::vector<Vec3> corners_;
     std::vector<GridPoint> grid_;
     std::vector<std::array<std::uint32_t, 3>> divided_;
-    Triangles made_;
+    TriangleMesh made_;
 };
 
 template <class... Where>
-Triangles collect(const World& world, const TriangleOptions& options, const Where&... where) {
+TriangleMesh collect(const World& world, const TriangleOptions& options, const Where&... where) {
     Collector collector(options);
     if (is_finite(options.origin)) visit_faces(world, where..., collector);
     return collector.take();
@@ -90,13 +90,13 @@ Triangles collect(const World& world, const TriangleOptions& options, const Wher
 
 }  // namespace
 
-Triangles triangles_of(const World& world, const TriangleOptions& options) {
+TriangleMesh triangles_of(const World& world, const TriangleOptions& options) {
     return collect(world, options);
 }
-Triangles triangles_of(const World& world, RoomId room, const TriangleOptions& options) {
+TriangleMesh triangles_of(const World& world, RoomId room, const TriangleOptions& options) {
     return collect(world, options, room);
 }
-Triangles triangles_of(const World& world, const Region& region, const TriangleOptions& options) {
+TriangleMesh triangles_of(const World& world, const Region& region, const TriangleOptions& options) {
     return collect(world, options, region);
 }
 

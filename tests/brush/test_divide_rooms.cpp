@@ -274,8 +274,8 @@ TEST(DivideRooms, OutsideOfAHull) {
     const Divided inside = divide(level);
     EXPECT_LE(inside.report.portals, all);
     for (std::uint32_t k = 0; k < portal_count(inside.world); ++k)
-        for (const RoomId room : portal_info(inside.world, {k})->rooms)
-            EXPECT_FALSE(room_info(inside.world, room)->exterior);
+        for (const std::size_t side : {0, 1})
+            EXPECT_FALSE(room_info(inside.world, portal_info(inside.world, {k})->rooms[side])->exterior);
     EXPECT_GE(inside.report.portals, 1u);
 }
 

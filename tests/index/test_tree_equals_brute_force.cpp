@@ -21,6 +21,7 @@ using namespace firma;
 PolygonHit brute_force(const std::vector<std::vector<Vec3>>& polygons, const std::vector<bool>& two_sided,
                        const scenes::CastQuery& query, Sides sides, std::uint32_t& face) {
     PolygonHit best;
+    best.centre = query.sphere.centre + query.path;
     for (std::uint32_t f = 0; f < polygons.size(); ++f) {
         const bool both = f < two_sided.size() && two_sided[f];
         const PolygonHit hit = cast_polygon(query.sphere, query.path, polygons[f], both ? Sides::kBoth : sides);

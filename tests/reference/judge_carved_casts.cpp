@@ -49,8 +49,7 @@ PolygonHit with_own_normal(const Hit& hit, const std::vector<Vec3>& polygon) {
 /// Whether a ray from the air, so long that it must meet something, gets out or into the rock. The first face met must
 /// be met from its front: one met from behind is the far side of rock that the ray got into through a crack. Front or
 /// back is what the facet's own plane says; casts go by no other.
-/// @param corners  scratch
-bool is_lost(const World& world, const Vec3& start, const Vec3& path, std::vector<Vec3>& corners, RayTally& tally) {
+bool is_lost(const World& world, const Vec3& start, const Vec3& path, RayTally& tally) {
     const Hit first = cast(world, {start, 0}, path, {.sides = Sides::kBoth});
     if (!first.touched()) return true;
     const std::optional<firma::Face> face = world.face(first.face);
@@ -137,7 +136,6 @@ void shoot_from_air(const World& world, Rng& rng, std::uint64_t rays, RayTally& 
     const std::vector<FacetPlace> facets = all_facets(world);
     const Box bounds = world.bounds();
     const double far = 2 * length(bounds.high - bounds.low);
-    std::vector<Vec3> corners;
     std::uint64_t shot = 0;
     while (shot < rays) {
         // A start in the air before a face, and a hundred faces around it to aim at.
@@ -160,7 +158,7 @@ void shoot_from_air(const World& world, Rng& rng, std::uint64_t rays, RayTally& 
             const Vec3 path = way * std::exp2(std::ceil(std::log2(far / length(way))));
             ++shot;
             ++tally.rays;
-            if (!is_lost(world, start, path, corners, tally)) continue;
+            if (!is_lost(world, start, path, tally)) continue;
             ++tally.lost;
             if (!tally.first_failure.empty()) continue;
             char text[300];

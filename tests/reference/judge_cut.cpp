@@ -270,7 +270,7 @@ private:
             const Hit front = cast(after_, {start, 0}, path);
             if (front.touched() && !front.portal.valid() && !is_solid(front)) continue;
             ++tally_.rays;
-            const Location from = has_rooms_ ? locate(after_, start) : Location{Where::kAir, {}};
+            const Location from = has_rooms_ ? locate(after_, start) : Location{Where::kAir, {0}};
             if (from.where == Where::kAir && closed[from.room.value] && !front.touched())
                 return fail("a ray escapes from " + words(start) + " by " + words(path));
             const Hit both = cast(after_, {start, 0}, path, {.sides = Sides::kBoth});

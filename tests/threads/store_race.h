@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firma/queries.h"
+#include "firma/rooms.h"
 #include "base/hasher.h"
 #include "firma/world_store.h"
 #include "tests/store/cratered.h"

@@ -37,7 +37,8 @@ std::set<Tile> tiles_of(const World& world, const std::vector<FaceInfo>& faces, 
     std::set<Tile> tiles;
     for (const FaceInfo& face : faces) {
         Box box;
-        for (const Vec3& corner : world.face(face.ref())->corners) box.add(corner);
+        const Face whole = *world.face(face.ref());
+        for (const Vec3& corner : whole.corners) box.add(corner);
         for (double x = std::floor(box.low.x / size); x <= std::floor(box.high.x / size); ++x)
             for (double y = std::floor(box.low.y / size); y <= std::floor(box.high.y / size); ++y)
                 for (double z = std::floor(box.low.z / size); z <= std::floor(box.high.z / size); ++z)
@@ -75,10 +76,13 @@ TEST(DiffWorlds, AgreesWithComparingAllFaces) {
         for (const FaceInfo& face : diff.removed) {
             EXPECT_EQ(old_world.face(face.ref())->id, face.id);
             EXPECT_EQ(face.source, face.id.value);
-            for (const Vec3& corner : old_world.face(face.ref())->corners) bounds.add(corner);
+            const Face whole = *old_world.face(face.ref());
+            for (const Vec3& corner : whole.corners) bounds.add(corner);
         }
-        for (const FaceInfo& face : diff.added)
-            for (const Vec3& corner : world.face(face.ref())->corners) bounds.add(corner);
+        for (const FaceInfo& face : diff.added) {
+            const Face whole = *world.face(face.ref());
+            for (const Vec3& corner : whole.corners) bounds.add(corner);
+        }
         ASSERT_EQ(diff.bounds, bounds);
         std::set<Tile> tiles = tiles_of(old_world, diff.removed, 2);
         tiles.merge(tiles_of(world, diff.added, 2));

@@ -26,9 +26,10 @@ public:
     }
     void add(const World& world, const Hit& hit) {
         add(std::uint64_t(hit.status) | std::uint64_t(hit.feature) << 8 | std::uint64_t(hit.feature_index) << 16);
-        add(hit.fraction);
-        add(hit.safe_fraction);
-        add(hit.centre);
+        // A miss as it was before it had the end of its path, when the hash below was taken.
+        add(hit.touched() ? hit.fraction : 0);
+        add(hit.touched() ? hit.safe_fraction : 0);
+        add(hit.touched() ? hit.centre : Vec3{});
         add(hit.point);
         add(hit.normal);
         add(hit.face_normal);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "firma/carve.h"
@@ -77,7 +79,7 @@ World carved_building() {
     return world;
 }
 
-void expect_all_of(const Triangles& made, const std::vector<Face>& faces) {
+void expect_all_of(const TriangleMesh& made, const std::vector<Face>& faces) {
     ASSERT_EQ(made.sources.size(), faces.size());
     ASSERT_EQ(made.positions.size(), made.normals.size());
     ASSERT_EQ(made.corners.size(), made.faces.size());
@@ -85,7 +87,7 @@ void expect_all_of(const Triangles& made, const std::vector<Face>& faces) {
     for (const Face& face : faces) by_id[face.id] = &face;
     std::size_t triangles = 0, vertices = 0;
     for (std::size_t k = 0; k < made.sources.size(); ++k) {
-        const Triangles::Source& source = made.sources[k];
+        const TriangleMesh::Source& source = made.sources[k];
         const Face& face = *by_id.at(source.face);
         EXPECT_EQ(source.room, face.room);
         EXPECT_EQ(source.source, face.source);
@@ -96,7 +98,7 @@ void expect_all_of(const Triangles& made, const std::vector<Face>& faces) {
         EXPECT_EQ(source.vertex_count, face.corners.size());
         EXPECT_EQ(source.triangle_count, face.corners.size() - 2);
         if (k > 0) {
-            const Triangles::Source& before = made.sources[k - 1];
+            const TriangleMesh::Source& before = made.sources[k - 1];
             EXPECT_LT(std::pair(before.material, before.face), std::pair(source.material, source.face));
         }
         for (std::uint32_t t = 0; t < source.triangle_count; ++t) {
@@ -112,7 +114,7 @@ void expect_all_of(const Triangles& made, const std::vector<Face>& faces) {
     EXPECT_EQ(triangles, made.corners.size());
     EXPECT_EQ(vertices, made.positions.size());
     std::size_t in_runs = 0;
-    for (const Triangles::Run& run : made.runs) {
+    for (const TriangleMesh::Run& run : made.runs) {
         EXPECT_EQ(run.first_triangle, in_runs);
         in_runs += run.triangle_count;
         for (std::uint32_t t = 0; t < run.triangle_count; ++t)
@@ -128,17 +130,18 @@ TEST(Triangles, OfAWorldARoomARegion) {
     const World world = carved_building();
     ASSERT_GT(world.solid().edits(), 5u);
     const std::vector<Face> faces = world.faces();
-    const Triangles all = triangles_of(world);
+    const TriangleMesh all = triangles_of(world);
     expect_all_of(all, faces);
     EXPECT_GT(all.runs.size(), 1u);
 
     std::size_t in_rooms = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
         std::vector<Face> own;
+        const RoomId now = room_info(world, {room})->merged_into;
         for (const Face& face : faces)
-            if (face.room == RoomId{room}) own.push_back(face);
+            if (face.room == now) own.push_back(face);
         expect_all_of(triangles_of(world, RoomId{room}), own);
-        in_rooms += room_info(world, {room})->merged_into == RoomId{room} ? own.size() : 0;
+        in_rooms += now == RoomId{room} ? own.size() : 0;
     }
     EXPECT_EQ(in_rooms, faces.size());
     EXPECT_TRUE(triangles_of(world, RoomId{1000}).corners.empty());
@@ -162,12 +165,12 @@ TEST(Triangles, OfAWorldARoomARegion) {
 
 TEST(Triangles, DoNotDependOnTheIndexAndKeepToTheOptions) {
     const World world = carved_building();
-    const Triangles one = triangles_of(world);
-    const Triangles two = triangles_of(rebuild_index(world, {.split = Split::kSurfaceArea, .faces_per_bin = 1}));
+    const TriangleMesh one = triangles_of(world);
+    const TriangleMesh two = triangles_of(rebuild_index(world, {.split = Split::kSurfaceArea, .faces_per_bin = 1}));
     EXPECT_EQ(one.positions, two.positions);
     EXPECT_EQ(one.corners, two.corners);
     EXPECT_EQ(one.faces, two.faces);
-    const Triangles moved = triangles_of(world, {.origin = {1, 2, 3}});
+    const TriangleMesh moved = triangles_of(world, {.origin = {1, 2, 3}});
     ASSERT_EQ(moved.positions.size(), one.positions.size());
     EXPECT_NEAR(moved.positions[0][1], one.positions[0][1] - 2, 1e-5);
     EXPECT_TRUE(triangles_of(world, {.origin = {NAN, 0, 0}}).corners.empty());
