@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/rng.h"
 #include "solid/append_faces.h"

@@ -5,8 +5,8 @@
 // --benchmark_report_aggregates_only=true
 #include <benchmark/benchmark.h>
 
-#include "firma/queries.h"
 #include "cast/cast_sphere_polygon.h"
+#include "firma/queries.h"
 #include "support/sets.h"
 #include "support/walk.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nothing here but +, -, *, / and sqrt, and no order that depends on addresses: the same walk on every machine.
-#include "firma/queries.h"
 #include "cli/bounce.h"
+#include "firma/queries.h"
 
 #include <fmt/format.h>
 

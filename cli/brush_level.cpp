@@ -10,13 +10,13 @@
 #include <span>
 #include <vector>
 
-#include "firma/brush_level.h"
 #include "cli/atomic_file.h"
 #include "cli/describe_world.h"
 #include "cli/failure.h"
 #include "cli/json.h"
 #include "cli/numbers.h"
 #include "cli/verb.h"
+#include "firma/brush_level.h"
 #include "firma/find_leak.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
@@ -172,8 +172,7 @@ std::optional<Leak> leak_of(const LoadedLevel& loaded) {
         const std::optional<Vec3> origin = entity_origin(level, level.entities[k]);
         if (!origin) continue;
         const Location found = locate(world, *origin);
-        if (found.where == Where::kAir && is_open(world, found.room))
-            return Leak{k, find_leak(world, *origin)};
+        if (found.where == Where::kAir && is_open(world, found.room)) return Leak{k, find_leak(world, *origin)};
     }
     return {};
 }

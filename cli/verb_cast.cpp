@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads all queries, casts them in chunks on all cores, writes rows in order.
-#include "firma/queries.h"
 #include "cli/verb_cast.h"
+#include "firma/queries.h"
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fires casts and craters, asks a twin without a tree whether casts are right, prints a table, draws pictures.
-#include "firma/queries.h"
 #include "cli/verb_demo.h"
+#include "firma/queries.h"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>

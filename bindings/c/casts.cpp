@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "firma/rooms.h"
 #include "bindings/c/batch_tasks.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "firma/rooms.h"
 #include "world/run_tasks.h"
 
 namespace firma::c {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Between the C API's plain structs and the library's own.
-#include "firma/queries.h"
 #include "bindings/c/convert.h"
+#include "firma/queries.h"
 
 namespace firma::c {
 namespace {

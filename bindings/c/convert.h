@@ -8,8 +8,8 @@
 #include "bindings/c/calls.h"
 #include "firma/carve.h"
 #include "firma/level.h"
-#include "firma/vec.h"
 #include "firma/queries.h"
+#include "firma/vec.h"
 #include "firma/world.h"
 
 namespace firma::c {

@@ -67,7 +67,7 @@ firma_code firma_world_locate(firma_world world, const double point[3], uint32_t
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite or too large");
         const Location found = locate(object->world, at);
         static_assert(int(Where::kAir) == FIRMA_AIR && int(Where::kSolid) == FIRMA_SOLID &&
-                      int(Where::kOnSurface) == FIRMA_ON_SURFACE && int(Where::kUnknown) == FIRMA_UNKNOWN);
+                      int(Where::kSurface) == FIRMA_SURFACE && int(Where::kUnknown) == FIRMA_UNKNOWN);
         *where = std::uint32_t(found.where);
         if (room) *room = found.room.value;
         return FIRMA_OK;
@@ -122,7 +122,8 @@ firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma
         if (const firma_code code = check_portal(object->world, portal, function)) return code;
         const PortalInfo info = *portal_info(object->world, {portal});
         auto list = std::make_unique<FacesObject>();
-        for (const std::vector<Vec3>& corners : portal_polygons(object->world, {portal})) list->list.add(as_face(info, portal, corners));
+        for (const std::vector<Vec3>& corners : portal_polygons(object->world, {portal}))
+            list->list.add(as_face(info, portal, corners));
         return give(std::move(list), polygons, function);
     });
 }

@@ -27,8 +27,7 @@ std::unique_ptr<TrianglesObject> object_of(TriangleMesh made) {
             {run.material, run.first_triangle, run.triangle_count, run.first_vertex, run.vertex_count, 0});
     object->sources.reserve(object->made.sources.size());
     for (const TriangleMesh::Source& one : object->made.sources) {
-        const std::uint32_t flags =
-            (one.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (one.solid ? FIRMA_FACE_SOLID : 0);
+        const std::uint32_t flags = (one.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (one.solid ? FIRMA_FACE_SOLID : 0);
         object->sources.push_back({one.face.value, one.room.value, one.source, one.source_edit, one.material, one.mask,
                                    flags, one.first_triangle, one.triangle_count, one.first_vertex, one.vertex_count,
                                    0});
@@ -50,8 +49,7 @@ void firma_triangle_options_defaults(firma_triangle_options* options) {
     options->room = FIRMA_ANY_ROOM;
 }
 
-firma_code firma_world_triangles(firma_world world, const firma_triangle_options* options,
-                                 firma_triangles* triangles) {
+firma_code firma_world_triangles(firma_world world, const firma_triangle_options* options, firma_triangles* triangles) {
     return guarded(__func__, [&, function = __func__] {
         if (!triangles) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(world.id, function);

@@ -321,7 +321,7 @@ export interface CastOptions {
  * the air of one.
  */
 export interface Location {
-    where: 'air' | 'solid' | 'on surface' | 'unknown';
+    where: 'air' | 'solid' | 'surface' | 'unknown';
     room: number | null;
 }
 

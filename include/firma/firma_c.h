@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
  *
- * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a number that is 0 for
- * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
- * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a
+ * number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released,
+ * never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does
+ * nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -340,8 +341,8 @@ typedef struct firma_triangle_options {
     uint32_t solid_only;   /* 1: without the faces that bound no solid */
     uint32_t room;         /* only faces that look into this room; or FIRMA_ANY_ROOM */
     double origin[3];      /* metres: what positions are told from. Near the faces, floats lose least */
-    const int32_t* region; /* three: only faces whose lowest corner lies in the cube of 32 m from region * 32 m on; null:
-                              all. Not together with a room */
+    const int32_t* region; /* three: only faces whose lowest corner lies in the cube of 32 m from region * 32 m on;
+                              null: all. Not together with a room */
 } firma_triangle_options;
 
 FIRMA_API void firma_triangle_options_defaults(firma_triangle_options* options);
@@ -361,12 +362,12 @@ FIRMA_API firma_code firma_triangles_release(firma_triangles triangles);
 typedef enum firma_where {
     FIRMA_AIR = 0,
     FIRMA_SOLID = 1,
-    FIRMA_ON_SURFACE = 2, /* on a face that bounds the solid, exactly */
-    FIRMA_UNKNOWN = 3     /* in a fold of the surface that rounding to the grid made; docs/rooms.md has more */
+    FIRMA_SURFACE = 2, /* on a face that bounds the solid, exactly */
+    FIRMA_UNKNOWN = 3  /* in a fold of the surface that rounding to the grid made; docs/rooms.md has more */
 } firma_where;
 
-/* Where a point is. `where` gets a firma_where, `room` the room, with FIRMA_AIR, or FIRMA_NO_ROOM; it may be null. Takes
- * no memory. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too large. */
+/* Where a point is. `where` gets a firma_where, `room` the room, with FIRMA_AIR, or FIRMA_NO_ROOM; it may be null.
+ * Takes no memory. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too large. */
 FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3], uint32_t* where, uint32_t* room);
 
 /* What pointers show is good as long as the handle of the world. */
@@ -376,7 +377,7 @@ typedef struct firma_room {
     const char* name;        /* UTF-8; "" where the level gives none */
     const uint32_t* portals; /* ascending */
     size_t portal_count;
-    uint32_t exterior; /* 1: reaches to infinity */
+    uint32_t exterior;    /* 1: reaches to infinity */
     uint32_t merged_into; /* itself; of a room that an edit joined to another: that one, and it is empty */
 } firma_room;
 
@@ -439,8 +440,8 @@ typedef struct firma_cast_options {
 
 FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
 
-/* A miss has fraction and safe_fraction 1, and the end of the path as its centre; FIRMA_INVALID has fraction 0. What else
- * there is to know of the face met tells firma_world_hit_info(). */
+/* A miss has fraction and safe_fraction 1, and the end of the path as its centre; FIRMA_INVALID has fraction 0. What
+ * else there is to know of the face met tells firma_world_hit_info(). */
 typedef struct firma_hit {
     double fraction;      /* of the path, 0..1 */
     double safe_fraction; /* how far to go so that the skin is kept */
@@ -469,8 +470,8 @@ typedef struct firma_hit_info {
     uint32_t reserved;
 } firma_hit_info;
 
-/* FIRMA_ERROR_INVALID for a miss, and for a face or portal that the world does not have: of another world or version, or
- * cut since. Takes no memory; costs a walk through the index, and another one at an edge. */
+/* FIRMA_ERROR_INVALID for a miss, and for a face or portal that the world does not have: of another world or version,
+ * or cut since. Takes no memory; costs a walk through the index, and another one at an edge. */
 FIRMA_API firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_hit_info* info);
 
 /* What casts looked at; added to. */

@@ -84,11 +84,11 @@ inline constexpr RoomId kLocateRoom{~0u - 1};
 /// What a cast through a World met first. Where a face came from, its room and neighbours are a second question:
 /// World::face_info(), other_face(), room_of().
 struct Hit : PolygonHit {
-    double safe_fraction = 1;   ///< how far to go so that the skin is kept along `normal`: within 0..fraction
-    FaceRef face;               ///< the face met; of several at the same fraction the one with the lowest id; invalid
-                                ///< when a closed portal was met, which is when no face is met at that fraction
-    PortalId portal;            ///< the closed portal met, the lowest id of several; else invalid
-    std::uint32_t material = 0; ///< index into World::material_name; of a closed portal, the portal's
+    double safe_fraction = 1;    ///< how far to go so that the skin is kept along `normal`: within 0..fraction
+    FaceRef face;                ///< the face met; of several at the same fraction the one with the lowest id; invalid
+                                 ///< when a closed portal was met, which is when no face is met at that fraction
+    PortalId portal;             ///< the closed portal met, the lowest id of several; else invalid
+    std::uint32_t material = 0;  ///< index into World::material_name; of a closed portal, the portal's
 };
 
 /// What casts looked at. Add up over casts; a cast only ever adds.

@@ -50,13 +50,14 @@ enum class PolygonFault : std::uint8_t {
 /// @return kHit with fraction in (0, 1]; kTouching at fraction 0 when the distance at the start is at most the radius
 /// and
 ///         decreasing; kMiss otherwise, also when the sphere starts in touch and moves along or away.
-///         An exact graze is a hit. A miss has fraction 1 and the end of the path as its centre. kInvalid, with fraction 0 and
-///         the start as its centre, for a number that is not finite or beyond 2^200, or a negative radius.
+///         An exact graze is a hit. A miss has fraction 1 and the end of the path as its centre. kInvalid, with
+///         fraction 0 and the start as its centre, for a number that is not finite or beyond 2^200, or a negative
+///         radius.
 /// Never allocates, never throws.
 /// Source: J. Slagel's system as described in Game Developer Magazine, "Collision Detection Using Ray Casting"; the
 /// formulas are re-derived (docs/casting.md says which were wrong in print).
 [[nodiscard]] PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const Vec3> corners,
-                        Sides sides = Sides::kFront);
+                                      Sides sides = Sides::kFront);
 
 /// The point of a polygon nearest to a point.
 struct ClosestPoint {

@@ -45,8 +45,8 @@ struct CastOptions {
 /// @param path    motion (metres)
 /// @return as cast_polygon(), over all faces, and over closed portals as two-sided ones; of several at the smallest
 ///         fraction the one with the lowest id, faces before portals. A miss has fraction and safe_fraction 1 and the
-///         end of the path as its centre. kInvalid also for a room that is not there and a skin that is not finite: then
-///         the fractions are 0.
+///         end of the path as its centre. kInvalid also for a room that is not there and a skin that is not finite:
+///         then the fractions are 0.
 [[nodiscard]] Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 /// Of a particle.
 [[nodiscard]] inline Hit cast(const World& world, const Ray& ray, const CastOptions& options = {}) {
@@ -128,8 +128,8 @@ struct NearFace : ClosestPoint {
 /// What a sphere overlaps, and how to get out.
 struct Overlap : NearFace {
     /// Unit: moved this way by `depth`, the sphere touches this face no more than in a point. From the nearest point
-    /// toward the centre; for a centre behind a one-sided face along that face's normal, out of the solid; for a centre on
-    /// the face along its normal.
+    /// toward the centre; for a centre behind a one-sided face along that face's normal, out of the solid; for a centre
+    /// on the face along its normal.
     Vec3 direction;
     double depth = 0;  ///< metres, >= 0
 };

@@ -24,8 +24,8 @@ namespace firma {
 
 /// Where a point is.
 struct Location {
-    /// kUnknown also outside all of several rooms where none is the exterior, and anywhere among several rooms without any
-    /// face of a solid, as of a file saved without its exact part.
+    /// kUnknown also outside all of several rooms where none is the exterior, and anywhere among several rooms without
+    /// any face of a solid, as of a file saved without its exact part.
     Where where = Where::kUnknown;
     RoomId room;  ///< with kAir
 
@@ -91,7 +91,7 @@ enum class Doors : std::uint8_t {
 /// @return the portals passed, in order; none at all when both are one room; nothing when there is no way,
 ///         or no such room. Costs at most all portals
 [[nodiscard]] std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
-                                               Doors doors = Doors::kAsTheyAre);
+                                                             Doors doors = Doors::kAsTheyAre);
 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///

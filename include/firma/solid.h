@@ -99,8 +99,8 @@ struct Region {
 /// The same for what lies in one region.
 struct RegionHash {
     Region region;
-    std::uint64_t faces = 0;             ///< of all that a world's faces are: those whose lowest corner lies there
-    std::uint64_t points = 0;            ///< of the solid's set of points: of its corners there
+    std::uint64_t faces = 0;   ///< of all that a world's faces are: those whose lowest corner lies there
+    std::uint64_t points = 0;  ///< of the solid's set of points: of its corners there
     friend bool operator==(const RegionHash&, const RegionHash&) = default;
 };
 
@@ -109,11 +109,11 @@ std::vector<RegionHash> hash_regions(const Solid& solid);
 
 /// Where a point lies.
 enum class Where : std::uint8_t {
-    kAir,        ///< in front of the faces that it sees first
-    kSolid,      ///< behind them
-    kOnSurface,  ///< on a face that bounds the solid, exactly
-    kUnknown,    ///< a number is not finite or too large; or in a fold of the surface that rounding to the grid made (a few
-                 ///< millionths of a metre wide)
+    kAir,      ///< in front of the faces that it sees first
+    kSolid,    ///< behind them
+    kSurface,  ///< on a face that bounds the solid, exactly
+    kUnknown,  ///< a number is not finite or too large; or in a fold of the surface that rounding to the grid made (a
+               ///< few millionths of a metre wide)
 };
 
 /// Where a point lies, by what a ray from it meets first.

@@ -45,9 +45,9 @@ struct TriangleMesh {
 };
 
 struct TriangleOptions {
-    Vec3 origin{};               ///< metres: what positions are told from. Near the faces, floats lose least
-    std::uint32_t mask = ~0u;    ///< faces that share a bit
-    bool castable_only = true;   ///< also the faces that bound no solid
+    Vec3 origin{};              ///< metres: what positions are told from. Near the faces, floats lose least
+    std::uint32_t mask = ~0u;   ///< faces that share a bit
+    bool castable_only = true;  ///< also the faces that bound no solid
 };
 
 /// The triangles of all faces of a world, of a room, or of a region. None is without area on the surface grid. The same

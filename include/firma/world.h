@@ -80,9 +80,9 @@ public:
     /// Of all rooms together.
     TreeStatistics statistics() const;
 
-    /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of another
-    /// world, of a closed portal, or of nothing. Keep it in a variable: `for (Vec3 c : world.face(ref)->corners)` would go
-    /// through corners that are gone. Costs a walk through the index to the face.
+    /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of
+    /// another world, of a closed portal, or of nothing. Keep it in a variable: `for (Vec3 c :
+    /// world.face(ref)->corners)` would go through corners that are gone. Costs a walk through the index to the face.
     [[nodiscard]] std::optional<Face> face(const FaceRef& ref) const;
     /// The same without its outline. Never allocates.
     [[nodiscard]] std::optional<FaceInfo> face_info(const FaceRef& ref) const;
@@ -125,8 +125,8 @@ World make_world(const Solid& solid, const WorldOptions& options = {});
 ///         world would answer every cast with a miss (World() is one).
 Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
-/// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through: the
-/// index down to the box, the faces of the room, the index down to the region.
+/// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:
+/// the index down to the box, the faces of the room, the index down to the region.
 /// @return whether the visitor let it come to an end
 
 /// All.

@@ -70,7 +70,8 @@ bool is_outside(const CutterSolid& cutter, const GridPoint& p) {
 
 template <class Ends>
 bool label_ends_of_cut_edges(const CutInput& in, const Crossings& crossings, const CutOrder& order,
-                             const std::vector<CutOrder::Range>& ranges, const Ends& ends, std::vector<CutSide>& labels) {
+                             const std::vector<CutOrder::Range>& ranges, const Ends& ends,
+                             std::vector<CutSide>& labels) {
     const auto enters_at = [&](std::uint32_t k) { return enters(in, crossings.points[order.along[k]]); };
     for (std::uint32_t edge = 0; edge < ranges.size(); ++edge) {
         const CutOrder::Range& range = ranges[edge];
@@ -84,7 +85,8 @@ bool label_ends_of_cut_edges(const CutInput& in, const Crossings& crossings, con
     return true;
 }
 
-Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrder& order, std::vector<CutSide>& labels) {
+Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                    std::vector<CutSide>& labels) {
     const SolidPatch& patch = in.patch;
     labels.assign(patch.vertices.size(), CutSide::kUnknown);
     const auto ends = [&](std::uint32_t edge) {

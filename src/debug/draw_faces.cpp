@@ -108,8 +108,8 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
 }
 
 /// What is worth drawing, and how much is not.
-std::vector<Shape> collect_shapes(const View& view, const World& world, std::span<const Face> faces, const FaceLook& look,
-                                  FacesDrawn& counts) {
+std::vector<Shape> collect_shapes(const View& view, const World& world, std::span<const Face> faces,
+                                  const FaceLook& look, FacesDrawn& counts) {
     std::vector<Shape> shapes;
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const Face& face = faces[k];
@@ -204,7 +204,8 @@ std::optional<CutLine> cut_of(const Face& face, int axis, double at) {
 
 }  // namespace
 
-FacesDrawn draw_faces(SvgText& svg, const View& view, const World& world, std::span<const Face> faces, const FaceLook& look) {
+FacesDrawn draw_faces(SvgText& svg, const View& view, const World& world, std::span<const Face> faces,
+                      const FaceLook& look) {
     FacesDrawn counts;
     std::vector<Shape> shapes = collect_shapes(view, world, faces, look, counts);
     keep_to_budget(shapes, look.most_bytes, counts);

@@ -190,7 +190,7 @@ void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOpt
 
 Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanOptions& options) {
     const std::vector<Face> faces = faces_to_show(world);
-    const std::vector<RoomId> rooms = rooms_of_faces(world, faces);
+    const std::vector<RoomId> rooms = rooms_of_faces(faces);
     const std::vector<DrawnCast> some = chosen(casts, options.most_casts);
     const Box bounds = box_of(faces);
     Page page = lay_out(region_of(bounds, some), options.up);
@@ -215,7 +215,8 @@ Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanO
     plan.casts_drawn = draw_casts(svg, page.plan, some);
     draw_frame(svg, page.plan, plan_heading(options));
 
-    const FacesDrawn in_section = draw_faces(svg, page.section, world, faces, {tints.section, tints.of, plan.at, 1 << 20});
+    const FacesDrawn in_section =
+        draw_faces(svg, page.section, world, faces, {tints.section, tints.of, plan.at, 1 << 20});
     plan.faces_cut = draw_cut_lines(svg, page.section, faces, plan.at);
     if (plan.shows_rooms) {
         const PlanRaster raster = make_raster(page.section, faces, plan.at);

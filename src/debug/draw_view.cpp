@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Each face into a buffer of depths, four samples a pixel; then colour, shadow and edges sample by sample.
-#include "firma/queries.h"
 #include "debug/draw_view.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -273,7 +273,7 @@ std::vector<Vec3> paints_of(const World& world, std::span<const Face> faces, boo
     std::vector<Vec3> paints;
     for (const Face& face : faces) paints.push_back(paint_of(face));
     if (!rooms) return paints;
-    const std::vector<RoomId> room = rooms_of_faces(world, faces);
+    const std::vector<RoomId> room = rooms_of_faces(faces);
     for (std::size_t k = 0; k < faces.size(); ++k) {
         if (is_sky(faces[k])) continue;
         const Vec3 colour = mixed(room_colour(room[k], room_info(world, room[k])->exterior), kWhite, kRoomWhite);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Triangles of a convex polygon, cut off from a first edge on, to the left or to the right.
 //
-// Left of the chord from corner `left` to corner `right` lies what is not divided yet: right, right + 1, ..., left, going
-// around. The triangle of the chord and of the next corner on either side has area, as a chord through the inside meets
-// the rim in its ends alone. What remains has area as long as some corner between its ends is a turn; where one of the two
-// ways would leave none, the other one does not.
+// Left of the chord from corner `left` to corner `right` lies what is not divided yet: right, right + 1, ..., left,
+// going around. The triangle of the chord and of the next corner on either side has area, as a chord through the inside
+// meets the rim in its ends alone. What remains has area as long as some corner between its ends is a turn; where one
+// of the two ways would leave none, the other one does not.
 #include "geometry/triangulate_convex.h"
 
 #include "geometry/exact_integer.h"

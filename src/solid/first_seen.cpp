@@ -81,7 +81,7 @@ Seen see_first(const Node* root, const Vec3& point, const SeePolygons* polygons)
         const Seen seen = first.judge();
         if (seen.kind != Seen::Kind::kUnsure) return seen;
     }
-    if (root && on_some_facet(*root, point)) return {.kind = Seen::Kind::kOnSurface};
+    if (root && on_some_facet(*root, point)) return {.kind = Seen::Kind::kSurface};
     return {};
 }
 

@@ -160,8 +160,8 @@ Where locate(const Solid& solid, const Vec3& point) {
             return Where::kSolid;
         case Seen::Kind::kNothing:
             return solid.rock_outside() ? Where::kSolid : Where::kAir;
-        case Seen::Kind::kOnSurface:
-            return Where::kOnSurface;
+        case Seen::Kind::kSurface:
+            return Where::kSurface;
         case Seen::Kind::kUnsure:
         case Seen::Kind::kPolygon:
             break;

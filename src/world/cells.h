@@ -25,10 +25,10 @@ namespace firma {
 /// A volume of air.
 struct RoomRecord {
     std::string name;
-    bool exterior = false;               ///< it reaches to infinity
-    std::uint32_t merged_into = 0;       ///< itself; of a room that an edit made part of another: that one
-    std::vector<PortalId> portals;       ///< that lead out of it, ascending; without those that are gone
-    GridBox portal_box;                  ///< around these: Cells::box_of()
+    bool exterior = false;          ///< it reaches to infinity
+    std::uint32_t merged_into = 0;  ///< itself; of a room that an edit made part of another: that one
+    std::vector<PortalId> portals;  ///< that lead out of it, ascending; without those that are gone
+    GridBox portal_box;             ///< around these: Cells::box_of()
 };
 
 /// A portal on its way into a world: where the air of one room passes into that of another.

@@ -59,8 +59,8 @@ Location locate(const World& world, const Vec3& point) {
             return {Where::kAir, data.cells.rooms_of(data.cells.portal(seen.number))[seen.front ? 0 : 1]};
         case Seen::Kind::kNothing:
             return outside(data);
-        case Seen::Kind::kOnSurface:
-            return {Where::kOnSurface, {}};
+        case Seen::Kind::kSurface:
+            return {Where::kSurface, {}};
         case Seen::Kind::kUnsure:
             break;
     }

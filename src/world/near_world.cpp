@@ -134,7 +134,8 @@ struct KeepNearest {
 
     bool takes(const Vec3&, const PolygonShape&, const Closest& closest) const { return closest.distance <= reach; }
     bool keep(const NearFace& near, bool, const PolygonShape&, const Closest&) {
-        if (best.found() && !(near.distance < best.distance || (near.distance == best.distance && comes_before(near, best))))
+        if (best.found() &&
+            !(near.distance < best.distance || (near.distance == best.distance && comes_before(near, best))))
             return false;
         best = near;
         reach = near.distance;

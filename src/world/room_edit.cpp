@@ -130,9 +130,9 @@ void RoomEdit::publish(WorldData& next) const {
         next.cells.take_out(portals);
         for (const std::uint32_t room : rooms_) {
             if (room == target()) continue;
-            next.set_room(room,
-                          std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, target(), {}, {}}),
-                          Ref<const RoomFaces>(new RoomFaces));
+            next.set_room(
+                room, std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, target(), {}, {}}),
+                Ref<const RoomFaces>(new RoomFaces));
         }
     }
     const bool same_record = rooms_.size() == 1;

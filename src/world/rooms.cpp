@@ -120,9 +120,7 @@ std::vector<RoomId> neighbours(const World& world, RoomId room) {
 std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to, Doors doors) {
     const WorldData& data = world.data();
     if (!is_room(data, from) || !is_room(data, to)) return {};
-    const auto leads_on = [&](PortalId portal) {
-        return doors == Doors::kAllOpen || is_open(data, portal.value);
-    };
+    const auto leads_on = [&](PortalId portal) { return doors == Doors::kAllOpen || is_open(data, portal.value); };
     std::uint32_t room = data.cells.current_room(from.value);
     const std::vector<std::uint32_t> away = portals_away(data, data.cells.current_room(to.value), leads_on);
     if (away[room] == ~0u) return {};

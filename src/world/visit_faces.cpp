@@ -82,7 +82,9 @@ bool visit_faces(const World& world, const Box& box, FaceVisitor visit) {
     if (!is_finite(box.low) || !is_finite(box.high)) return true;
     for (int axis = 0; axis < 3; ++axis)
         if (!steps_of(box.low[axis], box.high[axis], steps.low[axis], steps.high[axis])) return true;
-    const auto meets = [&](const Block& block, const FaceRecord& face) { return boxes_meet(block.box_of(face), steps); };
+    const auto meets = [&](const Block& block, const FaceRecord& face) {
+        return boxes_meet(block.box_of(face), steps);
+    };
     return show_faces(world.data(), all_faces(world.data()), steps, meets, visit);
 }
 

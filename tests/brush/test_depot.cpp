@@ -11,10 +11,10 @@
 #include <tuple>
 #include <vector>
 
-#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/masks.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/brush/depot_level.h"

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <string>
 
-#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "scenes/rng.h"

@@ -190,7 +190,7 @@ static void test_points(firma_world room) {
     CHECK_OK(firma_world_locate(room, rock, &where, &in));
     CHECK(where == FIRMA_SOLID && in == FIRMA_NO_ROOM);
     CHECK_OK(firma_world_locate(room, on_floor, &where, NULL));
-    CHECK(where == FIRMA_ON_SURFACE);
+    CHECK(where == FIRMA_SURFACE);
     CHECK_FAILS(firma_world_locate(room, bad, &where, NULL), FIRMA_ERROR_OUT_OF_RANGE, "finite");
     firma_near near[6];
     CHECK_OK(firma_closest(room, middle, INFINITY, NULL, near, &found));
@@ -218,7 +218,8 @@ static void test_points(firma_world room) {
     CHECK_OK(firma_overlap(room, near_corner, 0.2, &some, NULL, 0, &count));
     CHECK(count == 3);
     some.room = 7;
-    CHECK_FAILS(firma_overlap(room, near_corner, 0.2, &some, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE, "no such room");
+    CHECK_FAILS(firma_overlap(room, near_corner, 0.2, &some, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE,
+                "no such room");
     CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "no such room");
     some.size = 4;
     CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_BAD_CALL, "size");

@@ -100,7 +100,7 @@ static void test_locate(firma_world world) {
     CHECK_OK(firma_world_locate(world, inside, &where, &room));
     CHECK(where == FIRMA_SOLID && room == FIRMA_ANY_ROOM);
     CHECK_OK(firma_world_locate(world, on_a_face, &where, &room));
-    CHECK(where == FIRMA_ON_SURFACE && room == FIRMA_NO_ROOM);
+    CHECK(where == FIRMA_SURFACE && room == FIRMA_NO_ROOM);
     CHECK_FAILS(firma_world_locate(world, bad, &where, &room), FIRMA_ERROR_OUT_OF_RANGE, "coordinate");
     CHECK_FAILS(firma_world_locate(world, NULL, &where, &room), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_world_locate(world, inside, NULL, &room), FIRMA_ERROR_BAD_CALL, "null");

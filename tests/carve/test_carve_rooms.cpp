@@ -2,10 +2,10 @@
 // Edits of worlds of several rooms: every room stays closed, every answer true.
 #include <gtest/gtest.h>
 
-#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/diff_worlds.h"
 #include "firma/memory.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
@@ -104,7 +104,8 @@ TEST(CarveRooms, ACavityIsARoomUntilItIsOpened) {
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 3u);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(2));
-    EXPECT_EQ(room_of(result.world, cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom})), RoomId{2});
+    EXPECT_EQ(room_of(result.world, cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom})),
+              RoomId{2});
     EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{2}});
     result = cut(result.world, CutterShape::kBox, {1.5, 2, -0.8}, 1);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/carve/cutters.h"
 #include "tests/solid/solid_levels.h"

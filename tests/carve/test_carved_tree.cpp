@@ -2,8 +2,8 @@
 // What casts look at in a carved world, beside a tree built from scratch over the same facets: counted, not timed.
 #include <gtest/gtest.h>
 
-#include "firma/queries.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
 #include "tests/sample.h"

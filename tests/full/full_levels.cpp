@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
-#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/masks.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/brush_piles.h"
 #include "scenes/level_cuts.h"

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "firma/queries.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/room_grid.h"
 #include "tests/full/options.h"

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <vector>
 
-#include "firma/queries.h"
 #include "base/assert.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/fuzz/bytes.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "firma/queries.h"
 #include "cli/write_glb.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/gltf/read_text.h"

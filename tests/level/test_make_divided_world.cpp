@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/level_portals.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/solid/solid_levels.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casts through a carved world.
-#include "firma/queries.h"
 #include "tests/reference/judge_carved_casts.h"
+#include "firma/queries.h"
 #include "world/block_faces.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Judges a level of brushes made into a world.
-#include "firma/queries.h"
 #include "tests/reference/judge_joined.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Judges the rooms of a world.
-#include "firma/queries.h"
 #include "tests/reference/judge_rooms.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <array>
@@ -114,9 +114,8 @@ std::string judge_way(const World& world, const Vec3& from, const Vec3& to) {
     if (hit.touched()) return {};
     for (std::size_t k = 0; k < std::min<std::size_t>(trail.count, passed.size()); ++k)
         if (passed[k] == end.room) return {};
-    return (end.where == Where::kSolid
-                ? "a way into the solid meets nothing: from "
-                : "a way through the air to another room passes no portal into it: from ") +
+    return (end.where == Where::kSolid ? "a way into the solid meets nothing: from "
+                                       : "a way through the air to another room passes no portal into it: from ") +
            text_of(from) + " to " + text_of(to);
 }
 

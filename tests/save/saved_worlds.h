@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/save.h"
 #include "save/crc32c.h"
 #include "save/sections.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "firma/queries.h"
 #include "base/hasher.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "scenes/divided_building.h"

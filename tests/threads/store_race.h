@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "base/hasher.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
-#include "base/hasher.h"
 #include "firma/world_store.h"
 #include "tests/store/cratered.h"
 

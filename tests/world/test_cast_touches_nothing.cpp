@@ -14,8 +14,8 @@
 #include <new>
 #include <vector>
 
-#include "firma/queries.h"
 #include "firma/memory.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
 #include "tests/store/cratered.h"

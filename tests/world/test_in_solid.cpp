@@ -31,7 +31,8 @@ TEST(InSolid, RaysThatGrazeAnEdge) {
             const double away = k / 32.0;
             EXPECT_EQ(locate(world.solid(), {31 - 3 * away, 48 - 4 * away, z}), Where::kSolid) << k << " " << z;
             if (away == 2) continue;  // on the wall
-            EXPECT_EQ(locate(world.solid(), {39 - 3 * away, 48 - 4 * away, z}), away > 2 ? Where::kSolid : Where::kAir) << k << " " << z;
+            EXPECT_EQ(locate(world.solid(), {39 - 3 * away, 48 - 4 * away, z}), away > 2 ? Where::kSolid : Where::kAir)
+                << k << " " << z;
         }
 }
 
@@ -41,9 +42,9 @@ TEST(InSolid, AroundABox) {
     EXPECT_EQ(locate(world.solid(), {0.5, 1, -1.5}), Where::kSolid);
     EXPECT_EQ(locate(world.solid(), {1e6, 1, -1.5}), Where::kSolid);
     EXPECT_EQ(locate(world.solid(), {0.5, NAN, 0}), Where::kUnknown);
-    EXPECT_EQ(locate(world.solid(), {0.5, 1, 0}), Where::kOnSurface);
-    EXPECT_EQ(locate(world.solid(), {1, 2, 3}), Where::kOnSurface) << "a corner";
-    EXPECT_EQ(locate(world.solid(), {0, 1.25, 1.5}), Where::kOnSurface);
+    EXPECT_EQ(locate(world.solid(), {0.5, 1, 0}), Where::kSurface);
+    EXPECT_EQ(locate(world.solid(), {1, 2, 3}), Where::kSurface) << "a corner";
+    EXPECT_EQ(locate(world.solid(), {0, 1.25, 1.5}), Where::kSurface);
     EXPECT_EQ(locate(world.solid(), {0x1p-60, 1.25, 1.5}), Where::kAir);
     EXPECT_EQ(locate(World().solid(), {0.5, 1, 0}), Where::kAir);
 }

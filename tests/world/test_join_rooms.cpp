@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "firma/queries.h"
 #include "firma/carve.h"
 #include "firma/diff_worlds.h"
 #include "firma/memory.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "scenes/hub.h"

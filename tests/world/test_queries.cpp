@@ -23,7 +23,8 @@ namespace {
 
 const World& building() {
     static const World world =
-        assemble_world(scenes::DividedBuilding({.rooms_x = 4, .rooms_y = 3, .rooms_z = 2, .closed = 0.3, .seed = 3}).parts())
+        assemble_world(
+            scenes::DividedBuilding({.rooms_x = 4, .rooms_y = 3, .rooms_z = 2, .closed = 0.3, .seed = 3}).parts())
             .value();
     return world;
 }
@@ -33,8 +34,7 @@ std::vector<CastInput> some_casts(std::size_t count, std::uint64_t seed) {
     const Box bounds = building().bounds();
     std::vector<CastInput> casts(count);
     for (CastInput& one : casts) {
-        for (int axis = 0; axis < 3; ++axis)
-            one.sphere.centre[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
+        for (int axis = 0; axis < 3; ++axis) one.sphere.centre[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
         one.sphere.radius = rng.chance(0.5) ? 0 : rng.uniform(0.05, 0.4);
         const Vec3 direction = rng.direction();
         one.path = direction * rng.uniform(0.5, 30);

@@ -32,8 +32,8 @@ TEST(Rooms, PointsOfTwoHalves) {
     EXPECT_EQ(locate(world, {4 - 1e-12, 1, 1}), in_room(0));
     EXPECT_EQ(locate(world, {1, 1, 5}), kSolid);
     EXPECT_EQ(locate(world, {1e5, 1, 5}), kSolid);
-    EXPECT_EQ(locate(world, {4, 0, 1}).where, Where::kOnSurface);  // on the rim of the portal: on a wall
-    EXPECT_EQ(locate(world, {1, 1, 0}).where, Where::kOnSurface);
+    EXPECT_EQ(locate(world, {4, 0, 1}).where, Where::kSurface);  // on the rim of the portal: on a wall
+    EXPECT_EQ(locate(world, {1, 1, 0}).where, Where::kSurface);
     EXPECT_EQ(locate(world, {NAN, 1, 0}).where, Where::kUnknown);
 }
 

@@ -22,8 +22,9 @@ namespace {
 
 /// A convex polygon with corners along its sides: a triangle or more, in a plane of slope, each side divided.
 std::vector<GridPoint> notched(scenes::Rng& rng) {
-    static const std::vector<std::vector<std::array<int, 2>>> shapes{
-        {{0, 0}, {60, 0}, {0, 60}}, {{0, 0}, {60, 0}, {60, 60}, {0, 60}}, {{0, 0}, {60, 0}, {120, 60}, {60, 120}, {0, 60}}};
+    static const std::vector<std::vector<std::array<int, 2>>> shapes{{{0, 0}, {60, 0}, {0, 60}},
+                                                                     {{0, 0}, {60, 0}, {60, 60}, {0, 60}},
+                                                                     {{0, 0}, {60, 0}, {120, 60}, {60, 120}, {0, 60}}};
     const auto& shape = shapes[rng.below(std::uint32_t(shapes.size()))];
     const int sx = int(rng.below(5)) - 2, sy = int(rng.below(5)) - 2;
     std::vector<GridPoint> corners;
@@ -39,7 +40,8 @@ std::vector<GridPoint> notched(scenes::Rng& rng) {
 }
 
 std::int64_t twice_area(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
-    return (std::int64_t(b.x) - a.x) * (std::int64_t(c.y) - a.y) - (std::int64_t(b.y) - a.y) * (std::int64_t(c.x) - a.x);
+    return (std::int64_t(b.x) - a.x) * (std::int64_t(c.y) - a.y) -
+           (std::int64_t(b.y) - a.y) * (std::int64_t(c.x) - a.x);
 }
 
 TEST(TriangulateConvex, EveryTriangleHasAreaAndTogetherTheyAreThePolygon) {
@@ -57,7 +59,8 @@ TEST(TriangulateConvex, EveryTriangleHasAreaAndTogetherTheyAreThePolygon) {
             sum += area;
             for (const auto& side : {std::array{a, b}, std::array{b, c}, std::array{c, a}}) sides.insert(side);
         }
-        for (std::size_t c = 1; c + 1 < corners.size(); ++c) whole += twice_area(corners[0], corners[c], corners[c + 1]);
+        for (std::size_t c = 1; c + 1 < corners.size(); ++c)
+            whole += twice_area(corners[0], corners[c], corners[c + 1]);
         ASSERT_EQ(sum, whole);
         for (std::uint32_t c = 0; c < corners.size(); ++c)
             ASSERT_EQ(sides.count({c, (c + 1) % std::uint32_t(corners.size())}), 1u) << "no corner is left out";
@@ -147,7 +150,8 @@ TEST(Triangles, OfAWorldARoomARegion) {
     EXPECT_TRUE(triangles_of(world, RoomId{1000}).corners.empty());
 
     std::size_t in_regions = 0;
-    for (const RegionHash& region : hash_regions(world)) in_regions += triangles_of(world, region.region).sources.size();
+    for (const RegionHash& region : hash_regions(world))
+        in_regions += triangles_of(world, region.region).sources.size();
     EXPECT_EQ(in_regions, faces.size());
 
     // Area by triangles, in double, is that of the faces.

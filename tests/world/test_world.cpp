@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The World as a value and the questions it answers, on a small closed room.
 #include "firma/carve.h"
-#include "firma/solid.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
+#include "firma/solid.h"
 #include "firma/world.h"
 
 #include <gtest/gtest.h>

@@ -148,6 +148,7 @@ export function getHit(core, at) {
 
 /** What a hit of this world was, as cast() gave it, to the fixed hit: what firma_world_hit_info() looks at. */
 export function putHit(core, hit, place) {
+    if (hit === undefined) throw badCall(place, 'the hit must be one that cast() gave');
     object(hit, place, 'the hit');
     const at = core.at.hit;
     const id = (value, name, none) => (value === null ? none : word(value, place, name));

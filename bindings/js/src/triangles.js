@@ -8,11 +8,11 @@ import { TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from 
 /** The options' address. */
 function putOptions(core, lent, options) {
     object(options, 'triangles', 'the options');
-    const { origin = [0, 0, 0], room, region } = options;
+    const { origin = [0, 0, 0], room, region } = options ?? {};
     const at = lent.take(TRIANGLE_OPTIONS.sizeof);
     core.setU32(at + TRIANGLE_OPTIONS.size, TRIANGLE_OPTIONS.sizeof);
-    core.setU32(at + TRIANGLE_OPTIONS.mask, options.mask === undefined ? 0xffffffff : mask(options.mask, 'triangles'));
-    core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(options.solidOnly, 'triangles', 'solidOnly'));
+    core.setU32(at + TRIANGLE_OPTIONS.mask, options?.mask === undefined ? 0xffffffff : mask(options.mask, 'triangles'));
+    core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(options?.solidOnly, 'triangles', 'solidOnly'));
     core.setU32(at + TRIANGLE_OPTIONS.room, room === undefined ? 0xffffffff : word(room, 'triangles', 'room'));
     core.setVector(at + TRIANGLE_OPTIONS.origin, vector(origin, 3, 'triangles', 'origin'));
     let place = 0;

@@ -221,7 +221,7 @@ test('overlap, closest, locate', () => {
         assert.equal(world.closest([4, 4, 4], Infinity, { mask: 0 }), null);
         assert.deepEqual(world.locate([4, 4, 4]), { where: 'air', room: 0 });
         assert.deepEqual(world.locate([-4, 4, 4]), { where: 'solid', room: null });
-        assert.deepEqual(world.locate([0, 4, 4]), { where: 'on surface', room: null });
+        assert.deepEqual(world.locate([0, 4, 4]), { where: 'surface', room: null });
     });
     withLevel((world) => assert.equal(world.overlap([40, 20, 4], 200).length, world.facts().faceCount));
 });

@@ -89,15 +89,16 @@ test('arguments of every kind', () => {
     const job = world.startCarve(cutter, { position: [8, 4, 4] });
     const edit = world.edit();
     const store = firma.openStore(world, 1e5);
+    const level = firma.levelFromMap('{ "classname" "worldspawn" }');
     const gone = firma.crater('box', 1);
     gone.release();
-    const handles = [world, cutter, job, edit, store, gone];
+    const handles = [world, cutter, job, edit, store, level, gone];
     const answers = { returned: 0 };
-    const objects = [firma, world, cutter, job, edit, store];
+    const objects = [firma, world, cutter, job, edit, store, level];
     for (let round = 0; round < 300; ++round) {
         for (const object of objects) {
             for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(object))) {
-                if (name === 'constructor' || name === 'version') continue;
+                if (['constructor', 'version', 'metresPerUnit'].includes(name)) continue;
                 const given = Array.from({ length: below(4) }, () => (next() < 0.3 ? pick(handles) : pick(makers)()));
                 // Once in three times what such a call begins with.
                 if (/arve/.test(name) && next() < 0.5) given.splice(0, 2, cutter, { position: vectorOf(3) });
@@ -119,7 +120,7 @@ test('arguments of every kind', () => {
         }
     }
     world.check();
-    for (const object of [world, cutter, job, edit, store]) object.release();
+    for (const object of [world, cutter, job, edit, store, level]) object.release();
     const seen = JSON.stringify(answers);
     for (const code of ['returned', 'BAD_CALL', 'BAD_HANDLE', 'INVALID', 'MALFORMED', 'OUT_OF_RANGE'])
         assert.ok(answers[code] > 3, seen);

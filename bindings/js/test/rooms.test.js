@@ -4,23 +4,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { HitBatch, NO_PORTAL } from '../src/index.js';
-import { firma, levelBytes, releasing, throwsCode } from './helpers.js';
+import { brush as box, firma, levelBytes, releasing, throwsCode } from './helpers.js';
 
 const depot = readFileSync(new URL('../../../levels/depot.map', import.meta.url));
-
-/** A brush in units of the file: six sides, clockwise seen from outside; the one at low x with its own texture. */
-function box(low, high, texture, lowX = texture) {
-    const at = (...bits) => `( ${bits.map((bit, axis) => (bit ? high : low)[axis]).join(' ')} )`;
-    const sides = [
-        [at(0, 0, 0), at(0, 1, 0), at(0, 0, 1), lowX],
-        [at(1, 0, 0), at(1, 0, 1), at(1, 1, 0), texture],
-        [at(0, 0, 0), at(0, 0, 1), at(1, 0, 0), texture],
-        [at(0, 1, 0), at(1, 1, 0), at(0, 1, 1), texture],
-        [at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), texture],
-        [at(0, 0, 1), at(0, 1, 1), at(1, 0, 1), texture],
-    ];
-    return `{\n${sides.map((side) => `${side.join(' ')} 0 0 0 1 1\n`).join('')}}\n`;
-}
 
 /** Two rooms of 4 m along x within walls of half a metre, a portal between them at x = 4. */
 const twoRooms =
@@ -62,7 +48,7 @@ test('where a point is', () => {
     withRooms((world) => {
         assert.equal(new Set([1, 7, 99].map((x) => roomAt(world, x))).size, 3);
         assert.deepEqual(world.locate([-0.25, 2, 2]), { where: 'solid', room: null });
-        assert.deepEqual(world.locate([2, 2, 0]), { where: 'on surface', room: null });
+        assert.deepEqual(world.locate([2, 2, 0]), { where: 'surface', room: null });
         throwsCode('OUT_OF_RANGE', () => world.locate([0, NaN, 0]));
         throwsCode('BAD_CALL', () => world.locate([0, 0]));
     });
