@@ -3,10 +3,13 @@
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
 import { MESH, SHAPE_NAMES, WORLD_OPTIONS } from './layout.js';
-import { bytes, doubles, flag, longWord, masks, number, object, text, word, words } from './arguments.js';
+import { bytes, doubles, flag, flags, longWord, masks, number, object, text, word, words } from './arguments.js';
 import { Cutter } from './carving.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
+
+const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerBin', 'minBinVolume', 'skin', 'scale'];
+const MESH_NAMES = ['positions', 'corners', 'cornerCounts', 'materials', 'materialNames', 'masks', 'twoSided'];
 
 function nameOf(lent, options, place) {
     const name = text(options.name, place, 'name');
@@ -31,11 +34,12 @@ function putWorldOptions(core, options, place) {
 
 /** The arrays of a mesh, checked to fit each other. */
 function readMesh(mesh, place) {
-    if (typeof mesh !== 'object' || mesh === null) throw badCall(place, 'the mesh must be { positions, corners, ... }');
+    if (mesh === undefined) throw badCall(place, 'the mesh must be an object');
+    object(mesh, MESH_NAMES, place, 'the mesh');
     const read = {
         positions: doubles(mesh.positions, 3, place, 'positions'),
         corners: words(mesh.corners, undefined, place, 'corners'),
-        materialNames: mesh.materialNames ?? [],
+        materialNames: mesh.materialNames === undefined ? [] : mesh.materialNames,
     };
     if (mesh.cornerCounts === undefined) {
         if (read.corners.length % 3 !== 0) throw badCall(place, 'corners of triangles must be a multiple of 3');
@@ -52,11 +56,7 @@ function readMesh(mesh, place) {
     read.materialNames = read.materialNames.map((name, k) => text(name, place, `materialNames[${k}]`));
     if (mesh.materials !== undefined) read.materials = words(mesh.materials, read.faceCount, place, 'materials');
     if (mesh.masks !== undefined) read.masks = masks(mesh.masks, read.faceCount, place, 'masks');
-    if (mesh.twoSided !== undefined) {
-        const sides = Array.from(mesh.twoSided, Boolean);
-        if (sides.length !== read.faceCount) throw badCall(place, `twoSided must have ${read.faceCount} entries`);
-        read.twoSided = Uint8Array.from(sides);
-    }
+    if (mesh.twoSided !== undefined) read.twoSided = flags(mesh.twoSided, read.faceCount, place, 'twoSided');
     return read;
 }
 
@@ -98,8 +98,7 @@ export class Firma {
     /** Of a file's bytes, by the function for its format. */
     #worldFrom(format, data, options, place) {
         const core = this.#core;
-        object(options, place, 'the options');
-        const given = options ?? {};
+        const given = object(options, WORLD_OPTION_NAMES, place, 'the options');
         return core.borrow((lent) => {
             const at = lent.bytes(data);
             const name = nameOf(lent, given, place);
@@ -127,7 +126,7 @@ export class Firma {
         const core = this.#core;
         const place = 'worldFromMesh';
         const read = readMesh(mesh, place);
-        const given = object(options, place, 'the options');
+        const given = object(options, WORLD_OPTION_NAMES, place, 'the options');
         return core.borrow((lent) => {
             const at = putMesh(core, lent, read);
             const name = nameOf(lent, given, place);

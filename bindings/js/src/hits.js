@@ -20,6 +20,10 @@ const ROOMS = new Map([
     ['locate', 0xfffffffe],
 ]);
 
+const OPTION_NAMES = ['mask', 'bothSides', 'skin', 'room'];
+const COUNTED_OPTION_NAMES = [...OPTION_NAMES, 'counts'];
+const COUNT_NAMES = ['bins', 'boxes', 'faces', 'precise'];
+
 /** { centre, radius, path } to the fixed input. */
 export function putInput(core, input, place) {
     if (typeof input !== 'object' || input === null) throw badCall(place, 'the cast must be { centre, radius, path }');
@@ -39,10 +43,10 @@ export function putInput(core, input, place) {
     return core.at.input;
 }
 
-/** The options' address, or 0 for none. */
-export function putCastOptions(core, options, place) {
+/** The options' address, or 0 for none. @param counted  whether `counts` is one of them */
+export function putCastOptions(core, options, place, counted = false) {
     if (options === undefined) return 0;
-    object(options, place, 'the options');
+    object(options, counted ? COUNTED_OPTION_NAMES : OPTION_NAMES, place, 'the options');
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
     const skin = options.skin === undefined ? -1 : number(options.skin, place, 'skin');
@@ -61,7 +65,8 @@ export function putCastOptions(core, options, place) {
 /** Where counts go: set to 0, or 0 when nobody wants them. */
 export function clearCounts(core, options, place) {
     if (options?.counts === undefined) return 0;
-    object(options.counts, place, 'counts');
+    object(options.counts, COUNT_NAMES, place, 'counts');
+    for (const name in options.counts) number(options.counts[name], place, name);
     core.u64.fill(0n, core.at.counts >>> 3, (core.at.counts + CAST_COUNTS.sizeof) >>> 3);
     return core.at.counts;
 }
@@ -69,7 +74,7 @@ export function clearCounts(core, options, place) {
 /** Adds what clearCounts()'s place has to options.counts. */
 export function addCounts(core, at, options) {
     if (at === 0) return;
-    for (const name of ['bins', 'boxes', 'faces', 'precise'])
+    for (const name of COUNT_NAMES)
         options.counts[name] = (options.counts[name] ?? 0) + core.getCount(at + CAST_COUNTS[name]);
 }
 
