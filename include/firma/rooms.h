@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -43,7 +44,7 @@ struct Location {
 ///
 /// @param point  metres; may lie outside the world
 /// Never allocates. Costs a cast or two.
-Location locate(const World& world, const Vec3& point);
+FIRMA_EXPORT Location locate(const World& world, const Vec3& point);
 
 struct RoomInfo {
     std::string name;       ///< "" where the level gives none
@@ -55,7 +56,7 @@ struct RoomInfo {
 };
 
 /// @param room  below World::room_count(); else the caller's mistake
-RoomInfo room_info(const World& world, RoomId room);
+FIRMA_EXPORT RoomInfo room_info(const World& world, RoomId room);
 
 struct PortalInfo {
     std::array<RoomId, 2> rooms;
@@ -69,13 +70,13 @@ struct PortalInfo {
 };
 
 /// How many portals there are, those without polygons counted.
-std::size_t portal_count(const World& world);
+FIRMA_EXPORT std::size_t portal_count(const World& world);
 
 /// @param portal  below portal_count(); else the caller's mistake
-PortalInfo portal_info(const World& world, PortalId portal);
+FIRMA_EXPORT PortalInfo portal_info(const World& world, PortalId portal);
 
 /// The rooms that portals, open or closed, join to a room, each once, ascending.
-std::vector<RoomId> neighbours(const World& world, RoomId room);
+FIRMA_EXPORT std::vector<RoomId> neighbours(const World& world, RoomId room);
 
 enum class Doors : std::uint8_t {
     kAsTheyAre,  ///< only open portals lead on
@@ -85,13 +86,13 @@ enum class Doors : std::uint8_t {
 /// A way from room to room by the fewest portals; of several ways the one whose list of portals is first in order.
 ///
 /// @return the portals passed, in order; none at all when both are one room; nothing when there is no way
-std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
-                                               Doors doors = Doors::kAsTheyAre);
+FIRMA_EXPORT std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
+                                                            Doors doors = Doors::kAsTheyAre);
 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///
 /// @return the world with this one change, one version on, sharing all else; the same world when nothing changes. Costs
 ///         a few small copies, however many portals there are
-World set_portal_open(const World& world, PortalId portal, bool open);
+FIRMA_EXPORT World set_portal_open(const World& world, PortalId portal, bool open);
 
 }  // namespace firma

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firma/carve_rules.h"
+#include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/polygon.h"
@@ -43,30 +44,30 @@ struct Face {
 /// Hold one copy for a job and pass references.
 class World {
 public:
-    World();
-    explicit World(std::shared_ptr<const WorldData> data);
+    FIRMA_EXPORT World();
+    FIRMA_EXPORT explicit World(std::shared_ptr<const WorldData> data);
 
-    std::uint64_t version() const;
-    std::size_t face_count() const;
-    std::size_t room_count() const;
+    FIRMA_EXPORT std::uint64_t version() const;
+    FIRMA_EXPORT std::size_t face_count() const;
+    FIRMA_EXPORT std::size_t room_count() const;
     /// Of all faces; empty for a world without any.
-    Box bounds() const;
-    const Tolerance& tolerance() const;
+    FIRMA_EXPORT Box bounds() const;
+    FIRMA_EXPORT const Tolerance& tolerance() const;
     /// What can be carved: a value of its own.
-    const Solid& solid() const;
+    FIRMA_EXPORT const Solid& solid() const;
     /// "" when there is no such material.
-    const std::string& material_name(std::uint32_t material) const;
+    FIRMA_EXPORT const std::string& material_name(std::uint32_t material) const;
     /// Of all rooms together.
-    TreeStatistics statistics() const;
+    FIRMA_EXPORT TreeStatistics statistics() const;
 
     /// The face that a hit of this World names. Its id is not valid() when this world has no such face where the ref
     /// says: it is of another version in which the face was moved or cut, of another world, or of a closed portal.
     /// Costs a walk to the face and one for each of its edges.
-    Face face(const FaceRef& ref) const;
+    FIRMA_EXPORT Face face(const FaceRef& ref) const;
     /// The same by lasting id, through a search of all faces; nothing when this world has no such face.
-    std::optional<Face> find_face(FaceId id) const;
+    FIRMA_EXPORT std::optional<Face> find_face(FaceId id) const;
     /// Every face, in order of id.
-    std::vector<Face> faces() const;
+    FIRMA_EXPORT std::vector<Face> faces() const;
 
     /// How many handles there are to this version, at this instant. What is 1 stays so while nobody copies the one.
     long handles() const { return data_.use_count(); }
@@ -86,21 +87,21 @@ struct WorldOptions {
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
 /// or hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces
 /// have many corners.
-World rebuild_index(const World& world, const TreeOptions& options);
+FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
 
 /// The same world under other rules for carving.
-World with_rules(const World& world, CarveRules rules);
+FIRMA_EXPORT World with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
 /// many as there are, are put into blocks anew. Materials keep their numbers and have no names.
-World make_world(const Solid& solid, const WorldOptions& options = {});
+FIRMA_EXPORT World make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
 /// @return kTooLarge beyond 2^31 faces; kInvalid when the skin is negative or not finite, or when a face of the level
 ///         is not convex, planar and of 3 to 64 corners, or has a corner, material or group that is not there (readers
 ///         never make such), naming it; kMalformed for a level without a face, with what its reader left out: such a
 ///         world would answer every cast with a miss (World() is one).
-Result<World> make_world(const Level& level, const WorldOptions& options = {});
+FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 struct CastOptions {
     std::uint32_t mask = ~0u;      ///< faces that share a bit are met
@@ -123,19 +124,20 @@ struct CastOptions {
 /// fraction the one with the lowest id, faces before portals; kInvalid also for a room that is not there.
 /// Never allocates, takes no lock and touches no reference count; by room, where there are more than 4,096 rooms or
 /// more than 256 wait at a time, a thread's first such casts take memory that it keeps.
-Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
+FIRMA_EXPORT Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
 
 /// Whether cast() would touch anything, without looking for the first.
 /// @return kHit, kTouching, kMiss or kInvalid; kHit also stands for a touch where another face would have said
 /// kTouching.
-Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
+FIRMA_EXPORT Status cast_any(const World& world, const Sphere& sphere, const Vec3& path,
+                             const CastOptions& options = {});
 
 /// Every face and every closed portal that the sphere would meet along the whole path, as if alone, by fraction, then
 /// id, faces before portals. By room: those of the rooms that the whole path leads to through portals, open or closed.
 /// @param hits  replaced; keeps its memory from call to call
 /// @return kMiss when there is none, else the first one's status; kInvalid as cast(), with no hits
-Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
-                const CastOptions& options = {});
+FIRMA_EXPORT Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
+                             const CastOptions& options = {});
 
 /// A face near a point, or a closed portal.
 struct NearFace : ClosestPoint {
@@ -151,8 +153,8 @@ struct NearFace : ClosestPoint {
 /// @param found  replaced
 /// @param room   only what bounds this room; kAnyRoom: all of them
 /// @return kInvalid as for cast(); otherwise kTouching when anything was found, kMiss when not
-Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found, std::uint32_t mask = ~0u,
-               RoomId room = kAnyRoom);
+FIRMA_EXPORT Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found,
+                            std::uint32_t mask = ~0u, RoomId room = kAnyRoom);
 
 /// For closest(): a reach, in metres, that leaves nothing out. It is finite, as a program built with -ffast-math has no
 /// infinity to give.
@@ -163,24 +165,24 @@ inline constexpr double kEverywhere = 0x1p1000;
 /// @param reach  metres; nothing farther is looked for. kEverywhere, or infinity, looks everywhere
 /// @param room   only what bounds this room; kAnyRoom: all of them
 /// @return nothing when no face lies within reach, a number is not finite or too large, or there is no such room
-std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = kEverywhere,
-                                std::uint32_t mask = ~0u, RoomId room = kAnyRoom);
+FIRMA_EXPORT std::optional<NearFace> closest(const World& world, const Vec3& point, double reach = kEverywhere,
+                                             std::uint32_t mask = ~0u, RoomId room = kAnyRoom);
 
 /// in_solid() of the world's solid.
-std::optional<bool> in_solid(const World& world, const Vec3& point);
+FIRMA_EXPORT std::optional<bool> in_solid(const World& world, const Vec3& point);
 
 /// A hash of what the world holds: faces with ids, exact forms and rooms, portals, doors, counters, version; not of the
 /// rules for carving, nor of how faces are kept and found. Worlds made by equal edits in equal order have equal ones on
 /// every machine. It is kept as edits go: asking costs a few nanoseconds a material.
-std::uint64_t hash_world(const World& world);
+FIRMA_EXPORT std::uint64_t hash_world(const World& world);
 
 /// Of one room: its faces, name and number. Costs the same.
 /// @param room  below World::room_count(); 0 for others
-std::uint64_t hash_room(const World& world, RoomId room);
+FIRMA_EXPORT std::uint64_t hash_room(const World& world, RoomId room);
 
 /// Of each cube of 32 m with anything in it, in an order that is the same everywhere: so two machines can find where
 /// their worlds differ.
-std::vector<RegionHash> hash_regions(const World& world);
+FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
 
 /// A broken invariant, named.
 struct WorldFault {
@@ -193,6 +195,6 @@ struct WorldFault {
 /// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
 /// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
 /// check_solid().
-std::optional<WorldFault> check_world(const World& world);
+FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma
