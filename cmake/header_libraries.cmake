@@ -4,6 +4,8 @@
 #
 # Each is linked to from a private folder when cross compiling, so that nothing else of the folder it lies in, often
 # /usr/include, comes along.
+add_library(firma_header_libraries INTERFACE)
+
 function(find_header_library folder header package)
   string(TOUPPER FIRMA_${folder}_INCLUDE_DIR variable)
   find_path(${variable} ${header} HINTS /usr/include /usr/local/include NO_CMAKE_FIND_ROOT_PATH
@@ -15,9 +17,9 @@ function(find_header_library folder header package)
     set(links ${PROJECT_BINARY_DIR}/headers)
     file(MAKE_DIRECTORY ${links})
     file(CREATE_LINK ${${variable}}/${folder} ${links}/${folder} SYMBOLIC)
-    target_include_directories(firma SYSTEM PRIVATE ${links})
+    target_include_directories(firma_header_libraries SYSTEM INTERFACE ${links})
   else()
-    target_include_directories(firma SYSTEM PRIVATE ${${variable}})
+    target_include_directories(firma_header_libraries SYSTEM INTERFACE ${${variable}})
   endif()
 endfunction()
 
