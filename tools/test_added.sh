@@ -53,6 +53,17 @@ configure debug -DCMAKE_BUILD_TYPE=Debug
 ! grep 'src/world/cast_world.cpp' debug/compile_commands.json | grep -q -- '-O3' || fail "-O3 in a project that asks for Debug"
 echo "without a build type: compiled with -O3, as C++20, position independent, hidden; with Debug as that says"
 
+# ---- headers that are not there are told, with the package they are in
+
+for missing in "fast_float/fast_float.h libfast-float-dev FAST_FLOAT" "boost/multiprecision/cpp_int.hpp libboost-dev BOOST"; do
+    read -r header package name <<<"$missing"
+    other=$([ "$name" = BOOST ] && echo FAST_FLOAT || echo BOOST)
+    ! cmake -S tests/added -B "no_$name" -G Ninja -DFIRMA_FOLDER="$root" -DCMAKE_IGNORE_PATH="/usr/include;/usr/local/include" \
+        "-DFIRMA_${other}_INCLUDE_DIR=/usr/include" >"$log" 2>&1 || fail "configured without $header"
+    tr '\n' ' ' <"$log" | tr -s ' ' | grep -q "Firma needs $header to be compiled: Debian's package $package" || { cat "$log" >&2; fail "$header: not said"; }
+done
+echo "without the headers of Boost or fast_float: told which, and Debian's package"
+
 # ---- results
 
 configure unity -DCMAKE_UNITY_BUILD=ON

@@ -96,6 +96,21 @@ must_print "pkg-config, C, static" "$work/pc_c_static" "$level" "$work/saved.fir
 (cd "$work/tests" && quietly $CXX -std=c++20 gltf.cpp -o "$work/pc_gltf" $(pkg-config --cflags --libs firma_gltf) -Wl,-rpath,"$libraries")
 [ "$("$work/pc_gltf")" = "glTF: 1 face, met after 0.5" ] || fail "glTF by pkg-config"
 
+# ---- static libraries alone: pkg-config names what they need
+
+quietly cmake "$build" -DFIRMA_SHARED=OFF
+quietly cmake --build "$build"
+quietly cmake --install "$build" --prefix "$work/static_prefix"
+quietly cmake "$build" -DFIRMA_SHARED=ON
+[ -z "$(find "$work/static_prefix" -name '*.so*')" ] || fail "shared libraries without FIRMA_SHARED"
+alone=$(dirname "$(find "$work/static_prefix" -name firma.pc)")
+(cd "$work/tests" && quietly $CC crater.c -o "$work/alone_c" $(PKG_CONFIG_PATH=$alone pkg-config --cflags --libs firma_c))
+must_print "pkg-config, C, where there are static libraries alone" "$work/alone_c" "$level" "$work/saved.firma"
+(cd "$work/tests" && quietly $CXX -std=c++20 gltf.cpp -o "$work/alone_gltf" $(PKG_CONFIG_PATH=$alone pkg-config --cflags --libs firma_gltf))
+[ "$("$work/alone_gltf")" = "glTF: 1 face, met after 0.5" ] || fail "glTF by pkg-config, static"
+quietly cmake -S "$work/tests/installed" -B "$work/alone" -G Ninja -DCMAKE_PREFIX_PATH="$work/static_prefix" -DBUILD_SHARED_LIBS=ON
+! cmake -S "$work/tests/installed" -B "$work/none" -DCMAKE_PREFIX_PATH="$work/static_prefix" -DFORM=shared >"$log" 2>&1 || fail "shared libraries are found that are not there"
+
 # ---- Python
 
 must_print "Python, ctypes" /usr/bin/python3 "$work/tests/crater.py" "$libraries/libfirma_c.so" "$level"

@@ -68,3 +68,7 @@ mkdir esbuild && cp index.html public/first.obj node_modules/firma/src/firma.was
 quietly node_modules/.bin/esbuild page.js --bundle --minify --format=esm --outfile=esbuild/page.js
 ! grep -q 'node:' esbuild/page.js || fail "what esbuild makes for browsers asks for node"
 must_print "esbuild" node open_page.mjs esbuild index.html
+
+mkdir packed && cp index.html public/first.obj packed/
+quietly node_modules/.bin/esbuild page=packed.js --bundle --format=esm --loader:.wasm=file --outdir=packed
+must_print "esbuild, the module packed too" node open_page.mjs packed index.html

@@ -57,4 +57,6 @@ quietly cmake --build build/windows --target firma_tests firma_c_tests
 quietly wine build/windows/bin/firma_c_tests.exe build/windows
 echo "Windows: the tests of the C API passed"
 quietly wine build/windows/bin/firma_tests.exe --gtest_brief=1
-echo "Windows: $(grep -o '[0-9]* tests passed\|PASSED.*' "$log" | tail -n 1 | tr -d '\r')"
+passed=$(tr -d '\r' <"$log" | sed -n 's/^\[  PASSED  \] \([0-9]* tests\)\.$/\1/p')
+[ -n "$passed" ] || fail "the library's tests did not say how many passed"
+echo "Windows: $passed of the library passed"
