@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "firma/firma.h"
 #include "firma/read_gltf.h"
 
 int main() {
