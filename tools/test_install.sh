@@ -113,7 +113,7 @@ quietly cmake -S "$work/tests/installed" -B "$work/alone" -G Ninja -DCMAKE_PREFI
 
 # ---- Python
 
-must_print "Python, ctypes" /usr/bin/python3 "$work/tests/crater.py" "$libraries/libfirma_c.so" "$level"
+must_print "Python, ctypes" /usr/bin/python3 "$work/tests/crater.py" "$prefix/include/firma/firma_c.h" "$libraries/libfirma_c.so" "$level"
 
 # ---- an older compiler is told so: one that says that it is g++ 10
 

@@ -1,30 +1,30 @@
 # SPDX-License-Identifier: MIT
-"""crater.py LIBRARY LEVEL.obj: crater.cpp in Python, through ctypes and the shared library of the C API."""
+"""crater.py HEADER LIBRARY LEVEL.obj: crater.cpp in Python, through ctypes and the shared library of the C API. Structs have
+the fields that the installed firma_c.h gives them."""
 import ctypes as c
+import re
 import sys
 
+TYPES = {'double': c.c_double, 'uint64_t': c.c_uint64, 'uint32_t': c.c_uint32, 'int32_t': c.c_int32, 'uint8_t': c.c_uint8}
 
-class Handle(c.Structure):
-    _fields_ = [('id', c.c_uint64)]
-
-
-class Input(c.Structure):
-    _fields_ = [('centre', c.c_double * 3), ('radius', c.c_double), ('path', c.c_double * 3)]
+with open(sys.argv[1], encoding='utf-8') as file:
+    header = re.sub(r'/\*.*?\*/', '', file.read(), flags=re.DOTALL)
 
 
-class Hit(c.Structure):
-    """The first fields of firma_hit, and room for the others."""
-    _fields_ = [('fraction', c.c_double), ('safe_fraction', c.c_double), ('centre', c.c_double * 3), ('point', c.c_double * 3), ('normal', c.c_double * 3),
-                ('face_normal', c.c_double * 3), ('version', c.c_uint64), ('status', c.c_uint32), ('feature', c.c_uint32), ('feature_index', c.c_uint32),
-                ('face', c.c_uint32), ('other_face', c.c_uint32), ('source', c.c_uint32), ('source_edit', c.c_uint32), ('material', c.c_uint32),
-                ('others', c.c_uint8 * 256)]
+def struct(name):
+    """The struct as a class of ctypes: numbers and arrays of them."""
+    fields = []
+    for kind, names in re.findall(r'(\w+) ([^;]+);', re.search(rf'struct {name} {{(.*?)}}', header, re.DOTALL).group(1)):
+        for field, length in re.findall(r'(\w+)(?:\[(\w+)\])?(?:,|$)', names):
+            if length and not length.isdigit():
+                length = re.search(rf'#define {length} (\d+)', header).group(1)
+            fields.append((field, TYPES[kind] * int(length) if length else TYPES[kind]))
+    return type(name, (c.Structure,), {'_fields_': fields})
 
 
-class Pose(c.Structure):
-    _fields_ = [('position', c.c_double * 3), ('rotation', c.c_double * 4), ('scale', c.c_double)]
+Handle, Input, Hit, Pose = (struct(name) for name in ('firma_world', 'firma_cast_input', 'firma_hit', 'firma_pose'))
 
-
-firma = c.CDLL(sys.argv[1])
+firma = c.CDLL(sys.argv[2])
 firma.firma_error_message.restype = c.c_char_p
 
 
@@ -33,8 +33,8 @@ def call(name, *arguments):
         sys.exit(f'{name}: {firma.firma_error_message().decode()}')
 
 
-world, after, cutter = Handle(), Handle(), Handle()
-call('firma_world_load', sys.argv[2].encode(), None, c.byref(world))
+world, after, cutter = Handle(), Handle(), Handle()  # each a number
+call('firma_world_load', sys.argv[3].encode(), None, c.byref(world))
 hit = Hit()
 call('firma_cast', world, c.byref(Input((35, 29, 2), 0.5, (0, 0, 10))), None, c.byref(hit), None)
 material = c.c_char_p()
