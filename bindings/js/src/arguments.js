@@ -44,11 +44,15 @@ export function text(value, place, what) {
     return value;
 }
 
-/** An object whose members have one of these names; {} where none is given. A misspelt name would otherwise do nothing. */
-export function object(value, names, place, what) {
+/**
+ * An object; {} where none is given.
+ * @param names  what members it may have, where some are optional: a misspelt one would do nothing. None: any
+ */
+export function object(value, place, what, names) {
     if (value === undefined) return {};
     if (typeof value !== 'object' || value === null || Array.isArray(value))
         throw badCall(place, `${what} must be an object`);
+    if (names === undefined) return value;
     for (const name in value)
         if (!names.includes(name)) throw badCall(place, `${what}: there is no ${name}, only ${names.join(', ')}`);
     return value;

@@ -17,8 +17,8 @@ const OPTION_NAMES = ['fill', 'material'];
 /** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
 function putOrder(core, lent, cutter, pose, options, place) {
     const id = idOf(cutter, core, place, 'cutter');
-    const { position, rotation = [0, 0, 0, 1], scale = 1 } = object(pose, POSE_NAMES, place, 'the pose');
-    const given = object(options, OPTION_NAMES, place, 'the options');
+    const { position, rotation = [0, 0, 0, 1], scale = 1 } = object(pose, place, 'the pose', POSE_NAMES);
+    const given = object(options, place, 'the options', OPTION_NAMES);
     vector(position, 3, place, 'position');
     vector(rotation, 4, place, 'rotation');
     number(scale, place, 'scale');

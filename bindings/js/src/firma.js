@@ -35,7 +35,7 @@ function putWorldOptions(core, options, place) {
 /** The arrays of a mesh, checked to fit each other. */
 function readMesh(mesh, place) {
     if (mesh === undefined) throw badCall(place, 'the mesh must be an object');
-    object(mesh, MESH_NAMES, place, 'the mesh');
+    object(mesh, place, 'the mesh', MESH_NAMES);
     const read = {
         positions: doubles(mesh.positions, 3, place, 'positions'),
         corners: words(mesh.corners, undefined, place, 'corners'),
@@ -98,7 +98,7 @@ export class Firma {
     /** Of a file's bytes, by the function for its format. */
     #worldFrom(format, data, options, place) {
         const core = this.#core;
-        const given = object(options, WORLD_OPTION_NAMES, place, 'the options');
+        const given = object(options, place, 'the options', WORLD_OPTION_NAMES);
         return core.borrow((lent) => {
             const at = lent.bytes(data);
             const name = nameOf(lent, given, place);
@@ -126,7 +126,7 @@ export class Firma {
         const core = this.#core;
         const place = 'worldFromMesh';
         const read = readMesh(mesh, place);
-        const given = object(options, WORLD_OPTION_NAMES, place, 'the options');
+        const given = object(options, place, 'the options', WORLD_OPTION_NAMES);
         return core.borrow((lent) => {
             const at = putMesh(core, lent, read);
             const name = nameOf(lent, given, place);

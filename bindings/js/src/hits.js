@@ -46,7 +46,7 @@ export function putInput(core, input, place) {
 /** The options' address, or 0 for none. @param counted  whether `counts` is one of them */
 export function putCastOptions(core, options, place, counted = false) {
     if (options === undefined) return 0;
-    object(options, counted ? COUNTED_OPTION_NAMES : OPTION_NAMES, place, 'the options');
+    object(options, place, 'the options', counted ? COUNTED_OPTION_NAMES : OPTION_NAMES);
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
     const skin = options.skin === undefined ? -1 : number(options.skin, place, 'skin');
@@ -65,7 +65,7 @@ export function putCastOptions(core, options, place, counted = false) {
 /** Where counts go: set to 0, or 0 when nobody wants them. */
 export function clearCounts(core, options, place) {
     if (options?.counts === undefined) return 0;
-    object(options.counts, COUNT_NAMES, place, 'counts');
+    object(options.counts, place, 'counts', COUNT_NAMES);
     for (const name in options.counts) number(options.counts[name], place, name);
     core.u64.fill(0n, core.at.counts >>> 3, (core.at.counts + CAST_COUNTS.sizeof) >>> 3);
     return core.at.counts;

@@ -13,7 +13,7 @@ function putZones(core, lent, zones) {
     const at = lent.take(zones.length * ZONE.sizeof);
     zones.forEach((zone, k) => {
         const place = `${PLACE}: zone ${k}`;
-        object(zone, ZONE_NAMES, place, 'the zone');
+        object(zone, place, 'the zone', ZONE_NAMES);
         const low = vector(zone.low, 3, place, 'low');
         const high = vector(zone.high, 3, place, 'high');
         const hardness = number(zone.hardness, place, 'hardness');
@@ -29,7 +29,7 @@ function putZones(core, lent, zones) {
 
 /** @returns the address of the struct */
 export function putRules(core, lent, rules) {
-    const given = object(rules, NAMES, PLACE, 'the rules');
+    const given = object(rules, PLACE, 'the rules', NAMES);
     const { zones = [], hardness = [], largestCutter = 0 } = given;
     if (!Array.isArray(zones)) throw badCall(PLACE, 'zones must be an array');
     doubles(hardness, 1, PLACE, 'hardness');

@@ -277,7 +277,7 @@ export class World extends Handle {
 
     pack(options) {
         const core = this[CORE];
-        const { exact = true } = object(options, ['exact'], 'pack', 'the options');
+        const { exact = true } = object(options, 'pack', 'the options', ['exact']);
         flag(exact, 'pack', 'exact');
         const handle = makeHandle(core, 'firma_world_pack', this[ID], exact ? 1 : 0);
         try {
