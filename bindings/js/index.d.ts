@@ -4,8 +4,8 @@
 // Units: metres, microseconds where said; right-handed. A surface's front is the side from which its corners run
 // counter-clockwise. Every failure throws a FirmaError. Objects with release() hold memory of the module until then.
 //
-// Arguments of a wrong kind or length throw BAD_CALL, released objects and those of another module BAD_HANDLE; this is
-// not said again below.
+// Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
+// not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
 
 /// <reference lib="esnext.disposable" />
 
@@ -172,7 +172,7 @@ export interface Mesh {
     /** For each face, what casts choose by, ~0 or -1 for all; none: all bits. */
     masks?: Words | Int32Array;
     /** For each face; none: no face is. */
-    twoSided?: ArrayLike<boolean | number>;
+    twoSided?: Words | readonly boolean[];
 }
 
 export interface WorldFacts {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -51,6 +52,6 @@ struct WorldDiff {
 /// @param tile_size  metres, for `tiles`, at least kLeastTile; anything smaller (0, say) or not finite leaves them out.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
 ///                   makes a long list; one of more than kMostTiles is left out, and too_many_tiles is set.
-WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
+FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
 
 }  // namespace firma

@@ -26,7 +26,11 @@
 extern "C" {
 #endif
 
-#if defined(__GNUC__)
+#if defined(_WIN32) && defined(FIRMA_C_BUILD)
+#define FIRMA_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(FIRMA_C_SHARED) /* the target firma::c says so where it is a DLL */
+#define FIRMA_API __declspec(dllimport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define FIRMA_API __attribute__((visibility("default")))
 #else
 #define FIRMA_API

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/function_ref.h"
 #include "firma/hit.h"
 #include "firma/polygon.h"
@@ -47,7 +48,8 @@ struct CastOptions {
 ///         fraction the one with the lowest id, faces before portals. A miss has fraction and safe_fraction 1 and the
 ///         end of the path as its centre. kInvalid also for a room that is not there and a skin that is not finite:
 ///         then the fractions are 0.
-[[nodiscard]] Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Sphere& sphere, const Vec3& path,
+                                    const CastOptions& options = {});
 /// Of a particle.
 [[nodiscard]] inline Hit cast(const World& world, const Ray& ray, const CastOptions& options = {}) {
     return cast(world, {ray.start, 0}, ray.path, options);
@@ -56,8 +58,8 @@ struct CastOptions {
 /// Whether cast() would touch anything, without looking for the first. Costs less where much is met.
 /// @return kHit, kTouching, kMiss or kInvalid; kHit also stands for a touch where another face would have said
 ///         kTouching
-[[nodiscard]] Status cast_any(const World& world, const Sphere& sphere, const Vec3& path,
-                              const CastOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Status cast_any(const World& world, const Sphere& sphere, const Vec3& path,
+                                           const CastOptions& options = {});
 [[nodiscard]] inline Status cast_any(const World& world, const Ray& ray, const CastOptions& options = {}) {
     return cast_any(world, {ray.start, 0}, ray.path, options);
 }
@@ -71,8 +73,8 @@ using HitVisitor = FunctionRef<double(const Hit& hit)>;
 /// first on the way), to stop early, to collect. By room: those of the rooms that the path, as far as it is wanted,
 /// leads to through portals, open or closed.
 /// @return kMiss when the visitor was given nothing, kInvalid as cast(), else kHit
-Status cast_each(const World& world, const Sphere& sphere, const Vec3& path, HitVisitor visit,
-                 const CastOptions& options = {});
+FIRMA_EXPORT Status cast_each(const World& world, const Sphere& sphere, const Vec3& path, HitVisitor visit,
+                              const CastOptions& options = {});
 inline Status cast_each(const World& world, const Ray& ray, HitVisitor visit, const CastOptions& options = {}) {
     return cast_each(world, {ray.start, 0}, ray.path, visit, options);
 }
@@ -80,8 +82,8 @@ inline Status cast_each(const World& world, const Ray& ray, HitVisitor visit, co
 /// The same in a list, by fraction, then id, faces before portals.
 /// @param hits  replaced; keeps its memory from call to call
 /// @return kMiss when there is none, else the first one's status; kInvalid as cast(), with no hits
-Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
-                const CastOptions& options = {});
+FIRMA_EXPORT Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
+                             const CastOptions& options = {});
 inline Status cast_all(const World& world, const Ray& ray, std::vector<Hit>& hits, const CastOptions& options = {}) {
     return cast_all(world, {ray.start, 0}, ray.path, hits, options);
 }
@@ -105,8 +107,8 @@ struct Tasks {
 /// @param tasks    null: this thread does it all
 /// @return whether all was done: false when hits are not as many as inputs, or when `run` returned before all its work
 ///         had; then every hit is kInvalid
-bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
-                const CastOptions& options = {}, const Tasks* tasks = nullptr);
+FIRMA_EXPORT bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
+                             const CastOptions& options = {}, const Tasks* tasks = nullptr);
 
 /// What questions without motion are limited to.
 struct NearOptions {
@@ -140,11 +142,13 @@ using OverlapVisitor = FunctionRef<bool(const Overlap& overlap)>;
 /// The faces that a closed ball touches, either side, then the closed portals. No tolerance.
 /// @return kInvalid for a number that is not finite or too large, a negative radius, or a room that is not there;
 ///         otherwise kTouching when anything was found, kMiss when not
-Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor visit, const NearOptions& options = {});
+FIRMA_EXPORT Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor visit,
+                                 const NearOptions& options = {});
 
 /// The same in a list, in order of id, faces before portals.
 /// @param found  replaced; keeps its memory from call to call
-Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found, const NearOptions& options = {});
+FIRMA_EXPORT Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found,
+                            const NearOptions& options = {});
 
 /// For closest(): a reach, in metres, that leaves nothing out. It is finite, as a program built with -ffast-math has no
 /// infinity to give.
@@ -155,7 +159,7 @@ inline constexpr double kEverywhere = 0x1p1000;
 /// @param reach  metres; nothing farther is looked for. kEverywhere, or infinity, looks everywhere
 /// @return kMiss when nothing lies within reach; kInvalid for a number that is not finite or too large, a reach that is
 ///         not a number, or a room that is not there
-[[nodiscard]] NearFace closest(const World& world, const Vec3& point, double reach = kEverywhere,
-                               const NearOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT NearFace closest(const World& world, const Vec3& point, double reach = kEverywhere,
+                                            const NearOptions& options = {});
 
 }  // namespace firma

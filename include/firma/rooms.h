@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -39,7 +40,7 @@ struct Location {
 ///
 /// @param point  metres; may lie outside the world
 /// Never allocates. Costs a cast or two.
-[[nodiscard]] Location locate(const World& world, const Vec3& point);
+[[nodiscard]] FIRMA_EXPORT Location locate(const World& world, const Vec3& point);
 
 struct RoomInfo {
     std::string_view name;  ///< "" where the level gives none; good as long as the world
@@ -52,11 +53,11 @@ struct RoomInfo {
 };
 
 /// @return nothing for a room that is not there. Never allocates; costs the same for every room.
-[[nodiscard]] std::optional<RoomInfo> room_info(const World& world, RoomId room);
+[[nodiscard]] FIRMA_EXPORT std::optional<RoomInfo> room_info(const World& world, RoomId room);
 
 /// The room that a hit is in: that its face looks into; of a closed portal the one on the side that was met.
 /// @return invalid for a miss, and for a face or portal that this world does not have. Costs World::face_info()
-[[nodiscard]] RoomId room_of(const World& world, const Hit& hit);
+[[nodiscard]] FIRMA_EXPORT RoomId room_of(const World& world, const Hit& hit);
 
 struct PortalInfo {
     std::array<RoomId, 2> rooms;
@@ -69,17 +70,17 @@ struct PortalInfo {
 };
 
 /// How many portals there are, those without polygons counted.
-[[nodiscard]] std::size_t portal_count(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::size_t portal_count(const World& world);
 
 /// @return nothing for a portal that is not there. Never allocates; costs the same for every portal.
-[[nodiscard]] std::optional<PortalInfo> portal_info(const World& world, PortalId portal);
+[[nodiscard]] FIRMA_EXPORT std::optional<PortalInfo> portal_info(const World& world, PortalId portal);
 
 /// Its polygons: convex, metres, exact; counter-clockwise seen from PortalInfo::rooms[0]. None for a portal that is not
 /// there.
-[[nodiscard]] std::vector<std::vector<Vec3>> portal_polygons(const World& world, PortalId portal);
+[[nodiscard]] FIRMA_EXPORT std::vector<std::vector<Vec3>> portal_polygons(const World& world, PortalId portal);
 
 /// The rooms that portals, open or closed, join to a room, each once, ascending; none for a room that is not there.
-[[nodiscard]] std::vector<RoomId> neighbours(const World& world, RoomId room);
+[[nodiscard]] FIRMA_EXPORT std::vector<RoomId> neighbours(const World& world, RoomId room);
 
 enum class Doors : std::uint8_t {
     kAsTheyAre,  ///< only open portals lead on
@@ -90,13 +91,13 @@ enum class Doors : std::uint8_t {
 ///
 /// @return the portals passed, in order; none at all when both are one room; nothing when there is no way,
 ///         or no such room. Costs at most all portals
-[[nodiscard]] std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
-                                                             Doors doors = Doors::kAsTheyAre);
+[[nodiscard]] FIRMA_EXPORT std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
+                                                                          Doors doors = Doors::kAsTheyAre);
 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///
 /// @return the world with this one change, one version on, sharing all else; the same world when nothing changes;
 ///         nothing for a portal that is not there. Costs a few small copies, however many portals there are
-[[nodiscard]] std::optional<World> set_portal_open(const World& world, PortalId portal, bool open);
+[[nodiscard]] FIRMA_EXPORT std::optional<World> set_portal_open(const World& world, PortalId portal, bool open);
 
 }  // namespace firma

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -54,8 +55,10 @@ struct TriangleOptions {
 /// worlds give the same triangles in the same order, however their faces are kept.
 /// @return none for a room or region that is not there, or an origin that is not finite
 /// Costs some hundred nanoseconds a face, and sorting them.
-[[nodiscard]] TriangleMesh triangles_of(const World& world, const TriangleOptions& options = {});
-[[nodiscard]] TriangleMesh triangles_of(const World& world, RoomId room, const TriangleOptions& options = {});
-[[nodiscard]] TriangleMesh triangles_of(const World& world, const Region& region, const TriangleOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, const TriangleOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, RoomId room,
+                                                     const TriangleOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, const Region& region,
+                                                     const TriangleOptions& options = {});
 
 }  // namespace firma

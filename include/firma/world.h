@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firma/carve_rules.h"
+#include "firma/export.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
@@ -58,38 +59,38 @@ using FaceVisitor = FunctionRef<bool(const FaceView& face)>;
 /// Hold one copy for a job and pass references.
 class World {
 public:
-    World();
-    explicit World(std::shared_ptr<const WorldData> data);
+    FIRMA_EXPORT World();
+    FIRMA_EXPORT explicit World(std::shared_ptr<const WorldData> data);
     World(const World&) = default;
     World& operator=(const World&) = default;
     /// Leaves an empty world behind.
-    World(World&& other) noexcept;
-    World& operator=(World&& other) noexcept;
+    FIRMA_EXPORT World(World&& other) noexcept;
+    FIRMA_EXPORT World& operator=(World&& other) noexcept;
     ~World() = default;
 
-    std::uint64_t version() const;
-    std::size_t face_count() const;
-    std::size_t room_count() const;
+    FIRMA_EXPORT std::uint64_t version() const;
+    FIRMA_EXPORT std::size_t face_count() const;
+    FIRMA_EXPORT std::size_t room_count() const;
     /// Of all faces; empty for a world without any. Costs a few walks through the index.
-    Box bounds() const;
-    const Tolerance& tolerance() const;
+    FIRMA_EXPORT Box bounds() const;
+    FIRMA_EXPORT const Tolerance& tolerance() const;
     /// What can be carved: a value of its own.
-    const Solid& solid() const;
+    FIRMA_EXPORT const Solid& solid() const;
     /// "" when there is no such material.
-    const std::string& material_name(std::uint32_t material) const;
+    FIRMA_EXPORT const std::string& material_name(std::uint32_t material) const;
     /// Of all rooms together.
-    TreeStatistics statistics() const;
+    FIRMA_EXPORT TreeStatistics statistics() const;
 
     /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of
     /// another world, of a closed portal, or of nothing. Keep it in a variable: `for (Vec3 c :
     /// world.face(ref)->corners)` would go through corners that are gone. Costs a walk through the index to the face.
-    [[nodiscard]] std::optional<Face> face(const FaceRef& ref) const;
+    [[nodiscard]] FIRMA_EXPORT std::optional<Face> face(const FaceRef& ref) const;
     /// The same without its outline. Never allocates.
-    [[nodiscard]] std::optional<FaceInfo> face_info(const FaceRef& ref) const;
+    [[nodiscard]] FIRMA_EXPORT std::optional<FaceInfo> face_info(const FaceRef& ref) const;
     /// The same by id alone, through a search of all faces.
-    [[nodiscard]] std::optional<Face> find_face(FaceId id) const;
+    [[nodiscard]] FIRMA_EXPORT std::optional<Face> find_face(FaceId id) const;
     /// Every face, in order of id. Costs some hundred nanoseconds a face.
-    [[nodiscard]] std::vector<Face> faces() const;
+    [[nodiscard]] FIRMA_EXPORT std::vector<Face> faces() const;
 
     /// How many handles there are to this version, at this instant. What is 1 stays so while nobody copies the one.
     long handles() const { return data_.use_count(); }
@@ -109,53 +110,53 @@ struct WorldOptions {
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
 /// or hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces
 /// have many corners.
-World rebuild_index(const World& world, const TreeOptions& options);
+FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
 
 /// The same world under other rules for carving.
-World with_rules(const World& world, CarveRules rules);
+FIRMA_EXPORT World with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
 /// many as there are, are put into blocks anew. Materials keep their numbers and have no names.
-World make_world(const Solid& solid, const WorldOptions& options = {});
+FIRMA_EXPORT World make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
 /// @return kTooLarge beyond 2^31 faces; kInvalid when the skin is negative or not finite, or when a face of the level
 ///         is not convex, planar and of 3 to 64 corners, or has a corner, material or group that is not there (readers
 ///         never make such), naming it; kMalformed for a level without a face, with what its reader left out: such a
 ///         world would answer every cast with a miss (World() is one).
-Result<World> make_world(const Level& level, const WorldOptions& options = {});
+FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:
 /// the index down to the box, the faces of the room, the index down to the region.
 /// @return whether the visitor let it come to an end
 
 /// All.
-bool visit_faces(const World& world, FaceVisitor visit);
+FIRMA_EXPORT bool visit_faces(const World& world, FaceVisitor visit);
 /// Those whose own box shares a point with a box (metres, closed). A box that is empty or not finite has none.
-bool visit_faces(const World& world, const Box& box, FaceVisitor visit);
+FIRMA_EXPORT bool visit_faces(const World& world, const Box& box, FaceVisitor visit);
 /// Those that look into a room, or into the one that it became part of. A room that is not there has none; kAnyRoom has
 /// all.
-bool visit_faces(const World& world, RoomId room, FaceVisitor visit);
+FIRMA_EXPORT bool visit_faces(const World& world, RoomId room, FaceVisitor visit);
 /// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region.
-bool visit_faces(const World& world, const Region& region, FaceVisitor visit);
+FIRMA_EXPORT bool visit_faces(const World& world, const Region& region, FaceVisitor visit);
 
 /// The face across an edge of a face, from its corner `edge` to the next.
 /// @return invalid where that edge is not shared by exactly two faces of the room, wound alike, and for a face or an
 ///         edge that is not there. Never allocates. Costs a walk through the index
-[[nodiscard]] FaceId other_face(const World& world, const FaceRef& face, std::uint32_t edge);
+[[nodiscard]] FIRMA_EXPORT FaceId other_face(const World& world, const FaceRef& face, std::uint32_t edge);
 
 /// A hash of what the world holds: faces with ids, exact forms and rooms, portals, doors, counters, version; not of the
 /// rules for carving, nor of how faces are kept and found. Worlds made by equal edits in equal order have equal ones on
 /// every machine. It is kept as edits go: asking costs a few nanoseconds a material.
-std::uint64_t hash_world(const World& world);
+FIRMA_EXPORT std::uint64_t hash_world(const World& world);
 
 /// Of one room: its faces, name and number. Costs the same.
 /// @param room  below World::room_count(); 0 for others
-std::uint64_t hash_room(const World& world, RoomId room);
+FIRMA_EXPORT std::uint64_t hash_room(const World& world, RoomId room);
 
 /// Of each cube of 32 m with anything in it, in an order that is the same everywhere: so two machines can find where
 /// their worlds differ.
-std::vector<RegionHash> hash_regions(const World& world);
+FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
 
 /// A broken invariant, named.
 struct WorldFault {
@@ -168,6 +169,6 @@ struct WorldFault {
 /// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
 /// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
 /// check_solid().
-std::optional<WorldFault> check_world(const World& world);
+FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

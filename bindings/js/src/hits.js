@@ -31,6 +31,10 @@ const ROOMS = new Map([
     ['locate', 0xfffffffe],
 ]);
 
+const OPTION_NAMES = ['mask', 'bothSides', 'skin', 'room'];
+const NEAR_OPTION_NAMES = ['mask', 'room'];
+const COUNT_NAMES = ['bins', 'boxes', 'faces', 'precise'];
+
 /** { centre, radius, path } to the fixed input. */
 export function putInput(core, input, place) {
     if (typeof input !== 'object' || input === null) throw badCall(place, 'the cast must be { centre, radius, path }');
@@ -50,10 +54,10 @@ export function putInput(core, input, place) {
     return core.at.input;
 }
 
-/** The options' address, or 0 for none. */
-export function putCastOptions(core, options, place) {
+/** The options' address, or 0 for none. @param more  names of options that the caller looks at itself */
+export function putCastOptions(core, options, place, more = []) {
     if (options === undefined) return 0;
-    object(options, place, 'the options');
+    object(options, place, 'the options', [...OPTION_NAMES, ...more]);
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
     const skin = options.skin === undefined ? -1 : number(options.skin, place, 'skin');
@@ -94,7 +98,7 @@ export function withPassed(core, options, at, cast) {
 /** The options' address of overlap() and closest(), or 0 for none. */
 export function putNearOptions(core, options, place) {
     if (options === undefined) return 0;
-    object(options, place, 'the options');
+    object(options, place, 'the options', NEAR_OPTION_NAMES);
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const room = options.room === undefined ? 0xffffffff : word(options.room, place, 'room');
     const at = core.at.nearOptions;
@@ -108,7 +112,8 @@ export function putNearOptions(core, options, place) {
 /** Where counts go: set to 0, or 0 when nobody wants them. */
 export function clearCounts(core, options, place) {
     if (options?.counts === undefined) return 0;
-    object(options.counts, place, 'counts');
+    object(options.counts, place, 'counts', COUNT_NAMES);
+    for (const name in options.counts) number(options.counts[name], place, name);
     core.u64.fill(0n, core.at.counts >>> 3, (core.at.counts + CAST_COUNTS.sizeof) >>> 3);
     return core.at.counts;
 }
@@ -116,7 +121,7 @@ export function clearCounts(core, options, place) {
 /** Adds what clearCounts()'s place has to options.counts. */
 export function addCounts(core, at, options) {
     if (at === 0) return;
-    for (const name of ['bins', 'boxes', 'faces', 'precise'])
+    for (const name of COUNT_NAMES)
         options.counts[name] = (options.counts[name] ?? 0) + core.getCount(at + CAST_COUNTS[name]);
 }
 

@@ -72,7 +72,7 @@ export function getNeighbours(core, id, room, most) {
 export function getPath(core, id, from, to, options, most) {
     word(from, 'path', 'the first room');
     word(to, 'path', 'the last room');
-    const allOpen = flag(object(options, 'path', 'the options').allOpen, 'path', 'allOpen');
+    const allOpen = flag(object(options, 'path', 'the options', ['allOpen']).allOpen, 'path', 'allOpen');
     const found = core.at.out + 8;
     const portals = getWords(core, most, (at, capacity, count) => {
         core.run('firma_world_path', id, from, to, allOpen, at, capacity, count, found);

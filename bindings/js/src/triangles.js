@@ -5,14 +5,16 @@ import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
 import { TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
 
+const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin'];
+
 /** The options' address. */
 function putOptions(core, lent, options) {
-    object(options, 'triangles', 'the options');
-    const { origin = [0, 0, 0], room, region } = options ?? {};
+    const given = object(options, 'triangles', 'the options', NAMES);
+    const { origin = [0, 0, 0], room, region } = given;
     const at = lent.take(TRIANGLE_OPTIONS.sizeof);
     core.setU32(at + TRIANGLE_OPTIONS.size, TRIANGLE_OPTIONS.sizeof);
-    core.setU32(at + TRIANGLE_OPTIONS.mask, options?.mask === undefined ? 0xffffffff : mask(options.mask, 'triangles'));
-    core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(options?.solidOnly, 'triangles', 'solidOnly'));
+    core.setU32(at + TRIANGLE_OPTIONS.mask, given.mask === undefined ? 0xffffffff : mask(given.mask, 'triangles'));
+    core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(given.solidOnly, 'triangles', 'solidOnly'));
     core.setU32(at + TRIANGLE_OPTIONS.room, room === undefined ? 0xffffffff : word(room, 'triangles', 'room'));
     core.setVector(at + TRIANGLE_OPTIONS.origin, vector(origin, 3, 'triangles', 'origin'));
     let place = 0;

@@ -126,7 +126,7 @@ export class World extends Handle {
         const core = this[CORE];
         const at = core.at.hit;
         const given = putInput(core, input, 'cast');
-        const chosen = putCastOptions(core, options, 'cast');
+        const chosen = putCastOptions(core, options, 'cast', ['counts', 'passed']);
         const counts = clearCounts(core, options, 'cast');
         const code = withPassed(core, options, chosen, (asked) => {
             try {
@@ -187,7 +187,7 @@ export class World extends Handle {
         if (!(out instanceof HitBatch)) throw badCall('castBatch', 'out must be a HitBatch, as castBatch() returns');
         const numbers = inputs instanceof Float64Array ? inputs : Float64Array.from(inputs);
         const count = numbers.length / 7;
-        const chosen = putCastOptions(core, options, 'castBatch');
+        const chosen = putCastOptions(core, options, 'castBatch', ['counts']);
         const counts = clearCounts(core, options, 'castBatch');
         const given = core.batch();
         const hits = given + CASTS_AT_ONCE * CAST_INPUT.sizeof;
@@ -290,8 +290,9 @@ export class World extends Handle {
 
     pack(options) {
         const core = this[CORE];
-        const exact = flag(object(options, 'pack', 'the options').exact ?? true, 'pack', 'exact');
-        const handle = makeHandle(core, 'firma_world_pack', this[ID], exact);
+        const { exact = true } = object(options, 'pack', 'the options', ['exact']);
+        flag(exact, 'pack', 'exact');
+        const handle = makeHandle(core, 'firma_world_pack', this[ID], exact ? 1 : 0);
         try {
             core.run('firma_bytes_get_view', handle, core.at.out, core.at.out + 4);
             const start = core.getU32(core.at.out);
