@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "cast/cast_sphere_polygon.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "geometry/polygon_shape.h"
 #include "naive/mended.h"

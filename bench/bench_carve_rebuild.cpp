@@ -49,8 +49,8 @@ std::size_t disagreements(const PlainBsp& bsp, const World& world, double size) 
     for (int k = 0; k < 1000; ++k) {
         Vec3 point;
         for (int axis = 0; axis < 3; ++axis) point[axis] = rng.uniform(-1, size);
-        const std::optional<bool> solid = in_solid(world, point);
-        wrong += solid && *solid == bsp.in_air(point);
+        const Where where = locate(world.solid(), point);
+        wrong += where == (bsp.in_air(point) ? Where::kSolid : Where::kAir);
     }
     return wrong;
 }

@@ -3,6 +3,7 @@
 // facets.
 #include <memory>
 
+#include "firma/queries.h"
 #include "scenes/cast_range.h"
 #include "support/craters.h"
 #include "support/race.h"
@@ -67,7 +68,7 @@ Counted count_casts(const World& world, const std::vector<CastQuery>& moves) {
     options.counts = &counted.counts;
     for (const CastQuery& move : moves) {
         const Hit hit = cast(world, move.sphere, move.path, options);
-        counted.answers = counted.answers * 0x9E3779B97F4A7C15ull + (hit.touched() ? hit.face.value + 1 : 0);
+        counted.answers = counted.answers * 0x9E3779B97F4A7C15ull + (hit.touched() ? hit.face.id.value + 1 : 0);
     }
     return counted;
 }

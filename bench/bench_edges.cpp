@@ -12,6 +12,7 @@
 #include "cast/cast_sphere_face.h"
 #include "cast/cast_sphere_vertex.h"
 #include "cast/start_contact.h"
+#include "firma/queries.h"
 #include "geometry/exact_predicates.h"
 #include "geometry/rounding.h"
 #include "support/race.h"

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "support/race.h"
 #include "support/sets.h"

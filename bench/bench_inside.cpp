@@ -6,6 +6,7 @@
 
 #include "cast/cast_particle_polygon.h"
 #include "cast/sweep.h"
+#include "firma/queries.h"
 #include "naive/inside.h"
 #include "scenes/closed_meshes.h"
 #include "scenes/rng.h"

@@ -10,6 +10,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/rng.h"
 #include "solid/append_faces.h"
@@ -111,7 +112,7 @@ std::vector<Move> moves_in(const World& world, double radius, double longest, st
         Move move;
         for (int axis = 0; axis < 3; ++axis) move.sphere.centre[axis] = rng.uniform(box.low[axis], box.high[axis]);
         const Location where = locate(world, move.sphere.centre);
-        if (where.kind != Location::Kind::kRoom || room_info(world, where.room).exterior) continue;
+        if (where.where != Where::kAir || room_info(world, where.room)->exterior) continue;
         if (closest(world, move.sphere.centre, radius + 1e-3)) continue;
         move.sphere.radius = radius;
         const Vec3 way = rng.direction();
@@ -149,8 +150,9 @@ void race_casts(const OfLevel& of, const Settings& settings, Table& table) {
         double passed = 0;
         bool same = true;
         for (const Move& move : moves) {
-            const Hit hit = cast(of.world, move.sphere, move.path, {.room = move.room});
-            passed += hit.rooms_passed;
+            RoomTrail trail;
+            const Hit hit = cast(of.world, move.sphere, move.path, {.room = move.room, .trail = &trail});
+            passed += trail.count;
             same = same && hit.face == cast(one, move.sphere, move.path).face;
         }
         table.add({of.name, kind.name, number(laps[0].seconds / double(moves.size()) * 1e9), times(laps[1].ratio),
@@ -194,7 +196,7 @@ void race_changes(const OfLevel& of, const Settings& settings, Table& table) {
         };
     };
     const auto door = [&of, &shots] {
-        for (std::size_t k = 0; k < shots.size(); ++k) keep(set_portal_open(of.world, {0}, false).version());
+        for (std::size_t k = 0; k < shots.size(); ++k) keep(set_portal_open(of.world, {0}, false)->version());
     };
     const std::vector<Contender> contenders{{"rebuild the level", rebuild(one, false)},
                                             {"rebuild the room", rebuild(of.world, true)},

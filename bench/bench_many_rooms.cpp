@@ -80,9 +80,9 @@ public:
         const double diff_us = timed([&] { keep(diff_worlds(first_, cut.world).come.size()); });
         const double publish_us = timed([&] { keep(store.publish(first_, cut.world)); });
         World door;
-        const bool open = !portal_info(cut.world, portal).open;
+        const bool open = !portal_info(cut.world, portal)->open;
         const double door_us = timed([&] {
-            door = set_portal_open(cut.world, portal, open);
+            door = *set_portal_open(cut.world, portal, open);
             keep(hash_world(door) + hash_solid(door));
         });
         const double diff_door_us = timed([&] { keep(diff_worlds(cut.world, door).rooms.size()); });

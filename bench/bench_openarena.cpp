@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "support/race.h"
 #include "support/settings.h"

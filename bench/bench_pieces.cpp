@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "cast/cast_sphere_polygon.h"
+#include "firma/queries.h"
 #include "support/sets.h"
 #include "support/walk.h"
 
@@ -121,7 +122,7 @@ void any_in_world(benchmark::State& state) {
 BENCHMARK(any_in_world)->DenseRange(0, 3);
 
 void overlap_world(benchmark::State& state) {
-    std::vector<NearFace> found;
+    std::vector<Overlap> found;
     std::size_t k = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(overlap(world(), scene().sets[0].moves[k].sphere, found));

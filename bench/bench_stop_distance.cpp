@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "support/settings.h"
 #include "support/table.h"

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/world_store.h"
 #include "scenes/cast_range.h"
 #include "support/craters.h"

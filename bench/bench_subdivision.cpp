@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "support/race.h"
 #include "support/sets.h"
@@ -43,7 +44,7 @@ public:
 
 private:
     const World& world_;
-    std::vector<NearFace> found_;
+    std::vector<Overlap> found_;
 };
 
 // ------------------------------------------------------------------------------------------------------- tunnelling

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "firma/queries.h"
 #include "support/race.h"
 #include "support/sets.h"
 #include "support/settings.h"
@@ -58,7 +59,7 @@ std::size_t disagreements(const World& world, const FlatFaces& flat, const std::
     for (const CastQuery& move : moves) {
         const Hit hit = cast(world, move.sphere, move.path);
         const First first = flat.cast(move, true);
-        wrong += hit.touched() != first.contact.touched() || (hit.touched() && hit.face.value != first.face);
+        wrong += hit.touched() != first.contact.touched() || (hit.touched() && hit.face.id.value != first.face);
     }
     return wrong;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nothing here but +, -, *, / and sqrt, and no order that depends on addresses: the same walk on every machine.
 #include "cli/bounce.h"
+#include "firma/queries.h"
 
 #include <fmt/format.h>
 
@@ -82,12 +83,14 @@ Bouncer::Bouncer(const World& world, const Sphere& start, std::uint64_t frames, 
                           fmt::format("{} with radius {} lies outside of the level, {} .. {}", point_text(place_),
                                       radius_, point_text(bounds.low), point_text(bounds.high)));
     }
-    const std::optional<NearFace> nearest = closest(world, place_);
-    if (nearest && nearest->distance == 0)
-        throw Failure("--start", fmt::format("{} lies on face {}", point_text(place_), nearest->source));
-    if (nearest && nearest->distance < radius_ - kStartSlack)
+    const NearFace nearest = closest(world, place_);
+    const std::optional<FaceInfo> face = world.face_info(nearest.face);
+    const std::uint32_t source = face ? face->source : 0;
+    if (nearest.found() && nearest.distance == 0)
+        throw Failure("--start", fmt::format("{} lies on face {}", point_text(place_), source));
+    if (nearest.found() && nearest.distance < radius_ - kStartSlack)
         throw Failure("--start", fmt::format("{} is {} m from face {}, nearer than the radius of {} m",
-                                             point_text(place_), nearest->distance, nearest->source, radius_));
+                                             point_text(place_), nearest.distance, source, radius_));
     const Vec3 size = bounds.high - bounds.low;
     span_ = 2 * (length(size) + 1);
     cell_size_ = choose_cell_size(volume_of(world), frames);
@@ -202,10 +205,10 @@ Vec3 Bouncer::direction_near(const Vec3& direction) {
 
 /// From the faces about to be touched, unit.
 std::vector<Vec3> Bouncer::normals_in_reach() const {
-    std::vector<NearFace> near;
+    std::vector<Overlap> near;
     overlap(world_, {place_, radius_ + 4 * kSkin}, near);
     std::vector<Vec3> normals;
-    for (const NearFace& face : near) {
+    for (const Overlap& face : near) {
         const Vec3 away = place_ - face.point;
         if (dot(away, away) > 0) normals.push_back(unit(away));
     }

@@ -10,13 +10,13 @@
 #include <span>
 #include <vector>
 
-#include "brush/entity_origin.h"
 #include "cli/atomic_file.h"
 #include "cli/describe_world.h"
 #include "cli/failure.h"
 #include "cli/json.h"
 #include "cli/numbers.h"
 #include "cli/verb.h"
+#include "firma/brush_level.h"
 #include "firma/find_leak.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
@@ -156,7 +156,7 @@ World undivided(const LoadedLevel& loaded) {
 /// Whether a room is the exterior, or a way leads there through portals.
 bool is_open(const World& world, RoomId room) {
     for (std::uint32_t other = 0; other < world.room_count(); ++other)
-        if (room_info(world, {other}).exterior && find_path(world, room, {other}, Doors::kAllOpen)) return true;
+        if (room_info(world, {other})->exterior && find_path(world, room, {other}, Doors::kAllOpen)) return true;
     return false;
 }
 
@@ -171,9 +171,8 @@ std::optional<Leak> leak_of(const LoadedLevel& loaded) {
         if (any_player && !is_player(level.entities[k])) continue;
         const std::optional<Vec3> origin = entity_origin(level, level.entities[k]);
         if (!origin) continue;
-        const Location where = locate(world, *origin);
-        if (where.kind == Location::Kind::kRoom && is_open(world, where.room))
-            return Leak{k, find_leak(world, *origin)};
+        const Location found = locate(world, *origin);
+        if (found.where == Where::kAir && is_open(world, found.room)) return Leak{k, find_leak(world, *origin)};
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hops through the level by casts; a hop out of an open level starts anew.
 #include "cli/demo_casts.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <cmath>

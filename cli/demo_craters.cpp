@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Queries begin in air, and craters only make more of it, so they may begin there after any of them.
 #include "cli/demo_craters.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <chrono>
@@ -64,7 +65,7 @@ std::pair<std::size_t, std::size_t> share(std::size_t total, std::size_t k, std:
 
 void cast_between(const std::vector<Query>& queries, std::size_t first, std::size_t last, DemoCraters& did) {
     const auto start = Clock::now();
-    for (std::size_t k = first; k < last; ++k) cast(did.after, queries[k].sphere, queries[k].path);
+    for (std::size_t k = first; k < last; ++k) static_cast<void>(cast(did.after, queries[k].sphere, queries[k].path));
     did.cast_seconds += std::chrono::duration<double>(Clock::now() - start).count();
     did.casts += last - first;
 }

@@ -28,7 +28,7 @@ void add_bounds(JsonWriter& json, const Box& bounds) {
 void add_rooms(JsonWriter& json, const World& world) {
     json.open_array("rooms");
     for (std::uint32_t k = 0; k < world.room_count(); ++k) {
-        const RoomInfo room = room_info(world, RoomId{k});
+        const RoomInfo room = *room_info(world, RoomId{k});
         json.open_object();
         json.add("id", k);
         json.add("name", room.name);
@@ -43,7 +43,7 @@ void add_rooms(JsonWriter& json, const World& world) {
     json.close();
     json.open_array("portals");
     for (std::uint32_t k = 0; k < portal_count(world); ++k) {
-        const PortalInfo portal = portal_info(world, PortalId{k});
+        const PortalInfo portal = *portal_info(world, PortalId{k});
         json.open_object();
         json.add("id", k);
         json.add("name", portal.name);
@@ -51,7 +51,7 @@ void add_rooms(JsonWriter& json, const World& world) {
         for (const RoomId room : portal.rooms) json.add({}, room.value);
         json.close();
         json.add("open", portal.open);
-        json.add("polygons", portal.polygons.size());
+        json.add("polygons", portal.polygons);
         add_bounds(json, portal.bounds);
         json.close();
     }
@@ -93,7 +93,7 @@ namespace {
 std::string rooms_text(const World& world) {
     std::string text = grouped(world.room_count());
     bool exterior = false;
-    for (std::uint32_t k = 0; k < world.room_count(); ++k) exterior = exterior || room_info(world, RoomId{k}).exterior;
+    for (std::uint32_t k = 0; k < world.room_count(); ++k) exterior = exterior || room_info(world, RoomId{k})->exterior;
     if (exterior && world.room_count() > 1) text += ", one of them the exterior";
     if (const std::size_t portals = portal_count(world); portals > 0)
         text += fmt::format("; {} between them", counted(portals, "portal"));

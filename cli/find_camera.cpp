@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tries views on a small canvas.
 #include "cli/find_camera.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <cmath>

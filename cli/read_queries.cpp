@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "cli/csv_reader.h"
-#include "firma/world.h"
+#include "firma/queries.h"
 
 namespace firma::cli {
 

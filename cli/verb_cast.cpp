@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads all queries, casts them in chunks on all cores, writes rows in order.
 #include "cli/verb_cast.h"
+#include "firma/queries.h"
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
@@ -107,7 +108,7 @@ Rows cast_chunk(const World& world, const std::vector<Query>& queries, std::size
         rows.tally.hit += hit.status == Status::kHit;
         rows.tally.touching += hit.status == Status::kTouching;
         rows.tally.miss += hit.status == Status::kMiss;
-        append_hit(rows.text, k, hit);
+        append_hit(rows.text, k, world, hit);
     }
     return rows;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fires casts and craters, asks a twin without a tree whether casts are right, prints a table, draws pictures.
 #include "cli/verb_demo.h"
+#include "firma/queries.h"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -104,7 +105,7 @@ void fire(const World& world, const std::vector<Query>& queries, Results& result
 
     CastOptions counting;
     counting.counts = &results.counts;
-    for (const Query& query : queries) cast(world, query.sphere, query.path, counting);
+    for (const Query& query : queries) static_cast<void>(cast(world, query.sphere, query.path, counting));
     for (const Hit& hit : results.hits) {
         results.hit += hit.status == Status::kHit;
         results.touching += hit.status == Status::kTouching;
@@ -130,7 +131,7 @@ TwinHit ask_every_face(const std::vector<Face>& faces, const Query& query) {
 bool agree(const Hit& hit, const TwinHit& twin) {
     if (hit.touched() != twin.hit.touched()) return false;
     if (!hit.touched()) return hit.status == twin.hit.status;
-    return hit.status == twin.hit.status && hit.fraction == twin.hit.fraction && hit.face == twin.face;
+    return hit.status == twin.hit.status && hit.fraction == twin.hit.fraction && hit.face.id == twin.face;
 }
 
 std::string describe(const Query& query, const Hit& hit, const TwinHit& twin) {
@@ -139,7 +140,7 @@ std::string describe(const Query& query, const Hit& hit, const TwinHit& twin) {
         "start {:.17g},{:.17g},{:.17g} path {:.17g},{:.17g},{:.17g} radius {:.17g}: world says status {} at {:.17g} "
         "face "
         "{}, twin says status {} at {:.17g} face {}",
-        p.x, p.y, p.z, d.x, d.y, d.z, query.sphere.radius, int(hit.status), hit.fraction, hit.face.value,
+        p.x, p.y, p.z, d.x, d.y, d.z, query.sphere.radius, int(hit.status), hit.fraction, hit.face.id.value,
         int(twin.hit.status), twin.hit.fraction, twin.face.value);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Gathers level, blasts and casts; src/debug/draw_plan.h and draw_view.h draw.
 #include "cli/verb_draw.h"
+#include "firma/queries.h"
 
 #include <fmt/format.h>
 

@@ -199,7 +199,7 @@ void write_glb(const World& world, const GlbParts& parts, int up, const std::fun
     std::vector<unsigned char> buffer(parts.buffer_bytes());
     for (const PlacedFace& face : faces_by_id(world)) {
         const std::size_t part = parts.part_of(*face.record);
-        add_face(describe_face(*face.block, *face.record), parts.list()[part], cursors[part], buffer);
+        add_face(describe_face({}, *face.block, *face.record), parts.list()[part], cursors[part], buffer);
     }
     tinygltf::Model model = describe(world, parts, cursors, up);
     if (!buffer.empty()) {

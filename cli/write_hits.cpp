@@ -2,7 +2,10 @@
 // Rows are appended to one string a chunk: that is what makes a million of them quick.
 #include "cli/write_hits.h"
 
+#include <optional>
+
 #include "cli/numbers.h"
+#include "firma/rooms.h"
 
 namespace firma::cli {
 
@@ -43,7 +46,7 @@ std::string_view feature_name(Feature feature) {
     return "";
 }
 
-void append_hit(std::string& out, std::size_t query, const Hit& hit) {
+void append_hit(std::string& out, std::size_t query, const World& world, const Hit& hit) {
     out += std::to_string(query);
     out += ',';
     out += status_name(hit.status);
@@ -60,11 +63,12 @@ void append_hit(std::string& out, std::size_t query, const Hit& hit) {
     append_point(out, hit.point);
     append_point(out, hit.normal);
     append_point(out, hit.face_normal);
-    out += std::to_string(hit.source);
+    const std::optional<FaceInfo> face = world.face_info(hit.face);
+    out += std::to_string(face ? face->source : 0);
     out += ',';
     out += feature_name(hit.feature);
     out += ',';
-    out += std::to_string(hit.room.value);
+    out += std::to_string(face ? face->room.value : room_of(world, hit).value);
     out += '\n';
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "firma/hit.h"
+#include "firma/world.h"
 
 namespace firma::cli {
 
@@ -16,8 +16,8 @@ inline constexpr std::string_view kHitsHeader =
 std::string_view status_name(Status status);
 std::string_view feature_name(Feature feature);
 
-/// Appends the row of a query (counted from 0): numbers with 17 significant digits, nothing behind the status of a
-/// miss.
-void append_hit(std::string& out, std::size_t query, const Hit& hit);
+/// Appends the row of a query (counted from 0), with what the world that was asked knows of the face: numbers with 17
+/// significant digits, nothing behind the status of a miss.
+void append_hit(std::string& out, std::size_t query, const World& world, const Hit& hit);
 
 }  // namespace firma::cli

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # With FIRMA_UNITE the sources of a folder are compiled as one, which takes a third of the time: most of a small file's
-# goes into what it includes. So names within a folder are different also where only their own file sees them.
-option(FIRMA_UNITE "Compile the sources of each folder as one: quicker from nothing, slower after a change" OFF)
+# goes into what it includes. So names within a folder are different also where only their own file sees them; between
+# folders they are not, so CMAKE_UNITY_BUILD, which knows no folders, means FIRMA_UNITE here.
+option(FIRMA_UNITE "Compile the sources of each folder as one: quicker from nothing, slower after a change" ${CMAKE_UNITY_BUILD})
+set(CMAKE_UNITY_BUILD OFF)
 
 function(unite_folders target)
   if(NOT FIRMA_UNITE)

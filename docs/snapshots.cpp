@@ -22,10 +22,11 @@ int main() {
     // A store for a game: readers take the newest world for a frame, an editor publishes the next.
     firma::WorldStore store(first, {.history_bytes = 8 << 20});
     std::atomic<bool> over = false;
+    std::atomic<long> met = 0;
     std::thread reader([&] {
         while (!over) {
             const firma::World world = store.current();  // one handle for this frame
-            for (int k = 0; k < 100; ++k) cast(world, ball, down);
+            for (int k = 0; k < 100; ++k) met += cast(world, ball, down).touched();
         }
     });
     for (int k = 0; k < 20; ++k) {

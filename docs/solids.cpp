@@ -21,12 +21,12 @@ int main() {
     std::printf("%.2f cubic metres less; in either order the same: %s\n", first.report.volume,
                 firma::hash_solid(one) == firma::hash_solid(other) ? "yes" : "no");
     std::printf("2 m below the hall's floor is rock: %s\n",
-                firma::in_solid(one, {35, 29, -2}).value_or(false) ? "yes" : "no");
+                firma::locate(one, {35, 29, -2}) == firma::Where::kSolid ? "yes" : "no");
 
     // Where do two solids differ? Cubes of 32 m, by their hashes.
     const std::vector<firma::RegionHash> before = firma::hash_regions(rock), after = firma::hash_regions(first.solid);
     for (std::size_t k = 0; k < before.size() && before.size() == after.size(); ++k)
         if (!(before[k] == after[k]))
-            std::printf("they differ from (%d, %d, %d) m on\n", 32 * before[k].region[0], 32 * before[k].region[1],
-                        32 * before[k].region[2]);
+            std::printf("they differ from (%d, %d, %d) m on\n", 32 * before[k].region.x, 32 * before[k].region.y,
+                        32 * before[k].region.z);
 }

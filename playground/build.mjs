@@ -26,7 +26,6 @@ await build({
     minify: true,
     legalComments: 'inline', // three's licence
     alias: { firma: process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js') },
-    external: ['node:*'],
     logLevel: 'warning',
 });
 cpSync(path.join(here, 'index.html'), path.join(target, 'index.html'));

@@ -64,11 +64,11 @@ CutPlaces cut_places(const World& world) {
     CutPlaces places;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
         if (const Node* tree = world.data().faces_of(room).tree.get())
-            add_faces(*tree, room_info(world, {room}).exterior ? places.outside : places.inside);
+            add_faces(*tree, room_info(world, {room})->exterior ? places.outside : places.inside);
     if (places.inside.faces.empty()) places.inside = places.outside;
     if (places.outside.faces.empty()) places.outside = places.inside;
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal)
-        for (std::vector<Vec3>& polygon : portal_info(world, {portal}).polygons)
+        for (std::vector<Vec3>& polygon : portal_polygons(world, {portal}))
             places.portals.push_back(std::move(polygon));
     return places;
 }

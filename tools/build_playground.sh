@@ -14,10 +14,7 @@ log=$PWD/build/playground.log
 # quietly COMMAND...: its output only when it fails.
 quietly() { "$@" >"$log" 2>&1 || { tail -n 60 "$log" >&2; return 1; }; }
 
-launcher=()
-command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-quietly cmake --preset wasm "${launcher[@]}"
-quietly cmake --build --preset wasm
+tools/build_module.sh
 
 cd playground
 # Again only when the lock has changed: a copy of it marks what was installed.

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 . tools/needs.sh
 
 need_module
-need chromium
+command -v chromium >/dev/null || need chromium
 
 mkdir -p build
 log=build/test_js.log
@@ -15,11 +15,7 @@ log=build/test_js.log
 # quietly COMMAND...: its output only when it fails.
 quietly() { "$@" >"$log" 2>&1 || { tail -n 100 "$log" >&2; return 1; }; }
 
-launcher=()
-command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-quietly cmake --preset wasm "${launcher[@]}"
-quietly cmake --build --preset wasm
-cp build/wasm/bin/firma.wasm bindings/js/src/
+tools/build_module.sh
 
 cd bindings/js
 log=../../$log

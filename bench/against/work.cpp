@@ -16,6 +16,9 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#if __has_include("firma/queries.h")
+#include "firma/queries.h"
+#endif
 #include "firma/rooms.h"
 #include "firma/solid.h"
 
@@ -23,6 +26,15 @@ namespace {
 
 using namespace firma;
 using Clock = std::chrono::steady_clock;
+
+/// A place in a room, as either version says it.
+template <class Place>
+bool in_air(const Place& place) {
+    if constexpr (requires { place.where; })
+        return place.room.value < ~0u;
+    else
+        return place.kind == Place::Kind::kRoom;
+}
 
 constexpr int kCuts = 200, kCasts = 20'000;
 
@@ -82,7 +94,7 @@ void cast_all(const World& world, const char* name, double radius, double length
     std::vector<Query> queries;
     while (int(queries.size()) < kCasts) {
         const Vec3 start = numbers.point(bounds);
-        if (locate(world, start).kind != Location::Kind::kRoom) continue;
+        if (!in_air(locate(world, start))) continue;
         const Vec3 way{numbers.within(-1, 1), numbers.within(-1, 1), numbers.within(-1, 1)};
         queries.push_back({{start, radius}, way * length});
     }

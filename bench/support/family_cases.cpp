@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "scenes/cast_families.h"
 #include "scenes/room_grid.h"

@@ -3,13 +3,21 @@
 #include <algorithm>
 #include <vector>
 
-#include "bindings/c/batch.h"
+#include "bindings/c/batch_tasks.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
-#include "geometry/rounding.h"
+#include "firma/rooms.h"
+#include "world/run_tasks.h"
 
 namespace firma::c {
 namespace {
+
+void add(const CastCounts& counts, firma_cast_counts& out) {
+    out.bins += counts.bins;
+    out.boxes += counts.boxes;
+    out.faces += counts.faces;
+    out.precise += counts.precise;
+}
 
 /// What one call of a batch's work does.
 constexpr std::size_t kCastsATask = 256;
@@ -32,13 +40,6 @@ void cast_some(void* context, std::size_t task) {
         const firma_cast_input& input = batch.inputs[k];
         put_hit(cast(batch.world, sphere_of(input), vec(input.path), options), batch.hits[k]);
     }
-}
-
-void add(const CastCounts& counts, firma_cast_counts& out) {
-    out.bins += counts.bins;
-    out.boxes += counts.boxes;
-    out.faces += counts.faces;
-    out.precise += counts.precise;
 }
 
 template <class From, class To>
@@ -72,10 +73,15 @@ firma_code firma_cast(firma_world world, const firma_cast_input* input, const fi
         CastOptions chosen;
         if (const firma_code code = read_options(options, chosen, function)) return code;
         static_assert(sizeof(RoomId) == sizeof(std::uint32_t));
-        if (options) chosen.passed = {reinterpret_cast<RoomId*>(options->passed), options->passed_capacity};
+        RoomTrail trail;
+        if (options) {
+            trail.rooms = {reinterpret_cast<RoomId*>(options->passed), options->passed_capacity};
+            chosen.trail = &trail;
+        }
         CastCounts seen;
         if (counts) chosen.counts = &seen;
         put_hit(cast(object->world, sphere_of(*input), vec(input->path), chosen), *hit);
+        if (options && options->passed_count) *options->passed_count = trail.count;
         if (counts) add(seen, *counts);
         return FIRMA_OK;
     });
@@ -123,10 +129,8 @@ firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, s
             return fail(FIRMA_ERROR_TOO_LARGE, function, "no memory can hold so many hits");
         const std::size_t tasks = (count + kCastsATask - 1) / kCastsATask;
         if (counts) batch.counts.resize(tasks);
-        if (!run_batch(tasks, cast_some, &batch)) {
-            Hit none;
-            none.status = Status::kInvalid;
-            for (std::size_t k = 0; k < count; ++k) put_hit(none, hits[k]);
+        if (!run_tasks(batch_tasks(), tasks, cast_some, &batch)) {
+            for (std::size_t k = 0; k < count; ++k) put_hit(invalid_hit({}), hits[k]);
             return bad_call(function, "the function `run` of firma_set_tasks() returned before all was done");
         }
         for (const CastCounts& seen : batch.counts) add(seen, *counts);
@@ -134,48 +138,76 @@ firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, s
     });
 }
 
-firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask, firma_near* found,
-                         size_t capacity, size_t* count) {
+firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_hit_info* out) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!hit || !out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        firma_hit_info info{};
+        info.size = sizeof info;
+        info.other_face = FIRMA_NO_FACE;
+        if (hit->portal != FIRMA_NO_PORTAL) {
+            const std::optional<PortalInfo> portal = portal_info(object->world, {hit->portal});
+            if (!portal) return fail(FIRMA_ERROR_INVALID, function, "the world has no such portal");
+            info.mask = portal->mask;
+            info.room = portal->rooms[dot(vec(hit->normal), vec(hit->face_normal)) >= 0 ? 0 : 1].value;
+        } else {
+            const std::optional<FaceInfo> face = object->world.face_info(face_of(*hit));
+            if (!face)
+                return fail(FIRMA_ERROR_INVALID, function,
+                            hit->face == FIRMA_NO_FACE ? "the hit is of no face: it is a miss"
+                                                       : "the world has no such face: cut since, or of another world");
+            info.room = face->room.value;
+            info.source = face->source;
+            info.source_edit = face->source_edit;
+            info.mask = face->mask;
+            info.flags = face_flags(*face);
+            if (hit->feature == FIRMA_EDGE)
+                info.other_face = other_face(object->world, face->ref(), hit->feature_index).value;
+        }
+        *out = info;
+        return FIRMA_OK;
+    });
+}
+
+void firma_near_options_defaults(firma_near_options* options) {
+    if (!options) return;
+    *options = {sizeof(firma_near_options), ~0u, FIRMA_ANY_ROOM, 0};
+}
+
+firma_code firma_overlap(firma_world world, const double centre[3], double radius, const firma_near_options* options,
+                         firma_near* found, size_t capacity, size_t* count) {
     return guarded(__func__, [&, function = __func__] {
         if (!centre || !count || (!found && capacity)) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        std::vector<NearFace> near;
-        if (overlap(object->world, {{centre[0], centre[1], centre[2]}, radius}, near, mask) == Status::kInvalid)
+        NearOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        std::vector<Overlap> near;
+        if (overlap(object->world, {{centre[0], centre[1], centre[2]}, radius}, near, chosen) == Status::kInvalid)
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                        "a number is not finite or too large, or the radius negative");
-        put_some(near, found, capacity, count, put_near);
+                        "a number is not finite or too large, the radius negative, or there is no such room");
+        put_some(near, found, capacity, count, put_overlap);
         return FIRMA_OK;
     });
 }
 
-firma_code firma_closest(firma_world world, const double point[3], double reach, uint32_t mask, firma_near* near,
-                         uint32_t* found) {
+firma_code firma_closest(firma_world world, const double point[3], double reach, const firma_near_options* options,
+                         firma_near* near, uint32_t* found) {
     return guarded(__func__, [&, function = __func__] {
         if (!point || !near || !found) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        const Vec3 at{point[0], point[1], point[2]};
-        if (!is_finite(at) || largest(at) > kLargestNumber || !(reach >= 0))
+        NearOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        const NearFace nearest =
+            reach >= 0 ? closest(object->world, {point[0], point[1], point[2]}, reach, chosen) : NearFace{};
+        if (!(reach >= 0) || nearest.status == Status::kInvalid)
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                        "a number is not finite or too large, or the reach negative");
-        const std::optional<NearFace> nearest = closest(object->world, at, reach, mask);
-        *found = nearest.has_value();
-        if (nearest) put_near(*nearest, *near);
-        return FIRMA_OK;
-    });
-}
-
-firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where) {
-    return guarded(__func__, [&, function = __func__] {
-        if (!point || !where) return bad_call(function, kNull);
-        const WorldObject* object = find<WorldObject>(world.id, function);
-        if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        const Vec3 at{point[0], point[1], point[2]};
-        if (!is_finite(at) || largest(at) > kLargestNumber)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite or too large");
-        const std::optional<bool> inside = in_solid(object->world, at);
-        *where = inside ? std::uint32_t(*inside) : 2;
+                        "a number is not finite or too large, the reach negative, or there is no such room");
+        *found = nearest.found();
+        if (nearest.found()) put_near(nearest, *near);
         return FIRMA_OK;
     });
 }

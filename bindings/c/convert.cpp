@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Between the C API's plain structs and the library's own.
 #include "bindings/c/convert.h"
+#include "firma/queries.h"
 
 namespace firma::c {
 namespace {
 
-std::uint32_t id_of(FaceId face) {
-    return face.valid() ? face.value : FIRMA_NO_FACE;
-}
-
-std::uint32_t id_of(PortalId portal) {
-    return portal.valid() ? portal.value : FIRMA_NO_PORTAL;
-}
-
-static_assert(FIRMA_NO_PORTAL == PortalId{}.value && FIRMA_ANY_ROOM == kAnyRoom.value &&
+static_assert(FIRMA_NO_FACE == FaceId{}.value && FIRMA_NO_PORTAL == PortalId{}.value &&
+              FIRMA_NO_ROOM == RoomId{}.value && FIRMA_ANY_ROOM == kAnyRoom.value &&
               FIRMA_LOCATE_ROOM == kLocateRoom.value);
 
 }  // namespace
@@ -51,6 +45,15 @@ firma_code read_options(const firma_cast_options* given, CastOptions& cast, cons
     return FIRMA_OK;
 }
 
+firma_code read_options(const firma_near_options* given, NearOptions& near, const char* function) {
+    if (!given) return FIRMA_OK;
+    if (!sized(given)) return bad_call(function, kWrongSize);
+    if (given->reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
+    near.mask = given->mask;
+    near.room = {given->room};
+    return FIRMA_OK;
+}
+
 firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function) {
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
@@ -64,6 +67,16 @@ Pose pose_of(const firma_pose& pose) {
     return {vec(pose.position), {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]}, pose.scale};
 }
 
+void put_corner(const FaceRef& face, std::int32_t (&corner)[3]) {
+    corner[0] = face.corner.x;
+    corner[1] = face.corner.y;
+    corner[2] = face.corner.z;
+}
+
+FaceRef face_of(const firma_hit& hit) {
+    return {{hit.face}, {hit.corner[0], hit.corner[1], hit.corner[2]}};
+}
+
 void put_hit(const Hit& hit, firma_hit& out) {
     out.fraction = hit.fraction;
     out.safe_fraction = hit.safe_fraction;
@@ -71,34 +84,36 @@ void put_hit(const Hit& hit, firma_hit& out) {
     put(hit.point, out.point);
     put(hit.normal, out.normal);
     put(hit.face_normal, out.face_normal);
-    out.version = hit.version;
     out.status = std::uint32_t(hit.status);
     out.feature = std::uint32_t(hit.feature);
     out.feature_index = hit.feature_index;
-    out.face = id_of(hit.face);
-    out.other_face = id_of(hit.other_face);
-    out.source = hit.source;
-    out.source_edit = hit.source_edit;
+    out.face = hit.face.id.value;
+    put_corner(hit.face, out.corner);
+    out.portal = hit.portal.value;
     out.material = hit.material;
-    out.room = hit.room.value;
-    out.rooms_passed = hit.rooms_passed;
-    static_assert(sizeof out.passed == kRoomsInHit * sizeof(std::uint32_t));
-    for (std::size_t k = 0; k < kRoomsInHit; ++k) out.passed[k] = hit.passed[k].value;
-    out.portal = id_of(hit.portal);
     out.reserved = 0;
 }
 
+std::uint32_t face_flags(const FaceInfo& face) {
+    return (face.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (face.solid ? FIRMA_FACE_SOLID : 0);
+}
+
 void put_near(const NearFace& near, firma_near& out) {
+    out = {};
     put(near.point, out.point);
     out.distance = near.distance;
-    out.face = id_of(near.face);
-    out.source = near.source;
-    out.source_edit = near.source_edit;
+    out.face = near.face.id.value;
+    put_corner(near.face, out.corner);
     out.material = near.material;
     out.feature = std::uint32_t(near.feature);
     out.feature_index = near.feature_index;
-    out.portal = id_of(near.portal);
-    out.reserved = 0;
+    out.portal = near.portal.value;
+}
+
+void put_overlap(const Overlap& overlap, firma_near& out) {
+    put_near(overlap, out);
+    put(overlap.direction, out.direction);
+    out.depth = overlap.depth;
 }
 
 void put_report(const CarveResult& result, firma_carve_report& out) {

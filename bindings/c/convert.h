@@ -8,6 +8,7 @@
 #include "bindings/c/calls.h"
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/vec.h"
 #include "firma/world.h"
 
@@ -33,11 +34,15 @@ inline Sphere sphere_of(const firma_cast_input& input) {
 /// FIRMA_OK, or why the options are no good; null gives the defaults.
 firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read, const char* function);
 firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function);
+firma_code read_options(const firma_near_options* given, NearOptions& near, const char* function);
 firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function);
 
 Pose pose_of(const firma_pose& pose);
 void put_hit(const Hit& hit, firma_hit& out);
 void put_near(const NearFace& near, firma_near& out);
+void put_overlap(const Overlap& overlap, firma_near& out);
+FaceRef face_of(const firma_hit& hit);
+std::uint32_t face_flags(const FaceInfo& face);
 void put_report(const CarveResult& result, firma_carve_report& out);
 
 }  // namespace firma::c

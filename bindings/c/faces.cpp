@@ -13,12 +13,24 @@ void FaceList::add(const Face& face) {
     out.source_edit = face.source_edit;
     out.material = face.material;
     out.mask = face.mask;
-    out.flags = (face.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (face.solid ? FIRMA_FACE_SOLID : 0);
+    out.flags = face_flags(face);
+    out.room = face.room.value;
     out.first_corner = std::uint32_t(corners.size() / 3);
     out.corner_count = std::uint32_t(face.corners.size());
     for (const Vec3& corner : face.corners) corners.insert(corners.end(), {corner.x, corner.y, corner.z});
 }
 
+namespace {
+
+/// Ids are plain numbers to C.
+template <class Id>
+void put_ids(const std::vector<Id>& ids, const std::uint32_t*& out, std::size_t& count) {
+    static_assert(sizeof(Id) == sizeof(std::uint32_t));
+    out = reinterpret_cast<const std::uint32_t*>(ids.data());
+    count = ids.size();
+}
+
+}  // namespace
 }  // namespace firma::c
 
 using namespace firma;
@@ -71,8 +83,9 @@ firma_code firma_world_diff(firma_world before, firma_world after, double tile_s
             return fail(FIRMA_ERROR_INVALID, function, "the size of a tile must be 0, or 1/16 m and more");
         auto made = std::make_unique<DiffObject>();
         made->diff = diff_worlds(first->world, second->world, tile_size);
-        for (const ChangedFace& face : made->diff.gone) made->gone.push_back(face.id.value);
-        for (const ChangedFace& face : made->diff.come) made->come.add(second->world.face(face.ref));
+        for (const FaceInfo& face : made->diff.removed) made->removed.push_back(face.id.value);
+        for (const FaceInfo& face : made->diff.added)
+            if (const std::optional<Face> whole = second->world.face(face.ref())) made->added.add(*whole);
         return give(std::move(made), diff, function);
     });
 }
@@ -84,12 +97,18 @@ firma_code firma_diff_get_view(firma_diff diff, firma_diff_view* view) {
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         static_assert(sizeof(Tile) == 3 * sizeof(std::int32_t));
         *view = {};
-        view->gone = object->gone.data();
-        view->gone_count = object->gone.size();
-        view->come = object->come.faces.data();
-        view->come_count = object->come.faces.size();
-        view->corners = object->come.corners.data();
-        view->corner_count = object->come.corners.size() / 3;
+        view->removed = object->removed.data();
+        view->removed_count = object->removed.size();
+        view->added = object->added.faces.data();
+        view->added_count = object->added.faces.size();
+        view->corners = object->added.corners.data();
+        view->corner_count = object->added.corners.size() / 3;
+        put_ids(object->diff.rooms, view->rooms, view->room_count);
+        put_ids(object->diff.opened, view->opened, view->opened_count);
+        put_ids(object->diff.closed, view->closed, view->closed_count);
+        put_ids(object->diff.portals_added, view->portals_added, view->portals_added_count);
+        put_ids(object->diff.portals_removed, view->portals_removed, view->portals_removed_count);
+        put_ids(object->diff.portals_changed, view->portals_changed, view->portals_changed_count);
         view->tiles = object->diff.tiles.empty() ? nullptr : object->diff.tiles[0].data();
         view->tile_count = object->diff.tiles.size();
         put(object->diff.bounds.low, view->low);

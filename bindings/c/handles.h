@@ -8,7 +8,19 @@
 
 namespace firma::c {
 
-enum class Kind : std::uint8_t { kNone, kWorld, kCutter, kJob, kEdit, kStore, kDiff, kFaces, kBytes };
+enum class Kind : std::uint8_t {
+    kNone,
+    kWorld,
+    kLevel,
+    kCutter,
+    kJob,
+    kEdit,
+    kStore,
+    kDiff,
+    kFaces,
+    kTriangles,
+    kBytes
+};
 
 /// What a handle may stand for; deleted when it is released.
 struct Object {

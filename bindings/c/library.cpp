@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Version, errors, hooks.
-#include "bindings/c/batch.h"
+#include "bindings/c/batch_tasks.h"
 #include "bindings/c/calls.h"
 #include "firma/memory.h"
 

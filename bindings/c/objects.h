@@ -62,8 +62,8 @@ struct DiffObject final : Object {
     static constexpr Kind kKind = Kind::kDiff;
     static constexpr const char* kNoun = "diff";
     WorldDiff diff;
-    std::vector<std::uint32_t> gone;
-    FaceList come;
+    std::vector<std::uint32_t> removed;
+    FaceList added;
 };
 
 struct BytesObject final : Object {

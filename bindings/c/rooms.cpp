@@ -59,17 +59,17 @@ using namespace firma::c;
 
 firma_code firma_world_locate(firma_world world, const double point[3], uint32_t* where, uint32_t* room) {
     return guarded(__func__, [&, function = __func__] {
-        if (!point || !where || !room) return bad_call(function, kNull);
+        if (!point || !where) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const Vec3 at{point[0], point[1], point[2]};
         if (!is_finite(at) || largest(at) > kLargestNumber)
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite or too large");
         const Location found = locate(object->world, at);
-        static_assert(int(Location::Kind::kRoom) == FIRMA_ROOM && int(Location::Kind::kSolid) == FIRMA_SOLID &&
-                      int(Location::Kind::kUnsure) == FIRMA_UNSURE);
-        *where = std::uint32_t(found.kind);
-        *room = found.kind == Location::Kind::kRoom ? found.room.value : FIRMA_ANY_ROOM;
+        static_assert(int(Where::kAir) == FIRMA_AIR && int(Where::kSolid) == FIRMA_SOLID &&
+                      int(Where::kSurface) == FIRMA_SURFACE && int(Where::kUnknown) == FIRMA_UNKNOWN);
+        *where = std::uint32_t(found.where);
+        if (room) *room = found.room.value;
         return FIRMA_OK;
     });
 }
@@ -80,16 +80,17 @@ firma_code firma_world_room(firma_world world, uint32_t room, firma_room* out) {
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_room(object->world, room, function)) return code;
-        const RoomInfo info = room_info(object->world, {room});
+        const RoomInfo info = *room_info(object->world, {room});
         const RoomRecord& record = object->world.data().cells.room(room);
         *out = {};
         put_box(info.bounds, out->low, out->high);
         out->face_count = info.faces;
         out->name = record.name.c_str();
-        out->portals = record.portals.data();
+        static_assert(sizeof(PortalId) == sizeof(std::uint32_t));
+        out->portals = reinterpret_cast<const std::uint32_t*>(record.portals.data());
         out->portal_count = record.portals.size();
         out->exterior = info.exterior;
-        out->part_of = info.part_of.value;
+        out->merged_into = info.merged_into.value;
         return FIRMA_OK;
     });
 }
@@ -100,7 +101,7 @@ firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* 
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_portal(object->world, portal, function)) return code;
-        const PortalInfo info = portal_info(object->world, {portal});
+        const PortalInfo info = *portal_info(object->world, {portal});
         *out = {};
         put_box(info.bounds, out->low, out->high);
         out->name = object->world.data().cells.portal(portal).name.c_str();
@@ -108,7 +109,7 @@ firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* 
         out->material = info.material;
         out->mask = info.mask;
         out->open = info.open;
-        out->polygon_count = std::uint32_t(info.polygons.size());
+        out->polygon_count = std::uint32_t(info.polygons);
         return FIRMA_OK;
     });
 }
@@ -119,9 +120,10 @@ firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_portal(object->world, portal, function)) return code;
-        const PortalInfo info = portal_info(object->world, {portal});
+        const PortalInfo info = *portal_info(object->world, {portal});
         auto list = std::make_unique<FacesObject>();
-        for (const std::vector<Vec3>& corners : info.polygons) list->list.add(as_face(info, portal, corners));
+        for (const std::vector<Vec3>& corners : portal_polygons(object->world, {portal}))
+            list->list.add(as_face(info, portal, corners));
         return give(std::move(list), polygons, function);
     });
 }
@@ -133,7 +135,7 @@ firma_code firma_world_set_portal_open(firma_world world, uint32_t portal, uint3
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (open > 1) return fail(FIRMA_ERROR_INVALID, function, "open must be 0 or 1");
         if (const firma_code code = check_portal(object->world, portal, function)) return code;
-        return give(std::make_unique<WorldObject>(set_portal_open(object->world, {portal}, open == 1)), after,
+        return give(std::make_unique<WorldObject>(*set_portal_open(object->world, {portal}, open == 1)), after,
                     function);
     });
 }

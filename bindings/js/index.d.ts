@@ -4,8 +4,8 @@
 // Units: metres, microseconds where said; right-handed. A surface's front is the side from which its corners run
 // counter-clockwise. Every failure throws a FirmaError. Objects with release() hold memory of the module until then.
 //
-// Arguments of a wrong kind or length throw BAD_CALL, released objects and those of another module BAD_HANDLE; this is
-// not said again below.
+// Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
+// not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
 
 /// <reference lib="esnext.disposable" />
 
@@ -77,6 +77,9 @@ export interface Firma {
      * its author placed.
      */
     worldFromMap(file: string | Bytes, options?: WorldOptions): World;
+    /** A level of brushes as its file has it: for its entities, and for a world of it. */
+    levelFromMap(file: string | Bytes, options?: LevelOptions): Level;
+    levelFromBsp(file: Bytes, options?: LevelOptions): Level;
     worldFromMesh(mesh: Mesh, options?: WorldOptions): World;
     /** What World.pack() gave, or a .firma file. `name` is for messages. @throws {FirmaError} MALFORMED, UNSUPPORTED */
     unpackWorld(file: Bytes, name?: string): World;
@@ -121,6 +124,39 @@ export interface WorldOptions {
     minBinVolume?: number;
 }
 
+export interface LevelOptions {
+    /** For messages. */
+    name?: string;
+    /** Metres a unit of the file; 0 or none: 1/32. */
+    scale?: number;
+}
+
+/** A level of brushes; it never changes. */
+export interface Level extends Handle {
+    /** As worldFromMap() makes it; the options' scale and name are not looked at. */
+    world(options?: WorldOptions): World;
+    /** In the file's order; the first is the world. */
+    entities(): Entity[];
+    /** For people: what was dropped, replaced or not understood, with its place. */
+    notes(): string[];
+    /** For numbers in the entities' values. */
+    readonly metresPerUnit: number;
+}
+
+/** A spawn point, a light, a door: what the author placed, by its keys. */
+export interface Entity {
+    /** '' where it has none. */
+    classname: string;
+    /** In the file's order, as written. */
+    keys: [key: string, value: string][];
+    /** By key: the first value of each. */
+    values: Map<string, string>;
+    /** Metres; null where `origin` is no three numbers. */
+    origin: Vector3 | null;
+    /** Where it begins in the file, from 1; 0 where the format has none. */
+    line: number;
+}
+
 /** Polygons; each is divided where it is not convex and planar on the grid of 1/4096 m. */
 export interface Mesh {
     /** Three for each vertex. */
@@ -136,7 +172,7 @@ export interface Mesh {
     /** For each face, what casts choose by, ~0 or -1 for all; none: all bits. */
     masks?: Words | Int32Array;
     /** For each face; none: no face is. */
-    twoSided?: ArrayLike<boolean | number>;
+    twoSided?: Words | readonly boolean[];
 }
 
 export interface WorldFacts {
@@ -174,6 +210,8 @@ export interface Faces {
     masks: Uint32Array;
     /** Bits: FACE_TWO_SIDED, FACE_SOLID. */
     flags: Uint32Array;
+    /** That they look into. */
+    rooms: Uint32Array;
     /** Counted in points. */
     firstCorners: Uint32Array;
     cornerCounts: Uint32Array;
@@ -196,8 +234,64 @@ export interface Face {
     sourceEdit: number;
     mask: number;
     flags: number;
+    room: number;
     /** Three for each. */
     corners: Float64Array;
+}
+
+/** What triangles() is limited to; all faces of the world, from its origin, unless given. */
+export interface TriangleOptions {
+    /** Faces that share a bit. */
+    mask?: number;
+    /** Without the faces that bound no solid. */
+    solidOnly?: boolean;
+    /** Only faces that look into this room. Not together with a region. */
+    room?: number;
+    /** Only faces whose lowest corner lies in the cube from region * 32 m on, 32 m wide: three integers. */
+    region?: ArrayLike<number>;
+    /** Metres: what positions are told from. Near the faces, floats lose least. */
+    origin?: Vector;
+}
+
+/** Faces as triangles, none of them without area on the surface grid. Vertices are not shared between faces. */
+export interface Triangles {
+    /** Three for each vertex, metres from the origin of the options. */
+    positions: Float32Array;
+    /** Three for each vertex, unit. */
+    normals: Float32Array;
+    /** Three for each triangle: vertices, counter-clockwise seen from the front. */
+    corners: Uint32Array;
+    /** Of each triangle. */
+    faces: Uint32Array;
+    /** Triangles of one material, one behind the other, in order of material. */
+    runs: TriangleRun[];
+    /** The faces, in order of material, then id. */
+    sources: TriangleSource[];
+}
+
+/** A draw call: no other run's triangles name its vertices. */
+export interface TriangleRun {
+    material: number;
+    firstTriangle: number;
+    triangleCount: number;
+    firstVertex: number;
+    vertexCount: number;
+}
+
+export interface TriangleSource {
+    face: number;
+    /** That the face looks into. */
+    room: number;
+    source: number;
+    sourceEdit: number;
+    material: number;
+    mask: number;
+    /** Bits: FACE_TWO_SIDED, FACE_SOLID. */
+    flags: number;
+    firstTriangle: number;
+    triangleCount: number;
+    firstVertex: number;
+    vertexCount: number;
 }
 
 /** A sphere that moves along `path`; radius 0 casts a particle. */
@@ -222,9 +316,12 @@ export interface CastOptions {
     room?: number | 'any' | 'locate';
 }
 
-/** Where a point is; 'unsure' on a face. `room` is null unless it is in one. */
+/**
+ * Where a point is; 'unknown' in a fold of the surface that rounding to the grid made. `room` is null unless the point is in
+ * the air of one.
+ */
 export interface Location {
-    where: 'room' | 'solid' | 'unsure';
+    where: 'air' | 'solid' | 'surface' | 'unknown';
     room: number | null;
 }
 
@@ -239,7 +336,7 @@ export interface Room {
     /** Reaches to infinity. */
     exterior: boolean;
     /** Itself; of a room that an edit joined to another: that one, and it is empty. */
-    partOf: number;
+    mergedInto: number;
     /** Ascending. */
     portals: number[];
 }
@@ -274,13 +371,34 @@ export interface CountedCastOptions extends CastOptions {
     counts?: Partial<CastCounts>;
 }
 
+export interface SingleCastOptions extends CountedCastOptions {
+    /**
+     * An array that gets the rooms that the cast reached, in their order, the first included; none when all rooms of a world
+     * of several were asked.
+     */
+    passed?: number[];
+}
+
+/** What overlap() and closest() are limited to. */
+export interface NearOptions {
+    /** Faces and closed portals that share a bit; all unless given. */
+    mask?: number;
+    /** Only what bounds this room; all rooms unless given. */
+    room?: number;
+}
+
 /** 'invalid': a number of the input is no good, nothing was asked. 'touching': at the start, and moving closer. */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
-/** Look at `status` first: of 'miss' and 'invalid' only roomsPassed and version mean anything, and fractions are 0. */
+/**
+ * A miss has fraction and safeFraction 1, and the end of the path as its centre; 'invalid' has fraction 0. The rest of the
+ * fields mean something where `hit` is true.
+ */
 export interface Hit {
     status: Status;
+    /** Whether anything was met: 'hit' or 'touching'. */
+    hit: boolean;
     /** Of the path, 0..1. */
     fraction: number;
     /** How far to go so that the skin is kept. */
@@ -297,33 +415,38 @@ export interface Hit {
     featureIndex: number;
     /** Null also where a closed portal was met. */
     face: number | null;
-    /** Across the edge that was met. */
-    otherFace: number | null;
-    source: number;
-    sourceEdit: number;
-    material: number;
-    /** Of the contact. */
-    room: number;
-    /** How many rooms the cast reached, the first included; 0 when all rooms of a world of several were asked. */
-    roomsPassed: number;
-    /** The first of them, eight at most, in the order in which they are reached. */
-    passed: number[];
+    /** The face's first corner, in steps of 1/262144 m: where hitInfo() looks for it. */
+    corner: Vector3;
     /** The closed portal that was met. */
     portal: number | null;
-    /** Of the world that was asked. */
-    version: number;
+    /** Of the face, or of the portal. */
+    material: number;
+}
+
+/** What only some ask of a hit. */
+export interface HitInfo {
+    /** That the face looks into; of a closed portal the one on the side that was met. */
+    room: number;
+    /** As in Faces; 0 for a portal. */
+    source: number;
+    sourceEdit: number;
+    mask: number;
+    twoSided: boolean;
+    /** The face bounds a closed solid, which can be carved. */
+    solid: boolean;
+    /** Across the edge that was met; null elsewhere, and where not exactly two faces share the edge. */
+    otherFace: number | null;
 }
 
 /**
  * The answers of castBatch(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
  * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE and NO_PORTAL
- * for null; `passed` has eight places for each.
+ * for null.
  */
 export class HitBatch {
     /** An empty one, to be given as `out`. */
     constructor();
     readonly count: number;
-    readonly version: number;
     readonly status: Uint8Array;
     readonly feature: Uint8Array;
     readonly fraction: Float64Array;
@@ -335,14 +458,10 @@ export class HitBatch {
     readonly faceNormal: Float64Array;
     readonly featureIndex: Uint32Array;
     readonly face: Uint32Array;
-    readonly otherFace: Uint32Array;
-    readonly source: Uint32Array;
-    readonly sourceEdit: Uint32Array;
-    readonly material: Uint32Array;
-    readonly room: Uint32Array;
-    readonly roomsPassed: Uint32Array;
-    readonly passed: Uint32Array;
+    /** Three for each. */
+    readonly corner: Int32Array;
     readonly portal: Uint32Array;
+    readonly material: Uint32Array;
     /** Answer k as cast() gives it; null when there is no such answer. */
     hit(k: number): Hit | null;
 }
@@ -354,12 +473,20 @@ export interface Near {
     /** Metres. */
     distance: number;
     face: number | null;
+    /** The face's first corner, in steps of 1/262144 m. */
+    corner: Vector3;
     portal: number | null;
-    source: number;
-    sourceEdit: number;
     material: number;
     feature: Feature;
     featureIndex: number;
+}
+
+/** What a sphere overlaps, and the way out. */
+export interface Overlap extends Near {
+    /** Unit: moved this way by `depth` metres, the sphere touches this face in a point at most. Out of the solid for a centre
+     * behind a one-sided face. */
+    direction: Vector3;
+    depth: number;
 }
 
 /** Where a cutter goes: turned, scaled, moved. */
@@ -404,12 +531,22 @@ export interface CarveResult {
     report: CarveReport;
 }
 
-/** What changed from one world to another: take `gone` out of the faces, put `come` in. */
+/** What changed from one world to another: take `removed` out of the faces, put `added` in. Numbers are ascending. */
 export interface Diff {
-    /** Ids, ascending. */
-    gone: Uint32Array;
+    /** Ids of faces. */
+    removed: Uint32Array;
     /** In order of id. */
-    come: Faces;
+    added: Faces;
+    /** Rooms that a face left or came to, that became part of another, or that one world only has. */
+    rooms: Uint32Array;
+    /** Portals of both worlds. */
+    opened: Uint32Array;
+    closed: Uint32Array;
+    /** Portals with polygons in one world only. */
+    portalsAdded: Uint32Array;
+    portalsRemoved: Uint32Array;
+    /** Portals of both, with other rooms, polygons or names. */
+    portalsChanged: Uint32Array;
     /** Three for each: the cell from tile * tileSize to (tile + 1) * tileSize. */
     tiles: Int32Array;
     /** Bounds of all that changed; low > high when nothing did. */
@@ -458,11 +595,18 @@ export interface World extends Handle {
     memory(): number;
     /** Copies of all faces, in order of id. */
     faces(): Faces;
+    /** Copies of faces as triangles, for a renderer or another engine's collider. @throws {FirmaError} INVALID for a room that is not there */
+    triangles(options?: TriangleOptions): Triangles;
     /** Null when the world has no such face. Searches all faces. */
     findFace(id: number): Face | null;
 
     /** The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. */
-    cast(input: CastInput, options?: CountedCastOptions): Hit;
+    cast(input: CastInput, options?: SingleCastOptions): Hit;
+    /**
+     * More about the face or portal that a cast met. Costs a walk through the index.
+     * @throws {FirmaError} INVALID for a miss, and where this world has no such face or portal: cut since, or of another world
+     */
+    hitInfo(hit: Hit): HitInfo;
     /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     castAny(input: CastInput, options?: CastOptions): boolean;
     /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
@@ -475,16 +619,14 @@ export interface World extends Handle {
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
     /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
-    overlap(centre: Vector, radius: number, mask?: number): Near[];
+    overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
     /**
      * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
      * @throws {FirmaError} OUT_OF_RANGE for numbers that are no good
      */
-    closest(point: Vector, reach?: number, mask?: number): Near | null;
-    /** Null where that cannot be said (on a face). @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
-    inSolid(point: Vector): boolean | null;
+    closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 
-    /** The room that a point is in. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
     locate(point: Vector): Location;
     /** @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below */
     room(room: number): Room;

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/level.h"
 #include "firma/result.h"
@@ -89,6 +91,10 @@ struct BrushLevel {
     double greatest_shift = 0;
 };
 
+/// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks
+/// between them.
+[[nodiscard]] FIRMA_EXPORT std::optional<Vec3> entity_origin(const BrushLevel& level, const Entity& entity);
+
 /// Reads a Quake .map: brushes in the forms Standard, Valve 220, brushDef (Quake 3's brush primitives) and brushDef3
 /// (Doom 3's), patches (patchDef2, patchDef3), entities. docs/formats.md says what is kept, dropped and refused.
 ///
@@ -97,16 +103,16 @@ struct BrushLevel {
 /// @return the level, or the first error with file and line: broken syntax, a number too large, a point outside the
 ///         world, a brush of more than 1024 sides, no entity at all. Parts it does not know are kept or noted, never an
 ///         error.
-Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadOptions& options = {});
+FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Reads the brushes and patches of a Quake 3 .bsp (version 46), of all its models; of the drawn surfaces only patches,
 /// those of the first model. Float planes are made exact once each, a plane and its negative together.
 ///
 /// @return the level, or the first error with file, lump and entry.
-Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
-                                    const ReadOptions& options = {});
+FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
+                                                 const ReadOptions& options = {});
 
 /// Reads a file by its ending (.map, .bsp): of a .bsp the brushes.
-Result<BrushLevel> read_brush_level(const std::string& path, const ReadOptions& options = {});
+FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firma/brush_level.h"
+#include "firma/export.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -56,6 +57,7 @@ struct BrushWorldReport {
 /// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
 ///         together (see BrushLevel), and for a skin that is no length; kMalformed where no face is left that a cast
 ///         could meet, with what was left out
-Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {}, BrushWorldReport* report = nullptr);
+FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
+                                      BrushWorldReport* report = nullptr);
 
 }  // namespace firma

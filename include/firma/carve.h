@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firma/cutter.h"
+#include "firma/export.h"
 #include "firma/result.h"
 #include "firma/solid_cut.h"
 #include "firma/world.h"
@@ -45,10 +46,12 @@ struct CarveOptions {
 ///         (then `reproduction` holds it).
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
-CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,
+                               const CarveOptions& options = {});
 
 /// Adds a placed cutter to the solid, by the same rules.
-CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose,
+                              const CarveOptions& options = {});
 
 /// One edit in slices: runs for a while, is resumed or dropped, and ends in the same bits as in one go.
 ///
@@ -57,23 +60,24 @@ CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose, con
 /// is a refusal by kNoMemory with the world before. Start another job.
 class CarveJob {
 public:
-    CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options = {},
-             CarveKind kind = CarveKind::kCarve);
-    ~CarveJob();
-    CarveJob(CarveJob&&) noexcept;
-    CarveJob& operator=(CarveJob&&) noexcept;
+    FIRMA_EXPORT CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options = {},
+                          CarveKind kind = CarveKind::kCarve);
+    FIRMA_EXPORT ~CarveJob();
+    /// Leaves a job behind that is finished and refused.
+    FIRMA_EXPORT CarveJob(CarveJob&&) noexcept;
+    FIRMA_EXPORT CarveJob& operator=(CarveJob&&) noexcept;
 
     /// Goes on for about this long; always does at least one piece of work. With a cutter of some hundred triangles a
     /// piece takes some ten microseconds, seldom more than a hundred; placing a cutter, judging it, gathering,
     /// labelling and tracing are a piece each, and so take longer for one of many thousand.
     /// @param microseconds  INFINITY: to the end
     /// @return true once it is finished
-    bool run(double microseconds);
-    bool finished() const;
+    FIRMA_EXPORT bool run(double microseconds);
+    FIRMA_EXPORT bool finished() const;
     /// Whether an exception left run().
-    bool broken() const;
+    FIRMA_EXPORT bool broken() const;
     /// What came out. Only once finished() (FIRMA_ASSERT), else a refusal by kInvalid.
-    CarveResult result() const;
+    FIRMA_EXPORT CarveResult result() const;
 
 private:
     struct State;
@@ -83,14 +87,14 @@ private:
 /// Several edits that become one new version of the world.
 class WorldEdit {
 public:
-    explicit WorldEdit(World world);
+    FIRMA_EXPORT explicit WorldEdit(World world);
 
     /// As the functions of the same names, on the world as edited so far; `world` of the result is that world.
-    CarveResult carve(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
-    CarveResult fill(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+    FIRMA_EXPORT CarveResult carve(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
+    FIRMA_EXPORT CarveResult fill(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
 
     /// The world after all edits, its version one above the first one's; the first one itself when none was done.
-    World finish() const;
+    FIRMA_EXPORT World finish() const;
 
 private:
     World before_, now_;

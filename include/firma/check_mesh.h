@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/level.h"
 #include "firma/result.h"
 
@@ -54,12 +55,13 @@ struct MeshCheck {
 /// their indices. `options.scale` only says what the notes compare with.
 /// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent
 ///         beyond 400
-Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+FIRMA_EXPORT Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).
-Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name, const ReadOptions& options = {});
+FIRMA_EXPORT Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name,
+                                         const ReadOptions& options = {});
 
 /// Checks a file by its ending.
-Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
+FIRMA_EXPORT Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

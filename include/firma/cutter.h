@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "firma/export.h"
 #include "firma/level.h"
 #include "firma/result.h"
 #include "firma/vec.h"
@@ -35,22 +36,22 @@ enum class CutterShape : std::uint8_t {
 };
 
 /// The shape of a name ("rocky", "spiky", "drill", "wedge", "box"); nothing for any other.
-std::optional<CutterShape> cutter_shape(std::string_view name);
-std::string_view cutter_shape_name(CutterShape shape);
+FIRMA_EXPORT std::optional<CutterShape> cutter_shape(std::string_view name);
+FIRMA_EXPORT std::string_view cutter_shape_name(CutterShape shape);
 
 /// A closed mesh in units of its own (metres at scale 1), immutable: copies share it. The default one holds nothing and
 /// cannot be placed.
 class Cutter {
 public:
     Cutter() = default;
-    explicit Cutter(std::shared_ptr<const CutterData> data);
+    FIRMA_EXPORT explicit Cutter(std::shared_ptr<const CutterData> data);
 
     bool valid() const { return data_ != nullptr; }
     /// Views, as long-lived as the cutter and its copies.
-    std::span<const Vec3> vertices() const;
-    std::span<const CutterTriangle> triangles() const;
+    FIRMA_EXPORT std::span<const Vec3> vertices() const;
+    FIRMA_EXPORT std::span<const CutterTriangle> triangles() const;
     /// For messages.
-    const std::string& name() const;
+    FIRMA_EXPORT const std::string& name() const;
 
     /// Inner workings; null when not valid().
     const std::shared_ptr<const CutterData>& data() const { return data_; }
@@ -61,7 +62,7 @@ private:
 
 /// A crater shape of mean radius about 1 around the origin, which sees every point of its surface. The same numbers
 /// from the same seed on every machine.
-Cutter make_crater(CutterShape shape, std::uint64_t seed);
+FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 
 /// A cutter from a mesh. An inside-out one is turned over; vertices that no triangle uses are left out.
 ///
@@ -74,14 +75,14 @@ Cutter make_crater(CutterShape shape, std::uint64_t seed);
 ///         triangles use, one each way (open, or more than two in one place, or wound against each other), fewer than 4
 ///         triangles, no volume.
 /// Whether it crosses itself is judged where it is placed, on the grid.
-Result<Cutter> make_cutter(std::span<const Vec3> vertices, std::span<const CutterTriangle> triangles,
-                           std::string name = "");
+FIRMA_EXPORT Result<Cutter> make_cutter(std::span<const Vec3> vertices, std::span<const CutterTriangle> triangles,
+                                        std::string name = "");
 
 /// A cutter from a level file: vertices at one position are one, faces are divided into triangles. Metres, as snapped.
 /// Whether faces are two-sided, and materials and groups, are ignored.
 ///
 /// @return as make_cutter(); an edge that a face does not share corner by corner (a T-joint) is open
-Result<Cutter> cutter_from_level(const Level& level);
+FIRMA_EXPORT Result<Cutter> cutter_from_level(const Level& level);
 
 /// A turn: x, y, z, w, of any length but zero; it is normalised when used.
 using Quaternion = std::array<double, 4>;
@@ -95,6 +96,6 @@ struct Pose {
 
 /// A random turn, evenly distributed, of length 1; without sine or cosine, so the same on every machine.
 /// Source: G. Marsaglia, Choosing a Point from the Surface of a Sphere, 1972 (by rejection, in four dimensions).
-Quaternion random_turn(std::uint64_t seed);
+FIRMA_EXPORT Quaternion random_turn(std::uint64_t seed);
 
 }  // namespace firma

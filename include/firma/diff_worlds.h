@@ -7,21 +7,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/vec.h"
 #include "firma/world.h"
 
 namespace firma {
-
-/// A face of one of two worlds only.
-struct ChangedFace {
-    FaceId id;
-    FaceRef ref;  ///< for World::face, in the world that has it
-    RoomId room;
-    std::uint32_t source = 0;
-    std::uint32_t source_edit = 0;  ///< as in Face
-    std::uint32_t material = 0;
-};
 
 /// A cell of a grid over space: from coordinate * size to (coordinate + 1) * size along each axis.
 using Tile = std::array<std::int32_t, 3>;
@@ -32,15 +23,15 @@ inline constexpr double kLeastTile = 1.0 / 16;  // metres
 inline constexpr std::size_t kMostTiles = std::size_t(1) << 22;
 
 struct WorldDiff {
-    std::vector<ChangedFace> gone;  ///< in order of id, then room; refs good in `before`
-    std::vector<ChangedFace> come;  ///< likewise in `after`
+    std::vector<FaceInfo> removed;  ///< faces of `before` only, in order of id, then room
+    std::vector<FaceInfo> added;    ///< of `after` only, likewise; World::face() has their outlines
 
     // All ascending.
     std::vector<RoomId> rooms;  ///< that a face left or came to, that became part of another or ceased to be, or that
                                 ///< only one of the worlds has
     std::vector<PortalId> opened, closed;   ///< doors, of portals in both worlds
-    std::vector<PortalId> portals_gone;     ///< with polygons in `before` only
-    std::vector<PortalId> portals_come;     ///< in `after` only
+    std::vector<PortalId> portals_removed;  ///< with polygons in `before` only
+    std::vector<PortalId> portals_added;    ///< in `after` only
     std::vector<PortalId> portals_changed;  ///< in both, and yet not the same: other rooms (as edits joined some),
                                             ///< polygons or names
 
@@ -49,8 +40,8 @@ struct WorldDiff {
     bool too_many_tiles = false;  ///< there are more than kMostTiles: `tiles` is empty; go by `bounds`
 
     bool empty() const {
-        return gone.empty() && come.empty() && rooms.empty() && opened.empty() && closed.empty() &&
-               portals_gone.empty() && portals_come.empty() && portals_changed.empty();
+        return removed.empty() && added.empty() && rooms.empty() && opened.empty() && closed.empty() &&
+               portals_removed.empty() && portals_added.empty() && portals_changed.empty();
     }
 };
 
@@ -61,6 +52,6 @@ struct WorldDiff {
 /// @param tile_size  metres, for `tiles`, at least kLeastTile; anything smaller (0, say) or not finite leaves them out.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
 ///                   makes a long list; one of more than kMostTiles is left out, and too_many_tiles is set.
-WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
+FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
 
 }  // namespace firma

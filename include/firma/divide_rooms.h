@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "firma/brush_level.h"
+#include "firma/export.h"
 #include "firma/result.h"
 
 namespace firma {
@@ -41,7 +42,7 @@ struct DivideReport {
 ///         kInvalid as of make_world(); kInvalid for an option that is no number or negative
 /// Takes about as long as making the level's world, and a second or so for the cells: the brushes are joined once,
 /// however many narrows are chosen in vain.
-Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
-                                DivideReport* report = nullptr);
+FIRMA_EXPORT Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
+                                             DivideReport* report = nullptr);
 
 }  // namespace firma

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/masks.h"
 #include "firma/world.h"
 
@@ -17,6 +18,6 @@ namespace firma {
 /// @return the points of a line, `from` first, the last one outside the world's bounds; each sees the next. Empty where
 ///         there is no way, or none wide enough to be found: ways narrower than an eighth of a metre may not be
 /// Looks at a lattice of points, ever finer; takes up to some seconds for a large level.
-std::vector<Vec3> find_leak(const World& world, const Vec3& from, std::uint32_t mask = kStopsSight);
+FIRMA_EXPORT std::vector<Vec3> find_leak(const World& world, const Vec3& from, std::uint32_t mask = kStopsSight);
 
 }  // namespace firma

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
  *
- * Handles. A world, cutter, job, edit, store, diff, faces or bytes is a handle: a struct with a number that is 0 for
- * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
- * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a
+ * number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released,
+ * never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does
+ * nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -25,7 +26,11 @@
 extern "C" {
 #endif
 
-#if defined(__GNUC__)
+#if defined(_WIN32) && defined(FIRMA_C_BUILD)
+#define FIRMA_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(FIRMA_C_SHARED) /* the target firma::c says so where it is a DLL */
+#define FIRMA_API __declspec(dllimport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define FIRMA_API __attribute__((visibility("default")))
 #else
 #define FIRMA_API
@@ -90,6 +95,9 @@ FIRMA_API size_t firma_live_handles(void);
 typedef struct firma_world {
     uint64_t id;
 } firma_world;
+typedef struct firma_level {
+    uint64_t id;
+} firma_level;
 typedef struct firma_cutter {
     uint64_t id;
 } firma_cutter;
@@ -108,6 +116,9 @@ typedef struct firma_diff {
 typedef struct firma_faces {
     uint64_t id;
 } firma_faces;
+typedef struct firma_triangles {
+    uint64_t id;
+} firma_triangles;
 typedef struct firma_bytes {
     uint64_t id;
 } firma_bytes;
@@ -117,7 +128,8 @@ typedef struct firma_bytes {
 #define FIRMA_NO_FACE UINT32_MAX
 #define FIRMA_NO_PORTAL UINT32_MAX
 /* In place of a room: all of them, or the one that a cast's start lies in, which the cast finds out. */
-#define FIRMA_ANY_ROOM UINT32_MAX
+#define FIRMA_NO_ROOM UINT32_MAX
+#define FIRMA_ANY_ROOM FIRMA_NO_ROOM
 #define FIRMA_LOCATE_ROOM (UINT32_MAX - 1)
 
 /* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
@@ -174,6 +186,38 @@ FIRMA_API firma_code firma_world_save(firma_world world, const char* path, uint3
 /* The bytes of such a file, and back. */
 FIRMA_API firma_code firma_world_pack(firma_world world, uint32_t exact, firma_bytes* bytes);
 FIRMA_API firma_code firma_world_unpack(const void* data, size_t length, const char* name, firma_world* world);
+
+/* ---- levels ----------------------------------------------------------------------------------------------------- */
+
+/* A level of brushes as its file has it: for its entities, and for a world of it. */
+FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const char* name, double scale,
+                                          firma_level* level);
+FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
+                                          firma_level* level);
+/* The world that firma_world_from_map() would make; the scale of the options is not looked at. */
+FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
+
+typedef struct firma_entity {
+    const char* classname;     /* "" where it has none */
+    const char* const* keys;   /* UTF-8, in the file's order, as written */
+    const char* const* values; /* for each key */
+    size_t key_count;
+    double origin[3];    /* metres; where has_origin is 1 */
+    uint32_t has_origin; /* 1: its `origin` is three numbers */
+    uint32_t line;       /* where it begins in the file, from 1; 0 where the format has none */
+} firma_entity;
+
+typedef struct firma_level_view {
+    const firma_entity* entities; /* the first is the world */
+    size_t entity_count;
+    const char* const* notes; /* for people: what was dropped, replaced or not understood, with its place */
+    size_t note_count;
+    double metres_a_unit; /* for numbers in the entities' values */
+} firma_level_view;
+
+/* Views are good until the handle is released. */
+FIRMA_API firma_code firma_level_get_view(firma_level level, firma_level_view* view);
+FIRMA_API firma_code firma_level_release(firma_level level);
 
 /* Another handle to the same value. */
 FIRMA_API firma_code firma_world_copy(firma_world world, firma_world* copy);
@@ -239,6 +283,7 @@ typedef struct firma_face {
     uint32_t material;
     uint32_t mask;
     uint32_t flags;        /* FIRMA_FACE_... */
+    uint32_t room;         /* that it looks into */
     uint32_t first_corner; /* in firma_faces_view.corners, counted in points */
     uint32_t corner_count;
 } firma_face;
@@ -258,16 +303,75 @@ FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma
 FIRMA_API firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view);
 FIRMA_API firma_code firma_faces_release(firma_faces faces);
 
+/* ---- triangles -------------------------------------------------------------------------------------------------- */
+
+/* Of one material, one behind the other: a draw call. */
+typedef struct firma_triangle_run {
+    uint32_t material;
+    uint32_t first_triangle, triangle_count;
+    uint32_t first_vertex, vertex_count; /* which its triangles name, and no other run's do */
+    uint32_t reserved;
+} firma_triangle_run;
+
+/* A face, and where it came from. */
+typedef struct firma_triangle_source {
+    uint32_t face;
+    uint32_t room;                /* that it looks into */
+    uint32_t source, source_edit; /* as in firma_face */
+    uint32_t material, mask;
+    uint32_t flags; /* FIRMA_FACE_... */
+    uint32_t first_triangle, triangle_count;
+    uint32_t first_vertex, vertex_count;
+    uint32_t reserved;
+} firma_triangle_source;
+
+typedef struct firma_triangles_view {
+    const float* positions; /* three for each vertex: metres from the origin of the options */
+    const float* normals;   /* three for each vertex, unit */
+    size_t vertex_count;
+    const uint32_t* corners; /* three for each triangle: vertices, counter-clockwise seen from the front */
+    const uint32_t* faces;   /* of each triangle */
+    size_t triangle_count;
+    const firma_triangle_run* runs; /* in order of material */
+    size_t run_count;
+    const firma_triangle_source* sources; /* in order of material, then face */
+    size_t source_count;
+} firma_triangles_view;
+
+/* A null pointer takes the defaults: all faces of the world, from the world's origin. */
+typedef struct firma_triangle_options {
+    uint32_t size;         /* sizeof(firma_triangle_options) */
+    uint32_t mask;         /* faces that share a bit */
+    uint32_t solid_only;   /* 1: without the faces that bound no solid */
+    uint32_t room;         /* only faces that look into this room; or FIRMA_ANY_ROOM */
+    double origin[3];      /* metres: what positions are told from. Near the faces, floats lose least */
+    const int32_t* region; /* three: only faces whose lowest corner lies in the cube of 32 m from region * 32 m on;
+                              null: all. Not together with a room */
+} firma_triangle_options;
+
+FIRMA_API void firma_triangle_options_defaults(firma_triangle_options* options);
+
+/* Faces as triangles, for a renderer or another engine's collider. None is without area on the surface grid. */
+FIRMA_API firma_code firma_world_triangles(firma_world world, const firma_triangle_options* options,
+                                           firma_triangles* triangles);
+/* Views are good until the handle is released. */
+FIRMA_API firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_view* view);
+FIRMA_API firma_code firma_triangles_release(firma_triangles triangles);
+
 /* ---- rooms ------------------------------------------------------------------------------------------------------ */
 
 /* Rooms are volumes of air, bounded by faces and by portals, through which their air passes into other rooms. A level
  * that knows no rooms makes a world of one. Rooms and portals keep their numbers through edits: docs/rooms.md. */
 
-/* Where a point is; FIRMA_UNSURE on a face. */
-typedef enum firma_where { FIRMA_ROOM = 0, FIRMA_SOLID = 1, FIRMA_UNSURE = 2 } firma_where;
+typedef enum firma_where {
+    FIRMA_AIR = 0,
+    FIRMA_SOLID = 1,
+    FIRMA_SURFACE = 2, /* on a face that bounds the solid, exactly */
+    FIRMA_UNKNOWN = 3  /* in a fold of the surface that rounding to the grid made; docs/rooms.md has more */
+} firma_where;
 
-/* `where` gets a firma_where, `room` the room, with FIRMA_ROOM, or FIRMA_ANY_ROOM. Takes no memory.
- * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good. */
+/* Where a point is. `where` gets a firma_where, `room` the room, with FIRMA_AIR, or FIRMA_NO_ROOM; it may be null.
+ * Takes no memory. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too large. */
 FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3], uint32_t* where, uint32_t* room);
 
 /* What pointers show is good as long as the handle of the world. */
@@ -277,8 +381,8 @@ typedef struct firma_room {
     const char* name;        /* UTF-8; "" where the level gives none */
     const uint32_t* portals; /* ascending */
     size_t portal_count;
-    uint32_t exterior; /* 1: reaches to infinity */
-    uint32_t part_of;  /* itself; of a room that an edit joined to another: that one, and it is empty */
+    uint32_t exterior;    /* 1: reaches to infinity */
+    uint32_t merged_into; /* itself; of a room that an edit joined to another: that one, and it is empty */
 } firma_room;
 
 /* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
@@ -331,13 +435,17 @@ typedef struct firma_cast_options {
     uint32_t room;    /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
                          FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
     double skin;      /* metres; negative takes the world's */
-    uint32_t* passed; /* gets the rooms that firma_cast() passes, the first `passed_capacity` of them; may be null when
-                         that is 0. Of no use to the other calls */
+    uint32_t* passed; /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
+                         `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
     size_t passed_capacity;
+    uint32_t* passed_count; /* gets how many there were, the first included: 0 when all rooms of a world of several were
+                               asked; may be null */
 } firma_cast_options;
 
 FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
 
+/* A miss has fraction and safe_fraction 1, and the end of the path as its centre; FIRMA_INVALID has fraction 0. What
+ * else there is to know of the face met tells firma_world_hit_info(). */
 typedef struct firma_hit {
     double fraction;      /* of the path, 0..1 */
     double safe_fraction; /* how far to go so that the skin is kept */
@@ -345,19 +453,30 @@ typedef struct firma_hit {
     double point[3];      /* of the surface */
     double normal[3];     /* unit, from `point` toward the centre */
     double face_normal[3];
-    uint64_t version;       /* of the world asked */
     uint32_t status;        /* firma_status; FIRMA_INVALID: a number of the input is no good, nothing was asked */
     uint32_t feature;       /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
     uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
-    uint32_t other_face;    /* across the edge met, or FIRMA_NO_FACE */
-    uint32_t source, source_edit, material; /* as in firma_face */
-    uint32_t room;                          /* of the contact */
-    uint32_t rooms_passed; /* how many, the first included; 0 when all rooms of a world of several were asked */
-    uint32_t passed[8];    /* the first of them, in the order in which they are reached */
-    uint32_t portal;       /* the closed one met, or FIRMA_NO_PORTAL */
+    int32_t corner[3];      /* the face's first, in steps of 1/262144 m: where to look for it */
+    uint32_t portal;        /* the closed one met, or FIRMA_NO_PORTAL */
+    uint32_t material;      /* of the face, or of the portal */
     uint32_t reserved;
 } firma_hit;
+
+/* What only some ask of a hit. */
+typedef struct firma_hit_info {
+    uint32_t size;                /* sizeof(firma_hit_info) */
+    uint32_t room;                /* that the face looks into; of a portal the one on the side that was met */
+    uint32_t source, source_edit; /* as in firma_face; 0 for a portal */
+    uint32_t mask;
+    uint32_t flags;      /* FIRMA_FACE_...; 0 for a portal */
+    uint32_t other_face; /* across the edge met, or FIRMA_NO_FACE */
+    uint32_t reserved;
+} firma_hit_info;
+
+/* FIRMA_ERROR_INVALID for a miss, and for a face or portal that the world does not have: of another world or version,
+ * or cut since. Takes no memory; costs a walk through the index, and another one at an edge. */
+FIRMA_API firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_hit_info* info);
 
 /* What casts looked at; added to. */
 typedef struct firma_cast_counts {
@@ -382,22 +501,35 @@ FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input*
 typedef struct firma_near {
     double point[3];
     double distance;
-    uint32_t face, source, source_edit, material; /* FIRMA_NO_FACE: it is a closed portal */
+    double direction[3]; /* of firma_overlap(): unit, the way out */
+    double depth;        /* metres to go that way until the sphere touches this face in a point at most */
+    uint32_t face;       /* FIRMA_NO_FACE: it is a closed portal */
+    int32_t corner[3];   /* the face's first, in steps of 1/262144 m */
     uint32_t feature, feature_index;
     uint32_t portal; /* or FIRMA_NO_PORTAL */
-    uint32_t reserved;
+    uint32_t material;
 } firma_near;
 
-/* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all().
- * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good. */
-FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius, uint32_t mask,
-                                   firma_near* found, size_t capacity, size_t* count);
+/* A null pointer takes the defaults: all bits, all rooms. */
+typedef struct firma_near_options {
+    uint32_t size; /* sizeof(firma_near_options) */
+    uint32_t mask; /* faces and closed portals that share a bit */
+    uint32_t room; /* only what bounds this room; or FIRMA_ANY_ROOM */
+    uint32_t reserved;
+} firma_near_options;
+
+FIRMA_API void firma_near_options_defaults(firma_near_options* options);
+
+/* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all(). For a centre behind a
+ * one-sided face the way out is that face's normal. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too
+ * large. */
+FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius,
+                                   const firma_near_options* options, firma_near* found, size_t capacity,
+                                   size_t* count);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
- * FIRMA_ERROR_OUT_OF_RANGE for numbers that are no good, here and below. */
-FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach, uint32_t mask,
-                                   firma_near* near, uint32_t* found);
-/* 1 in the solid, 0 in the air, 2 where that cannot be said (on a face). */
-FIRMA_API firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where);
+ * FIRMA_ERROR_OUT_OF_RANGE as above. */
+FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
+                                   const firma_near_options* options, firma_near* near, uint32_t* found);
 
 /* ---- carving ---------------------------------------------------------------------------------------------------- */
 
@@ -478,14 +610,23 @@ FIRMA_API firma_code firma_edit_release(firma_edit edit);
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 
 typedef struct firma_diff_view {
-    const uint32_t* gone; /* ids, in order */
-    size_t gone_count;
-    const firma_face* come; /* in order of id */
-    size_t come_count;
-    const double* corners; /* of `come`, three for each */
+    const uint32_t* removed; /* ids, in order */
+    size_t removed_count;
+    const firma_face* added; /* in order of id */
+    size_t added_count;
+    const double* corners; /* of `added`, three for each */
     size_t corner_count;
     const int32_t* tiles; /* three for each: the cell from tile * size to (tile + 1) * size */
     size_t tile_count;
+    /* Ascending. */
+    const uint32_t* rooms; /* that a face left or came to, that became part of another, or that one world only has */
+    size_t room_count;
+    const uint32_t *opened, *closed; /* portals of both worlds */
+    size_t opened_count, closed_count;
+    const uint32_t *portals_added, *portals_removed; /* with polygons in one world only */
+    size_t portals_added_count, portals_removed_count;
+    const uint32_t* portals_changed; /* of both, with other rooms, polygons or names */
+    size_t portals_changed_count;
     double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
     uint32_t too_many_tiles;
     uint32_t reserved;

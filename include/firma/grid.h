@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "firma/export.h"
 #include "firma/vec.h"
 
 namespace firma {
@@ -41,6 +42,6 @@ FIRMA_INLINE Vec3 to_metres(const GridPoint& p) {
 /// @return the point in surface steps (a multiple of 64 in each coordinate); nothing when a coordinate is not finite,
 /// or lies
 ///         outside the world once rounded.
-std::optional<GridPoint> snap(const Vec3& point);
+FIRMA_EXPORT std::optional<GridPoint> snap(const Vec3& point);
 
 }  // namespace firma

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/result.h"
 
@@ -86,7 +87,7 @@ struct ReadOptions {
 /// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
 ///         that names no vertex before the face, face with fewer than 3 or more than 4096 corners, no face at all,
 ///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
-Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
 
 /// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces as the polygons that their
 /// triangles make up, triangle soups as they are, patches tessellated. Shader names become materials. Quake's units are
@@ -94,9 +95,10 @@ Result<Level> read_obj(std::string_view text, std::string name, const ReadOption
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.
-Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name, const ReadOptions& options = {});
+FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
+                                    const ReadOptions& options = {});
 
 /// Reads a file by its ending (.obj, .bsp).
-Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
+FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/level.h"
 #include "firma/result.h"
@@ -49,7 +50,7 @@ struct PortalReport {
 ///         that is not as LevelPortal says
 /// Takes some four times as long as make_world() where there are portals, as faces are put in order around edges
 /// exactly; parts of portals are compared in pairs.
-Result<World> make_divided_world(const Level& level, std::span<const LevelPortal> portals,
-                                 const WorldOptions& options = {}, PortalReport* report = nullptr);
+FIRMA_EXPORT Result<World> make_divided_world(const Level& level, std::span<const LevelPortal> portals,
+                                              const WorldOptions& options = {}, PortalReport* report = nullptr);
 
 }  // namespace firma

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "firma/export.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -12,7 +13,7 @@ namespace firma {
 /// Bytes that some versions of a world, or several worlds, hold together: what they share counts once, so one more
 /// version costs what it does not share. Edges, vertices and planes that exact faces share are counted by an estimate
 /// for each face. Visits every block; for budgets and diagnosis, not for each frame.
-std::size_t memory_used(std::span<const World> worlds);
+FIRMA_EXPORT std::size_t memory_used(std::span<const World> worlds);
 inline std::size_t memory_used(const World& world) {
     return memory_used({&world, 1});
 }
@@ -36,6 +37,6 @@ struct MemorySource {
 
 /// For the whole process, and only before the pool took anything: call it first thing in main().
 /// @return false once it is too late, or when a function is missing; then nothing changes
-bool set_memory_source(const MemorySource& source);
+FIRMA_EXPORT bool set_memory_source(const MemorySource& source);
 
 }  // namespace firma

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "firma/export.h"
 #include "firma/level.h"
 #include "firma/result.h"
 #include "firma/vec.h"
@@ -32,6 +33,6 @@ struct Mesh {
 /// @return the level, or the first error with vertex or face: a position that is not finite or lies outside the world,
 ///         an index that names no vertex or material, a face with fewer than 3 or more than 4096 corners, counts that
 ///         do not add up to the corners, arrays of other lengths than said, no face at all, more than 2^31 corners.
-Result<Level> level_from_mesh(const Mesh& mesh, std::string name, const ReadOptions& options = {});
+FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name, const ReadOptions& options = {});
 
 }  // namespace firma

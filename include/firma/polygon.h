@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/result.h"
 #include "firma/vec.h"
@@ -19,6 +20,12 @@ namespace firma {
 struct Sphere {
     Vec3 centre;
     double radius = 0;  ///< metres, >= 0
+};
+
+/// A straight way of a particle.
+struct Ray {
+    Vec3 start;  ///< metres
+    Vec3 path;   ///< motion, metres: its length says how far
 };
 
 /// Why corners do not make a polygon that can be cast against.
@@ -32,7 +39,7 @@ enum class PolygonFault : std::uint8_t {
 };
 
 /// Judges corners exactly.
-PolygonFault check_polygon(std::span<const Vec3> corners);
+[[nodiscard]] FIRMA_EXPORT PolygonFault check_polygon(std::span<const Vec3> corners);
 
 /// Moves a sphere along a straight segment and finds its first touch with a polygon.
 ///
@@ -44,12 +51,14 @@ PolygonFault check_polygon(std::span<const Vec3> corners);
 /// @return kHit with fraction in (0, 1]; kTouching at fraction 0 when the distance at the start is at most the radius
 /// and
 ///         decreasing; kMiss otherwise, also when the sphere starts in touch and moves along or away.
-///         An exact graze is a hit. kInvalid for a number that is not finite or beyond 2^200, or a negative radius.
+///         An exact graze is a hit. A miss has fraction 1 and the end of the path as its centre. kInvalid, with
+///         fraction 0 and the start as its centre, for a number that is not finite or beyond 2^200, or a negative
+///         radius.
 /// Never allocates, never throws.
 /// Source: J. Slagel's system as described in Game Developer Magazine, "Collision Detection Using Ray Casting"; the
 /// formulas are re-derived (docs/casting.md says which were wrong in print).
-PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const Vec3> corners,
-                        Sides sides = Sides::kFront);
+[[nodiscard]] FIRMA_EXPORT PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path,
+                                                   std::span<const Vec3> corners, Sides sides = Sides::kFront);
 
 /// The point of a polygon nearest to a point.
 struct ClosestPoint {
@@ -61,11 +70,11 @@ struct ClosestPoint {
 
 /// @param point    metres, finite
 /// @param corners  the polygon; at an infinite distance when there are fewer than three, or one lies outside the world
-ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners);
+[[nodiscard]] FIRMA_EXPORT ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners);
 
 /// Whether a closed ball and a closed polygon share a point, from either side. No tolerance; false for what is not a
 /// number.
-bool overlap(const Sphere& sphere, std::span<const Vec3> corners);
+[[nodiscard]] FIRMA_EXPORT bool overlap(const Sphere& sphere, std::span<const Vec3> corners);
 
 /// Whether a segment meets a box: by outcodes at first, clipping only where they leave it open (Cohen and Sutherland).
 /// To move a sphere against a box, grow the box by the radius; the answer is then conservative at its corners.
@@ -75,6 +84,6 @@ bool overlap(const Sphere& sphere, std::span<const Vec3> corners);
 /// @return whether some point start + f * path with f in [0, 1] may lie in the box: never false when one does (the box
 /// is
 ///         grown by the rounding of this very computation, at most 2^-48 of the largest number involved)
-bool clip_segment_box(const Vec3& start, const Vec3& path, const Box& box);
+[[nodiscard]] FIRMA_EXPORT bool clip_segment_box(const Vec3& start, const Vec3& path, const Box& box);
 
 }  // namespace firma

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firma/check_mesh.h"
+#include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/level.h"
 #include "firma/level_portals.h"
@@ -72,22 +73,23 @@ struct GltfLevel {
 /// @return the level, or the first error with its place: what breaks glTF or its JSON, an index, offset or size beyond
 ///         what it is an index of, a vertex that is not finite or outside the world, a required extension that changes
 ///         what is read, nodes in a loop, too many triangles, no triangle at all
-Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::string name, const GltfOptions& options = {},
-                            const std::string& folder = {});
+FIRMA_EXPORT Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::string name,
+                                         const GltfOptions& options = {}, const std::string& folder = {});
 
 /// The same of a file; buffers may lie in files beside it or below.
-Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options = {});
+FIRMA_EXPORT Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options = {});
 
 /// Checks the level as it was snapped, not the file's own floats: nodes place a vertex by products that are rounded, so
 /// that corners that were meant to meet differ in their last bits. Faults and positions are exact on the grid, sources
 /// as the level has them; notes are those of the level: dropped and divided.
-MeshCheck check_gltf(const GltfLevel& gltf);
+FIRMA_EXPORT MeshCheck check_gltf(const GltfLevel& gltf);
 
 /// Indices are into GltfLevel::portals.
 using GltfRooms = PortalReport;
 
 /// make_divided_world() of the level and its portals.
 /// @param report  replaced, when given
-Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options = {}, GltfRooms* report = nullptr);
+FIRMA_EXPORT Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options = {},
+                                      GltfRooms* report = nullptr);
 
 }  // namespace firma

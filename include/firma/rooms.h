@@ -12,9 +12,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -23,15 +25,10 @@ namespace firma {
 
 /// Where a point is.
 struct Location {
-    enum class Kind : std::uint8_t {
-        kRoom,    ///< in the air of `room`
-        kSolid,   ///< behind faces
-        kUnsure,  ///< on a face, in a fold of the surface that rounding to the grid made, or no usable number; outside
-                  ///< all of several rooms where none is the exterior; anywhere among several rooms without any face of
-                  ///< a solid, as of a file saved without its exact part
-    };
-    Kind kind = Kind::kUnsure;
-    RoomId room;  ///< with kRoom
+    /// kUnknown also outside all of several rooms where none is the exterior, and anywhere among several rooms without
+    /// any face of a solid, as of a file saved without its exact part.
+    Where where = Where::kUnknown;
+    RoomId room;  ///< with kAir
 
     friend bool operator==(const Location&, const Location&) = default;
 };
@@ -43,39 +40,47 @@ struct Location {
 ///
 /// @param point  metres; may lie outside the world
 /// Never allocates. Costs a cast or two.
-Location locate(const World& world, const Vec3& point);
+[[nodiscard]] FIRMA_EXPORT Location locate(const World& world, const Vec3& point);
 
 struct RoomInfo {
-    std::string name;       ///< "" where the level gives none
-    Box bounds;             ///< of its faces and portals, metres; empty where it has none
-    std::size_t faces = 0;  ///< in its tree
+    std::string_view name;  ///< "" where the level gives none; good as long as the world
+    Box bounds;             ///< of its faces and portals, metres; empty where it has none. Of faces rounded outward to
+                            ///< float: up to a millimetre too large, never too small
+    std::size_t faces = 0;
     bool exterior = false;  ///< reaches to infinity
-    RoomId part_of;         ///< itself, unless an edit joined it to another room: then that one, and it is empty
-    std::vector<PortalId> portals;  ///< ascending
+    RoomId merged_into;     ///< itself, unless an edit joined it to another room: then that one, and it is empty
+    std::span<const PortalId> portals;  ///< ascending; good as long as the world
 };
 
-/// @param room  below World::room_count(); else the caller's mistake
-RoomInfo room_info(const World& world, RoomId room);
+/// @return nothing for a room that is not there. Never allocates; costs the same for every room.
+[[nodiscard]] FIRMA_EXPORT std::optional<RoomInfo> room_info(const World& world, RoomId room);
+
+/// The room that a hit is in: that its face looks into; of a closed portal the one on the side that was met.
+/// @return invalid for a miss, and for a face or portal that this world does not have. Costs World::face_info()
+[[nodiscard]] FIRMA_EXPORT RoomId room_of(const World& world, const Hit& hit);
 
 struct PortalInfo {
     std::array<RoomId, 2> rooms;
-    std::vector<std::vector<Vec3>> polygons;  ///< convex, metres, exact; counter-clockwise seen from rooms[0]. None: an
-                                              ///< edit has joined the rooms or filled the portal, and it leads nowhere
-    std::string name;                         ///< "" where the level gives none
+    std::string_view name;  ///< "" where the level gives none; good as long as the world
     std::uint32_t material = 0;
-    std::uint32_t mask = 0;  ///< what it stops while closed (masks.h)
+    std::uint32_t mask = 0;    ///< what it stops while closed (masks.h)
+    std::size_t polygons = 0;  ///< 0: an edit has joined the rooms or filled the portal, and it leads nowhere
     bool open = true;
-    Box bounds;  ///< metres
+    Box bounds;  ///< metres; empty where it has no polygons
 };
 
 /// How many portals there are, those without polygons counted.
-std::size_t portal_count(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::size_t portal_count(const World& world);
 
-/// @param portal  below portal_count(); else the caller's mistake
-PortalInfo portal_info(const World& world, PortalId portal);
+/// @return nothing for a portal that is not there. Never allocates; costs the same for every portal.
+[[nodiscard]] FIRMA_EXPORT std::optional<PortalInfo> portal_info(const World& world, PortalId portal);
 
-/// The rooms that portals, open or closed, join to a room, each once, ascending.
-std::vector<RoomId> neighbours(const World& world, RoomId room);
+/// Its polygons: convex, metres, exact; counter-clockwise seen from PortalInfo::rooms[0]. None for a portal that is not
+/// there.
+[[nodiscard]] FIRMA_EXPORT std::vector<std::vector<Vec3>> portal_polygons(const World& world, PortalId portal);
+
+/// The rooms that portals, open or closed, join to a room, each once, ascending; none for a room that is not there.
+[[nodiscard]] FIRMA_EXPORT std::vector<RoomId> neighbours(const World& world, RoomId room);
 
 enum class Doors : std::uint8_t {
     kAsTheyAre,  ///< only open portals lead on
@@ -84,14 +89,15 @@ enum class Doors : std::uint8_t {
 
 /// A way from room to room by the fewest portals; of several ways the one whose list of portals is first in order.
 ///
-/// @return the portals passed, in order; none at all when both are one room; nothing when there is no way
-std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
-                                               Doors doors = Doors::kAsTheyAre);
+/// @return the portals passed, in order; none at all when both are one room; nothing when there is no way,
+///         or no such room. Costs at most all portals
+[[nodiscard]] FIRMA_EXPORT std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
+                                                                          Doors doors = Doors::kAsTheyAre);
 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///
-/// @return the world with this one change, one version on, sharing all else; the same world when nothing changes. Costs
-///         a few small copies, however many portals there are
-World set_portal_open(const World& world, PortalId portal, bool open);
+/// @return the world with this one change, one version on, sharing all else; the same world when nothing changes;
+///         nothing for a portal that is not there. Costs a few small copies, however many portals there are
+[[nodiscard]] FIRMA_EXPORT std::optional<World> set_portal_open(const World& world, PortalId portal, bool open);
 
 }  // namespace firma

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/result.h"
 #include "firma/world.h"
 
@@ -31,7 +32,7 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees and
 /// the rules for carving. The same world, made the same way, gives the same bytes on every machine. docs/formats.md has
 /// the layout.
-std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
+FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its
 /// exact part), and edits of both end in the same bits.
@@ -42,10 +43,10 @@ std::vector<std::byte> pack_world(const World& world, const SaveOptions& options
 /// @param name  for messages
 /// @return kMalformed with the section and the entry in it for damage; kUnsupported for another version, and for a part
 ///         that is marked as required and unknown; kTooLarge where a size does not fit
-Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
+FIRMA_EXPORT Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
 
 /// Whether bytes begin as those of a .firma file do, of whatever version.
-bool is_firma_file(std::span<const std::byte> bytes);
+FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 
 /// Saves a world: the file appears whole or not at all. Bytes go beside it, into a file of its name with ".part"
 /// behind, which is flushed and renamed; then the folder is flushed. Killed at any moment it leaves what was there
@@ -53,11 +54,12 @@ bool is_firma_file(std::span<const std::byte> bytes);
 /// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
 /// file that was there is kept.
 /// @return nothing on success; kCannotWrite with the system's reason
-std::optional<Error> save_world(const World& world, const std::string& path, const SaveOptions& options = {});
+FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
+                                             const SaveOptions& options = {});
 
 /// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
 /// meanwhile is an error at most.
 /// @return kCannotRead with the system's reason: missing, a folder, not allowed, no memory for it, cut short meanwhile
-Result<World> load_world(const std::string& path);
+FIRMA_EXPORT Result<World> load_world(const std::string& path);
 
 }  // namespace firma

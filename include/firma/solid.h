@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/result.h"
 #include "firma/tree_options.h"
@@ -26,17 +27,23 @@ class World;
 class Solid {
 public:
     /// Nothing at all is solid.
-    Solid();
-    explicit Solid(std::shared_ptr<const SolidData> data);
+    FIRMA_EXPORT Solid();
+    FIRMA_EXPORT explicit Solid(std::shared_ptr<const SolidData> data);
+    Solid(const Solid&) = default;
+    Solid& operator=(const Solid&) = default;
+    /// Leaves an empty solid behind.
+    FIRMA_EXPORT Solid(Solid&& other) noexcept;
+    FIRMA_EXPORT Solid& operator=(Solid&& other) noexcept;
+    ~Solid() = default;
 
     /// Facets: what casts meet of it.
-    std::size_t face_count() const;
+    FIRMA_EXPORT std::size_t face_count() const;
     /// What no face separates from infinity is solid.
-    bool rock_outside() const;
+    FIRMA_EXPORT bool rock_outside() const;
     /// How many edits made it: faces of the next one say that they come from edit `edits() + 1`.
-    std::uint32_t edits() const;
+    FIRMA_EXPORT std::uint32_t edits() const;
     /// Of all faces; empty where there are none.
-    Box bounds() const;
+    FIRMA_EXPORT Box bounds() const;
 
     const SolidData& data() const { return *data_; }
 
@@ -46,7 +53,7 @@ private:
 
 /// The closed pieces of a level, by the rules of level_solidity(); other faces are left out.
 /// @return errors as make_world()
-Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
+FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
 
 /// What does not hold of a solid's exact boundary, and where.
 struct SolidFault {
@@ -59,8 +66,8 @@ struct SolidFault {
 /// way around, then holes; every edge is used twice, once each way; vertices lie exactly on the planes of their faces
 /// and edges; the facets of each face cover it, and all facets together are closed. Says nothing about where the
 /// boundary crosses itself. See check_world() for facets one by one.
-std::optional<SolidFault> check_solid(const Solid& solid);
-std::optional<SolidFault> check_solid(const World& world);
+FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
+FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
 
 struct SolidMeasures {
     /// Of the exact solid, cubic metres; where rock reaches to infinity, minus the volume of its air.
@@ -74,32 +81,46 @@ struct SolidMeasures {
 };
 
 /// Measures all faces. Each number is rounded once or twice, from sums of 100 bits and more.
-SolidMeasures measure_solid(const Solid& solid);
-SolidMeasures measure_solid(const World& world);
+FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
+FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
 
 /// A hash of the solid's set of points: equal for equal solids, however they came about and however their surface is
 /// divided into faces; disjoint edits in any order give the same. Ids, sources, materials and blocks do not count. The
 /// same on every machine. It is kept as edits go: asking costs nothing.
-std::uint64_t hash_solid(const Solid& solid);
-std::uint64_t hash_solid(const World& world);
+FIRMA_EXPORT std::uint64_t hash_solid(const Solid& solid);
+FIRMA_EXPORT std::uint64_t hash_solid(const World& world);
 
-/// The same for what lies in one cube of 32 m.
+/// A cube of 32 m: from (x, y, z) * 32 m to (x + 1, y + 1, z + 1) * 32 m.
+struct Region {
+    std::int32_t x = 0, y = 0, z = 0;
+    friend bool operator==(const Region&, const Region&) = default;
+    friend auto operator<=>(const Region&, const Region&) = default;
+};
+
+/// The same for what lies in one region.
 struct RegionHash {
-    std::array<std::int32_t, 3> region;  ///< its lowest corner / 32 m
-    std::uint64_t faces = 0;             ///< of all that a world's faces are: those whose lowest corner lies there
-    std::uint64_t points = 0;            ///< of the solid's set of points: of its corners there
+    Region region;
+    std::uint64_t faces = 0;   ///< of all that a world's faces are: those whose lowest corner lies there
+    std::uint64_t points = 0;  ///< of the solid's set of points: of its corners there
     friend bool operator==(const RegionHash&, const RegionHash&) = default;
 };
 
 /// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
-std::vector<RegionHash> hash_regions(const Solid& solid);
+FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
 
-/// Whether a point lies in the solid: behind the faces that bound it, whichever the point sees first.
-///
+/// Where a point lies.
+enum class Where : std::uint8_t {
+    kAir,      ///< in front of the faces that it sees first
+    kSolid,    ///< behind them
+    kSurface,  ///< on a face that bounds the solid, exactly
+    kUnknown,  ///< a number is not finite or too large; or in a fold of the surface that rounding to the grid made (a
+               ///< few millionths of a metre wide)
+};
+
+/// Where a point lies, by what a ray from it meets first.
 /// @param point  metres; may lie outside the world
-/// @return nothing when it lies on a face, a number is not finite or too large, or in a fold of the surface that
-///         rounding to the grid made (a few millionths of a metre wide)
-std::optional<bool> in_solid(const Solid& solid, const Vec3& point);
+/// Never allocates. Costs a cast or two.
+[[nodiscard]] FIRMA_EXPORT Where locate(const Solid& solid, const Vec3& point);
 
 /// Why a piece of a level's surface cannot be carved.
 enum class SolidNoteKind : std::uint8_t {
@@ -131,6 +152,6 @@ struct LevelSolidity {
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
 /// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
 /// @param level  one that make_world() refuses has no solid face and no note
-LevelSolidity level_solidity(const Level& level);
+FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
 
 }  // namespace firma

@@ -8,6 +8,7 @@
 
 #include "firma/carve_rules.h"
 #include "firma/cutter.h"
+#include "firma/export.h"
 #include "firma/result.h"
 #include "firma/solid.h"
 
@@ -65,9 +66,11 @@ struct SolidCutOptions {
 
 /// Takes a placed cutter away from a solid, by the rules of carve(): the faces of the result are those that a world
 /// around the solid would have. Costs what the cut costs.
-SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options = {});
+FIRMA_EXPORT SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose,
+                                  const SolidCutOptions& options = {});
 
 /// Adds a placed cutter to a solid, by the same rules.
-SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options = {});
+FIRMA_EXPORT SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose,
+                               const SolidCutOptions& options = {});
 
 }  // namespace firma

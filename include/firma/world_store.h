@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "firma/export.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -46,17 +47,17 @@ struct StoreHistory {
 /// reset() or collect() after the reader let go. (Handles that outlive the store free their versions themselves.)
 class WorldStore {
 public:
-    explicit WorldStore(World first, const WorldStoreOptions& options = {});
-    ~WorldStore();
+    FIRMA_EXPORT explicit WorldStore(World first, const WorldStoreOptions& options = {});
+    FIRMA_EXPORT ~WorldStore();
     WorldStore(const WorldStore&) = delete;
     WorldStore& operator=(const WorldStore&) = delete;
 
     /// The version that was published last, or that undo() or redo() went to.
-    World current() const;
+    FIRMA_EXPORT World current() const;
     /// A version of the history, undone ones included; nothing when it is not kept (any more). Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
-    std::optional<World> at(std::uint64_t version) const;
-    StoreHistory history() const;
+    FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
+    FIRMA_EXPORT StoreHistory history() const;
 
     /// Makes `after` the current version. Versions that were undone are dropped, and of the oldest so many that the
     /// history stays within its bytes.
@@ -67,24 +68,24 @@ public:
     /// @param after   of a greater version number. That it came from `before` by edits cannot be seen: another world
     ///                will do, and only counts and costs more.
     /// The cost follows what the two do not share, and what is dropped.
-    PublishStatus publish(const World& before, World after);
+    FIRMA_EXPORT PublishStatus publish(const World& before, World after);
 
     /// Goes back to the version before, or forward to the one that was undone.
     /// @return the version gone to, whatever other threads do meanwhile; nothing when there is none
-    std::optional<World> undo();
-    std::optional<World> redo();
+    FIRMA_EXPORT std::optional<World> undo();
+    FIRMA_EXPORT std::optional<World> redo();
 
     /// Drops versions, the oldest first, then of the undone ones the newest, until StoreHistory::bytes is at most so
     /// many; from then on publish() keeps it so. The current version always stays: with 0 only it does,
     /// and there is no undo.
-    void set_history_bytes(std::size_t bytes);
+    FIRMA_EXPORT void set_history_bytes(std::size_t bytes);
 
     /// Begins anew with another world, of any version; everything else is dropped.
-    void reset(World first);
+    FIRMA_EXPORT void reset(World first);
 
     /// Frees dropped versions that no reader holds any more: for when nothing is published for a while.
     /// @return how many are still held
-    std::size_t collect();
+    FIRMA_EXPORT std::size_t collect();
 
 private:
     struct State;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "firma/export.h"
 #include "firma/result.h"
 #include "firma/world.h"
 
@@ -42,11 +43,12 @@ using TextSink = std::function<bool(std::string_view)>;
 ///
 /// @param put  gets some 64 KiB at a time
 /// @return nothing once `put` failed
-std::optional<ObjWritten> write_obj(const World& world, const TextSink& put, ObjFaces which = ObjFaces::kAll);
+FIRMA_EXPORT std::optional<ObjWritten> write_obj(const World& world, const TextSink& put,
+                                                 ObjFaces which = ObjFaces::kAll);
 
 /// The same into a file, which appears whole or not at all: it is written beside its place, under a name that ends in
 /// ".part", then renamed.
 /// @return kCannotWrite with the system's reason
-Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which = ObjFaces::kAll);
+FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which = ObjFaces::kAll);
 
 }  // namespace firma

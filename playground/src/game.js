@@ -17,7 +17,7 @@ const kArm = 5; // metres: how far a door may be that one opens
 const summary = (samples) => ({ last: samples.last, least: samples.least(), median: samples.median(), count: samples.count });
 
 export class Game {
-    /** @param start  where the level's author has players start, or null: see readStart() */
+    /** @param start  where the level's author has players start, or null: see startOf() */
     constructor(firma, world, levelName, stage, start = null) {
         this.stage = stage;
         this.probe = new Probe(world);
@@ -115,7 +115,7 @@ export class Game {
             room: this.rooms.here === null ? null : { id: this.rooms.here, name: this.rooms.name(this.rooms.here) },
             rooms: this.rooms.rooms.length,
             portals: { all: this.rooms.portals.length, open: this.rooms.portals.filter((portal) => portal.open).length, shown: this.panes.all },
-            aim: aimed && { met: aimed.met, distance: aimed.distance, material: aimed.material, rooms: aimed.hit.passed.map((room) => this.rooms.name(room)), counts: { ...aimed.counts } },
+            aim: aimed && { met: aimed.met, distance: aimed.distance, material: aimed.material, rooms: aimed.passed.map((room) => this.rooms.name(room)), counts: { ...aimed.counts } },
             move: { casts: this.moved.casts, counts: { ...this.moved.counts } },
             shot: launcher.last && { ...launcher.last, target: undefined },
             history: (({ bytes, versions }) => ({ bytes: Number(bytes), versions: Number(versions) }))(launcher.store.facts()),
@@ -139,7 +139,7 @@ export class Game {
         this.painter.learn(after.facts().materials);
         this.rooms.learn(after);
         this.panes.show(this.rooms.portals);
-        this.faces.remove(diff.gone);
-        this.faces.add(diff.come);
+        this.faces.remove(diff.removed);
+        this.faces.add(diff.added);
     }
 }

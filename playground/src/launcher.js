@@ -36,13 +36,15 @@ export class Launcher {
     }
 
     /**
-     * What lies along a view: the hit, with its distance and the name of its material. Through glass, which no shot breaks.
+     * What lies along a view: the hit, with its distance, the name of its material and the rooms on the way. Through glass, which no shot breaks.
      * @param room  the one the eye is in; 'any' where that is not known
      */
     aim(eye, direction, room = 'any') {
-        const hit = this.probe.measure(() => this.probe.cast(eye, 0, direction.map((x) => x * kReach), kStopsSight, room));
-        const met = hit.status === 'hit' || hit.status === 'touching';
-        return { hit, met, distance: met ? hit.fraction * kReach : Infinity, material: met ? (hit.portal !== null ? 'closed portal' : this.materials[hit.material]) : '' };
+        const passed = [];
+        const path = direction.map((x) => x * kReach);
+        const hit = this.probe.measure(() => this.probe.cast(eye, 0, path, kStopsSight, room, passed));
+        const met = hit.hit;
+        return { hit, met, passed, distance: met ? hit.fraction * kReach : Infinity, material: met ? (hit.portal !== null ? 'closed portal' : this.materials[hit.material]) : '' };
     }
 
     fire(eye, direction, room) {

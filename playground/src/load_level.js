@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The level that the address names, as a world.
-import { readStart } from './spawn.js';
+import { startOf } from './spawn.js';
 
 /** The levels that come with the page; the first is loaded unless the address names another. */
 export const kLevels = ['depot.map', 'first.obj'];
@@ -12,14 +12,23 @@ export function levelName(search) {
     return name;
 }
 
+/** Of a level of brushes. */
+function ofBrushes(level) {
+    try {
+        return { world: level.world(), start: startOf(level.entities()) };
+    } finally {
+        level.release();
+    }
+}
+
 /** The world, and where its author has players start, or null. */
 export async function loadLevel(firma, name) {
     const answer = await fetch(new URL(encodeURIComponent(name), document.baseURI));
     if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     switch (name.toLowerCase().split('.').pop()) {
-        case 'map': return { world: firma.worldFromMap(bytes, { name }), start: readStart(new TextDecoder().decode(bytes)) };
-        case 'bsp': return { world: firma.worldFromBsp(bytes, { name }), start: null };
+        case 'map': return ofBrushes(firma.levelFromMap(bytes, { name }));
+        case 'bsp': return ofBrushes(firma.levelFromBsp(bytes, { name }));
         case 'firma': return { world: firma.unpackWorld(bytes, name), start: null };
         default: return { world: firma.worldFromObj(bytes, { name }), start: null };
     }

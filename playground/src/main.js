@@ -50,8 +50,8 @@ function offerHooks(game, loop, draw) {
             const centres = [0.35, 0.85, 1.35].map((z) => [feet[0], feet[1], feet[2] + z]);
             const world = game.launcher.world;
             return {
-                distance: Math.min(...centres.map((centre) => world.closest(centre, 10, kStopsWalk)?.distance ?? 10)),
-                inSolid: centres.some((centre) => world.inSolid(centre) === true),
+                distance: Math.min(...centres.map((centre) => world.closest(centre, 10, { mask: kStopsWalk })?.distance ?? 10)),
+                inSolid: centres.some((centre) => world.locate(centre).where === 'solid'),
             };
         },
         game,

@@ -66,7 +66,7 @@ export class Player {
     isFree(feet, world = this.probe.world) {
         return kCentres.every((height) => {
             const centre = [feet[0], feet[1], feet[2] + height];
-            return world.inSolid(centre) !== true && world.overlap(centre, kRadius, kStopsWalk).length === 0;
+            return world.locate(centre).where !== 'solid' && world.overlap(centre, kRadius, { mask: kStopsWalk }).length === 0;
         });
     }
 

@@ -27,9 +27,10 @@ export class Probe {
         return result;
     }
 
-    /** @param mask  what it is stopped by: masks.js; @param room  where it starts, if that is known */
-    cast(centre, radius, path, mask, room) {
+    /** @param mask  what it is stopped by: masks.js; @param room  where it starts, if that is known; @param passed  gets the
+     *     rooms on the way */
+    cast(centre, radius, path, mask, room, passed) {
         this.group.casts += 1;
-        return this.world.cast({ centre, radius, path }, { mask, room, counts: this.group.counts });
+        return this.world.cast({ centre, radius, path }, { mask, room, passed, counts: this.group.counts });
     }
 }

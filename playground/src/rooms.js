@@ -14,7 +14,7 @@ export class Rooms {
         const { roomCount, portalCount } = world.facts();
         this.portals = Array.from({ length: portalCount }, (_, k) => world.portal(k));
         this.rooms = Array.from({ length: roomCount }, (_, k) => world.room(k));
-        this.here = this.rooms[this.here]?.partOf ?? null;
+        this.here = this.rooms[this.here]?.mergedInto ?? null;
     }
 
     /** The room that a point is in; on a face, or in the rock, the last one that was known. */

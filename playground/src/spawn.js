@@ -9,21 +9,16 @@ const kKnown = {
     'first.obj': { feet: [42.5, 25.75, 0.01], yaw: Math.PI, pitch: 0.05 }, // in the hall, along the bridge
 };
 
-/**
- * Where a .map says that players start: { point, yaw } in metres and radians, or null. Numbers are units of the file, 1/32 m.
- */
-export function readStart(text) {
-    const blocks = text.split(/^\{/m);
-    const entity = blocks.find((block) => /^"classname"\s+"info_player_(?:start|deathmatch)"/m.test(block));
-    const value = (key) => new RegExp(`^"${key}"\\s+"([^"]*)"`, 'm').exec(entity)?.[1];
-    const point = entity && value('origin')?.trim().split(/\s+/).map((unit) => Number(unit) / 32);
-    if (point?.length !== 3 || !point.every(Number.isFinite)) return null;
-    return { point, yaw: ((Number(value('angle')) || 0) * Math.PI) / 180 };
+/** Where a level says that players start: { point, yaw } in metres and radians, or null. @param entities  of the level */
+export function startOf(entities) {
+    const start = entities.find(({ classname, origin }) => /^info_player_(start|deathmatch)$/.test(classname) && origin);
+    if (!start) return null;
+    return { point: start.origin, yaw: ((Number(start.values.get('angle')) || 0) * Math.PI) / 180 };
 }
 
 /** Feet on the floor below a point, or null: nothing there, or no room to stand. */
 function standBelow(player, world, point) {
-    if (world.inSolid(point) === true) return null;
+    if (world.locate(point).where === 'solid') return null;
     const hit = world.cast({ centre: point, radius: kRadius, path: [0, 0, -60] }, { mask: kStopsWalk });
     if (hit.status !== 'hit' || hit.normal[2] < 0.7) return null;
     const feet = [point[0], point[1], point[2] - 60 * hit.safeFraction - kCentres[0] + 0.001];
@@ -43,7 +38,7 @@ function view(world, feet) {
     return best;
 }
 
-/** Feet, yaw and pitch to begin with. @param start  what readStart() found; else looks at points of a growing lattice */
+/** Feet, yaw and pitch to begin with. @param start  what startOf() found; else looks at points of a growing lattice */
 export function findSpawn(player, world, levelName, start = null) {
     const below = start && standBelow(player, world, start.point);
     if (below) return { feet: below, yaw: start.yaw, pitch: 0 };

@@ -9,7 +9,7 @@ import { Launcher } from '../src/launcher.js';
 import { kCentres, kRadius, Player } from '../src/player.js';
 import { Probe } from '../src/probe.js';
 import { Rooms } from '../src/rooms.js';
-import { findSpawn, readStart } from '../src/spawn.js';
+import { findSpawn, startOf } from '../src/spawn.js';
 import { direction } from '../src/vector.js';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -35,7 +35,7 @@ function begin(text = level, name = 'first.obj') {
 function assertClear({ player, probe }) {
     for (const height of kCentres) {
         const centre = [player.feet[0], player.feet[1], player.feet[2] + height];
-        assert.notEqual(probe.world.inSolid(centre), true, `in rock at ${centre}`);
+        assert.notEqual(probe.world.locate(centre).where, 'solid', `in rock at ${centre}`);
         const near = probe.world.closest(centre, 2);
         assert.ok(!near || near.distance >= kRadius - 1e-9, `${near?.distance} m from a face at ${centre}`);
     }
@@ -181,9 +181,11 @@ test('no handle is left behind', () => {
 
 test('the depot: begins where its author says, rooms on the way, through a closed portal nobody goes', () => {
     const text = readFileSync(path.join(root, 'levels/depot.map'), 'utf8');
-    const start = readStart(text);
+    const level = firma.levelFromMap(text, { name: 'depot.map' });
+    const start = startOf(level.entities());
     assert.deepEqual(start, { point: [18.75, 7, 1], yaw: Math.PI });
-    const world = firma.worldFromMap(text, { name: 'depot.map' });
+    const world = level.world();
+    level.release();
     const probe = new Probe(world);
     const player = new Player(probe);
     const launcher = new Launcher(firma, world, probe, (diff, after) => rooms.learn(after));
@@ -210,16 +212,24 @@ test('the depot: begins where its author says, rooms on the way, through a close
     assert.ok(launcher.undo());
     assert.ok(walkTo(game, 25, 10.5, 3));
     assert.equal(here(), 'hall');
-    assert.deepEqual(launcher.aim(player.eye(), [1, 0, 0], rooms.here).hit.passed.map((room) => rooms.name(room)).slice(0, 2), ['hall', 'dock']);
+    assert.deepEqual(launcher.aim(player.eye(), [1, 0, 0], rooms.here).passed.map((room) => rooms.name(room)).slice(0, 2), ['hall', 'dock']);
     launcher.world.release();
     launcher.store.release();
 });
 
 test('where a .map has players start', () => {
     const entity = (...keys) => `{\n${keys.map(([key, value]) => `"${key}" "${value}"\n`).join('')}}\n`;
+    const readStart = (text) => {
+        const level = firma.levelFromMap(text);
+        try {
+            return startOf(level.entities());
+        } finally {
+            level.release();
+        }
+    };
     const worldspawn = entity(['classname', 'worldspawn'], ['origin', '1 2 3']);
     assert.deepEqual(readStart(worldspawn + entity(['origin', '32 -64 16'], ['classname', 'info_player_start'], ['angle', '90'])), { point: [1, -2, 0.5], yaw: Math.PI / 2 });
     assert.deepEqual(readStart(entity(['classname', 'info_player_deathmatch'], ['origin', ' 32  0 0 '])), { point: [1, 0, 0], yaw: 0 });
-    for (const text of ['', worldspawn, entity(['classname', 'info_player_start']), entity(['classname', 'info_player_start'], ['origin', '1 2']), entity(['classname', 'info_player_start'], ['origin', '1 2 x'])])
+    for (const text of [worldspawn, entity(['classname', 'info_player_start']), entity(['classname', 'info_player_start'], ['origin', '1 2']), entity(['classname', 'info_player_start'], ['origin', '1 2 x'])])
         assert.equal(readStart(text), null);
 });

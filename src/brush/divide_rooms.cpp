@@ -3,8 +3,8 @@
 #include "firma/divide_rooms.h"
 
 #include "brush/choose_portals.h"
-#include "brush/entity_origin.h"
 #include "brush/judge_brush_level.h"
+#include "firma/brush_level.h"
 
 namespace firma {
 namespace {

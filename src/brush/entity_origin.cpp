@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reads an entity's place.
-#include "brush/entity_origin.h"
-
 #include <algorithm>
 #include <string_view>
 
+#include "firma/brush_level.h"
 #include "level/parse_number.h"
 
 namespace firma {

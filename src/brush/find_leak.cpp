@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a level is open to the void: a search, breadth first, over a lattice of points that see their neighbours.
 #include "firma/find_leak.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "brush/entity_origin.h"
+#include "firma/brush_level.h"
 #include "firma/rooms.h"
 #include "world/world_data.h"
 
@@ -20,8 +20,8 @@ std::string name_room(const World& world, const BrushLevel& level, const Entity&
     const std::optional<Vec3> place = entity_origin(level, entity);
     if (!place) return "it has no origin of three numbers";
     const Location found = locate(world, *place);
-    if (found.kind != Location::Kind::kRoom)
-        return found.kind == Location::Kind::kSolid ? "it stands in the solid" : "it stands on a face";
+    if (found.where != Where::kAir)
+        return found.where == Where::kSolid ? "it stands in the solid" : "it stands on a face";
     const std::uint32_t room = found.room.value;
     RoomRecord record = named.cells.room(room);
     if (!record.name.empty()) return "the room it stands in has the name '" + record.name + "' already";

@@ -10,7 +10,6 @@
 
 #include "brush/brush_builder.h"
 #include "brush/brush_kinds.h"
-#include "brush/entity_origin.h"
 #include "brush/map_planes.h"
 #include "brush/parse_map.h"
 #include "firma/brush_level.h"

@@ -302,9 +302,9 @@ CutJob::Phase CutJob::label() {
     const auto locate = [&](std::uint32_t vertex) {
         const Vec3 point = to_metres(solid_cutter_.points[vertex].rounded());
         // Facets lie within a few steps of the exact faces: nearer than that they cannot tell.
-        if (any_facet_near(index(), point, 16 / kSurfaceSteps)) return Where::kUnknown;
-        const std::optional<bool> inside = in_solid(solid_, point);
-        return !inside ? Where::kUnknown : *inside ? Where::kInside : Where::kOutside;
+        if (any_facet_near(index(), point, 16 / kSurfaceSteps)) return CutSide::kUnknown;
+        const Where where = firma::locate(solid_, point);
+        return where == Where::kSolid ? CutSide::kInside : where == Where::kAir ? CutSide::kOutside : CutSide::kUnknown;
     };
     return move_on(label_vertices(input_, face_cutter_.made(), order_, locate, labels_), Phase::kTrace);
 }

@@ -6,15 +6,15 @@ namespace firma {
 namespace {
 
 /// Sets a label; false when another stands there.
-bool set(Where& label, Where value) {
-    if (label == Where::kUnknown) label = value;
+bool set(CutSide& label, CutSide value) {
+    if (label == CutSide::kUnknown) label = value;
     return label == value;
 }
 
 /// Labels spread along edges without a cut until none is left to tell.
 class Flood {
 public:
-    explicit Flood(std::vector<Where>& labels) : labels_(labels), first_(labels.size() + 1, 0) {}
+    explicit Flood(std::vector<CutSide>& labels) : labels_(labels), first_(labels.size() + 1, 0) {}
 
     void count(std::uint32_t a, std::uint32_t b) {
         ++first_[a + 1];
@@ -37,9 +37,9 @@ public:
             const std::uint32_t vertex = waiting_.back();
             waiting_.pop_back();
             for (std::uint32_t k = first_[vertex]; k < first_[vertex + 1]; ++k) {
-                Where& label = labels_[others_[k]];
+                CutSide& label = labels_[others_[k]];
                 if (label == labels_[vertex]) continue;
-                if (label != Where::kUnknown) return false;
+                if (label != CutSide::kUnknown) return false;
                 label = labels_[vertex];
                 waiting_.push_back(others_[k]);
             }
@@ -48,12 +48,12 @@ public:
     }
     bool spread_all() {
         for (std::uint32_t vertex = 0; vertex < labels_.size(); ++vertex)
-            if (labels_[vertex] != Where::kUnknown && !spread(vertex)) return false;
+            if (labels_[vertex] != CutSide::kUnknown && !spread(vertex)) return false;
         return true;
     }
 
 private:
-    std::vector<Where>& labels_;
+    std::vector<CutSide>& labels_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;
     std::vector<std::uint32_t> first_, others_, waiting_;
 };
@@ -70,7 +70,8 @@ bool is_outside(const CutterSolid& cutter, const GridPoint& p) {
 
 template <class Ends>
 bool label_ends_of_cut_edges(const CutInput& in, const Crossings& crossings, const CutOrder& order,
-                             const std::vector<CutOrder::Range>& ranges, const Ends& ends, std::vector<Where>& labels) {
+                             const std::vector<CutOrder::Range>& ranges, const Ends& ends,
+                             std::vector<CutSide>& labels) {
     const auto enters_at = [&](std::uint32_t k) { return enters(in, crossings.points[order.along[k]]); };
     for (std::uint32_t edge = 0; edge < ranges.size(); ++edge) {
         const CutOrder::Range& range = ranges[edge];
@@ -78,21 +79,22 @@ bool label_ends_of_cut_edges(const CutInput& in, const Crossings& crossings, con
         const auto [a, b] = ends(edge);
         const bool first_enters = enters_at(range.first);
         const bool last_enters = enters_at(range.first + range.count - 1);
-        if (!set(labels[a], first_enters ? Where::kOutside : Where::kInside)) return false;
-        if (!set(labels[b], last_enters ? Where::kInside : Where::kOutside)) return false;
+        if (!set(labels[a], first_enters ? CutSide::kOutside : CutSide::kInside)) return false;
+        if (!set(labels[b], last_enters ? CutSide::kInside : CutSide::kOutside)) return false;
     }
     return true;
 }
 
-Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrder& order, std::vector<Where>& labels) {
+Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                    std::vector<CutSide>& labels) {
     const SolidPatch& patch = in.patch;
-    labels.assign(patch.vertices.size(), Where::kUnknown);
+    labels.assign(patch.vertices.size(), CutSide::kUnknown);
     const auto ends = [&](std::uint32_t edge) {
         return std::pair(patch.edges[edge].vertex[0], patch.edges[edge].vertex[1]);
     };
     if (!label_ends_of_cut_edges(in, crossings, order, order.world_cuts, ends, labels)) return Verdict::kBroken;
     for (std::uint32_t v = 0; v < labels.size(); ++v)
-        if (is_outside(in.cutter, patch.vertices[v].point.rounded()) && !set(labels[v], Where::kOutside))
+        if (is_outside(in.cutter, patch.vertices[v].point.rounded()) && !set(labels[v], CutSide::kOutside))
             return Verdict::kBroken;
     Flood flood(labels);
     for (std::uint32_t edge = 0; edge < patch.edges.size(); ++edge)
@@ -101,19 +103,19 @@ Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrd
     flood.ready();
     if (!flood.spread_all()) return Verdict::kBroken;
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
-        if (labels[v] != Where::kUnknown) continue;
+        if (labels[v] != CutSide::kUnknown) continue;
         const int side = side_of_cutter(in.cutter, patch.vertices[v].point);
         if (side == 0) return Verdict::kDegenerate;
-        labels[v] = side > 0 ? Where::kInside : Where::kOutside;
+        labels[v] = side > 0 ? CutSide::kInside : CutSide::kOutside;
         if (!flood.spread(v)) return Verdict::kBroken;
     }
     return Verdict::kFine;
 }
 
 PhaseEnd label_cutter(const CutInput& in, const Crossings& crossings, const CutOrder& order,
-                      const LocateInSolid& locate, std::vector<Where>& labels) {
+                      const LocateInSolid& locate, std::vector<CutSide>& labels) {
     const CutterSolid& cutter = in.cutter;
-    labels.assign(cutter.points.size(), Where::kUnknown);
+    labels.assign(cutter.points.size(), CutSide::kUnknown);
     const auto ends = [&](std::uint32_t edge) { return std::pair(cutter.edges[edge].a, cutter.edges[edge].b); };
     if (!label_ends_of_cut_edges(in, crossings, order, order.cutter_cuts, ends, labels)) return {Verdict::kBroken, {}};
     PhaseEnd end;
@@ -123,13 +125,13 @@ PhaseEnd label_cutter(const CutInput& in, const Crossings& crossings, const CutO
     flood.ready();
     if (!flood.spread_all()) return {Verdict::kBroken, {}};
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
-        if (labels[v] != Where::kUnknown) continue;
+        if (labels[v] != CutSide::kUnknown) continue;
         labels[v] = locate(v);
-        if (labels[v] == Where::kUnknown) {
+        if (labels[v] == CutSide::kUnknown) {
             end.touching.push_back(v);
             end.verdict = Verdict::kDegenerate;
             if (!in.collects) return end;
-            labels[v] = Where::kOutside;  // whatever it is: the rest of its shell need not be asked
+            labels[v] = CutSide::kOutside;  // whatever it is: the rest of its shell need not be asked
         }
         if (flood.spread(v)) continue;
         end.verdict = Verdict::kBroken;

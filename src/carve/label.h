@@ -10,15 +10,15 @@
 
 namespace firma {
 
-enum class Where : std::int8_t { kInside = -1, kUnknown = 0, kOutside = 1 };
+enum class CutSide : std::int8_t { kInside = -1, kUnknown = 0, kOutside = 1 };
 
 struct Labels {
-    std::vector<Where> world;   ///< of patch vertices: against the cutter
-    std::vector<Where> cutter;  ///< of cutter vertices: inside the solid, or outside of it
+    std::vector<CutSide> world;   ///< of patch vertices: against the cutter
+    std::vector<CutSide> cutter;  ///< of cutter vertices: inside the solid, or outside of it
 };
 
 /// Whether a cutter vertex that no face's cut tells about lies in the solid: kUnknown when that cannot be told.
-using LocateInSolid = std::function<Where(std::uint32_t cutter_vertex)>;
+using LocateInSolid = std::function<CutSide(std::uint32_t cutter_vertex)>;
 
 /// Labels all vertices: from the edges that are cut, along those that are not, and by a test of one vertex where no
 /// edge of a component is cut.

@@ -64,14 +64,14 @@ private:
 
     /// Whether the part of a cutter edge or a whole one with this label at its start becomes part of the solid's new
     /// boundary.
-    bool wanted(Where label) const { return (label == Where::kInside) != in_.fill; }
+    bool wanted(CutSide label) const { return (label == CutSide::kInside) != in_.fill; }
 
     void split_edges() {
         world_parts_.assign(patch_.edges.size(), {});
         for (std::uint32_t e = 0; e < patch_.edges.size(); ++e) {
             if (order_.world_cuts[e].count == 0) continue;
             const PatchEdge& edge = patch_.edges[e];
-            const bool outside = labels_.world[edge.vertex[0]] == Where::kOutside;
+            const bool outside = labels_.world[edge.vertex[0]] == CutSide::kOutside;
             world_parts_[e] =
                 split(order_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane[0], edge.plane[1]);
         }
@@ -118,7 +118,7 @@ private:
         bool inside = false, outside = false;
         pieces_.clear();
         for (const PatchUse& use : patch_.uses(face)) {
-            const bool out = labels_.world[patch_.from(use)] == Where::kOutside;
+            const bool out = labels_.world[patch_.from(use)] == CutSide::kOutside;
             (out ? outside : inside) = true;
             if (order_.world_cuts[use.edge].count != 0)
                 take_parts(world_parts_[use.edge], use.reversed);

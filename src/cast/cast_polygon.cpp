@@ -8,18 +8,21 @@
 
 namespace firma {
 PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const Vec3> corners, Sides sides) {
-    PolygonHit hit;
+    PolygonHit none;
+    none.status = Status::kInvalid;
+    none.fraction = 0;
+    none.centre = sphere.centre;
     Sweep sweep;
-    hit.status = make_sweep(sphere, path, sweep);
-    if (hit.status == Status::kInvalid) return hit;
-    hit.status = Status::kInvalid;
-    if (!usable_corners(corners)) return hit;
+    if (make_sweep(sphere, path, sweep) == Status::kInvalid || !usable_corners(corners)) return none;
     const PolygonShape polygon = make_shape(corners);
-    if (!(polygon.normal_length > 0)) return hit;
-    hit.status = Status::kMiss;
-    if (sweep.end == 0) return hit;
-    const Contact contact = cast_sweep_polygon(sweep, polygon, sides, sweep.end);
-    return contact.touched() ? make_hit(sweep, polygon, contact) : hit;
+    if (!(polygon.normal_length > 0)) return none;
+    if (sweep.end != 0) {
+        const Contact contact = cast_sweep_polygon(sweep, polygon, sides, sweep.end);
+        if (contact.touched()) return make_hit(sweep, polygon, contact);
+    }
+    PolygonHit miss;
+    miss.centre = sphere.centre + path;
+    return miss;
 }
 
 bool overlap(const Sphere& sphere, std::span<const Vec3> corners) {

@@ -54,10 +54,10 @@ bool is_drawn_edge(const View& view, std::span<const Face> faces, const Face& fa
     return dot(face.normal, other->normal) < kCrease && face.id < other->id;
 }
 
-std::vector<Corner> corners_of(const View& view, std::span<const Face> faces, const Face& face) {
+std::vector<Corner> corners_of(const View& view, const World& world, std::span<const Face> faces, const Face& face) {
     std::vector<Corner> corners;
-    for (std::size_t k = 0; k < face.corners.size(); ++k) {
-        const FaceId neighbour = k < face.neighbours.size() ? face.neighbours[k] : FaceId{};
+    for (std::uint32_t k = 0; k < face.corners.size(); ++k) {
+        const FaceId neighbour = other_face(world, face.ref(), k);
         corners.push_back({face.corners[k], is_drawn_edge(view, faces, face, neighbour)});
     }
     return corners;
@@ -108,13 +108,13 @@ Shape shape_of(const View& view, const Face& face, const std::vector<Corner>& co
 }
 
 /// What is worth drawing, and how much is not.
-std::vector<Shape> collect_shapes(const View& view, std::span<const Face> faces, const FaceLook& look,
-                                  FacesDrawn& counts) {
+std::vector<Shape> collect_shapes(const View& view, const World& world, std::span<const Face> faces,
+                                  const FaceLook& look, FacesDrawn& counts) {
     std::vector<Shape> shapes;
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const Face& face = faces[k];
         if (!seen(view, face)) continue;
-        std::vector<Corner> corners = corners_of(view, faces, face);
+        std::vector<Corner> corners = corners_of(view, world, faces, face);
         if (look.cut) corners = beyond_cut(view, corners, *look.cut);
         if (corners.size() < 3) continue;
         Shape shape = shape_of(view, face, corners, look.tint_of[k]);
@@ -204,9 +204,10 @@ std::optional<CutLine> cut_of(const Face& face, int axis, double at) {
 
 }  // namespace
 
-FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> faces, const FaceLook& look) {
+FacesDrawn draw_faces(SvgText& svg, const View& view, const World& world, std::span<const Face> faces,
+                      const FaceLook& look) {
     FacesDrawn counts;
-    std::vector<Shape> shapes = collect_shapes(view, faces, look, counts);
+    std::vector<Shape> shapes = collect_shapes(view, world, faces, look, counts);
     keep_to_budget(shapes, look.most_bytes, counts);
     set_bands(shapes);
     const std::size_t kinds = kShades * look.tints.size();

@@ -34,7 +34,8 @@ struct FacesDrawn {
 /// Draws the faces whose fronts the viewer sees (both sides of two-sided ones).
 ///
 /// @param faces  in order of id, as World::faces() gives them; neighbours that are not among them are not seen
-FacesDrawn draw_faces(SvgText& svg, const View& view, std::span<const Face> faces, const FaceLook& look);
+FacesDrawn draw_faces(SvgText& svg, const View& view, const World& world, std::span<const Face> faces,
+                      const FaceLook& look);
 
 /// How much of a view's width, in columns of two pixels, lies in the cut that draw_cut_lines() would draw.
 std::size_t cut_width(const View& view, std::span<const Face> faces, double cut);

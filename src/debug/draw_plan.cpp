@@ -133,7 +133,7 @@ PlanTints plain_tints(std::span<const Face> faces) {
 PlanTints room_tints(const World& world, std::span<const Face> faces, std::span<const RoomId> rooms) {
     PlanTints tints;
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-        const Vec3 colour = room_colour({room}, room_info(world, {room}).exterior);
+        const Vec3 colour = room_colour({room}, room_info(world, {room})->exterior);
         for (const double shade : {1.0, kNewShade}) {
             tints.plan.push_back(plan_tint(colour * shade));
             tints.section.push_back(section_tint(colour * shade));
@@ -190,7 +190,7 @@ void draw_head(SvgText& svg, const Page& page, const World& world, const PlanOpt
 
 Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanOptions& options) {
     const std::vector<Face> faces = faces_to_show(world);
-    const std::vector<RoomId> rooms = rooms_of_faces(world, faces);
+    const std::vector<RoomId> rooms = rooms_of_faces(faces);
     const std::vector<DrawnCast> some = chosen(casts, options.most_casts);
     const Box bounds = box_of(faces);
     Page page = lay_out(region_of(bounds, some), options.up);
@@ -204,7 +204,7 @@ Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanO
     const PlanTints tints = plan.shows_rooms ? room_tints(world, faces, rooms) : plain_tints(faces);
 
     SvgText svg;
-    const FacesDrawn in_plan = draw_faces(svg, page.plan, faces, {tints.plan, tints.of, options.below, 1 << 20});
+    const FacesDrawn in_plan = draw_faces(svg, page.plan, world, faces, {tints.plan, tints.of, options.below, 1 << 20});
     if (options.below) draw_cut_lines(svg, page.plan, faces, *options.below);
     if (plan.shows_rooms) {
         const PlanRaster raster = make_raster(page.plan, faces, options.below);
@@ -215,7 +215,8 @@ Plan draw_plan(const World& world, std::span<const DrawnCast> casts, const PlanO
     plan.casts_drawn = draw_casts(svg, page.plan, some);
     draw_frame(svg, page.plan, plan_heading(options));
 
-    const FacesDrawn in_section = draw_faces(svg, page.section, faces, {tints.section, tints.of, plan.at, 1 << 20});
+    const FacesDrawn in_section =
+        draw_faces(svg, page.section, world, faces, {tints.section, tints.of, plan.at, 1 << 20});
     plan.faces_cut = draw_cut_lines(svg, page.section, faces, plan.at);
     if (plan.shows_rooms) {
         const PlanRaster raster = make_raster(page.section, faces, plan.at);

@@ -65,8 +65,9 @@ std::vector<Vec3> beyond(const View& view, const std::vector<Vec3>& polygon, dou
 }
 
 std::string title_of(const World& world, std::uint32_t id, const PortalInfo& portal) {
-    return "portal " + std::to_string(id) + (portal.name.empty() ? "" : " " + portal.name) + ": " +
-           room_label(world, portal.rooms[0]) + " - " + room_label(world, portal.rooms[1]) +
+    std::string title = "portal " + std::to_string(id);
+    if (!portal.name.empty()) title.append(" ").append(portal.name);
+    return title + ": " + room_label(world, portal.rooms[0]) + " - " + room_label(world, portal.rooms[1]) +
            (portal.open ? "" : ", closed");
 }
 
@@ -108,9 +109,9 @@ std::size_t draw_portals(SvgText& svg, const View& view, const World& world, con
                          const std::optional<double>& cut) {
     std::size_t count = 0;
     for (std::uint32_t id = 0; id < portal_count(world); ++id) {
-        const PortalInfo portal = portal_info(world, {id});
+        const PortalInfo portal = *portal_info(world, {id});
         SvgText seen, hidden;
-        for (std::vector<Vec3> polygon : portal.polygons) {
+        for (std::vector<Vec3> polygon : portal_polygons(world, {id})) {
             if (cut) polygon = beyond(view, polygon, *cut);
             if (polygon.size() < 3) continue;
             const bool shows = is_seen(raster, view, polygon);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Each face into a buffer of depths, four samples a pixel; then colour, shadow and edges sample by sample.
 #include "debug/draw_view.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,8 +181,8 @@ Panes paint_portals(const World& world, const Frame& frame, const Buffer& buffer
     Panes panes{std::vector<std::uint8_t>(samples), std::vector<std::uint8_t>(samples),
                 std::vector<std::uint32_t>(samples, kNothing), std::vector<double>(samples)};
     for (std::uint32_t id = 0; id < portal_count(world); ++id) {
-        const PortalInfo portal = portal_info(world, {id});
-        for (const std::vector<Vec3>& polygon : portal.polygons) {
+        const bool open = portal_info(world, {id})->open;
+        for (const std::vector<Vec3>& polygon : portal_polygons(world, {id})) {
             Face pane;
             pane.corners = polygon;
             pane.normal = unit(area_normal(polygon));
@@ -189,7 +190,7 @@ Panes paint_portals(const World& world, const Frame& frame, const Buffer& buffer
             if (!seen_from(frame.eye, pane)) continue;
             paint(frame, pane, buffer, [&](std::size_t at, double nearness) {
                 if (nearness < buffer.nearness[at]) return;
-                std::uint8_t& count = (portal.open ? panes.open : panes.closed)[at];
+                std::uint8_t& count = (open ? panes.open : panes.closed)[at];
                 if (count < kMostPanes) ++count;
                 if (nearness <= panes.nearness[at]) return;
                 panes.nearness[at] = nearness;
@@ -272,10 +273,10 @@ std::vector<Vec3> paints_of(const World& world, std::span<const Face> faces, boo
     std::vector<Vec3> paints;
     for (const Face& face : faces) paints.push_back(paint_of(face));
     if (!rooms) return paints;
-    const std::vector<RoomId> room = rooms_of_faces(world, faces);
+    const std::vector<RoomId> room = rooms_of_faces(faces);
     for (std::size_t k = 0; k < faces.size(); ++k) {
         if (is_sky(faces[k])) continue;
-        const Vec3 colour = mixed(room_colour(room[k], room_info(world, room[k]).exterior), kWhite, kRoomWhite);
+        const Vec3 colour = mixed(room_colour(room[k], room_info(world, room[k])->exterior), kWhite, kRoomWhite);
         paints[k] = colour * (faces[k].source_edit != 0 ? kShadeOfNew : 1.0);
     }
     return paints;

@@ -127,8 +127,8 @@ void add_surfaces(Legend& legend, const LegendFacts& facts) {
 void add_portals(Legend& legend, const World& world) {
     std::size_t open = 0, closed = 0;
     for (std::uint32_t id = 0; id < portal_count(world); ++id) {
-        const PortalInfo portal = portal_info(world, {id});
-        if (!portal.polygons.empty()) ++(portal.open ? open : closed);
+        const PortalInfo portal = *portal_info(world, {id});
+        if (portal.polygons > 0) ++(portal.open ? open : closed);
     }
     const auto add = [&](const char* kind, const char* name, std::size_t count) {
         if (count == 0) return;
@@ -160,7 +160,7 @@ void add_rooms(Legend& legend, const LegendFacts& facts) {
             continue;
         }
         ++listed;
-        const bool exterior = room_info(facts.world, {id}).exterior;
+        const bool exterior = room_info(facts.world, {id})->exterior;
         legend.row(two_tints(plan_tint(room_colour({id}, exterior))), room_label(facts.world, {id}));
     }
     if (others > 0) legend.words("and " + grouped_number(others) + " more");

@@ -38,17 +38,10 @@ bool is_clip(const Face& face) {
 
 }  // namespace
 
-std::vector<RoomId> rooms_of_faces(const World& world, std::span<const Face> faces) {
-    std::vector<RoomId> rooms(faces.size());
-    const WorldData& data = world.data();
-    for_each_block_of(data, [&](const Block& block) {
-        const RoomId room{data.cells.current_room(block.part)};
-        for (const FaceRecord& record : block.faces) {
-            const auto found = std::lower_bound(faces.begin(), faces.end(), record.id,
-                                                [](const Face& f, FaceId id) { return f.id < id; });
-            if (found != faces.end() && found->id == record.id) rooms[std::size_t(found - faces.begin())] = room;
-        }
-    });
+std::vector<RoomId> rooms_of_faces(std::span<const Face> faces) {
+    std::vector<RoomId> rooms;
+    rooms.reserve(faces.size());
+    for (const Face& face : faces) rooms.push_back(face.room);
     return rooms;
 }
 
@@ -90,13 +83,12 @@ std::size_t count_inner_rooms(const World& world) {
 
 std::vector<Face> faces_to_show(const World& world) {
     std::vector<Face> faces = world.faces();
-    const std::vector<RoomId> rooms = rooms_of_faces(world, faces);
-    const auto outside =
-        std::size_t(std::count_if(rooms.begin(), rooms.end(), [&](RoomId room) { return is_exterior(world, room); }));
+    const auto outside = std::size_t(
+        std::count_if(faces.begin(), faces.end(), [&](const Face& f) { return is_exterior(world, f.room); }));
     const bool whole = 2 * outside > faces.size();
     std::vector<Face> shown;
     for (std::size_t k = 0; k < faces.size(); ++k)
-        if ((whole || !is_exterior(world, rooms[k])) && !is_clip(faces[k])) shown.push_back(std::move(faces[k]));
+        if ((whole || !is_exterior(world, faces[k].room)) && !is_clip(faces[k])) shown.push_back(std::move(faces[k]));
     return shown;
 }
 

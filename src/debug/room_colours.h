@@ -13,9 +13,7 @@
 namespace firma::debug {
 
 /// The room of each of some faces.
-///
-/// @param faces  of the whole world in order of id, as World::faces() gives them
-std::vector<RoomId> rooms_of_faces(const World& world, std::span<const Face> faces);
+std::vector<RoomId> rooms_of_faces(std::span<const Face> faces);
 
 /// Red, green and blue, 0 .. 1: the exterior is grey, others have hues in a fixed order, by their ids, so that a room
 /// keeps its colour through edits. Hues come again after eleven rooms, lighter and darker.

@@ -26,6 +26,7 @@ struct GridBox {
             high[axis] = std::max(high[axis], b.high[axis]);
         }
     }
+    friend bool operator==(const GridBox&, const GridBox&) = default;
     double extent(int axis) const { return (double(high[axis]) - double(low[axis])) / kSurfaceSteps; }
     double volume() const { return extent(0) * extent(1) * extent(2); }
     /// Half the surface, square metres.

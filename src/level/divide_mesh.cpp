@@ -151,7 +151,7 @@ private:
         for (const PieceSide& side : part.sides)
             middle = middle + to_metres(made_->tables.points.point(side.corner).rounded());
         middle = middle * (1.0 / double(part.sides.size()));
-        return locate(plain_, middle).kind == Location::Kind::kRoom;
+        return locate(plain_, middle).where == Where::kAir;
     }
 
     /// Faces that bound no solid, each part in the room that its front looks into.

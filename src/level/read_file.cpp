@@ -8,6 +8,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/open_file.h"
+
 namespace firma {
 namespace {
 
@@ -34,7 +36,7 @@ struct Closer {
 
 Result<std::string> read_file(const std::string& path) {
     errno = 0;
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+    const std::unique_ptr<std::FILE, Closer> file(open_stream(path));
     if (!file) return cannot_read(path, errno);
     std::string bytes;
     for (std::size_t chunk = std::size_t(1) << 16;; chunk += chunk < (std::size_t(1) << 26) ? chunk : 0) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A .firma file from disk, read into memory first: a mapping would end the program when someone else cuts the file.
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <optional>
 #include <system_error>
 
+#include "base/open_file.h"
 #include "firma/save.h"
 #include "save/container.h"
 #include "save/little_endian.h"
@@ -31,7 +31,7 @@ Error cannot_read(const std::string& path, int reason) {
 /// An open file; closes it.
 class File {
 public:
-    explicit File(const std::string& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    explicit File(const std::string& path) : descriptor_(open_descriptor(path)) {}
     ~File() {
         if (descriptor_ >= 0) close(descriptor_);
     }

@@ -5,6 +5,7 @@
 // Which faces share a block is like the pages of a file: nothing that a user can ask depends on it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -89,6 +90,13 @@ public:
         return face.owner == kNoOwner ? nullptr : owners[face.owner].get();
     }
 };
+
+/// The first corner in order of coordinates: it says which region a face belongs to.
+inline GridPoint lowest_corner(const Block& block, const FaceRecord& face) {
+    GridPoint lowest = block.corner(face, 0);
+    for (std::uint32_t k = 1; k < face.corner_count; ++k) lowest = std::min(lowest, block.corner(face, k));
+    return lowest;
+}
 
 /// The facets of an index over faces are blocks.
 inline const Block& as_block(const IndexedFacets& facets) {

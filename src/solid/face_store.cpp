@@ -15,9 +15,7 @@ void FaceSums::add(const FaceSet& set, const FaceSet::Entry& face) {
 }
 
 void FaceSums::change(const Block& block, const FaceRecord& face, std::int64_t sign) {
-    GridPoint lowest = block.corner(face, 0);
-    for (std::uint32_t k = 1; k < face.corner_count; ++k) lowest = std::min(lowest, block.corner(face, k));
-    change(block.part, lowest, hash_facet(block, face), sign);
+    change(block.part, lowest_corner(block, face), hash_facet(block, face), sign);
 }
 
 void FaceSums::change(std::uint32_t of_part, const GridPoint& lowest, std::uint64_t hash, std::int64_t sign) {

@@ -7,6 +7,7 @@
 #include "geometry/rounding.h"
 #include "index/traverse.h"
 #include "solid/face_shape.h"
+#include "solid/near_facets.h"
 
 namespace firma {
 namespace {
@@ -80,6 +81,7 @@ Seen see_first(const Node* root, const Vec3& point, const SeePolygons* polygons)
         const Seen seen = first.judge();
         if (seen.kind != Seen::Kind::kUnsure) return seen;
     }
+    if (root && on_some_facet(*root, point)) return {.kind = Seen::Kind::kSurface};
     return {};
 }
 

@@ -15,7 +15,8 @@ namespace firma {
 /// What a ray saw first.
 struct Seen {
     enum class Kind : std::uint8_t {
-        kUnsure,   ///< no ray tells: the point lies on a face, in a fold of the surface, or is no usable number
+        kUnsure,   ///< no ray tells: the point lies in a fold of the surface, or is no usable number
+        kSurface,  ///< on a face, exactly
         kAir,      ///< air in front of a face of `part`
         kSolid,    ///< behind a face
         kPolygon,  ///< `number` of SeePolygons, whose front it sees, or its back

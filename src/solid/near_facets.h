@@ -52,6 +52,9 @@ struct NearFacets {
     }
 };
 
+/// Whether a point lies on a facet, exactly.
+bool on_some_facet(const Node& root, const Vec3& point);
+
 /// Whether some facet lies within reach of a point, but for rounding.
 /// @param root  null for no faces
 bool any_facet_near(const Node* root, const Vec3& point, double reach);

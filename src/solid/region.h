@@ -2,7 +2,6 @@
 // Regions: the cubes of 32 m that hashes are kept by, and sums kept by such numbers.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "base/flat_map.h"
 #include "base/persistent_map.h"
 #include "firma/grid.h"
+#include "firma/solid.h"
 
 namespace firma {
 
@@ -29,14 +29,14 @@ inline std::uint32_t region_of(const GridPoint& point) {
 }
 
 /// Where a region lies: its lowest corner / 32 m.
-inline std::array<std::int32_t, 3> place_of_region(std::uint32_t key) {
-    std::array<std::int32_t, 3> place;
+inline Region place_of_region(std::uint32_t key) {
+    std::int32_t place[3];
     for (int axis = 0; axis < 3; ++axis) {
         std::int32_t at = 0;
         for (int bit = 0; bit < kRegionAxisBits; ++bit) at |= std::int32_t(key >> (3 * bit + axis) & 1) << bit;
-        place[std::size_t(axis)] = at - (1 << (kRegionAxisBits - 1));
+        place[axis] = at - (1 << (kRegionAxisBits - 1));
     }
-    return place;
+    return {place[0], place[1], place[2]};
 }
 
 /// Finds the region of one point after another; most lie where the last one did.

@@ -2,6 +2,7 @@
 // The Solid's handle, and what is asked of solids.
 
 #include "base/random.h"
+#include "solid/bounds_of.h"
 #include "solid/check_boundary.h"
 #include "solid/first_seen.h"
 #include "solid/hash_points.h"
@@ -54,6 +55,11 @@ bool is_first(FlatMap& seen, const void* object) {
 
 Solid::Solid() : data_(no_solid()) {}
 Solid::Solid(std::shared_ptr<const SolidData> data) : data_(std::move(data)) {}
+Solid::Solid(Solid&& other) noexcept : data_(std::exchange(other.data_, no_solid())) {}
+Solid& Solid::operator=(Solid&& other) noexcept {
+    data_ = std::exchange(other.data_, no_solid());
+    return *this;
+}
 
 std::size_t Solid::face_count() const {
     return data_->faces.count;
@@ -66,12 +72,7 @@ std::uint32_t Solid::edits() const {
 }
 
 Box Solid::bounds() const {
-    Box box;
-    if (data_->faces.root)
-        for_each_block(*data_->faces.root, [&](const Block& block) {
-            for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
-        });
-    return box;
+    return data_->faces.root ? bounds_of(*data_->faces.root) : Box{};
 }
 
 void hash_points_anew(SolidData& data) {
@@ -151,19 +152,21 @@ std::vector<RegionHash> hash_regions(const Solid& solid) {
     return region_hashes({&solid.data().faces.regions}, solid.data().points);
 }
 
-std::optional<bool> in_solid(const Solid& solid, const Vec3& point) {
+Where locate(const Solid& solid, const Vec3& point) {
     switch (see_first(solid.data().faces.root.get(), point).kind) {
         case Seen::Kind::kAir:
-            return false;
+            return Where::kAir;
         case Seen::Kind::kSolid:
-            return true;
+            return Where::kSolid;
         case Seen::Kind::kNothing:
-            return solid.rock_outside();
+            return solid.rock_outside() ? Where::kSolid : Where::kAir;
+        case Seen::Kind::kSurface:
+            return Where::kSurface;
         case Seen::Kind::kUnsure:
         case Seen::Kind::kPolygon:
             break;
     }
-    return {};
+    return Where::kUnknown;
 }
 
 }  // namespace firma

@@ -118,16 +118,20 @@ Cells make_cells(StoredWorld& stored) {
     for (std::uint32_t k = 0; k < portals.size(); ++k) {
         if (portals[k].polygons.empty()) continue;
         for (const RoomId room : portals[k].rooms) {
-            std::vector<std::uint32_t>& of_room = records[current[room.value]].portals;
-            if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
+            std::vector<PortalId>& of_room = records[current[room.value]].portals;
+            if (of_room.empty() || of_room.back().value != k) of_room.push_back({k});
         }
     }
     Cells cells;
     if (stored.known) cells.set_known();
-    for (std::uint32_t k = 0; k < records.size(); ++k)
+    std::vector<Ref<const Portal>> made;
+    made.reserve(portals.size());
+    for (const PortalPart& portal : portals) made.emplace_back(new Portal(portal));
+    for (std::uint32_t k = 0; k < records.size(); ++k) {
+        for (const PortalId portal : records[k].portals) records[k].portal_box.add(made[portal.value]->box);
         cells.set_room(k, std::make_shared<const RoomRecord>(std::move(records[k])));
-    for (std::uint32_t k = 0; k < portals.size(); ++k)
-        cells.set_portal(k, Ref<const Portal>(new Portal(portals[k])), !portals[k].open);
+    }
+    for (std::uint32_t k = 0; k < portals.size(); ++k) cells.set_portal(k, std::move(made[k]), !portals[k].open);
     if (!portals.empty()) cells.set_boxes();
     return cells;
 }

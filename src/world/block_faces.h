@@ -7,16 +7,14 @@
 
 namespace firma {
 
-/// A face as users see it; its neighbours are looked for below `root`.
-Face describe_face(const Node& root, const Block& block, const FaceRecord& face);
-/// The same without its neighbours.
-Face describe_face(const Block& block, const FaceRecord& face);
+/// What a face is, but for its outline.
+FaceInfo face_info(RoomId room, const Block& block, const FaceRecord& face, const PolygonShape& polygon);
+Face describe_face(RoomId room, const Block& block, const FaceRecord& face);
 
 /// What finds it again.
 inline FaceRef ref_to(const Block& block, std::uint32_t slot) {
     const FaceRecord& face = block.faces[slot];
-    const GridPoint& corner = block.corner(face, 0);
-    return {&block, slot, face.id, {corner.x, corner.y, corner.z}};
+    return {face.id, block.corner(face, 0)};
 }
 
 }  // namespace firma

@@ -141,8 +141,8 @@ private:
         if (touches_faces || cut_.fills()) rooms_.touch_portals(cut_.cutter().box);
         if (touches_faces || !cut_.fills()) return;
         for (const ExactPoint& point : cut_.cutter().points) {
-            const Location where = locate(world_, to_metres(point.rounded()));
-            if (where.kind == Location::Kind::kRoom) return rooms_.touch(where.room.value);
+            const Location found = locate(world_, to_metres(point.rounded()));
+            if (found.where == Where::kAir) return rooms_.touch(found.room.value);
         }
         rooms_.touch(0);  // too flat for any of its corners to be clear of it: closed by itself, it is sound anywhere
     }
@@ -206,15 +206,20 @@ bool CarveJob::run(double microseconds) {
 }
 
 bool CarveJob::finished() const {
-    return state_->finished || state_->broken;
+    return !state_ || state_->finished || state_->broken;
 }
 
 bool CarveJob::broken() const {
-    return state_->broken;
+    return state_ && state_->broken;
 }
 
 CarveResult CarveJob::result() const {
     FIRMA_ASSERT(finished(), "an edit has no result yet: call run() until it returns true");
+    if (!state_) {
+        CarveResult nothing;
+        nothing.error = {ErrorCode::kInvalid, "", "the job was moved away"};
+        return nothing;
+    }
     CarveResult result = state_->work.result();
     if (state_->finished) return result;
     result.status = CarveStatus::kRefused;

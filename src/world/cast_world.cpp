@@ -1,41 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Casts through a world: the first, any or all of the touches on the way.
+// Casts through a world: the first, any or each of the touches on the way.
 #include <algorithm>
 
 #include "cast/make_hit.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "geometry/rounding.h"
-#include "solid/find_neighbour.h"
+#include "world/run_tasks.h"
 #include "world/sweep_world.h"
 
 namespace firma {
 namespace {
 
 /// Goes as the options say.
-/// @return the rooms looked into; none when all of several were
 template <class Found>
-RoomsPassed sweep_rooms(const World& world, const Sphere& sphere, const Sweep& sweep, const CastOptions& options,
-                        Found& found) {
+void sweep_rooms(const World& world, const Sphere& sphere, const Sweep& sweep, const CastOptions& options,
+                 Found& found) {
     const WorldData& data = world.data();
-    RoomsPassed passed;
-    passed.all = options.passed;
+    RoomTrail unasked;
+    RoomTrail& trail = options.trail ? *options.trail : unasked;
     WorldSweep<Found> on_its_way(data, sweep, options, found);
     if (data.cells.room_count() == 1) {
-        passed.add(0);
-        on_its_way.ask_all();
-        return passed;
+        add_room(trail, 0);
+        return on_its_way.ask_all();
     }
     RoomId start = options.room;
-    if (start == kLocateRoom) {
-        const Location location = locate(world, sphere.centre);
-        start = location.kind == Location::Kind::kRoom ? location.room : kAnyRoom;
-    }
-    if (start != kAnyRoom) {
-        on_its_way.ask_from(data.cells.current_room(start.value), passed);
-        return passed;
-    }
-    on_its_way.ask_all();
-    return passed;
+    if (start == kLocateRoom) start = locate(world, sphere.centre).room;
+    if (start == kAnyRoom) return on_its_way.ask_all();
+    on_its_way.ask_from(data.cells.current_room(start.value), trail);
 }
 
 /// Keeps the earliest touch; of several at one time the lowest id.
@@ -64,39 +56,14 @@ struct StopAtAny {
     }
 };
 
-struct CollectAll {
-    double latest;
-    std::vector<Hit>& hits;
-    const World& world;
-    const Sweep& sweep;
-    const CastOptions& options;
-
-    bool operator()(const SweepContact& contact);
-};
-
-void dress_face(const World& world, const SweepContact& found, Hit& hit) {
+void put_face(const SweepContact& found, Hit& hit) {
     const FaceRecord& face = found.face();
-    hit.face = face.id;
-    const WorldData& data = world.data();
-    const std::uint32_t room = data.cells.current_room(found.block->part);
-    if (hit.feature == Feature::kEdge)
-        hit.other_face = find_neighbour(*data.faces_of(room).tree, *found.block, face, hit.feature_index);
-    hit.ref = ref_to(*found.block, found.slot);
+    hit.face = ref_to(*found.block, found.slot);
     if (const FaceOwner* owner = found.block->owner_of(face)) hit.face_normal = owner->normal;
-    hit.source = face.source;
-    hit.source_edit = face.edit;
     hit.material = face.material;
-    hit.room = {room};
 }
 
-/// As of the room on the side that it was met from.
-void dress_portal(const Cells& cells, const Portal& portal, const SweepContact& found, Hit& hit) {
-    hit.portal = {found.portal};
-    hit.material = portal.material;
-    hit.room = cells.rooms_of(portal)[dot(hit.normal, hit.face_normal) >= 0 ? 0 : 1];
-}
-
-Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, const SweepContact& found) {
+Hit hit_of(const World& world, const Sweep& sweep, const CastOptions& options, const SweepContact& found) {
     Hit hit;
     const auto make = [&](const PolygonShape& polygon) {
         static_cast<PolygonHit&>(hit) = make_hit(sweep, polygon, found.contact);
@@ -104,23 +71,37 @@ Hit dress(const World& world, const Sweep& sweep, const CastOptions& options, co
     };
     if (found.block) {
         make(FaceShape(*found.block, found.face()).polygon);
-        dress_face(world, found, hit);
+        put_face(found, hit);
     } else {
         const Portal& portal = world.data().cells.portal(found.portal);
         make(portal.polygons()[found.slot].shape);
-        dress_portal(world.data().cells, portal, found, hit);
+        hit.portal = {found.portal};
+        hit.material = portal.material;
     }
-    hit.version = world.version();
     return hit;
 }
 
-bool CollectAll::operator()(const SweepContact& contact) {
-    hits.push_back(dress(world, sweep, options, contact));
-    return false;
-}
+/// Hands each touch on.
+struct VisitEach {
+    double latest;
+    HitVisitor visit;
+    const World& world;
+    const Sweep& sweep;
+    const CastOptions& options;
+    bool any = false;
+
+    bool operator()(const SweepContact& contact) {
+        any = true;
+        const double wanted = visit(hit_of(world, sweep, options, contact));
+        if (!(wanted > 0)) return true;
+        if (wanted < 1 && wanted * sweep.end < latest) latest = wanted * sweep.end;
+        return false;
+    }
+};
 
 /// A sweep, or why there is none: kHit when it is ready to go.
 Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options, Sweep& sweep) {
+    if (options.trail) options.trail->count = 0;
     if (!(options.skin <= kLargestNumber)) return Status::kInvalid;  // also not a number
     const bool is_room = options.room.value < world.room_count();
     if (!is_room && options.room != kAnyRoom && options.room != kLocateRoom) return Status::kInvalid;
@@ -131,17 +112,14 @@ Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const
 
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
     Sweep sweep;
-    Hit none;
-    none.version = world.version();
-    none.status = prepare(world, sphere, path, options, sweep);
-    if (none.status != Status::kHit) return none;
+    const Status ready = prepare(world, sphere, path, options, sweep);
     KeepFirst first{sweep.end, {}};
-    const RoomsPassed passed = sweep_rooms(world, sphere, sweep, options, first);
-    none.status = Status::kMiss;
-    Hit hit = first.best.contact.touched() ? dress(world, sweep, options, first.best) : none;
-    hit.rooms_passed = passed.count;
-    hit.passed = passed.first;
-    return hit;
+    if (ready == Status::kHit) sweep_rooms(world, sphere, sweep, options, first);
+    if (first.best.contact.touched()) return hit_of(world, sweep, options, first.best);
+    if (ready == Status::kInvalid) return invalid_hit(sphere.centre);
+    Hit none;
+    none.centre = sphere.centre + path;
+    return none;
 }
 
 Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
@@ -153,24 +131,30 @@ Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, cons
     return any.status;
 }
 
-Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
-                const CastOptions& options) {
-    hits.clear();
+Status cast_each(const World& world, const Sphere& sphere, const Vec3& path, HitVisitor visit,
+                 const CastOptions& options) {
     Sweep sweep;
     const Status ready = prepare(world, sphere, path, options, sweep);
     if (ready != Status::kHit) return ready;
-    CollectAll all{sweep.end, hits, world, sweep, options};
-    const RoomsPassed passed = sweep_rooms(world, sphere, sweep, options, all);
-    for (Hit& hit : hits) {
-        hit.rooms_passed = passed.count;
-        hit.passed = passed.first;
-    }
+    VisitEach each{sweep.end, visit, world, sweep, options};
+    sweep_rooms(world, sphere, sweep, options, each);
+    return each.any ? Status::kHit : Status::kMiss;
+}
+
+Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
+                const CastOptions& options) {
+    hits.clear();
+    const auto add = [&](const Hit& hit) {
+        hits.push_back(hit);
+        return 1.0;
+    };
+    const Status status = cast_each(world, sphere, path, add, options);
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         return a.fraction != b.fraction ? a.fraction < b.fraction
-               : a.face != b.face       ? a.face < b.face
+               : a.face.id != b.face.id ? a.face.id < b.face.id
                                         : a.portal < b.portal;
     });
-    return hits.empty() ? Status::kMiss : hits[0].status;
+    return hits.empty() ? status : hits[0].status;
 }
 
 }  // namespace firma

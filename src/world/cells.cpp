@@ -65,7 +65,7 @@ std::size_t Portal::bytes() const {
 }
 
 std::size_t bytes_of(const RoomRecord& record) {
-    return sizeof record + text_bytes(record.name) + record.portals.capacity() * sizeof(std::uint32_t);
+    return sizeof record + text_bytes(record.name) + record.portals.capacity() * sizeof(PortalId);
 }
 
 std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
@@ -73,7 +73,7 @@ std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
     const Portal& portal = *state.portal;
     std::array<RoomId, 2> rooms = rooms_of(portal);
     for (RoomId& room : rooms)
-        if (!portal.gone() && portals_of(room.value).size() > kCrowd) room = {};
+        if (!portal.gone() && portals_of(room.value).size() > kCrowd) room = {0};
     Hasher hasher;
     hasher.add(number, std::uint32_t(state.closed));
     hasher.add(rooms[0].value, rooms[1].value);
@@ -133,12 +133,12 @@ void Cells::set_portal(std::uint32_t number, Ref<const Portal> portal, bool clos
     hash_ += hash_of_portal(number);
 }
 
-void Cells::take_out(std::span<const std::uint32_t> portals) {
-    for (const std::uint32_t number : portals) hash_ -= hash_of_portal(number);
+void Cells::take_out(std::span<const PortalId> portals) {
+    for (const PortalId portal : portals) hash_ -= hash_of_portal(portal.value);
 }
 
-void Cells::put_in(std::span<const std::uint32_t> portals) {
-    for (const std::uint32_t number : portals) hash_ += hash_of_portal(number);
+void Cells::put_in(std::span<const PortalId> portals) {
+    for (const PortalId portal : portals) hash_ += hash_of_portal(portal.value);
 }
 
 void Cells::set_boxes() {

@@ -25,9 +25,10 @@ namespace firma {
 /// A volume of air.
 struct RoomRecord {
     std::string name;
-    bool exterior = false;               ///< it reaches to infinity
-    std::uint32_t merged_into = 0;       ///< itself; of a room that an edit made part of another: that one
-    std::vector<std::uint32_t> portals;  ///< that lead out of it, ascending; without those that are gone
+    bool exterior = false;          ///< it reaches to infinity
+    std::uint32_t merged_into = 0;  ///< itself; of a room that an edit made part of another: that one
+    std::vector<PortalId> portals;  ///< that lead out of it, ascending; without those that are gone
+    GridBox portal_box;             ///< around these: Cells::box_of()
 };
 
 /// A portal on its way into a world: where the air of one room passes into that of another.
@@ -96,7 +97,13 @@ public:
     const Portal& portal(std::uint32_t number) const { return *portals_[number].portal; }
     bool is_closed(std::uint32_t portal) const { return portals_[portal].closed; }
     bool any_closed() const { return closed_ > 0; }
-    std::span<const std::uint32_t> portals_of(std::uint32_t room) const { return rooms_[room]->portals; }
+    std::span<const PortalId> portals_of(std::uint32_t room) const { return rooms_[room]->portals; }
+    /// Around portals.
+    GridBox box_of(std::span<const PortalId> portals) const {
+        GridBox box;
+        for (const PortalId portal : portals) box.add(this->portal(portal.value).box);
+        return box;
+    }
     /// The room that a room is by now part of: itself, as long as no edit joined it to another. In as many steps as the
     /// logarithm of the rooms joined.
     std::uint32_t current_room(std::uint32_t room) const { return joined_.empty() ? room : joined_room(room); }
@@ -135,8 +142,8 @@ public:
     /// joining such a room to another changes few terms. Which they are follows from where the portal lies.
     std::uint64_t hash_of_portal(std::uint32_t number) const;
     /// Around set_room() where numbers or lists of portals change: takes terms out, and puts them in as they are then.
-    void take_out(std::span<const std::uint32_t> portals);
-    void put_in(std::span<const std::uint32_t> portals);
+    void take_out(std::span<const PortalId> portals);
+    void put_in(std::span<const PortalId> portals);
     /// Once all portals of a level are in.
     void set_boxes();
 

@@ -56,12 +56,12 @@ private:
 
     void check_records() {
         std::size_t infinite = data_.rock_outside();
-        std::vector<std::vector<std::uint32_t>> portals(cells_.room_count());
+        std::vector<std::vector<PortalId>> portals(cells_.room_count());
         cells_.portals().for_each([&](std::uint32_t k, const PortalState& state) {
             for (const RoomId room : cells_.rooms_of(*state.portal)) {
                 if (state.portal->gone() || room.value >= portals.size()) continue;
-                std::vector<std::uint32_t>& of_room = portals[room.value];
-                if (of_room.empty() || of_room.back() != k) of_room.push_back(k);
+                std::vector<PortalId>& of_room = portals[room.value];
+                if (of_room.empty() || of_room.back().value != k) of_room.push_back({k});
             }
         });
         for (std::uint32_t room = 0; room < cells_.room_count(); ++room) {
@@ -74,6 +74,8 @@ private:
             if (cells_.current_room(room) != (into == room ? room : cells_.current_room(into)))
                 return report(room_text(room, "is not found where it is part of"), {});
             if (portals[room] != record.portals) return report(room_text(room, "does not list its portals"), {});
+            if (record.portal_box != cells_.box_of(record.portals))
+                return report(room_text(room, "has a wrong box around its portals"), {});
         }
         if (infinite > 1) report("more than one room, or rock as well, reaches to infinity", {});
     }
@@ -116,9 +118,11 @@ private:
                 for (const FaceRecord& face : block.faces)
                     if (face.solid) add_sides(block, face);
             });
-        for (const std::uint32_t index : cells_.portals_of(room))
-            for (const PortalPolygon& polygon : cells_.portal(index).polygons())
-                add_sides(polygon, cells_.rooms_of(cells_.portal(index))[0].value == room);
+        for (const PortalId id : cells_.portals_of(room)) {
+            const Portal& portal = cells_.portal(id.value);
+            for (const PortalPolygon& polygon : portal.polygons())
+                add_sides(polygon, cells_.rooms_of(portal)[0].value == room);
+        }
         std::sort(sides_.begin(), sides_.end());
         for (std::size_t first = 0, end = 0; first < sides_.size(); first = end) {
             std::int64_t sum = 0;

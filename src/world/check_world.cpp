@@ -166,14 +166,15 @@ private:
         if (!in_store_) return;
         if (record.owner != kNoOwner && record.owner >= block.owners.size())
             return report("a face has an owner that is not there", record.id);
-        const Face face = describe_face(block, record);
-        const PolygonFault polygon = check_polygon(face.corners);
-        if (polygon != PolygonFault::kNone) return report(describe(polygon), face.id);
-        if (!face.id.valid()) return report("a face has no id", face.id);
-        if (face.solid != solid_)
+        Vec3 corners[256];
+        for (std::uint32_t k = 0; k < record.corner_count; ++k) corners[k] = to_metres(block.corner(record, k));
+        const PolygonFault polygon = check_polygon({corners, record.corner_count});
+        if (polygon != PolygonFault::kNone) return report(describe(polygon), record.id);
+        if (!record.id.valid()) return report("a face has no id", record.id);
+        if (record.solid != solid_)
             return report(solid_ ? "a face of the solid does not say so" : "a castable-only face says it is solid",
-                          face.id);
-        ids_.push_back(face.id.value);
+                          record.id);
+        ids_.push_back(record.id.value);
     }
 
     /// By sorting: a set of numbers that someone chose can be slow.

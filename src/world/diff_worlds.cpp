@@ -66,8 +66,8 @@ public:
     }
 
     WorldDiff result() {
-        for (std::vector<ChangedFace>* faces : {&diff_.gone, &diff_.come})
-            std::sort(faces->begin(), faces->end(), [](const ChangedFace& a, const ChangedFace& b) {
+        for (std::vector<FaceInfo>* faces : {&diff_.removed, &diff_.added})
+            std::sort(faces->begin(), faces->end(), [](const FaceInfo& a, const FaceInfo& b) {
                 return a.id != b.id ? a.id < b.id : a.room < b.room;
             });
         std::sort(diff_.rooms.begin(), diff_.rooms.end());
@@ -95,16 +95,16 @@ private:
         std::sort(news.begin(), news.end(), by_id);
         auto come = news.begin();
         for (const Slot& gone : olds) {
-            while (come != news.end() && come->id < gone.id) add(*come++, diff_.come);
+            while (come != news.end() && come->id < gone.id) add(*come++, diff_.added);
             const bool match = come != news.end() && come->id == gone.id;
             if (match && same(gone, *come)) {
                 ++come;
                 continue;
             }
-            add(gone, diff_.gone);
-            if (match) add(*come++, diff_.come);
+            add(gone, diff_.removed);
+            if (match) add(*come++, diff_.added);
         }
-        while (come != news.end()) add(*come++, diff_.come);
+        while (come != news.end()) add(*come++, diff_.added);
     }
 
     void compare_rooms(const WorldData& before, const WorldData& after) {
@@ -121,21 +121,21 @@ private:
         before.cells.portals().for_each_unshared(
             after.cells.portals(), [&](std::uint32_t k, const PortalState* one, const PortalState* two) {
                 const bool shared = one && two && one->portal.get() == two->portal.get();
-                if (!shared || one->closed != two->closed) portals_.push_back(k);
+                if (!shared || one->closed != two->closed) portals_.push_back({k});
             });
         std::sort(portals_.begin(), portals_.end());
         portals_.erase(std::unique(portals_.begin(), portals_.end()), portals_.end());
-        for (const std::uint32_t k : portals_) {
-            const PortalState *one = before.cells.portals().find(k), *two = after.cells.portals().find(k);
+        for (const PortalId id : portals_) {
+            const PortalState *one = before.cells.portals().find(id.value), *two = after.cells.portals().find(id.value);
             const bool had = one && !one->portal->gone(), has = two && !two->portal->gone();
-            if (has && !had) add({k}, *two->portal, diff_.portals_come);
-            if (had && !has) add({k}, *one->portal, diff_.portals_gone);
+            if (has && !had) add(id, *two->portal, diff_.portals_added);
+            if (had && !has) add(id, *one->portal, diff_.portals_removed);
             if (!had || !has) continue;
-            if (one->closed != two->closed) add({k}, *two->portal, two->closed ? diff_.closed : diff_.opened);
+            if (one->closed != two->closed) add(id, *two->portal, two->closed ? diff_.closed : diff_.opened);
             if (before.cells.rooms_of(*one->portal) == after.cells.rooms_of(*two->portal) &&
                 same(*one->portal, *two->portal))
                 continue;
-            add({k}, *one->portal, diff_.portals_changed);
+            add(id, *one->portal, diff_.portals_changed);
             add_box(two->portal->box);
         }
     }
@@ -145,9 +145,9 @@ private:
         add_box(portal.box);
     }
 
-    void add(const Slot& slot, std::vector<ChangedFace>& faces) {
+    void add(const Slot& slot, std::vector<FaceInfo>& faces) {
         const FaceRecord& face = slot.face();
-        faces.push_back({face.id, ref_to(*slot.block, slot.slot), slot.room, face.source, face.edit, face.material});
+        faces.push_back(face_info(slot.room, *slot.block, face, FaceShape(*slot.block, face).polygon));
         if (diff_.rooms.empty() || diff_.rooms.back() != slot.room) diff_.rooms.push_back(slot.room);
         add_box(slot.block->box_of(face));
     }
@@ -191,7 +191,7 @@ private:
 
     const double tile_size_;
     std::size_t sorted_ = 0;
-    std::vector<std::uint32_t> portals_;  ///< that may have changed
+    std::vector<PortalId> portals_;  ///< that may have changed
     WorldDiff diff_;
 };
 

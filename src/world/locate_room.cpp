@@ -31,12 +31,12 @@ private:
 };
 
 Location in_room(const WorldData& data, std::uint32_t room) {
-    return {Location::Kind::kRoom, {data.cells.current_room(room)}};
+    return {Where::kAir, {data.cells.current_room(room)}};
 }
 
 /// What lies beyond all faces, where no rock does.
 Location outside(const WorldData& data) {
-    if (data.rock_outside()) return {Location::Kind::kSolid, {}};
+    if (data.rock_outside()) return {Where::kSolid, {}};
     if (data.cells.room_count() == 1) return in_room(data, 0);
     for (std::uint32_t room = 0; room < data.cells.room_count(); ++room)
         if (data.cells.room(room).exterior) return in_room(data, room);
@@ -54,19 +54,17 @@ Location locate(const World& world, const Vec3& point) {
         case Seen::Kind::kAir:
             return in_room(data, seen.part);
         case Seen::Kind::kSolid:
-            return {Location::Kind::kSolid, {}};
+            return {Where::kSolid, {}};
         case Seen::Kind::kPolygon:
-            return {Location::Kind::kRoom, data.cells.rooms_of(data.cells.portal(seen.number))[seen.front ? 0 : 1]};
+            return {Where::kAir, data.cells.rooms_of(data.cells.portal(seen.number))[seen.front ? 0 : 1]};
         case Seen::Kind::kNothing:
             return outside(data);
+        case Seen::Kind::kSurface:
+            return {Where::kSurface, {}};
         case Seen::Kind::kUnsure:
             break;
     }
     return {};
-}
-
-std::optional<bool> in_solid(const World& world, const Vec3& point) {
-    return in_solid(world.data().solid, point);
 }
 
 }  // namespace firma

@@ -4,7 +4,8 @@
 
 #include "base/sort.h"
 #include "cast/nearness.h"
-#include "firma/world.h"
+#include "firma/queries.h"
+#include "geometry/exact_predicates.h"
 #include "geometry/rounding.h"
 #include "index/traverse.h"
 #include "solid/near_facets.h"
@@ -14,62 +15,65 @@
 namespace firma {
 namespace {
 
-NearFace near_face(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
-    NearFace near;
-    const FaceRecord& face = block.faces[slot];
+void put_closest(const PolygonShape& polygon, const Closest& closest, NearFace& near) {
+    near.status = Status::kHit;
     near.point = polygon.corners[0] + closest.offset;
     near.distance = closest.distance;
     near.feature = closest.feature;
     near.feature_index = closest.index;
-    near.face = face.id;
-    near.ref = ref_to(block, slot);
-    near.source = face.source;
-    near.source_edit = face.edit;
-    near.material = face.material;
+}
+
+NearFace near_face(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
+    NearFace near;
+    put_closest(polygon, closest, near);
+    near.face = ref_to(block, slot);
+    near.material = block.faces[slot].material;
     return near;
 }
 
 NearFace near_portal(std::uint32_t index, const Portal& portal, const PolygonShape& polygon, const Closest& closest) {
     NearFace near;
-    near.point = polygon.corners[0] + closest.offset;
-    near.distance = closest.distance;
-    near.feature = closest.feature;
-    near.feature_index = closest.index;
+    put_closest(polygon, closest, near);
     near.portal = {index};
     near.material = portal.material;
     return near;
 }
 
 /// A portal counts once, by its nearest polygon.
+/// @return whether that ends it
 template <class Found>
-void look_at_portal(std::uint32_t index, const Portal& portal, const Vec3& point, Found& found) {
-    std::optional<NearFace> nearest;
+bool look_at_portal(std::uint32_t index, const Portal& portal, const Vec3& point, Found& found) {
+    const PolygonShape* nearest = nullptr;
+    Closest best;
     for (const PortalPolygon& polygon : portal.polygons()) {
         const Closest closest = closest_to(point - polygon.shape.corners[0], polygon.shape);
         if (!found.takes(point, polygon.shape, closest)) continue;
-        if (nearest && closest.distance >= nearest->distance) continue;
-        nearest = near_portal(index, portal, polygon.shape, closest);
+        if (nearest && closest.distance >= best.distance) continue;
+        nearest = &polygon.shape;
+        best = closest;
     }
-    if (nearest) found.keep(*nearest);
+    return nearest && found.keep(near_portal(index, portal, *nearest, best), true, *nearest, best);
 }
 
+/// Goes on to the next part only while nothing has ended it.
 template <class Found>
-void look_near(const World& world, const Vec3& point, std::uint32_t mask, RoomId room, Found& found) {
+void look_near(const World& world, const Vec3& point, const NearOptions& options, Found& found) {
     const WorldData& data = world.data();
     const Cells& cells = data.cells;
-    NearFacets<Found> visitor{point, mask, found};
+    NearFacets<Found> visitor{point, options.mask, found};
     const auto look_at = [&](std::uint32_t number, const Portal& portal) {
-        if (cells.is_closed(number) && (portal.mask & mask)) look_at_portal(number, portal, point, found);
+        if (!found.ended && cells.is_closed(number) && (portal.mask & options.mask))
+            look_at_portal(number, portal, point, found);
     };
-    if (room != kAnyRoom) {
-        const std::uint32_t here = cells.current_room(room.value);
+    if (options.room != kAnyRoom) {
+        const std::uint32_t here = cells.current_room(options.room.value);
         if (const Node* tree = data.faces_of(here).tree.get()) traverse(*tree, visitor);
         if (cells.any_closed())
-            for (const std::uint32_t portal : cells.portals_of(here)) look_at(portal, cells.portal(portal));
+            for (const PortalId portal : cells.portals_of(here)) look_at(portal.value, cells.portal(portal.value));
         return;
     }
     for (const Node* index : indices_of(data))
-        if (index) traverse(*index, visitor);
+        if (index && !found.ended) traverse(*index, visitor);
     if (!cells.any_closed()) return;
     cells.for_each_portal_where(
         [&](const GridBox& box) {
@@ -79,36 +83,66 @@ void look_near(const World& world, const Vec3& point, std::uint32_t mask, RoomId
         look_at);
 }
 
-struct Collect {
+/// How to leave a polygon that a ball overlaps.
+void put_way_out(const Vec3& centre, double radius, bool two_sided, const PolygonShape& polygon, const Closest& closest,
+                 Overlap& overlap) {
+    const Vec3 normal = polygon.unit_normal();
+    const int side = exact_plane_side(centre, polygon);
+    if (side < 0 && !two_sided) {
+        overlap.direction = normal;
+        overlap.depth = radius - dot(closest.away, normal);
+    } else if (closest.distance > 0) {
+        overlap.direction = closest.away * (1 / closest.distance);
+        overlap.depth = radius - closest.distance;
+    } else {
+        overlap.direction = normal;
+        overlap.depth = radius;
+    }
+    if (!(overlap.depth > 0)) overlap.depth = 0;
+}
+
+struct VisitOverlaps {
+    const Vec3& centre;
     double reach;
-    std::vector<NearFace>& all;
+    OverlapVisitor visit;
+    bool any = false;
+    bool ended = false;
+
     bool takes(const Vec3& point, const PolygonShape& polygon, const Closest& closest) const {
         return ball_meets(point, reach, polygon, closest);
     }
-    void keep(const NearFace& near) { all.push_back(near); }
+    bool keep(const NearFace& near, bool two_sided, const PolygonShape& polygon, const Closest& closest) {
+        Overlap overlap;
+        static_cast<NearFace&>(overlap) = near;
+        put_way_out(centre, reach, two_sided, polygon, closest, overlap);
+        any = true;
+        return ended = !visit(overlap);
+    }
     bool keep(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
-        keep(near_face(block, slot, polygon, closest));
-        return false;
+        return keep(near_face(block, slot, polygon, closest), block.faces[slot].two_sided, polygon, closest);
     }
 };
 
 bool comes_before(const NearFace& a, const NearFace& b) {
-    return a.face != b.face ? a.face < b.face : a.portal < b.portal;
+    return a.face.id != b.face.id ? a.face.id < b.face.id : a.portal < b.portal;
 }
 
 struct KeepNearest {
     double reach;
-    std::optional<NearFace> best;
+    NearFace best;
+    static constexpr bool ended = false;
+
     bool takes(const Vec3&, const PolygonShape&, const Closest& closest) const { return closest.distance <= reach; }
-    void keep(const NearFace& near) {
-        if (best && !(near.distance < best->distance || (near.distance == best->distance && comes_before(near, *best))))
-            return;
+    bool keep(const NearFace& near, bool, const PolygonShape&, const Closest&) {
+        if (best.found() &&
+            !(near.distance < best.distance || (near.distance == best.distance && comes_before(near, best))))
+            return false;
         best = near;
         reach = near.distance;
+        return false;
     }
     bool keep(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
-        keep(near_face(block, slot, polygon, closest));
-        return false;
+        return keep(near_face(block, slot, polygon, closest), false, polygon, closest);
     }
 };
 
@@ -122,21 +156,31 @@ bool is_there(const World& world, RoomId room) {
 
 }  // namespace
 
-Status overlap(const World& world, const Sphere& sphere, std::vector<NearFace>& found, std::uint32_t mask,
-               RoomId room) {
-    found.clear();
-    if (!is_there(world, room)) return Status::kInvalid;
+Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor visit, const NearOptions& options) {
+    if (!is_there(world, options.room)) return Status::kInvalid;
     if (!usable(sphere.centre) || !(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
-    Collect collect{sphere.radius, found};
-    look_near(world, sphere.centre, mask, room, collect);
-    sort_range(found, comes_before);
-    return found.empty() ? Status::kMiss : Status::kTouching;
+    VisitOverlaps overlaps{sphere.centre, sphere.radius, visit};
+    look_near(world, sphere.centre, options, overlaps);
+    return overlaps.any ? Status::kTouching : Status::kMiss;
 }
 
-std::optional<NearFace> closest(const World& world, const Vec3& point, double reach, std::uint32_t mask, RoomId room) {
-    if (!is_there(world, room) || !usable(point) || std::isnan(reach)) return {};
+Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found, const NearOptions& options) {
+    found.clear();
+    const auto add = [&](const Overlap& one) {
+        found.push_back(one);
+        return true;
+    };
+    const Status status = overlap_each(world, sphere, add, options);
+    sort_range(found, comes_before);
+    return status;
+}
+
+NearFace closest(const World& world, const Vec3& point, double reach, const NearOptions& options) {
+    NearFace none;
+    none.status = Status::kInvalid;
+    if (!is_there(world, options.room) || !usable(point) || std::isnan(reach)) return none;
     KeepNearest nearest{reach, {}};
-    look_near(world, point, mask, room, nearest);
+    look_near(world, point, options, nearest);
     return nearest.best;
 }
 

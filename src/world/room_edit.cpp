@@ -66,16 +66,16 @@ bool RoomEdit::step() {
 /// Portals between the rooms that become one go, others lead to that one: they are looked at one by one in all rooms
 /// but the one of the most.
 /// @return those whose terms of the hash may change: up to Cells::kCrowd more than were looked at
-std::vector<std::uint32_t> RoomEdit::join_portals(Cells& next, std::vector<std::uint32_t>& joined) const {
+std::vector<PortalId> RoomEdit::join_portals(Cells& next, std::vector<PortalId>& joined) const {
     const Cells& cells = before_.cells;
-    const auto sort_once = [](std::vector<std::uint32_t>& numbers) {
+    const auto sort_once = [](std::vector<PortalId>& numbers) {
         std::sort(numbers.begin(), numbers.end());
         numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     };
     std::uint32_t largest = target();
     for (const std::uint32_t room : rooms_)
         if (cells.portals_of(room).size() > cells.portals_of(largest).size()) largest = room;
-    std::vector<std::uint32_t> changed;
+    std::vector<PortalId> changed;
     for (const std::uint32_t room : rooms_) {
         const auto portals = cells.portals_of(room);
         if (room != largest) changed.insert(changed.end(), portals.begin(), portals.end());
@@ -85,19 +85,19 @@ std::vector<std::uint32_t> RoomEdit::join_portals(Cells& next, std::vector<std::
     const auto all = cells.portals_of(largest);
     auto rest = all.begin();
     joined.reserve(all.size() + changed.size());
-    for (const std::uint32_t number : changed) {
-        const auto here = std::lower_bound(rest, all.end(), number);
+    for (const PortalId id : changed) {
+        const auto here = std::lower_bound(rest, all.end(), id);
         joined.insert(joined.end(), rest, here);
-        rest = here + (here != all.end() && *here == number);
-        const Portal& portal = cells.portal(number);
+        rest = here + (here != all.end() && *here == id);
+        const Portal& portal = cells.portal(id.value);
         const std::array<RoomId, 2> rooms = cells.rooms_of(portal);
         if (!touched(rooms[0].value) || !touched(rooms[1].value)) {
-            joined.push_back(number);
+            joined.push_back(id);
             continue;
         }
         const RoomId into{target()};
         PortalPart gone{{into, into}, {}, portal.name, portal.material, portal.mask};
-        next.set_portal(number, Ref<const Portal>(new Portal(std::move(gone))), false);
+        next.set_portal(id.value, Ref<const Portal>(new Portal(std::move(gone))), false);
     }
     joined.insert(joined.end(), rest, all.end());
     if (all.size() <= Cells::kCrowd || joined.size() <= Cells::kCrowd) {
@@ -122,16 +122,17 @@ void RoomEdit::publish(WorldData& next) const {
         made->count += std::size_t(change.faces);
         made->hash += change.hash;
     }
-    std::vector<std::uint32_t> portals;
+    std::vector<PortalId> portals;
     if (rooms_.size() > 1) {
         record.name = cells.room(target()).name;
         portals = join_portals(next.cells, record.portals);
+        record.portal_box = next.cells.box_of(record.portals);
         next.cells.take_out(portals);
         for (const std::uint32_t room : rooms_) {
             if (room == target()) continue;
-            next.set_room(room,
-                          std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, target(), {}}),
-                          Ref<const RoomFaces>(new RoomFaces));
+            next.set_room(
+                room, std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, target(), {}, {}}),
+                Ref<const RoomFaces>(new RoomFaces));
         }
     }
     const bool same_record = rooms_.size() == 1;

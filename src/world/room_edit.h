@@ -39,7 +39,7 @@ public:
 private:
     bool touched(std::uint32_t room) const;
     bool shares_the_solids_index() const;
-    std::vector<std::uint32_t> join_portals(Cells& next, std::vector<std::uint32_t>& joined) const;
+    std::vector<PortalId> join_portals(Cells& next, std::vector<PortalId>& joined) const;
 
     const WorldData& before_;
     std::vector<std::uint32_t> rooms_;  ///< each once; ascending from start() on

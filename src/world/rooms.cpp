@@ -4,22 +4,17 @@
 
 #include <algorithm>
 
-#include "base/assert.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
 
 bool is_room(const WorldData& data, RoomId room) {
-    const bool there = room.value < data.cells.room_count();
-    FIRMA_ASSERT(there, "a RoomId must be below World::room_count()");
-    return there;
+    return room.value < data.cells.room_count();
 }
 
 bool is_portal(const WorldData& data, PortalId portal) {
-    const bool there = portal.value < data.cells.portal_count();
-    FIRMA_ASSERT(there, "a PortalId must be below portal_count()");
-    return there;
+    return portal.value < data.cells.portal_count();
 }
 
 bool is_open(const WorldData& data, std::uint32_t portal) {
@@ -39,8 +34,8 @@ std::vector<std::uint32_t> portals_away(const WorldData& data, std::uint32_t fro
     away[from] = 0;
     for (std::size_t next = 0; next < reached.size(); ++next) {
         const std::uint32_t room = reached[next];
-        for (const std::uint32_t portal : data.cells.portals_of(room)) {
-            const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal), room);
+        for (const PortalId portal : data.cells.portals_of(room)) {
+            const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal.value), room);
             if (!leads_on(portal) || away[beyond] != ~0u) continue;
             away[beyond] = away[room] + 1;
             reached.push_back(beyond);
@@ -51,46 +46,63 @@ std::vector<std::uint32_t> portals_away(const WorldData& data, std::uint32_t fro
 
 }  // namespace
 
-RoomInfo room_info(const World& world, RoomId room) {
+std::optional<RoomInfo> room_info(const World& world, RoomId room) {
     const WorldData& data = world.data();
-    RoomInfo info;
-    info.part_of = room;
-    if (!is_room(data, room)) return info;
+    if (!is_room(data, room)) return {};
     const RoomRecord& record = data.cells.room(room.value);
     const RoomFaces& faces = data.faces_of(room.value);
-    info.faces = faces.count;
-    if (faces.tree)
-        for_each_block(*faces.tree, [&](const Block& block) {
-            for (const GridPoint& vertex : block.vertices) info.bounds.add(to_metres(vertex));
-        });
-    for (const std::uint32_t portal : record.portals) {
-        info.portals.push_back({portal});
-        add(info.bounds, data.cells.portal(portal).box);
-    }
+    RoomInfo info;
     info.name = record.name;
+    info.faces = faces.count;
     info.exterior = record.exterior;
-    info.part_of = {data.cells.current_room(room.value)};
+    info.merged_into = {data.cells.current_room(room.value)};
+    info.portals = record.portals;
+    if (faces.tree) {
+        const auto& box = faces.tree->bins[0].box;
+        info.bounds.add(Vec3{box.low[0], box.low[1], box.low[2]});
+        info.bounds.add(Vec3{box.high[0], box.high[1], box.high[2]});
+    }
+    if (!record.portals.empty()) add(info.bounds, record.portal_box);
     return info;
+}
+
+RoomId room_of(const World& world, const Hit& hit) {
+    if (hit.portal.valid()) {
+        const WorldData& data = world.data();
+        if (!is_portal(data, hit.portal)) return {};
+        const Portal& portal = data.cells.portal(hit.portal.value);
+        return data.cells.rooms_of(portal)[dot(hit.normal, hit.face_normal) >= 0 ? 0 : 1];
+    }
+    const std::optional<FaceInfo> face = world.face_info(hit.face);
+    return face ? face->room : RoomId{};
 }
 
 std::size_t portal_count(const World& world) {
     return world.data().cells.portal_count();
 }
 
-PortalInfo portal_info(const World& world, PortalId id) {
+std::optional<PortalInfo> portal_info(const World& world, PortalId id) {
     const WorldData& data = world.data();
-    PortalInfo info;
-    if (!is_portal(data, id)) return info;
+    if (!is_portal(data, id)) return {};
     const Portal& portal = data.cells.portal(id.value);
+    PortalInfo info;
     info.rooms = data.cells.rooms_of(portal);
     info.name = portal.name;
     info.material = portal.material;
     info.mask = portal.mask;
     info.open = is_open(data, id.value);
-    for (const PortalPolygon& polygon : portal.polygons())
-        info.polygons.emplace_back(polygon.shape.corners.begin(), polygon.shape.corners.end());
+    info.polygons = portal.polygons().size();
     if (!portal.gone()) add(info.bounds, portal.box);
     return info;
+}
+
+std::vector<std::vector<Vec3>> portal_polygons(const World& world, PortalId id) {
+    const WorldData& data = world.data();
+    std::vector<std::vector<Vec3>> polygons;
+    if (!is_portal(data, id)) return polygons;
+    for (const PortalPolygon& polygon : data.cells.portal(id.value).polygons())
+        polygons.emplace_back(polygon.shape.corners.begin(), polygon.shape.corners.end());
+    return polygons;
 }
 
 std::vector<RoomId> neighbours(const World& world, RoomId room) {
@@ -98,8 +110,8 @@ std::vector<RoomId> neighbours(const World& world, RoomId room) {
     std::vector<RoomId> rooms;
     if (!is_room(data, room)) return rooms;
     const RoomId here{data.cells.current_room(room.value)};
-    for (const std::uint32_t portal : data.cells.portals_of(here.value))
-        rooms.push_back({data.cells.beyond(data.cells.portal(portal), here.value)});
+    for (const PortalId portal : data.cells.portals_of(here.value))
+        rooms.push_back({data.cells.beyond(data.cells.portal(portal.value), here.value)});
     std::sort(rooms.begin(), rooms.end());
     rooms.erase(std::unique(rooms.begin(), rooms.end()), rooms.end());
     return rooms;
@@ -108,25 +120,26 @@ std::vector<RoomId> neighbours(const World& world, RoomId room) {
 std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to, Doors doors) {
     const WorldData& data = world.data();
     if (!is_room(data, from) || !is_room(data, to)) return {};
-    const auto leads_on = [&](std::uint32_t portal) { return doors == Doors::kAllOpen || is_open(data, portal); };
+    const auto leads_on = [&](PortalId portal) { return doors == Doors::kAllOpen || is_open(data, portal.value); };
     std::uint32_t room = data.cells.current_room(from.value);
     const std::vector<std::uint32_t> away = portals_away(data, data.cells.current_room(to.value), leads_on);
     if (away[room] == ~0u) return {};
     std::vector<PortalId> path;
     while (away[room] > 0)
-        for (const std::uint32_t portal : data.cells.portals_of(room)) {
-            const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal), room);
+        for (const PortalId portal : data.cells.portals_of(room)) {
+            const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal.value), room);
             if (!leads_on(portal) || away[beyond] + 1 != away[room]) continue;
-            path.push_back({portal});
+            path.push_back(portal);
             room = beyond;
             break;
         }
     return path;
 }
 
-World set_portal_open(const World& world, PortalId portal, bool open) {
+std::optional<World> set_portal_open(const World& world, PortalId portal, bool open) {
     const WorldData& data = world.data();
-    if (!is_portal(data, portal) || is_open(data, portal.value) == open) return world;
+    if (!is_portal(data, portal)) return {};
+    if (is_open(data, portal.value) == open) return world;
     auto next = next_version(data);
     next->cells.set_portal(portal.value, data.cells.portals()[portal.value].portal, !open);
     return World(std::move(next));

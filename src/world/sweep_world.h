@@ -9,11 +9,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 #include "cast/cast_sphere_polygon.h"
-#include "firma/world.h"
+#include "firma/queries.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
 #include "world/block_faces.h"
@@ -38,18 +37,11 @@ struct SweepContact {
     }
 };
 
-/// The rooms that a cast looked into, in order.
-struct RoomsPassed {
-    std::uint32_t count = 0;
-    std::array<RoomId, kRoomsInHit> first{};
-    std::span<RoomId> all;  ///< as far as they fit
-
-    void add(std::uint32_t room) {
-        if (count < first.size()) first[count] = {room};
-        if (count < all.size()) all[count] = {room};
-        ++count;
-    }
-};
+/// A room that a cast looked into.
+inline void add_room(RoomTrail& trail, std::uint32_t room) {
+    if (trail.count < trail.rooms.size()) trail.rooms[trail.count] = {room};
+    ++trail.count;
+}
 
 struct BoxD {
     double low[3], high[3];
@@ -125,7 +117,7 @@ public:
     }
 
     /// From a room on, through every portal that the sweep reaches.
-    void ask_from(std::uint32_t start, RoomsPassed& passed) {
+    void ask_from(std::uint32_t start, RoomTrail& trail) {
         rooms_.start(data_.cells.room_count());
         grown_ = grown_radius(sweep_);
         const SweepBox boxes(sweep_);
@@ -136,7 +128,7 @@ public:
             const bool first_look = !rooms_.looked_into(next.room);
             if (next.behind && !first_look) continue;
             if (!next.behind) {
-                passed.add(next.room);
+                add_room(trail, next.room);
                 rooms_.mark_passed(next.room);
             }
             rooms_.mark_looked_into(next.room);
@@ -163,7 +155,8 @@ private:
     /// wait.
     void pass_portals(const WaitingRoom& from, bool first_look, const SweepBox& boxes) {
         const GridBox around = box_of_sweep();
-        for (const std::uint32_t index : data_.cells.portals_of(from.room)) {
+        for (const PortalId id : data_.cells.portals_of(from.room)) {
+            const std::uint32_t index = id.value;
             const Portal& portal = data_.cells.portal(index);
             // A large hall may have dozens; most are nowhere near.
             if (!boxes_meet(portal.box, around)) continue;

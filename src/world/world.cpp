@@ -3,10 +3,13 @@
 #include "firma/world.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/sort.h"
 #include "index/statistics.h"
 #include "index/traverse.h"
+#include "solid/bounds_of.h"
+#include "solid/find_neighbour.h"
 #include "world/block_faces.h"
 #include "world/world_data.h"
 
@@ -20,15 +23,15 @@ void for_each_face(const WorldData& data, const Function& function) {
     });
 }
 
-const Node& root_of(const WorldData& data, const Block& block) {
-    return *data.faces_of(data.cells.current_room(block.part)).tree;
+RoomId room_of_block(const WorldData& data, const Block& block) {
+    return {data.cells.current_room(block.part)};
 }
 
-/// Looks for a block, by a corner of one of its faces. Its address alone is compared.
-struct BlockVisitor {
-    const void* wanted;
-    Vec3 corner;
-    const Block* found = nullptr;
+/// Looks for a face by id, where one of its corners is.
+struct FaceFinder {
+    const FaceRef wanted;
+    const Vec3 corner = to_metres(wanted.corner);
+    FacetPlace found{};
 
     bool enter(const Bin& bin, double& nearest) const {
         nearest = 0;
@@ -37,11 +40,21 @@ struct BlockVisitor {
         return true;
     }
     bool still(double) const { return true; }
-    bool facets(const IndexedFacets& facets, std::uint32_t, std::uint32_t) {
-        if (&facets == wanted) found = &as_block(facets);
-        return found != nullptr;
+    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
+        const Block& block = as_block(facets);
+        for (std::uint32_t slot = first; slot < first + count; ++slot)
+            if (ref_to(block, slot) == wanted) found = {&block, slot};
+        return found.block != nullptr;
     }
 };
+
+FacetPlace find_facet(const WorldData& data, const FaceRef& ref) {
+    if (!ref.valid()) return {};
+    FaceFinder finder{ref};
+    for (const Node* root : {data.solid.data().faces.root.get(), data.castable.root.get()})
+        if (root && !finder.found.block) traverse(*root, finder);
+    return finder.found;
+}
 
 void add(TreeStatistics& sum, const TreeStatistics& more) {
     const double inner = double(sum.bins - sum.leaf_bins), more_inner = double(more.bins - more.leaf_bins);
@@ -55,17 +68,28 @@ void add(TreeStatistics& sum, const TreeStatistics& more) {
     sum.bytes += more.bytes;
 }
 
-std::shared_ptr<const WorldData> empty_world() {
+std::shared_ptr<const WorldData> make_empty_world() {
     auto data = std::make_shared<WorldData>();
     data->set_room(0, std::make_shared<const RoomRecord>(), Ref<const RoomFaces>(new RoomFaces));
     data->materials = std::make_shared<std::vector<std::string>>(1);
     return data;
 }
 
+/// Never destroyed: worlds may outlive any other object of a program.
+const std::shared_ptr<const WorldData>& empty_world() {
+    static const auto& empty = *new std::shared_ptr<const WorldData>(make_empty_world());
+    return empty;
+}
+
 }  // namespace
 
 World::World() : data_(empty_world()) {}
 World::World(std::shared_ptr<const WorldData> data) : data_(std::move(data)) {}
+World::World(World&& other) noexcept : data_(std::exchange(other.data_, empty_world())) {}
+World& World::operator=(World&& other) noexcept {
+    data_ = std::exchange(other.data_, empty_world());
+    return *this;
+}
 
 std::uint64_t World::version() const {
     return data_->version;
@@ -91,9 +115,8 @@ const Solid& World::solid() const {
 
 Box World::bounds() const {
     Box box;
-    for_each_block_of(*data_, [&](const Block& block) {
-        for (const GridPoint& vertex : block.vertices) box.add(to_metres(vertex));
-    });
+    for (const Node* root : {data_->solid.data().faces.root.get(), data_->castable.root.get()})
+        if (root) box.add(bounds_of(*root));
     return box;
 }
 
@@ -105,20 +128,23 @@ TreeStatistics World::statistics() const {
     return sum;
 }
 
-Face World::face(const FaceRef& ref) const {
-    if (!ref.valid()) return {};
-    BlockVisitor visitor{ref.block, to_metres(GridPoint{ref.at[0], ref.at[1], ref.at[2]})};
-    for (const Node* root : {data_->solid.data().faces.root.get(), data_->castable.root.get()})
-        if (root && !visitor.found) traverse(*root, visitor);
-    const Block* block = visitor.found;
-    if (!block || ref.slot >= block->faces.size() || block->faces[ref.slot].id != ref.id) return {};
-    return describe_face(root_of(*data_, *block), *block, block->faces[ref.slot]);
+std::optional<Face> World::face(const FaceRef& ref) const {
+    const FacetPlace facet = find_facet(*data_, ref);
+    if (!facet.block) return {};
+    return describe_face(room_of_block(*data_, *facet.block), *facet.block, facet.record());
+}
+
+std::optional<FaceInfo> World::face_info(const FaceRef& ref) const {
+    const FacetPlace facet = find_facet(*data_, ref);
+    if (!facet.block) return {};
+    const FaceShape shape(*facet.block, facet.record());
+    return firma::face_info(room_of_block(*data_, *facet.block), *facet.block, facet.record(), shape.polygon);
 }
 
 std::optional<Face> World::find_face(FaceId id) const {
     std::optional<Face> found;
     for_each_face(*data_, [&](const Block& block, const FaceRecord& face) {
-        if (face.id == id) found = describe_face(root_of(*data_, block), block, face);
+        if (face.id == id) found = describe_face(room_of_block(*data_, block), block, face);
     });
     return found;
 }
@@ -127,10 +153,18 @@ std::vector<Face> World::faces() const {
     std::vector<Face> all;
     all.reserve(face_count());
     for_each_face(*data_, [&](const Block& block, const FaceRecord& face) {
-        all.push_back(describe_face(root_of(*data_, block), block, face));
+        all.push_back(describe_face(room_of_block(*data_, block), block, face));
     });
     sort_range(all, [](const Face& a, const Face& b) { return a.id < b.id; });
     return all;
+}
+
+FaceId other_face(const World& world, const FaceRef& face, std::uint32_t edge) {
+    const WorldData& data = world.data();
+    const FacetPlace facet = find_facet(data, face);
+    if (!facet.block || edge >= facet.record().corner_count) return {};
+    const std::uint32_t room = room_of_block(data, *facet.block).value;
+    return find_neighbour(*data.faces_of(room).tree, *facet.block, facet.record(), edge);
 }
 
 }  // namespace firma

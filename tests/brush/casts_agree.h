@@ -18,8 +18,8 @@ inline Vec3 some_point(const World& world, const Box& box, scenes::Rng& rng) {
     Vec3 point;
     for (int axis = 0; axis < 3; ++axis) point[axis] = rng.uniform(box.low[axis], box.high[axis]);
     const std::uint32_t id = rng.below(std::uint32_t(portal_count(world)));
-    const PortalInfo portal = portal_info(world, {id});
-    if (portal.polygons.empty() || rng.chance(0.3)) return point;
+    const PortalInfo portal = *portal_info(world, {id});
+    if (portal.polygons == 0 || rng.chance(0.3)) return point;
     for (int axis = 0; axis < 3; ++axis) {
         const double middle = (portal.bounds.low[axis] + portal.bounds.high[axis]) / 2;
         point[axis] = middle + rng.uniform(-1, 1);

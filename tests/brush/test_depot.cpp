@@ -14,6 +14,7 @@
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/masks.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/brush/depot_level.h"
@@ -73,18 +74,18 @@ TEST(Depot, HasNamedRoomsAndPortalsBetweenThem) {
     const World& world = depot().world;
     std::set<std::string> names;
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-        const RoomInfo info = room_info(world, {room});
+        const RoomInfo info = *room_info(world, {room});
         EXPECT_FALSE(info.name.empty()) << "room " << room;
         EXPECT_EQ(info.exterior, info.name == "exterior");
         EXPECT_EQ(info.portals.empty(), info.exterior) << info.name;
-        names.insert(info.name);
+        names.emplace(info.name);
     }
     EXPECT_EQ(names.size(), world.room_count());
     EXPECT_EQ(names.size(), 23u);
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
-        const PortalInfo info = portal_info(world, {portal});
+        const PortalInfo info = *portal_info(world, {portal});
         EXPECT_NE(info.rooms[0], info.rooms[1]) << info.name;
-        EXPECT_FALSE(info.polygons.empty()) << info.name;
+        EXPECT_GT(info.polygons, 0u) << info.name;
         EXPECT_FALSE(info.name.empty());
     }
     EXPECT_EQ(portal_count(world), 35u);
@@ -93,10 +94,10 @@ TEST(Depot, HasNamedRoomsAndPortalsBetweenThem) {
 TEST(Depot, EveryRoomIsReachedThroughPortals) {
     const World& world = depot().world;
     const Location start = locate(world, spawn_points().at(0));
-    ASSERT_EQ(start.kind, Location::Kind::kRoom);
-    EXPECT_EQ(room_info(world, start.room).name, "hall");
+    ASSERT_EQ(start.where, Where::kAir);
+    EXPECT_EQ(room_info(world, start.room)->name, "hall");
     for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-        const RoomInfo info = room_info(world, {room});
+        const RoomInfo info = *room_info(world, {room});
         EXPECT_EQ(find_path(world, start.room, {room}).has_value(), !info.exterior) << info.name;
     }
 }
@@ -115,9 +116,9 @@ TEST(Depot, SpawnPointsHaveSpace) {
     EXPECT_GE(places.size(), 10u);
     for (const Vec3& place : places) {
         const Location at = locate(depot().world, place);
-        ASSERT_EQ(at.kind, Location::Kind::kRoom) << place.x << " " << place.y << " " << place.z;
-        EXPECT_FALSE(room_info(depot().world, at.room).exterior);
-        const auto nearest = closest(depot().world, place, 0.4, kStopsWalk);
+        ASSERT_EQ(at.where, Where::kAir) << place.x << " " << place.y << " " << place.z;
+        EXPECT_FALSE(room_info(depot().world, at.room)->exterior);
+        const NearFace nearest = closest(depot().world, place, 0.4, {.mask = kStopsWalk});
         EXPECT_FALSE(nearest) << place.x << " " << place.y << " " << place.z;
         const Hit below = cast(depot().world, {place, 0.3}, {0, 0, -1.2}, {.mask = kStopsWalk});
         EXPECT_EQ(below.status, Status::kHit) << place.x << " " << place.y << " " << place.z;
@@ -132,7 +133,7 @@ TEST(Depot, LightsAndAnchorsAreThere) {
     EXPECT_GE(count["light"], 23);
     for (const Entity& entity : depot().level.entities) {
         if (entity.value("classname") != "light") continue;
-        EXPECT_EQ(locate(depot().world, origin_of(entity)).kind, Location::Kind::kRoom) << "line " << entity.line;
+        EXPECT_EQ(locate(depot().world, origin_of(entity)).where, Where::kAir) << "line " << entity.line;
     }
 }
 
@@ -208,14 +209,16 @@ TEST(Depot, APlayerCanWalkThroughIt) {
         for (std::size_t k = 0; k + 1 < walk.feet.size(); ++k) {
             const Vec3 from = metres(walk.feet[k]), way = metres(walk.feet[k + 1]) - from;
             for (const double height : {0.55, kPlayerHeight - kPlayerRadius}) {
+                std::array<RoomId, 8> passed;
+                RoomTrail trail{passed};
                 const Hit hit = cast(world, {from + Vec3{0, 0, height}, kPlayerRadius}, way,
-                                     {.mask = kStopsWalk, .room = kLocateRoom});
+                                     {.mask = kStopsWalk, .room = kLocateRoom, .trail = &trail});
                 EXPECT_EQ(hit.status, Status::kMiss)
                     << walk.name << ": leg " << k << " at height " << height << " meets "
                     << world.material_name(hit.material) << " at " << hit.point.x / kUnit << " " << hit.point.y / kUnit
                     << " " << hit.point.z / kUnit;
-                for (std::uint32_t p = 0; p < std::min(hit.rooms_passed, kRoomsInHit); ++p)
-                    entered.insert(room_info(world, hit.passed[p]).name);
+                for (std::uint32_t p = 0; p < std::min<std::size_t>(trail.count, passed.size()); ++p)
+                    entered.emplace(room_info(world, passed[p])->name);
             }
             const Hit floor = cast(world, {from + Vec3{0, 0, 0.3}, 0.0}, {0, 0, -0.6}, {.mask = kStopsWalk});
             EXPECT_EQ(floor.status, Status::kHit) << walk.name << ": nothing to stand on at " << k;
@@ -270,7 +273,7 @@ TEST(Depot, TheBridgeIsFreeOnceBothItsEndsAreShot) {
         const Hit deck = cast(world, {over_it, 0.0}, down);
         ASSERT_EQ(deck.status, Status::kHit);
         const std::vector<Face> faces = world.faces();
-        const std::vector<const Face*> shell = shell_around(faces, deck.face);
+        const std::vector<const Face*> shell = shell_around(faces, deck.face.id);
         EXPECT_TRUE(is_closed(shell));
         Box box;
         for (const Face* face : shell)

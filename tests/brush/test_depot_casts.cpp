@@ -8,6 +8,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "scenes/rng.h"
@@ -20,7 +21,7 @@ namespace {
 TEST(DepotCasts, ByRoomAsAgainstAllFaces) {
     World world = make_world(test::depot_level()).value();
     expect_casts_agree(world, 1, 12'000);
-    for (std::uint32_t k = 0; k < portal_count(world); k += 3) world = set_portal_open(world, {k}, false);
+    for (std::uint32_t k = 0; k < portal_count(world); k += 3) world = *set_portal_open(world, {k}, false);
     expect_casts_agree(world, 2, 12'000);
 }
 
@@ -32,7 +33,7 @@ TEST(DepotCasts, AfterCraters) {
     for (int k = 0; k < 120 && done < 25; ++k) {
         const Vec3 start = some_point(world, box, rng);
         const Vec3 direction = rng.direction();
-        if (locate(world, start).kind != Location::Kind::kRoom) continue;
+        if (locate(world, start).where != Where::kAir) continue;
         const Hit hit = cast(world, {start, 0}, direction * 50.0);
         if (!hit.touched()) continue;
         Pose pose;

@@ -85,7 +85,7 @@ Divided divide(const BrushLevel& level, const DivideOptions& options = {}) {
 
 RoomId room_at(const World& world, const Vec3& point) {
     const Location place = locate(world, point);
-    EXPECT_EQ(place.kind, Location::Kind::kRoom) << point.x << ' ' << point.y << ' ' << point.z;
+    EXPECT_EQ(place.where, Where::kAir) << point.x << ' ' << point.y << ' ' << point.z;
     return place.room;
 }
 
@@ -93,7 +93,7 @@ RoomId room_at(const World& world, const Vec3& point) {
 std::vector<PortalInfo> portals_within(const World& world, const Vec3& low, const Vec3& high) {
     std::vector<PortalInfo> within;
     for (std::uint32_t k = 0; k < portal_count(world); ++k) {
-        const PortalInfo portal = portal_info(world, {k});
+        const PortalInfo portal = *portal_info(world, {k});
         bool is_within = true;
         for (int axis = 0; axis < 3; ++axis)
             is_within &= portal.bounds.low[axis] >= low[axis] && portal.bounds.high[axis] <= high[axis];
@@ -140,8 +140,8 @@ TEST(DivideRooms, FindsTheDoorsOfABuilding) {
     EXPECT_EQ(room_at(world, {8.9, 6.5, 2.9}), hall);
     EXPECT_EQ(find_path(world, hall, second)->size(), 2u);
     EXPECT_EQ(neighbours(world, hall), std::vector<RoomId>{corridor});
-    EXPECT_FALSE(room_info(world, hall).exterior);
-    EXPECT_TRUE(room_info(world, room_at(world, {5, 5, 8})).exterior);
+    EXPECT_FALSE(room_info(world, hall)->exterior);
+    EXPECT_TRUE(room_info(world, room_at(world, {5, 5, 8}))->exterior);
     expect_casts_agree(world, 1, 3000);
 }
 
@@ -247,8 +247,8 @@ TEST(DivideRooms, OpenToTheVoid) {
     const Divided house = divide(level);
     EXPECT_EQ(house.report.portals, 1u);
     EXPECT_EQ(house.world.room_count(), 2u);
-    EXPECT_TRUE(room_info(house.world, room_at(house.world, {12, 2.5, 1})).exterior);
-    EXPECT_FALSE(room_info(house.world, room_at(house.world, {5, 2.5, 1})).exterior);
+    EXPECT_TRUE(room_info(house.world, room_at(house.world, {12, 2.5, 1}))->exterior);
+    EXPECT_FALSE(room_info(house.world, room_at(house.world, {5, 2.5, 1}))->exterior);
     // A player outside of it changes nothing, one inside neither: the hull is open.
     for (const char* origin : {"384 80 32", "160 80 32"}) {
         level.entities.resize(2);
@@ -274,8 +274,8 @@ TEST(DivideRooms, OutsideOfAHull) {
     const Divided inside = divide(level);
     EXPECT_LE(inside.report.portals, all);
     for (std::uint32_t k = 0; k < portal_count(inside.world); ++k)
-        for (const RoomId room : portal_info(inside.world, {k}).rooms)
-            EXPECT_FALSE(room_info(inside.world, room).exterior);
+        for (const std::size_t side : {0, 1})
+            EXPECT_FALSE(room_info(inside.world, portal_info(inside.world, {k})->rooms[side])->exterior);
     EXPECT_GE(inside.report.portals, 1u);
 }
 
@@ -342,7 +342,7 @@ BrushLevel without_portals(BrushLevel level) {
 
 std::set<std::string> room_names(const World& world) {
     std::set<std::string> names;
-    for (std::uint32_t k = 0; k < world.room_count(); ++k) names.insert(room_info(world, {k}).name);
+    for (std::uint32_t k = 0; k < world.room_count(); ++k) names.emplace(room_info(world, {k})->name);
     names.erase("");
     return names;
 }

@@ -60,7 +60,7 @@ Made make(const std::string& text) {
 
 std::string name_at(const World& world, const Vec3& units) {
     const Location at = locate(world, units * (1.0 / 32));
-    return at.kind == Location::Kind::kRoom ? room_info(world, at.room).name : "nowhere";
+    return at.where == Where::kAir ? std::string(room_info(world, at.room)->name) : "nowhere";
 }
 
 TEST(NameRooms, ByEntitiesInThem) {
@@ -93,8 +93,8 @@ TEST(NameRooms, TheFirstNameStaysAndWhatIsInNoRoomNamesNone) {
 TEST(NameRooms, WithoutWallsAllIsTheExterior) {
     const Made made = make(entity("\"classname\" \"worldspawn\"\n", brush_box(0, 64, 0, 64, 0, 64, "common/clip")) +
                            room("meadow", "200 64 64"));
-    EXPECT_EQ(locate(made.world, {3, 1, 1}), (Location{Location::Kind::kRoom, {0}}));
-    EXPECT_EQ(locate(made.world, {1, 1, 1}), (Location{Location::Kind::kRoom, {0}}));
+    EXPECT_EQ(locate(made.world, {3, 1, 1}), (Location{Where::kAir, {0}}));
+    EXPECT_EQ(locate(made.world, {1, 1, 1}), (Location{Where::kAir, {0}}));
     ASSERT_EQ(made.report.entity_notes.size(), 1u);
     EXPECT_EQ(made.report.entity_notes[0].reason, "the room it stands in has the name 'exterior' already");
 }
@@ -102,14 +102,14 @@ TEST(NameRooms, WithoutWallsAllIsTheExterior) {
 TEST(NameRooms, NamesChangeNothingElse) {
     const World plain = make(two_rooms()).world, named = make(two_rooms() + room("west", "32 64 64")).world;
     EXPECT_EQ(plain.face_count(), named.face_count());
-    EXPECT_EQ(portal_info(plain, {0}).rooms, portal_info(named, {0}).rooms);
+    EXPECT_EQ(portal_info(plain, {0})->rooms, portal_info(named, {0})->rooms);
     EXPECT_FALSE(check_world(named));
 }
 
 TEST(NameRooms, PortalsAreNamedByTheirEntity) {
     const World world = make(two_rooms()).world;
     ASSERT_EQ(portal_count(world), 1u);
-    EXPECT_EQ(portal_info(world, {0}).name, "gate");
+    EXPECT_EQ(portal_info(world, {0})->name, "gate");
 }
 
 TEST(NameRooms, AnchorsAreDataWithoutANote) {

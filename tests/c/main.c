@@ -5,6 +5,15 @@
 
 #include "tests/c/check.h"
 
+#ifdef _WIN32 /* has no aligned_alloc(), whose memory free() takes */
+#include <malloc.h>
+#define TAKE_ALIGNED(alignment, bytes) _aligned_malloc(bytes, alignment)
+#define GIVE_BACK_ALIGNED _aligned_free
+#else
+#define TAKE_ALIGNED aligned_alloc
+#define GIVE_BACK_ALIGNED free
+#endif
+
 int failures = 0;
 
 static size_t slabs_taken = 0;
@@ -14,13 +23,13 @@ static void* take(size_t bytes, size_t alignment, void* user) {
     CHECK(user == &slabs_taken);
     ++slabs_taken;
     ++pieces_held;
-    return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+    return TAKE_ALIGNED(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
 static void give_back(void* memory, size_t bytes, size_t alignment, void* user) {
     (void)bytes, (void)alignment, (void)user;
     --pieces_held;
-    free(memory);
+    GIVE_BACK_ALIGNED(memory);
 }
 
 static void test_allocator(void) {

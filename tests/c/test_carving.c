@@ -44,8 +44,9 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     firma_diff_view view;
     CHECK_OK(firma_world_diff(room, after, 1, &diff));
     CHECK_OK(firma_diff_get_view(diff, &view));
-    CHECK(view.gone_count == 1 && view.gone[0] == 0 && view.come_count == report.faces_new && view.tile_count > 0);
-    CHECK(view.come[0].first_corner == 0 && view.corner_count >= 3 * view.come_count && view.low[2] < -1);
+    CHECK(view.removed_count == 1 && view.removed[0] == 0 && view.added_count == report.faces_new &&
+          view.tile_count > 0);
+    CHECK(view.added[0].first_corner == 0 && view.corner_count >= 3 * view.added_count && view.low[2] < -1);
     CHECK_OK(firma_diff_release(diff));
     CHECK_FAILS(firma_world_diff(room, after, 0.001, &diff), FIRMA_ERROR_INVALID, "tile");
 

@@ -60,8 +60,25 @@ static void test_one(firma_world room) {
     firma_cast_counts counts = {0};
     CHECK_OK(firma_cast(room, &down, NULL, &hit, &counts));
     CHECK(hit.status == FIRMA_HIT && hit.fraction == 0.375 && hit.face == 0 && hit.feature == FIRMA_FACE);
-    CHECK(hit.normal[2] == 1 && hit.point[2] == 0 && hit.centre[2] == 0.5 && hit.other_face == FIRMA_NO_FACE);
-    CHECK(hit.safe_fraction < hit.fraction && hit.safe_fraction > 0.374 && hit.version == 0);
+    CHECK(hit.normal[2] == 1 && hit.point[2] == 0 && hit.centre[2] == 0.5);
+    CHECK(hit.safe_fraction < hit.fraction && hit.safe_fraction > 0.374);
+    CHECK(hit.portal == FIRMA_NO_PORTAL);
+    firma_hit_info info = {.size = sizeof info};
+    CHECK_OK(firma_world_hit_info(room, &hit, &info));
+    CHECK(info.room == 0 && info.source == 0 && info.source_edit == 0 && info.flags == FIRMA_FACE_SOLID);
+    CHECK(info.mask == UINT32_MAX && info.other_face == FIRMA_NO_FACE);
+    firma_hit stale = hit;
+    stale.face = 1000;
+    CHECK_FAILS(firma_world_hit_info(room, &stale, &info), FIRMA_ERROR_INVALID, "no such face");
+    stale = hit;
+    stale.corner[1] += 1;
+    CHECK_FAILS(firma_world_hit_info(room, &stale, &info), FIRMA_ERROR_INVALID, "no such face");
+    stale.portal = 0;
+    CHECK_FAILS(firma_world_hit_info(room, &stale, &info), FIRMA_ERROR_INVALID, "no such portal");
+    info.size = 4;
+    CHECK_FAILS(firma_world_hit_info(room, &hit, &info), FIRMA_ERROR_BAD_CALL, "size");
+    CHECK_FAILS(firma_world_hit_info(room, NULL, &info), FIRMA_ERROR_BAD_CALL, "null");
+    info.size = sizeof info;
     CHECK(counts.bins > 0 && counts.faces > 0);
     uint32_t status = 9;
     CHECK_OK(firma_cast_any(room, &down, NULL, &status));
@@ -69,10 +86,11 @@ static void test_one(firma_world room) {
 
     const firma_cast_input bad = {{NAN, 0, 0}, 0.5, {0, 0, -4}};
     CHECK_OK(firma_cast(room, &bad, NULL, &hit, NULL));
-    CHECK(hit.status == FIRMA_INVALID && hit.face == FIRMA_NO_FACE);
+    CHECK(hit.status == FIRMA_INVALID && hit.face == FIRMA_NO_FACE && hit.fraction == 0 && hit.safe_fraction == 0);
     const firma_cast_input short_one = {{4, 4, 2}, 0.5, {0, 0, -1}};
     CHECK_OK(firma_cast(room, &short_one, NULL, &hit, NULL));
-    CHECK(hit.status == FIRMA_MISS);
+    CHECK(hit.status == FIRMA_MISS && hit.fraction == 1 && hit.safe_fraction == 1 && hit.centre[2] == 1);
+    CHECK_FAILS(firma_world_hit_info(room, &hit, &info), FIRMA_ERROR_INVALID, "a miss");
 
     firma_cast_options options;
     firma_cast_options_defaults(&options);
@@ -166,26 +184,46 @@ static void test_points(firma_world room) {
     const double middle[3] = {4, 4, 2}, rock[3] = {4, 4, -1}, on_floor[3] = {4, 4, 0}, near_corner[3] = {0.1, 0.1, 0.1};
     const double bad[3] = {0, INFINITY, 0};
     uint32_t where = 9, found = 9;
-    CHECK_OK(firma_in_solid(room, middle, &where));
-    CHECK(where == 0);
-    CHECK_OK(firma_in_solid(room, rock, &where));
-    CHECK(where == 1);
-    CHECK_OK(firma_in_solid(room, on_floor, &where));
-    CHECK(where == 2);
-    CHECK_FAILS(firma_in_solid(room, bad, &where), FIRMA_ERROR_OUT_OF_RANGE, "finite");
+    uint32_t in = 9;
+    CHECK_OK(firma_world_locate(room, middle, &where, &in));
+    CHECK(where == FIRMA_AIR && in == 0);
+    CHECK_OK(firma_world_locate(room, rock, &where, &in));
+    CHECK(where == FIRMA_SOLID && in == FIRMA_NO_ROOM);
+    CHECK_OK(firma_world_locate(room, on_floor, &where, NULL));
+    CHECK(where == FIRMA_SURFACE);
+    CHECK_FAILS(firma_world_locate(room, bad, &where, NULL), FIRMA_ERROR_OUT_OF_RANGE, "finite");
     firma_near near[6];
-    CHECK_OK(firma_closest(room, middle, INFINITY, ~0u, near, &found));
+    CHECK_OK(firma_closest(room, middle, INFINITY, NULL, near, &found));
     CHECK(found == 1 && near[0].distance == 2 && near[0].face == 0);
-    CHECK_OK(firma_closest(room, middle, 1, ~0u, near, &found));
+    CHECK_OK(firma_closest(room, middle, 1, NULL, near, &found));
     CHECK(found == 0);
-    CHECK_FAILS(firma_closest(room, middle, -1, ~0u, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "reach");
+    CHECK_FAILS(firma_closest(room, middle, -1, NULL, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "reach");
     const double far_off[3] = {1e200, 0, 0}; /* no number to compute with: not the same as nothing found */
-    CHECK_FAILS(firma_closest(room, far_off, INFINITY, ~0u, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "too large");
-    CHECK_FAILS(firma_in_solid(room, far_off, &where), FIRMA_ERROR_OUT_OF_RANGE, "too large");
+    CHECK_FAILS(firma_closest(room, far_off, INFINITY, NULL, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "too large");
+    CHECK_FAILS(firma_world_locate(room, far_off, &where, NULL), FIRMA_ERROR_OUT_OF_RANGE, "too large");
     size_t count = 0;
-    CHECK_OK(firma_overlap(room, near_corner, 0.2, ~0u, near, 6, &count));
+    CHECK_OK(firma_overlap(room, near_corner, 0.2, NULL, near, 6, &count));
     CHECK(count == 3 && near[0].face < near[1].face && near[1].face < near[2].face);
-    CHECK_FAILS(firma_overlap(room, bad, 0.2, ~0u, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE, "finite");
+    for (int k = 0; k < 3; ++k) {
+        CHECK(near[k].depth == 0.2 - 0.1 && near[k].distance == 0.1);
+        CHECK(near[k].direction[0] + near[k].direction[1] + near[k].direction[2] == 1);
+    }
+    firma_near_options some;
+    firma_near_options_defaults(&some);
+    some.mask = 0;
+    CHECK_OK(firma_overlap(room, near_corner, 0.2, &some, near, 6, &count));
+    CHECK(count == 0);
+    some.mask = UINT32_MAX;
+    some.room = 0;
+    CHECK_OK(firma_overlap(room, near_corner, 0.2, &some, NULL, 0, &count));
+    CHECK(count == 3);
+    some.room = 7;
+    CHECK_FAILS(firma_overlap(room, near_corner, 0.2, &some, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE,
+                "no such room");
+    CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "no such room");
+    some.size = 4;
+    CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_BAD_CALL, "size");
+    CHECK_FAILS(firma_overlap(room, bad, 0.2, NULL, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE, "finite");
 }
 
 void test_casts(void) {

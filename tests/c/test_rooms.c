@@ -54,7 +54,7 @@ static uint32_t room_at(firma_world world, double x) {
     const double point[3] = {x, 2, 2};
     uint32_t where = 9, room = 9;
     CHECK_OK(firma_world_locate(world, point, &where, &room));
-    CHECK(where == FIRMA_ROOM);
+    CHECK(where == FIRMA_AIR);
     return room;
 }
 
@@ -100,11 +100,11 @@ static void test_locate(firma_world world) {
     CHECK_OK(firma_world_locate(world, inside, &where, &room));
     CHECK(where == FIRMA_SOLID && room == FIRMA_ANY_ROOM);
     CHECK_OK(firma_world_locate(world, on_a_face, &where, &room));
-    CHECK(where == FIRMA_UNSURE && room == FIRMA_ANY_ROOM);
+    CHECK(where == FIRMA_SURFACE && room == FIRMA_NO_ROOM);
     CHECK_FAILS(firma_world_locate(world, bad, &where, &room), FIRMA_ERROR_OUT_OF_RANGE, "coordinate");
     CHECK_FAILS(firma_world_locate(world, NULL, &where, &room), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_world_locate(world, inside, NULL, &room), FIRMA_ERROR_BAD_CALL, "null");
-    CHECK_FAILS(firma_world_locate(world, inside, &where, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_world_locate(world, inside, &where, NULL));
     CHECK_FAILS(firma_world_locate((firma_world){0}, inside, &where, &room), FIRMA_ERROR_BAD_HANDLE, "world");
 }
 
@@ -112,7 +112,7 @@ static void test_rooms_and_portals(firma_world world) {
     const uint32_t west = room_at(world, 1), east = room_at(world, 7), outside = room_at(world, 99);
     firma_room room;
     CHECK_OK(firma_world_room(world, west, &room));
-    CHECK(strcmp(room.name, "west") == 0 && room.face_count == 5 && !room.exterior && room.part_of == west);
+    CHECK(strcmp(room.name, "west") == 0 && room.face_count == 5 && !room.exterior && room.merged_into == west);
     CHECK(room.portal_count == 1 && room.portals[0] == 0 && room.low[0] == 0 && room.high[0] == 4);
     CHECK_OK(firma_world_room(world, outside, &room));
     CHECK(room.exterior == 1 && room.portal_count == 0);
@@ -184,11 +184,11 @@ static void test_door(firma_world open) {
     CHECK(hit.status == FIRMA_HIT && hit.portal == 0 && hit.face == FIRMA_NO_FACE && hit.fraction == 2.5 / 6);
     firma_near near;
     const double point[3] = {3.5, 2, 2};
-    CHECK_OK(firma_closest(closed, point, 1, ~0u, &near, &found));
+    CHECK_OK(firma_closest(closed, point, 1, NULL, &near, &found));
     CHECK(found == 1 && near.portal == 0 && near.face == FIRMA_NO_FACE && near.distance == 0.5);
 
     CHECK_OK(firma_world_set_portal_open(closed, 0, 1, &again));
-    CHECK_OK(firma_closest(again, point, 1, ~0u, &near, &found));
+    CHECK_OK(firma_closest(again, point, 1, NULL, &near, &found));
     CHECK(found == 0);
     CHECK_FAILS(firma_world_set_portal_open(open, 0, 2, &again), FIRMA_ERROR_INVALID, "open");
     CHECK_FAILS(firma_world_set_portal_open(open, 1, 0, &again), FIRMA_ERROR_INVALID, "no portal 1");
@@ -205,15 +205,21 @@ static void test_casts_by_room(firma_world world) {
     CHECK(options.room == FIRMA_ANY_ROOM && options.passed_capacity == 0);
     firma_hit any, hit;
     CHECK_OK(firma_cast(world, &through, NULL, &any, NULL));
-    CHECK(any.status == FIRMA_HIT && any.rooms_passed == 0 && any.portal == FIRMA_NO_PORTAL && any.room == east);
-    uint32_t passed[2] = {9, 9};
+    CHECK(any.status == FIRMA_HIT && any.portal == FIRMA_NO_PORTAL);
+    firma_hit_info info = {.size = sizeof info};
+    CHECK_OK(firma_world_hit_info(world, &any, &info));
+    CHECK(info.room == east);
+    uint32_t passed[2] = {9, 9}, passed_count = 9;
+    options.passed_count = &passed_count;
+    CHECK_OK(firma_cast(world, &through, &options, &hit, NULL));
+    CHECK(passed_count == 0);
     options.passed = passed;
     options.passed_capacity = 2;
     for (int k = 0; k < 2; ++k) {
         options.room = k == 0 ? west : FIRMA_LOCATE_ROOM;
         CHECK_OK(firma_cast(world, &through, &options, &hit, NULL));
-        CHECK(hit.fraction == any.fraction && hit.face == any.face && hit.rooms_passed == 2 && hit.room == east);
-        CHECK(hit.passed[0] == west && hit.passed[1] == east && passed[0] == west && passed[1] == east);
+        CHECK(hit.fraction == any.fraction && hit.face == any.face && passed_count == 2);
+        CHECK(passed[0] == west && passed[1] == east);
         passed[0] = passed[1] = 9;
     }
     options.room = 17;
@@ -223,6 +229,34 @@ static void test_casts_by_room(firma_world world) {
     CHECK_FAILS(firma_cast_all(world, &through, &options, NULL, 0, &count), FIRMA_ERROR_OUT_OF_RANGE, "no such room");
     options.passed = NULL;
     CHECK_FAILS(firma_cast(world, &through, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "array");
+}
+
+static void test_level(void) {
+    static const char text[] =
+        "{ \"classname\" \"worldspawn\" \"message\" \"a\" }\n"
+        "{ \"classname\" \"light\" \"origin\" \"32 0 -64\" }\n"
+        "{ \"origin\" \"1 2\" }\n";
+    firma_level level = {0};
+    firma_level_view view;
+    CHECK_OK(firma_level_from_map(text, sizeof text - 1, "a.map", 0, &level));
+    CHECK_OK(firma_level_get_view(level, &view));
+    CHECK(view.entity_count == 3 && view.metres_a_unit == 1.0 / 32);
+    CHECK(strcmp(view.entities[0].classname, "worldspawn") == 0 && view.entities[0].key_count == 2);
+    CHECK(strcmp(view.entities[0].keys[1], "message") == 0 && strcmp(view.entities[0].values[1], "a") == 0);
+    CHECK(view.entities[1].has_origin && view.entities[1].origin[0] == 1 && view.entities[1].origin[2] == -2);
+    CHECK(view.entities[1].line == 2 && !view.entities[0].has_origin);
+    CHECK(!view.entities[2].has_origin && strcmp(view.entities[2].classname, "") == 0);
+    firma_world world = {0};
+    CHECK_FAILS(firma_world_from_level(level, NULL, &world), FIRMA_ERROR_MALFORMED, "a.map");
+    CHECK_FAILS(firma_world_from_level(level, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_level_get_view(level, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_level_release(level));
+    CHECK_FAILS(firma_level_get_view(level, &view), FIRMA_ERROR_BAD_HANDLE, "level");
+    CHECK_FAILS(firma_world_from_level(level, NULL, &world), FIRMA_ERROR_BAD_HANDLE, "level");
+    CHECK_FAILS(firma_level_from_map("{", 1, "b.map", 0, &level), FIRMA_ERROR_MALFORMED, "b.map");
+    CHECK_FAILS(firma_level_from_map("{", 1, "b.map", -1, &level), FIRMA_ERROR_INVALID, "scale");
+    CHECK_FAILS(firma_level_from_map(NULL, 1, "b.map", 0, &level), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_level_from_bsp("{", 1, "b.bsp", 0, &level), FIRMA_ERROR_MALFORMED, "b.bsp");
 }
 
 /* kaos2 of OpenArena, where FIRMA_OPENARENA names the folder that it is in. */
@@ -275,6 +309,7 @@ void test_rooms(const char* folder) {
     test_ways(world);
     test_door(world);
     test_casts_by_room(world);
+    test_level();
     CHECK_OK(firma_world_release(world));
     test_rooms_in_files(folder);
 }

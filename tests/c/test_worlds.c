@@ -132,9 +132,81 @@ static void test_room(void) {
     CHECK_OK(firma_world_release(room));
 }
 
+/* A box of 8 by 8 by 4 m seen from inside: six faces, twelve triangles. */
+static void test_triangles(void) {
+    const firma_world room = make_room();
+    firma_triangles triangles = {0};
+    firma_triangles_view view;
+    CHECK_OK(firma_world_triangles(room, NULL, &triangles));
+    CHECK_OK(firma_triangles_get_view(triangles, &view));
+    CHECK(view.vertex_count == 24 && view.triangle_count == 12 && view.source_count == 6 && view.run_count == 3);
+    double area = 0;
+    size_t in_runs = 0;
+    for (size_t t = 0; t < view.triangle_count; ++t) {
+        const float* p[3];
+        for (int k = 0; k < 3; ++k) p[k] = view.positions + 3 * view.corners[3 * t + k];
+        double normal[3], square = 0, along = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            normal[axis] = (p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
+            square += normal[axis] * normal[axis];
+            along += normal[axis] * view.normals[3 * view.corners[3 * t] + axis];
+        }
+        CHECK(along > 0 && square > 0);
+        area += sqrt(square) / 2;
+    }
+    CHECK(area == 2 * 64 + 4 * 32);
+    for (size_t r = 0; r < view.run_count; ++r) {
+        CHECK(view.runs[r].first_triangle == in_runs);
+        in_runs += view.runs[r].triangle_count;
+    }
+    CHECK(in_runs == 12 && view.sources[0].flags == FIRMA_FACE_SOLID && view.sources[0].room == 0);
+    CHECK(view.faces[view.sources[2].first_triangle] == view.sources[2].face);
+    CHECK_OK(firma_triangles_release(triangles));
+
+    firma_triangle_options options;
+    firma_triangle_options_defaults(&options);
+    options.room = 0;
+    options.origin[0] = 4;
+    CHECK_OK(firma_world_triangles(room, &options, &triangles));
+    CHECK_OK(firma_triangles_get_view(triangles, &view));
+    float low = 9;
+    for (size_t v = 0; v < view.vertex_count; ++v) low = view.positions[3 * v] < low ? view.positions[3 * v] : low;
+    CHECK(view.triangle_count == 12 && low == -4);
+    CHECK_OK(firma_triangles_release(triangles));
+    const int32_t here[3] = {0, 0, 0}, elsewhere[3] = {1, 0, 0};
+    options.region = here;
+    CHECK_FAILS(firma_world_triangles(room, &options, &triangles), FIRMA_ERROR_INVALID, "not both");
+    options.room = FIRMA_ANY_ROOM;
+    CHECK_OK(firma_world_triangles(room, &options, &triangles));
+    CHECK_OK(firma_triangles_get_view(triangles, &view));
+    CHECK(view.triangle_count == 12);
+    CHECK_OK(firma_triangles_release(triangles));
+    options.region = elsewhere;
+    CHECK_OK(firma_world_triangles(room, &options, &triangles));
+    CHECK_OK(firma_triangles_get_view(triangles, &view));
+    CHECK(view.triangle_count == 0 && view.vertex_count == 0 && view.run_count == 0);
+    CHECK_OK(firma_triangles_release(triangles));
+    CHECK_FAILS(firma_triangles_get_view(triangles, &view), FIRMA_ERROR_BAD_HANDLE, "triangles");
+    options.region = NULL;
+    options.room = 7;
+    CHECK_FAILS(firma_world_triangles(room, &options, &triangles), FIRMA_ERROR_INVALID, "no such room");
+    options.room = FIRMA_ANY_ROOM;
+    options.origin[2] = NAN;
+    CHECK_FAILS(firma_world_triangles(room, &options, &triangles), FIRMA_ERROR_OUT_OF_RANGE, "origin");
+    options.origin[2] = 0;
+    options.solid_only = 2;
+    CHECK_FAILS(firma_world_triangles(room, &options, &triangles), FIRMA_ERROR_INVALID, "solid_only");
+    options.size = 0;
+    CHECK_FAILS(firma_world_triangles(room, &options, &triangles), FIRMA_ERROR_BAD_CALL, "size");
+    CHECK_FAILS(firma_world_triangles(room, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_world_release(room));
+}
+
 void test_worlds(void) {
     test_bad_meshes();
     test_options();
     test_obj();
     test_room();
+    test_triangles();
 }

@@ -5,6 +5,7 @@
 #include "firma/carve.h"
 #include "firma/diff_worlds.h"
 #include "firma/memory.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
@@ -29,7 +30,7 @@ CarveResult cut(const World& world, CutterShape shape, const Vec3& position, dou
 }
 
 Location in_room(std::uint32_t room) {
-    return {Location::Kind::kRoom, {room}};
+    return {Where::kAir, {room}};
 }
 
 /// By room, by located room, and against all faces.
@@ -43,7 +44,7 @@ void expect_casts_agree(const World& world, const Vec3& around, double reach, sc
         std::uint32_t rooms_passed = 0;
         EXPECT_EQ(reference::judge_cast_by_room(world, sphere, path, rooms_passed), "");
         if (rooms_passed > 0) {
-            EXPECT_EQ(in_solid(world, sphere.centre), false);
+            EXPECT_EQ(locate(world.solid(), sphere.centre), Where::kAir);
         }
     }
 }
@@ -68,24 +69,26 @@ TEST(CarveRooms, ACutAtAPortalJoinsItsRooms) {
         const World& after = result.world;
         test::expect_sound_world(after);
         EXPECT_EQ(after.room_count(), 2u);
-        EXPECT_EQ(room_info(after, {1}).part_of, RoomId{0});
-        EXPECT_EQ(room_info(after, {1}).faces, 0u);
-        EXPECT_EQ(room_info(after, {0}).faces, after.face_count());
-        EXPECT_TRUE(portal_info(after, {0}).polygons.empty());
-        EXPECT_TRUE(portal_info(after, {0}).open);
-        EXPECT_EQ(portal_info(after, {0}).rooms[0], RoomId{0});
+        EXPECT_EQ(room_info(after, {1})->merged_into, RoomId{0});
+        EXPECT_EQ(room_info(after, {1})->faces, 0u);
+        EXPECT_EQ(room_info(after, {0})->faces, after.face_count());
+        EXPECT_TRUE(portal_info(after, {0})->polygons == 0);
+        EXPECT_TRUE(portal_info(after, {0})->open);
+        EXPECT_EQ(portal_info(after, {0})->rooms[0], RoomId{0});
         EXPECT_EQ(locate(after, {7, 1, 1}), in_room(0));
         EXPECT_EQ(find_path(after, {1}, {0})->size(), 0u);
-        const Hit hit = cast(after, {{7, 2, 2}, 0.2}, {-10, 0, 0}, {.room = {1}});  // the id of before
-        EXPECT_EQ(hit.face, FaceId{4});
-        EXPECT_EQ(hit.room, RoomId{0});
-        EXPECT_EQ(hit.passed[0], RoomId{0});
+        std::array<RoomId, 1> passed;
+        RoomTrail trail{passed};
+        const Hit hit = cast(after, {{7, 2, 2}, 0.2}, {-10, 0, 0}, {.room = {1}, .trail = &trail});  // the id of before
+        EXPECT_EQ(hit.face.id, FaceId{4});
+        EXPECT_EQ(room_of(after, hit), RoomId{0});
+        EXPECT_EQ(passed[0], RoomId{0});
         // Faces that only came into another room did not change.
         const WorldDiff diff = diff_worlds(world, after);
         EXPECT_EQ(diff.rooms, (std::vector<RoomId>{{0}, {1}}));
-        EXPECT_EQ(diff.portals_gone, std::vector<PortalId>{{0}});
-        EXPECT_EQ(diff.gone.size(), result.report.faces_gone);
-        EXPECT_EQ(diff.come.size(), result.report.faces_new);
+        EXPECT_EQ(diff.portals_removed, std::vector<PortalId>{{0}});
+        EXPECT_EQ(diff.removed.size(), result.report.faces_gone);
+        EXPECT_EQ(diff.added.size(), result.report.faces_new);
         // And as a file.
         const World read = unpack_world(pack_world(after), "test").value();
         EXPECT_EQ(hash_world(read), hash_world(after));
@@ -101,14 +104,15 @@ TEST(CarveRooms, ACavityIsARoomUntilItIsOpened) {
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 3u);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(2));
-    EXPECT_EQ(cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom}).room, RoomId{2});
+    EXPECT_EQ(room_of(result.world, cast(result.world, {{1.5, 2, -2}, 0}, {0, 0, 9}, {.room = kLocateRoom})),
+              RoomId{2});
     EXPECT_EQ(&result.world.data().cells.portal(0), &world.data().cells.portal(0));
     EXPECT_EQ(diff_worlds(world, result.world).rooms, std::vector<RoomId>{{2}});
     result = cut(result.world, CutterShape::kBox, {1.5, 2, -0.8}, 1);
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);
     EXPECT_EQ(locate(result.world, {1.5, 2, -2}), in_room(0));
-    EXPECT_EQ(room_info(result.world, {2}).part_of, RoomId{0});
+    EXPECT_EQ(room_info(result.world, {2})->merged_into, RoomId{0});
     EXPECT_EQ(locate(result.world, {7, 1, 1}), in_room(1));
 }
 
@@ -118,12 +122,12 @@ TEST(CarveRooms, FillsInTheAir) {
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
-    EXPECT_EQ(room_info(result.world, {1}).faces, 5 + result.report.faces_new);
+    EXPECT_EQ(room_info(result.world, {1})->faces, 5 + result.report.faces_new);
     EXPECT_EQ(&result.world.data().faces_of(0), &world.data().faces_of(0));
     result = cut(result.world, CutterShape::kBox, {4, 2, 2}, 0.5, true);  // astride the portal
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);
-    EXPECT_EQ(room_info(result.world, {1}).part_of, RoomId{0});
+    EXPECT_EQ(room_info(result.world, {1})->merged_into, RoomId{0});
 }
 
 /// A door that is shut says nothing of the solid: the same edit with it open makes the same solid.
@@ -145,7 +149,7 @@ TEST(CarveRooms, LargeWalls) {
     int joined = 0, alone = 0;
     for (int k = 0; k < 60 && !HasFailure(); ++k) {
         World world = assemble_world(two_halves_parts(40)).value();
-        for (int cuts = 0; cuts < 3 && room_info(world, {1}).part_of == RoomId{1}; ++cuts) {
+        for (int cuts = 0; cuts < 3 && room_info(world, {1})->merged_into == RoomId{1}; ++cuts) {
             Vec3 at{rng.uniform(0, 80), rng.uniform(0, 40), rng.uniform(0, 40)};
             at[int(rng.below(3))] = 0;
             const CarveResult result = cut(world, CutterShape::kRocky, at, 1, rng.chance(0.3));
@@ -154,7 +158,7 @@ TEST(CarveRooms, LargeWalls) {
             expect_casts_agree(result.world, at, 3, rng, 60);
             world = result.world;
         }
-        room_info(world, {1}).part_of == RoomId{1} ? ++alone : ++joined;
+        room_info(world, {1})->merged_into == RoomId{1} ? ++alone : ++joined;
     }
     EXPECT_GT(joined, 5);
     EXPECT_GT(alone, 5);
@@ -188,12 +192,12 @@ TEST(CarveRooms, ManyCutsInBuildings) {
             EXPECT_EQ(result.world.face_count(), plain.world.face_count());
             expect_casts_agree(result.world, pose.position, 2, rng, 150);
             const WorldDiff diff = diff_worlds(world, result.world);
-            EXPECT_EQ(diff.gone.size(), result.report.faces_gone);
-            EXPECT_EQ(diff.come.size(), result.report.faces_new);
+            EXPECT_EQ(diff.removed.size(), result.report.faces_gone);
+            EXPECT_EQ(diff.added.size(), result.report.faces_new);
             const std::vector<World> both{world, result.world};
             EXPECT_EQ(bytes_alone(result.world, world), memory_used(both) - memory_used(world));
             const auto is_part = [](const World& it, std::uint32_t room) {
-                return room_info(it, {room}).part_of != RoomId{room};
+                return room_info(it, {room})->merged_into != RoomId{room};
             };
             bool any = false;
             for (std::uint32_t room = 0; room < world.room_count(); ++room)

@@ -8,6 +8,7 @@
 
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/carve/cutters.h"
 #include "tests/solid/solid_levels.h"
@@ -276,11 +277,11 @@ TEST(Carve, ACavityInRockAndAPillarInTheAir) {
     ASSERT_TRUE(cavity.done());
     EXPECT_EQ(cavity.report.faces_gone, 0u);
     EXPECT_EQ(cavity.report.faces_new, 180u);
-    EXPECT_EQ(in_solid(cavity.world, {20, 0, 0}), std::optional(false));
-    EXPECT_EQ(in_solid(world, {20, 0, 0}), std::optional(true));
+    EXPECT_EQ(locate(cavity.world.solid(), {20, 0, 0}), Where::kAir);
+    EXPECT_EQ(locate(world.solid(), {20, 0, 0}), Where::kSolid);
     const CarveResult boulder = fill(world, kRock, test::pose_at(0, 0, 0));
     ASSERT_TRUE(boulder.done());
-    EXPECT_EQ(in_solid(boulder.world, {0, 0, 0}), std::optional(true));
+    EXPECT_EQ(locate(boulder.world.solid(), {0, 0, 0}), Where::kSolid);
     EXPECT_NEAR(boulder.report.volume, -cavity.report.volume, 1e-9);
     // A larger cutter around either takes it away again.
     EXPECT_EQ(carve(boulder.world, kRock, test::pose_at(0, 0, 0, 2)).world.face_count(), world.face_count());
@@ -457,7 +458,7 @@ TEST(Carve, TheWholeLevelCanGo) {
     const CarveResult all = fill(world, make_crater(CutterShape::kBox, 0), test::pose_at(0, 0, 0, 10));
     ASSERT_TRUE(all.done());
     EXPECT_EQ(all.world.face_count(), 0u);
-    EXPECT_EQ(in_solid(all.world, {0, 0, 0}), std::optional(true));
+    EXPECT_EQ(locate(all.world.solid(), {0, 0, 0}), Where::kSolid);
     EXPECT_TRUE(carve(all.world, kRock, test::pose_at(0, 0, 0)).done());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
 #include "tests/sample.h"
@@ -14,7 +15,7 @@ double looked_at(const World& world) {
     CastCounts counts;
     for (const scenes::CastRange& range : {scenes::kShortSpheres, scenes::kLongSpheres, scenes::kShortRays})
         for (const scenes::CastQuery& query : scenes::casts_in_rooms(scenes::room_grid_of(6000), range, 500, 3))
-            cast(world, query.sphere, query.path, {.counts = &counts});
+            static_cast<void>(cast(world, query.sphere, query.path, {.counts = &counts}));
     return double(counts.bins + counts.boxes);
 }
 

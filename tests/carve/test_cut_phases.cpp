@@ -65,11 +65,11 @@ TEST_F(CutPhases, EachFillsItsOwnAndMayRunAgain) {
         ASSERT_EQ(order_cuts(input_, crossings, order).verdict, Verdict::kFine);
         EXPECT_EQ(order.along.size(), 8u);
 
-        const auto never = [](std::uint32_t) { return Where::kUnknown; };
+        const auto never = [](std::uint32_t) { return CutSide::kUnknown; };
         ASSERT_EQ(label_vertices(input_, crossings, order, never, labels).verdict, Verdict::kFine);
-        EXPECT_EQ(std::count(labels.world.begin(), labels.world.end(), Where::kOutside), 4);
-        EXPECT_EQ(std::count(labels.cutter.begin(), labels.cutter.end(), Where::kInside), 4);
-        EXPECT_EQ(std::count(labels.cutter.begin(), labels.cutter.end(), Where::kOutside), 4);
+        EXPECT_EQ(std::count(labels.world.begin(), labels.world.end(), CutSide::kOutside), 4);
+        EXPECT_EQ(std::count(labels.cutter.begin(), labels.cutter.end(), CutSide::kInside), 4);
+        EXPECT_EQ(std::count(labels.cutter.begin(), labels.cutter.end(), CutSide::kOutside), 4);
 
         ASSERT_EQ(trace_loops(input_, crossings, order, labels, loops).verdict, Verdict::kFine);
         EXPECT_EQ(loops.gone, std::vector<std::uint32_t>{0});

@@ -40,7 +40,7 @@ TEST(RoomColours, ExteriorIsGreyAndManyDiffer) {
 TEST(RoomColours, EachFaceIsOfItsRoom) {
     const World world = two_halves();
     const std::vector<Face> faces = world.faces();
-    const std::vector<RoomId> rooms = rooms_of_faces(world, faces);
+    const std::vector<RoomId> rooms = rooms_of_faces(faces);
     for (std::size_t k = 0; k < faces.size(); ++k) EXPECT_EQ(rooms[k].value, k < 5 ? 0u : 1u);
     EXPECT_EQ(count_inner_rooms(world), 2u);
     EXPECT_EQ(room_label(world, {1}), "1");

@@ -18,6 +18,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/masks.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/brush_piles.h"
 #include "scenes/level_cuts.h"
@@ -179,7 +180,7 @@ Vec3 some_point(const World& world, const Box& box, scenes::Rng& rng) {
     Vec3 point;
     for (int axis = 0; axis < 3; ++axis) point[axis] = rng.uniform(box.low[axis], box.high[axis]);
     if (portal_count(world) == 0 || rng.chance(0.5)) return point;
-    const Box door = portal_info(world, {rng.below(std::uint32_t(portal_count(world)))}).bounds;
+    const Box door = portal_info(world, {rng.below(std::uint32_t(portal_count(world)))})->bounds;
     for (int axis = 0; axis < 3; ++axis) {
         const double low = door.low[axis] - 1, high = door.high[axis] + 1;
         point[axis] = rng.uniform(low, high);
@@ -194,7 +195,7 @@ void judge_casts(const NamedWorld& in, std::uint64_t casts, scenes::Rng& rng, Ta
         Sphere sphere;
         sphere.centre = some_point(in.world, box, rng);
         sphere.radius = rng.chance(0.4) ? 0 : rng.uniform(0.01, 0.6);
-        if (locate(in.world, sphere.centre).kind != Location::Kind::kRoom) continue;
+        if (locate(in.world, sphere.centre).where != Where::kAir) continue;
         if (closest(in.world, sphere.centre, sphere.radius + 1e-5)) continue;
         for (int k = 0; k < 8 && tally.count < casts; ++k) {
             const Vec3 direction = rng.direction();
@@ -227,8 +228,9 @@ const char* judge_ray(const World& world, const Vec3& start, RoomId room, const 
     const Hit all = cast(world, {start, 0}, path, walls);
     if (!all.touched()) return "escapes";
     std::array<RoomId, 1024> passed;
+    RoomTrail trail{passed};
     walls.room = room;
-    walls.passed = passed;
+    walls.trail = &trail;
     const Hit by_room = cast(world, {start, 0}, path, walls);
     const double apart = std::fabs(by_room.fraction - all.fraction) * length(path);
     if (by_room.status != all.status || apart > kSamePoint) return "by room meets something else";
@@ -236,8 +238,8 @@ const char* judge_ray(const World& world, const Vec3& start, RoomId room, const 
     const Vec3 point = start + path * before;
     if (closest(world, point, kClear)) return nullptr;
     const Location where = locate(world, point);
-    const auto end = passed.begin() + std::min<std::ptrdiff_t>(by_room.rooms_passed, std::ssize(passed));
-    if (where.kind != Location::Kind::kRoom || std::find(passed.begin(), end, where.room) == end)
+    const auto end = passed.begin() + std::min<std::ptrdiff_t>(trail.count, std::ssize(passed));
+    if (where.where != Where::kAir || std::find(passed.begin(), end, where.room) == end)
         return "leaves the rooms that it passes";
     return nullptr;
 }
@@ -246,17 +248,17 @@ const char* judge_ray(const World& world, const Vec3& start, RoomId room, const 
 void shoot_rays(const NamedWorld& in, std::uint64_t rays, scenes::Rng& rng, Tally& tally) {
     const Box box = in.world.bounds();
     const double far = 4 * length(box.high - box.low);
-    std::vector<NearFace> near;
+    std::vector<Overlap> near;
     for (std::uint64_t tries = 0; tally.count < rays; ++tries) {
         if (tries > 100 * rays) return tally.fail(in.name + ": no start in a closed room was found");
         const Vec3 start = some_point(in.world, box, rng);
         const Location where = locate(in.world, start);
-        if (where.kind != Location::Kind::kRoom || !in.closed[where.room.value]) continue;
+        if (where.where != Where::kAir || !in.closed[where.room.value]) continue;
         if (closest(in.world, start, 1e-4)) continue;
-        overlap(in.world, {start, 8}, near, kStopsSight);
+        overlap(in.world, {start, 8}, near, {.mask = kStopsSight});
         if (near.empty()) continue;
         for (int k = 0; k < 100 && tally.count < rays; ++k) {
-            const std::vector<Vec3> corners = in.world.face(near[rng.below(std::uint32_t(near.size()))].ref).corners;
+            const std::vector<Vec3> corners = in.world.face(near[rng.below(std::uint32_t(near.size()))].face)->corners;
             const Vec3 way = point_of(corners, rng, tally) - start;
             if (!(length(way) > 1e-9)) continue;
             const Vec3 path = way * std::exp2(std::ceil(std::log2(far / length(way))));

@@ -18,6 +18,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/room_grid.h"
 #include "tests/full/options.h"
@@ -46,7 +47,7 @@ std::vector<scenes::CastQuery> casts_within(const World& world, std::size_t coun
         scenes::CastQuery query;
         for (int axis = 0; axis < 3; ++axis)
             query.sphere.centre[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
-        if (locate(world, query.sphere.centre).kind != Location::Kind::kRoom) continue;
+        if (locate(world, query.sphere.centre).where != Where::kAir) continue;
         query.sphere.radius = rng.chance(0.5) ? 0 : rng.uniform(0.02, 0.4);
         query.path = rng.direction() * rng.uniform(0.1, rng.chance(0.5) ? 2.0 : 20.0);
         casts.push_back(query);
@@ -102,13 +103,14 @@ std::uint64_t live(Life& life, std::uint64_t edits, scenes::Rng& rng) {
 
 double looked_at(const World& world, const std::vector<scenes::CastQuery>& casts) {
     CastCounts counts;
-    for (const scenes::CastQuery& query : casts) cast(world, query.sphere, query.path, {.counts = &counts});
+    for (const scenes::CastQuery& query : casts)
+        static_cast<void>(cast(world, query.sphere, query.path, {.counts = &counts}));
     return double(counts.bins + counts.boxes);
 }
 
 double seconds(const World& world, const std::vector<scenes::CastQuery>& casts) {
     const auto start = std::chrono::steady_clock::now();
-    for (const scenes::CastQuery& query : casts) cast(world, query.sphere, query.path);
+    for (const scenes::CastQuery& query : casts) static_cast<void>(cast(world, query.sphere, query.path));
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -64,7 +64,7 @@ static void mix_double(double value) {
 static void mix_three(const double* values) {
     for (int axis = 0; axis < 3; ++axis) mix_double(values[axis]);
 }
-static void mix_hit(const firma_hit* hit) {
+static void mix_hit(firma_world world, const firma_hit* hit) {
     mix(hit->status);
     mix_double(hit->fraction);
     mix_double(hit->safe_fraction);
@@ -72,23 +72,27 @@ static void mix_hit(const firma_hit* hit) {
     mix_three(hit->point);
     mix_three(hit->normal);
     mix_three(hit->face_normal);
-    mix_long(hit->version);
     mix(hit->feature);
     mix(hit->feature_index);
     mix(hit->face);
-    mix(hit->other_face);
-    mix(hit->source);
-    mix(hit->source_edit);
+    for (int axis = 0; axis < 3; ++axis) mix((uint32_t)hit->corner[axis]);
     mix(hit->material);
-    mix(hit->room);
-    mix(hit->rooms_passed);
+    if (hit->status != FIRMA_HIT && hit->status != FIRMA_TOUCHING) return;
+    firma_hit_info info = {.size = sizeof info};
+    must(firma_world_hit_info(world, hit, &info));
+    mix(info.room);
+    mix(info.source);
+    mix(info.source_edit);
+    mix(info.mask);
+    mix(info.flags);
+    mix(info.other_face);
 }
 static void mix_near(const firma_near* near) {
     mix_three(near->point);
     mix_double(near->distance);
+    mix_three(near->direction);
+    mix_double(near->depth);
     mix(near->face);
-    mix(near->source);
-    mix(near->source_edit);
     mix(near->material);
     mix(near->feature);
     mix(near->feature_index);
@@ -232,14 +236,14 @@ static void ask_more(firma_world world, const firma_cast_input* input, const fir
     mix(status == FIRMA_HIT || status == FIRMA_TOUCHING);
     must(firma_cast_all(world, input, options, hits, kMost, &count));
     mix((uint32_t)count);
-    for (size_t k = 0; k < count && k < kMost; ++k) mix_hit(&hits[k]);
-    must(firma_overlap(world, input->centre, input->radius + 0.25, 0xFFFFFFFFu, near, kMost, &count));
+    for (size_t k = 0; k < count && k < kMost; ++k) mix_hit(world, &hits[k]);
+    must(firma_overlap(world, input->centre, input->radius + 0.25, NULL, near, kMost, &count));
     mix((uint32_t)count);
     for (size_t k = 0; k < count && k < kMost; ++k) mix_near(&near[k]);
-    must(firma_closest(world, input->centre, 5, 0xFFFFFFFFu, near, &found));
+    must(firma_closest(world, input->centre, 5, NULL, near, &found));
     mix(found);
     if (found) mix_near(near);
-    must(firma_in_solid(world, input->centre, &where));
+    must(firma_world_locate(world, input->centre, &where, NULL));
     mix(where);
 }
 
@@ -253,7 +257,7 @@ static void one_batch(firma_world world, uint32_t count) {
     draw_options(&options);
     must(firma_cast_batch(world, inputs, count, &options, hits, NULL));
     for (uint32_t k = 0; k < count; ++k) {
-        mix_hit(&hits[k]);
+        mix_hit(world, &hits[k]);
         hit_count += hits[k].status == FIRMA_HIT || hits[k].status == FIRMA_TOUCHING;
     }
 }
@@ -266,7 +270,7 @@ static void one_by_one(firma_world world, uint32_t count) {
         draw_cast(&input);
         draw_options(&options);
         must(firma_cast(world, &input, &options, &hit, NULL));
-        mix_hit(&hit);
+        mix_hit(world, &hit);
         hit_count += hit.status == FIRMA_HIT || hit.status == FIRMA_TOUCHING;
         if (k % 8 == 0) ask_more(world, &input, &options);
     }
@@ -381,11 +385,11 @@ static void say_rest(firma_world first, firma_world last) {
     firma_diff_view view;
     must(firma_world_diff(first, last, 4, &diff));
     must(firma_diff_get_view(diff, &view));
-    for (size_t k = 0; k < view.gone_count; ++k) mix(view.gone[k]);
-    for (size_t k = 0; k < view.come_count; ++k) {
-        mix(view.come[k].id);
-        mix_three(view.come[k].normal);
-        mix(view.come[k].material);
+    for (size_t k = 0; k < view.removed_count; ++k) mix(view.removed[k]);
+    for (size_t k = 0; k < view.added_count; ++k) {
+        mix(view.added[k].id);
+        mix_three(view.added[k].normal);
+        mix(view.added[k].material);
     }
     for (size_t k = 0; k < 3 * view.corner_count; ++k) mix_double(view.corners[k]);
     for (size_t k = 0; k < 3 * view.tile_count; ++k) mix((uint32_t)view.tiles[k]);

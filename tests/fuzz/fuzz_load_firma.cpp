@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/assert.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/fuzz/bytes.h"
@@ -194,15 +195,16 @@ World cut_on(World world, Bytes& bytes) {
 
 void use_rooms(const World& world, const Vec3& middle, int how) {
     const Location where = locate(world, middle);
-    expect(where.kind != Location::Kind::kRoom || where.room.value < world.room_count(), "a point in a room too many");
+    expect(where.where != Where::kAir || where.room.value < world.room_count(), "a point in a room too many");
     for (std::uint32_t room = 0; room < world.room_count() && room < 8; ++room) {
-        room_info(world, {room});
-        neighbours(world, {room});
-        find_path(world, {room}, {0}, Doors::kAllOpen);
-        cast(world, {middle, 0.2}, {50, 3, how * 0.1}, {.room = {room}});
+        const std::optional<RoomInfo> info = room_info(world, {room});
+        expect(info && info->portals.size() <= portal_count(world), "a room lists portals that are not there");
+        expect(neighbours(world, {room}).size() <= world.room_count(), "a room has neighbours that are not there");
+        static_cast<void>(find_path(world, {room}, {0}, Doors::kAllOpen));
+        static_cast<void>(cast(world, {middle, 0.2}, {50, 3, how * 0.1}, {.room = {room}}));
     }
     for (std::uint32_t portal = 0; portal < portal_count(world) && portal < 8; ++portal)
-        expect(!check_world(set_portal_open(world, {portal}, !portal_info(world, {portal}).open)),
+        expect(!check_world(*set_portal_open(world, {portal}, !portal_info(world, {portal})->open)),
                "a door made a world that is not sound");
 }
 
@@ -219,12 +221,13 @@ void use(const World& world, int how) {
         Vec3 path{0.3, 0.2, 0.1};
         path[k / 2] = k % 2 ? 20000 : -20000;
         const Hit hit = cast(world, {middle, k % 2 ? 0.1 : 0}, path);
-        if (hit.ref.valid()) world.face(hit.ref);
+        expect(!hit.face.valid() || world.face(hit.face).has_value(), "a face that was met is not found");
+        static_cast<void>(room_of(world, hit));
         if (hit.touched() && k <= how % 6) pose.position = hit.point;
     }
-    std::vector<NearFace> near;
+    std::vector<Overlap> near;
     overlap(world, {pose.position, 1}, near);
-    in_solid(world, middle);
+    static_cast<void>(locate(world.solid(), middle));
     use_rooms(world, middle, how);
     pose.scale = 0.4 + how % 8;
     const Cutter cutter = make_crater(CutterShape(how % 5), std::uint64_t(how));

@@ -10,6 +10,7 @@
 
 #include "cli/write_glb.h"
 #include "firma/carve.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/gltf/read_text.h"
@@ -94,13 +95,13 @@ Made make(const std::vector<std::string>& nodes) {
 
 RoomId room_at(const World& world, const Vec3& point) {
     const Location where = locate(world, point);
-    EXPECT_EQ(where.kind, Location::Kind::kRoom) << point.x;
+    EXPECT_EQ(where.where, Where::kAir) << point.x;
     return where.room;
 }
 
-double area_of(const PortalInfo& portal) {
+double area_of(const std::vector<std::vector<Vec3>>& polygons) {
     double area = 0;
-    for (const std::vector<Vec3>& polygon : portal.polygons)
+    for (const std::vector<Vec3>& polygon : polygons)
         for (std::size_t k = 2; k < polygon.size(); ++k)
             area += length(cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0])) / 2;
     return area;
@@ -114,16 +115,18 @@ TEST(GltfRooms, APortalDividesARoom) {
         EXPECT_TRUE(made.report.idle.empty());
         EXPECT_EQ(made.world.room_count(), 2u);
         ASSERT_EQ(portal_count(made.world), 1u);
-        const PortalInfo portal = portal_info(made.world, PortalId{0});
+        const PortalInfo portal = *portal_info(made.world, PortalId{0});
         EXPECT_EQ(portal.name, "portal A");
-        EXPECT_EQ(area_of(portal), 16);
+        EXPECT_EQ(area_of(portal_polygons(made.world, PortalId{0})), 16);
         const RoomId low = room_at(made.world, {1, 2, 2}), high = room_at(made.world, {7, 2, 2});
         EXPECT_NE(low, high);
         EXPECT_EQ(portal.rooms[0], high);  // the square looks toward +x
         EXPECT_EQ(portal.rooms[1], low);
-        EXPECT_EQ(locate(made.world, {-1, 2, 2}).kind, Location::Kind::kSolid);
+        EXPECT_EQ(locate(made.world, {-1, 2, 2}).where, Where::kSolid);
         EXPECT_EQ(measure_solid(made.world).volume, -128);
-        EXPECT_EQ(cast(made.world, {{1, 2, 2}, 0.25}, {20, 0, 0}, {.room = low}).rooms_passed, 2u);
+        RoomTrail trail;
+        EXPECT_TRUE(cast(made.world, {{1, 2, 2}, 0.25}, {20, 0, 0}, {.room = low, .trail = &trail}));
+        EXPECT_EQ(trail.count, 2u);
     }
 }
 
@@ -156,8 +159,8 @@ TEST(GltfRooms, PillarsHangWhereTheyStand) {
                             node(2, {4, 0, 0}, {1, 4, 4}, "portal")});
     EXPECT_EQ(made.world.room_count(), 2u);
     EXPECT_NE(room_at(made.world, {0.5, 0.5, 0.5}), room_at(made.world, {7.5, 0.5, 0.5}));
-    EXPECT_EQ(locate(made.world, {1.5, 1.5, 1.5}).kind, Location::Kind::kSolid);
-    EXPECT_EQ(room_info(made.world, room_at(made.world, {0.5, 2, 2})).bounds.high.x, 4);
+    EXPECT_EQ(locate(made.world, {1.5, 1.5, 1.5}).where, Where::kSolid);
+    EXPECT_EQ(room_info(made.world, room_at(made.world, {0.5, 2, 2}))->bounds.high.x, 4);
 }
 
 TEST(GltfRooms, WhatLooksAtItselfHangsWhereItStandsToo) {
@@ -173,7 +176,7 @@ TEST(GltfRooms, APortalThroughAPillarHasAHole) {
         make({node(1, {0, 0, 0}, {8, 4, 4}), node(0, {3, 1, 1}, {2, 1, 1}), node(2, {4, 0, 0}, {1, 4, 4}, "portal")});
     EXPECT_EQ(made.world.room_count(), 2u);
     ASSERT_EQ(portal_count(made.world), 1u);
-    EXPECT_EQ(area_of(portal_info(made.world, PortalId{0})), 15);
+    EXPECT_EQ(area_of(portal_polygons(made.world, PortalId{0})), 15);
     EXPECT_EQ(measure_solid(made.world).volume, -126);
 }
 
@@ -196,20 +199,20 @@ TEST(GltfRooms, OfPortalsInOnePlaceTheFirstCounts) {
         make({hall, node(2, {4, 0, 0}, {1, 4, 4}, "portal A"), node(2, {4, 0, 0}, {1, 4, 4}, "portal B")});
     EXPECT_EQ(twice.world.room_count(), 2u);
     ASSERT_EQ(portal_count(twice.world), 1u);
-    EXPECT_EQ(portal_info(twice.world, PortalId{0}).name, "portal A");
+    EXPECT_EQ(portal_info(twice.world, PortalId{0})->name, "portal A");
     const Made partly =
         make({hall, node(2, {4, 0, 0}, {1, 3, 4}, "portal A"), node(2, {4, 2, 0}, {1, 9, 4}, "portal B")});
     EXPECT_EQ(partly.world.room_count(), 2u);
     ASSERT_EQ(portal_count(partly.world), 2u);
-    EXPECT_EQ(area_of(portal_info(partly.world, PortalId{0})), 12);
-    EXPECT_EQ(area_of(portal_info(partly.world, PortalId{1})), 4);
+    EXPECT_EQ(area_of(portal_polygons(partly.world, PortalId{0})), 12);
+    EXPECT_EQ(area_of(portal_polygons(partly.world, PortalId{1})), 4);
     // From behind it is the same place.
     const std::string turned =
         R"({"mesh":2,"name":"portal B","translation":[4,2,4],"rotation":[0,1,0,0],"scale":[1,2,4]})";
     const Made back = make({hall, node(2, {4, 0, 0}, {1, 3, 4}, "portal A"), turned});
     EXPECT_EQ(back.world.room_count(), 2u);
     ASSERT_EQ(portal_count(back.world), 2u);
-    EXPECT_EQ(area_of(portal_info(back.world, PortalId{1})), 4);
+    EXPECT_EQ(area_of(portal_polygons(back.world, PortalId{1})), 4);
 }
 
 TEST(GltfRooms, TheExteriorIsARoom) {
@@ -218,10 +221,10 @@ TEST(GltfRooms, TheExteriorIsARoom) {
                             node(2, {4, -3, -3}, {1, 10, 10}, "portal")});
     ASSERT_EQ(made.world.room_count(), 3u);
     const RoomId outside = room_at(made.world, {-5, 2, 2});
-    EXPECT_TRUE(room_info(made.world, outside).exterior);
+    EXPECT_TRUE(room_info(made.world, outside)->exterior);
     EXPECT_EQ(room_at(made.world, {20, 2, 2}), outside);
     ASSERT_EQ(portal_count(made.world), 1u);
-    EXPECT_EQ(area_of(portal_info(made.world, PortalId{0})), 16);
+    EXPECT_EQ(area_of(portal_polygons(made.world, PortalId{0})), 16);
     EXPECT_EQ(made.report.idle, std::vector<std::uint32_t>{0});  // what of it stands in the open divides nothing
 }
 
@@ -241,8 +244,8 @@ TEST(GltfRooms, WhatIsNoSolidIsPutWhereItLies) {
     EXPECT_EQ(made.world.room_count(), 2u);
     const RoomId low = room_at(made.world, {1, 2, 1}), high = room_at(made.world, {7, 2, 3});
     const Made bare = make({node(1, {0, 0, 0}, {8, 4, 4}), node(2, {4, 0, 0}, {1, 4, 4}, "portal")});
-    EXPECT_GT(room_info(made.world, low).faces, room_info(bare.world, low).faces);
-    EXPECT_GT(room_info(made.world, high).faces, room_info(bare.world, high).faces + 1);
+    EXPECT_GT(room_info(made.world, low)->faces, room_info(bare.world, low)->faces);
+    EXPECT_GT(room_info(made.world, high)->faces, room_info(bare.world, high)->faces + 1);
     EXPECT_EQ(cast(made.world, {{7.5, 1.5, 1.5}, 0}, {-7, 0, 0}, {.sides = Sides::kBoth, .room = high}).point.x, 6);
 }
 
@@ -263,7 +266,7 @@ TEST(GltfRooms, DividedWorldsAreCarved) {
         return result.world;
     };
     const World away = carved(1.5);
-    EXPECT_EQ(area_of(portal_info(away, PortalId{0})), 16);
+    EXPECT_EQ(area_of(portal_polygons(away, PortalId{0})), 16);
     EXPECT_NE(room_at(away, {1, 2, 2}), room_at(away, {7, 2, 2}));
     EXPECT_EQ(room_at(away, {1.5, -0.3, 2}), room_at(away, {1, 2, 2}));
     const World around = carved(4);  // a way past the portal: the rooms are one
@@ -311,18 +314,19 @@ TEST(GltfRooms, OurLevelInEight) {
     while (walked < 300) {
         const Vec3 from = anywhere();
         const Location start = locate(divided, from);
-        EXPECT_EQ(start.kind, locate(world, from).kind);
-        if (start.kind != Location::Kind::kRoom) continue;
+        EXPECT_EQ(start.where, locate(world, from).where);
+        if (start.where != Where::kAir) continue;
         const Vec3 path = (anywhere() - from) * 0.3;
         RoomId rooms[16];
-        const Hit hit = cast(divided, {from, 0}, path, {.room = start.room, .passed = rooms});
+        RoomTrail trail{rooms};
+        const Hit hit = cast(divided, {from, 0}, path, {.room = start.room, .trail = &trail});
         const Hit whole = cast(world, {from, 0}, path);
         EXPECT_EQ(hit.status, whole.status);
         EXPECT_NEAR(hit.fraction * length(path), whole.fraction * length(path), 1e-4);  // corners of cuts are rounded
         ++walked;
-        if (hit.status != Status::kMiss || hit.rooms_passed > 16) continue;
-        EXPECT_EQ(rooms[hit.rooms_passed - 1], locate(divided, from + path).room);
-        passed += hit.rooms_passed > 1;
+        if (hit.status != Status::kMiss || trail.count > 16) continue;
+        EXPECT_EQ(rooms[trail.count - 1], locate(divided, from + path).room);
+        passed += trail.count > 1;
     }
     EXPECT_GT(passed, 20);
 }

@@ -7,9 +7,11 @@
 
 #include "firma/level.h"
 #include "firma/polygon.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "scenes/cast_families.h"
 #include "scenes/closed_meshes.h"
+#include "tests/source_of.h"
 
 namespace {
 
@@ -19,6 +21,7 @@ using namespace firma;
 PolygonHit brute_force(const std::vector<std::vector<Vec3>>& polygons, const std::vector<bool>& two_sided,
                        const scenes::CastQuery& query, Sides sides, std::uint32_t& face) {
     PolygonHit best;
+    best.centre = query.sphere.centre + query.path;
     for (std::uint32_t f = 0; f < polygons.size(); ++f) {
         const bool both = f < two_sided.size() && two_sided[f];
         const PolygonHit hit = cast_polygon(query.sphere, query.path, polygons[f], both ? Sides::kBoth : sides);
@@ -73,7 +76,7 @@ void compare(const scenes::CastScene& scene, const std::string& name) {
             ASSERT_TRUE(same(hit, expected)) << name << ", cast " << k << ", options " << w << ": fraction "
                                              << hit.fraction << ", all faces " << expected.fraction;
             if (hit.touched()) {
-                ASSERT_EQ(hit.source, face) << name << ", cast " << k << ", options " << w;
+                ASSERT_EQ(source_of(worlds[w], hit), face) << name << ", cast " << k << ", options " << w;
             }
         }
     }

@@ -8,6 +8,7 @@
 
 #include "firma/carve.h"
 #include "firma/level_portals.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "tests/solid/solid_levels.h"
@@ -51,13 +52,13 @@ Made make(const Level& level, const Portals& portals) {
 
 RoomId room_at(const World& world, const Vec3& point) {
     const Location where = locate(world, point);
-    EXPECT_EQ(where.kind, Location::Kind::kRoom) << point.x;
+    EXPECT_EQ(where.where, Where::kAir) << point.x;
     return where.room;
 }
 
-double area_of(const PortalInfo& portal) {
+double area_of(const std::vector<std::vector<Vec3>>& polygons) {
     double area = 0;
-    for (const std::vector<Vec3>& polygon : portal.polygons)
+    for (const std::vector<Vec3>& polygon : polygons)
         for (std::size_t k = 2; k < polygon.size(); ++k)
             area += length(cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0])) / 2;
     return area;
@@ -78,14 +79,15 @@ TEST(MakeDividedWorld, APortalDividesABox) {
         EXPECT_TRUE(made.report.idle.empty());
         EXPECT_EQ(made.world.room_count(), 2u);
         ASSERT_EQ(portal_count(made.world), 1u);
-        const PortalInfo portal = portal_info(made.world, PortalId{0});
+        const PortalInfo portal = *portal_info(made.world, PortalId{0});
         EXPECT_EQ(portal.name, "door");
-        EXPECT_EQ(area_of(portal), 16);
+        EXPECT_EQ(area_of(portal_polygons(made.world, PortalId{0})), 16);
         EXPECT_EQ(portal.rooms[0], room_at(made.world, {7, 2, 2})) << "its front looks toward +x";
         EXPECT_EQ(portal.rooms[1], room_at(made.world, {1, 2, 2}));
         EXPECT_EQ(measure_solid(made.world).volume, -128);
-        const Hit hit = cast(made.world, {{1, 2, 2}, 0.25}, {20, 0, 0}, {.room = portal.rooms[1]});
-        EXPECT_EQ(hit.rooms_passed, 2u);
+        RoomTrail trail;
+        const Hit hit = cast(made.world, {{1, 2, 2}, 0.25}, {20, 0, 0}, {.room = portal.rooms[1], .trail = &trail});
+        EXPECT_EQ(trail.count, 2u);
         EXPECT_NEAR(hit.point.x, 8, 1e-9);
     }
 }
@@ -96,7 +98,7 @@ TEST(MakeDividedWorld, APortalThatDoesNotCloseItsOpeningIsIdle) {
     EXPECT_EQ(made.report.undivided, "");
     EXPECT_EQ(made.world.room_count(), 2u);
     ASSERT_EQ(portal_count(made.world), 1u);
-    EXPECT_EQ(portal_info(made.world, PortalId{0}).name, "gate");
+    EXPECT_EQ(portal_info(made.world, PortalId{0})->name, "gate");
 }
 
 // Each is cut at the other: their parts lie in the list by turns.
@@ -111,7 +113,7 @@ TEST(MakeDividedWorld, APortalMayBeGivenInTriangles) {
     const Made made = make(hall(), {{"", {{whole[0], whole[1], whole[2]}, {whole[0], whole[2], whole[3]}}}});
     EXPECT_EQ(made.world.room_count(), 2u);
     ASSERT_EQ(portal_count(made.world), 1u);
-    EXPECT_EQ(area_of(portal_info(made.world, PortalId{0})), 16);
+    EXPECT_EQ(area_of(portal_polygons(made.world, PortalId{0})), 16);
 }
 
 TEST(MakeDividedWorld, APortalInRockOrWithoutPolygonsIsNothing) {
@@ -127,7 +129,7 @@ TEST(MakeDividedWorld, WhereAirReachesToInfinityTheLastRoomIsTheExterior) {
     add_box(block, {0, 0, 0}, {8, 4, 4}, true);
     const Made made = make(block, {{"door", {wall(4, 0, 0, 4, 4)}}});
     ASSERT_EQ(made.world.room_count(), 3u);
-    const RoomInfo outside = room_info(made.world, room_at(made.world, {20, 2, 2}));
+    const RoomInfo outside = *room_info(made.world, room_at(made.world, {20, 2, 2}));
     EXPECT_TRUE(outside.exterior);
     EXPECT_EQ(outside.name, "exterior");
 }

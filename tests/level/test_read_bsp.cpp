@@ -108,12 +108,13 @@ TEST(ReadBsp, BoxRoomIsSixPolygonsThatFaceInward) {
     }
     const World world = make_world(level).value();
     for (const Face& face : world.faces())
-        for (const FaceId neighbour : face.neighbours) EXPECT_TRUE(neighbour.valid());
+        for (std::uint32_t edge = 0; edge < face.corners.size(); ++edge)
+            EXPECT_TRUE(other_face(world, face.ref(), edge).valid());
     const Hit hit = cast(world, {{0, 0, 0}, 0.5}, {20, 0, 0});
     EXPECT_EQ(hit.status, Status::kHit);
     EXPECT_EQ(hit.fraction, 4.5 / 20);
     EXPECT_EQ(hit.normal, (Vec3{-1, 0, 0}));
-    EXPECT_EQ(hit.source, 1u);
+    EXPECT_EQ(world.face_info(hit.face)->source, 1u);
 }
 
 TEST(ReadBsp, CornersAlongASideAreKept) {

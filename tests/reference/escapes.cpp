@@ -4,8 +4,10 @@
 
 #include <vector>
 
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "tests/reference/judge_scene.h"
+#include "tests/source_of.h"
 
 namespace firma::reference {
 
@@ -40,7 +42,8 @@ EscapeTally try_escapes(std::uint64_t seed, std::uint64_t chunk) {
         tally.lost += !hit.touched();
         if (hit.touched() && k % 64 != 0) continue;
         const Cast asked{query.sphere, query.path};
-        Answer answer{hit, hit.touched() ? hit.source : 0, hit.touched() ? hit.safe_fraction : NAN, 0.001, true};
+        Answer answer{hit, hit.touched() ? source_of(world.value(), hit) : 0, hit.touched() ? hit.safe_fraction : NAN,
+                      0.001, true};
         const Verdict verdict = judge(twin, asked, answer);
         ++tally.judged;
         tally.wrong += !verdict.ok();

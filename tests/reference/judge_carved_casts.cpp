@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casts through a carved world.
 #include "tests/reference/judge_carved_casts.h"
+#include "firma/queries.h"
 #include "world/block_faces.h"
 
 #include <algorithm>
@@ -48,12 +49,12 @@ PolygonHit with_own_normal(const Hit& hit, const std::vector<Vec3>& polygon) {
 /// Whether a ray from the air, so long that it must meet something, gets out or into the rock. The first face met must
 /// be met from its front: one met from behind is the far side of rock that the ray got into through a crack. Front or
 /// back is what the facet's own plane says; casts go by no other.
-/// @param corners  scratch
-bool is_lost(const World& world, const Vec3& start, const Vec3& path, std::vector<Vec3>& corners, RayTally& tally) {
+bool is_lost(const World& world, const Vec3& start, const Vec3& path, RayTally& tally) {
     const Hit first = cast(world, {start, 0}, path, {.sides = Sides::kBoth});
     if (!first.touched()) return true;
-    corners_of({static_cast<const Block*>(first.ref.block), first.ref.slot}, corners);
-    const PolygonShape shape = make_shape({corners.data(), corners.size()});
+    const std::optional<firma::Face> face = world.face(first.face);
+    if (!face) return true;
+    const PolygonShape shape = make_shape(face->corners);
     const double distance = length(path);
     const double facing = dot(path, shape.normal) / (distance * shape.normal_length);
     if (facing <= 1e-6) return false;
@@ -111,7 +112,7 @@ Tally judge_casts_at(const World& world, Rng& rng, int casts, double size) {
         const Hit hit = cast(world, asked.sphere, asked.path, {.sides = asked.sides});
         Answer answer{hit, 0, NAN, world.tolerance().skin, false};
         if (hit.touched()) {
-            const auto found = index.find(hit.face);
+            const auto found = index.find(hit.face.id);
             if (found == index.end()) {
                 tally.add({Fault::kFalse, false, "a face that is nowhere near"}, true, describe(twin, asked, {}));
                 continue;
@@ -135,30 +136,29 @@ void shoot_from_air(const World& world, Rng& rng, std::uint64_t rays, RayTally& 
     const std::vector<FacetPlace> facets = all_facets(world);
     const Box bounds = world.bounds();
     const double far = 2 * length(bounds.high - bounds.low);
-    std::vector<Vec3> corners;
     std::uint64_t shot = 0;
     while (shot < rays) {
         // A start in the air before a face, and a hundred faces around it to aim at.
         const std::uint32_t first = rng.below(std::uint32_t(facets.size()));
-        const Vec3 normal = world.face(ref_to(*facets[first].block, facets[first].slot)).normal;
+        const Vec3 normal = world.face_info(ref_to(*facets[first].block, facets[first].slot))->normal;
         const Vec3 on = point_of(corners_of(facets[first]), rng);
         const double away = rng.uniform();
         const Vec3 start = on + normal * std::ldexp(away, -int(rng.below(8)));
-        if (closest(world, start, 1e-4) || in_solid(world, start).value_or(true)) continue;
-        std::vector<NearFace> near;
+        if (closest(world, start, 1e-4) || locate(world.solid(), start) != Where::kAir) continue;
+        std::vector<Overlap> near;
         overlap(world, {start, 3}, near);
         for (int k = 0; k < 200 && shot < rays; ++k) {
             Vec3 target = point_of(corners_of(facets[rng.below(std::uint32_t(facets.size()))]), rng);
             if (!near.empty() && rng.chance(0.8)) {
                 const NearFace& aim = near[rng.below(std::uint32_t(near.size()))];
-                target = point_of(world.face(aim.ref).corners, rng);
+                target = point_of(world.face(aim.face)->corners, rng);
             }
             const Vec3 way = target - start;
             if (!(length(way) > 1e-9)) continue;
             const Vec3 path = way * std::exp2(std::ceil(std::log2(far / length(way))));
             ++shot;
             ++tally.rays;
-            if (!is_lost(world, start, path, corners, tally)) continue;
+            if (!is_lost(world, start, path, tally)) continue;
             ++tally.lost;
             if (!tally.first_failure.empty()) continue;
             char text[300];

@@ -13,6 +13,7 @@
 #include "base/assert.h"
 #include "carve/check_shells.h"
 #include "carve/place_cutter.h"
+#include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/directed_edges.h"
@@ -220,17 +221,19 @@ private:
             const Vec3 p = point_in(box, rng_);
             if (!is_clear(p, 1e-4)) continue;
             ++tally_.points;
-            const std::optional<bool> was = in_solid(before_, p), is = in_solid(after_, p);
+            const Where before = locate(before_.solid(), p), after = locate(after_.solid(), p);
             const bool in_cutter = winding(*placed_, p) > 0.5;
-            if (!was || !is) return fail("in_solid cannot tell of " + words(p));
-            if (*is != (fill_ ? *was || in_cutter : *was && !in_cutter))
+            for (const Where where : {before, after})
+                if (where != Where::kAir && where != Where::kSolid) return fail("locate() cannot tell of " + words(p));
+            const bool was = before == Where::kSolid, is = after == Where::kSolid;
+            if (is != (fill_ ? was || in_cutter : was && !in_cutter))
                 return fail("wrong side after the cut: " + words(p));
             const double now = winding(facets, p) - winding(change_.gone, p) + winding(change_.come, p) + rock;
-            if (std::fabs(now - *is) > 1e-3)
+            if (std::fabs(now - is) > 1e-3)
                 return fail("the surface winds " + std::to_string(now) + " times around " + words(p));
             if (rooms)
                 if (const std::string wrong = rooms->judge(p); !wrong.empty()) return fail(wrong);
-            if (*is) continue;
+            if (is) continue;
             if (has_rooms_ && !air_.empty()) {
                 ++tally_.ways;
                 if (const std::string wrong = judge_way(after_, air_.back(), p); !wrong.empty()) return fail(wrong);
@@ -253,6 +256,11 @@ private:
         return which < 0.8 ? on_edge : on_edge + (c - on_edge) * v;
     }
 
+    bool is_solid(const Hit& hit) const {
+        const std::optional<FaceInfo> face = after_.face_info(hit.face);
+        return face && face->solid;
+    }
+
     void judge_rays() {
         if (air_.empty() || (change_.come.empty() && change_.gone.empty())) return;
         const std::vector<bool> closed = closed_rooms(after_);
@@ -260,13 +268,13 @@ private:
             const Vec3 start = air_[rng_.below(std::uint32_t(air_.size()))];
             const Vec3 path = (target() - start) * 65536;
             const Hit front = cast(after_, {start, 0}, path);
-            if (front.touched() && !front.portal.valid() && !after_.face(front.ref).solid) continue;
+            if (front.touched() && !front.portal.valid() && !is_solid(front)) continue;
             ++tally_.rays;
-            const Location from = has_rooms_ ? locate(after_, start) : Location{Location::Kind::kRoom, {}};
-            if (from.kind == Location::Kind::kRoom && closed[from.room.value] && !front.touched())
+            const Location from = has_rooms_ ? locate(after_, start) : Location{Where::kAir, {0}};
+            if (from.where == Where::kAir && closed[from.room.value] && !front.touched())
                 return fail("a ray escapes from " + words(start) + " by " + words(path));
             const Hit both = cast(after_, {start, 0}, path, {.sides = Sides::kBoth});
-            if (!both.touched() || both.portal.valid() || !after_.face(both.ref).solid) continue;
+            if (!both.touched() || both.portal.valid() || !is_solid(both)) continue;
             // At an edge where the surface turns away both faces are met at once, up to rounding.
             const double gap = (front.touched() ? front.fraction - both.fraction : INFINITY) * length(path);
             if (dot(path, both.face_normal) > 1e-6 * length(path) && gap > 1e-5)

@@ -74,7 +74,7 @@ public:
         std::vector<std::pair<std::size_t, std::size_t>> differences;
         for (std::size_t k = 0; k < worlds_.size(); ++k) {
             const WorldDiff diff = diff_worlds(worlds_[k], results[k].world);
-            differences.emplace_back(diff.gone.size(), diff.come.size());
+            differences.emplace_back(diff.removed.size(), diff.added.size());
             worlds_[k] = results[k].world;
             if (!same_ending(results[k], results[0])) wrong = "how it ended, kind " + std::to_string(k);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Judges a level of brushes made into a world.
 #include "tests/reference/judge_joined.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,13 +126,13 @@ private:
         const auto judge = [&](const Vec3& from, const Vec3& to) {
             if (std::string fault = judge_way(world, from, to); !fault.empty()) failed(std::move(fault));
             const Location start = locate(world, from), end = locate(world, to);
-            if (start.kind != Location::Kind::kRoom || end.kind != Location::Kind::kRoom) return;
+            if (start.where != Where::kAir || end.where != Where::kAir) return;
             if (cast(world, {from, 0}, to - from).touched()) return;
             ++verdict_.ways;
             verdict_.crossings += start.room != end.room;
         };
         for (std::uint32_t portal = 0; portal < portal_count(world); ++portal)
-            for (const std::vector<Vec3>& polygon : portal_info(world, {portal}).polygons) {
+            for (const std::vector<Vec3>& polygon : portal_polygons(world, {portal})) {
                 const Vec3 front = point_near(polygon, false);
                 const Vec3 behind = point_near(polygon, true);
                 judge(front, behind);
@@ -145,9 +146,9 @@ private:
         const Rational steps[3] = {Rational(point.x * kInputSteps), Rational(point.y * kInputSteps),
                                    Rational(point.z * kInputSteps)};
         const int side = side_of_brushes(brushes_, steps);
-        const Location::Kind kind = locate(world, point).kind;
-        if (side > 0 && kind == Location::Kind::kRoom) return "a point in a brush is said to lie in a room";
-        if (side < 0 && kind == Location::Kind::kSolid) return "a point in the air is said to lie in the solid";
+        const Where where = locate(world, point).where;
+        if (side > 0 && where == Where::kAir) return "a point in a brush is said to lie in a room";
+        if (side < 0 && where == Where::kSolid) return "a point in the air is said to lie in the solid";
         if (closest(world, point, 1e-4)) return "";
         ++verdict_.points;
         return rooms.judge(point);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Judges the rooms of a world.
 #include "tests/reference/judge_rooms.h"
+#include "firma/queries.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +23,8 @@ std::string text_of(const Vec3& v) {
 }
 
 std::string text_of(const Location& where) {
-    if (where.kind == Location::Kind::kRoom) return "in room " + std::to_string(where.room.value);
-    return where.kind == Location::Kind::kSolid ? "in the solid" : "nowhere it is sure of";
+    if (where.where == Where::kAir) return "in room " + std::to_string(where.room.value);
+    return where.where == Where::kSolid ? "in the solid" : "nowhere it is sure of";
 }
 
 }  // namespace
@@ -32,8 +33,7 @@ bool same_hit(const Hit& a, const Hit& b) {
     return a.status == b.status && a.feature == b.feature && a.feature_index == b.feature_index &&
            a.fraction == b.fraction && a.safe_fraction == b.safe_fraction && a.centre == b.centre &&
            a.point == b.point && a.normal == b.normal && a.face_normal == b.face_normal && a.face == b.face &&
-           a.other_face == b.other_face && a.source == b.source && a.source_edit == b.source_edit &&
-           a.material == b.material && a.portal == b.portal && a.room == b.room;
+           a.material == b.material && a.portal == b.portal;
 }
 
 std::string unclosed_room(const World& world) {
@@ -42,9 +42,9 @@ std::string unclosed_room(const World& world) {
         for (const FacetPlace& place : facets_of_room(world, room))
             if (place.record().solid) edges.add(place);
         for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
-            const PortalInfo info = portal_info(world, {portal});
+            const PortalInfo info = *portal_info(world, {portal});
             if (info.rooms[0].value != room && info.rooms[1].value != room) continue;
-            for (std::vector<Vec3> polygon : info.polygons) {
+            for (std::vector<Vec3> polygon : portal_polygons(world, {portal})) {
                 if (info.rooms[0].value != room) std::reverse(polygon.begin(), polygon.end());
                 edges.add(polygon);
             }
@@ -60,7 +60,7 @@ std::vector<bool> closed_rooms(const World& world) {
     for (std::uint32_t k = 0; k < world.room_count(); ++k) {
         bool open = !world.data().cells.known() && !world.data().rock_outside();
         for (std::uint32_t other = 0; other < world.room_count() && !open; ++other)
-            open = room_info(world, {other}).exterior && find_path(world, {k}, {other}, Doors::kAllOpen).has_value();
+            open = room_info(world, {other})->exterior && find_path(world, {k}, {other}, Doors::kAllOpen).has_value();
         closed.push_back(!open);
     }
     return closed;
@@ -70,11 +70,11 @@ RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_co
     for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
         rooms_[room].facets = facets_of_room(world, room);
         rooms_[room].exterior =
-            world.data().cells.known() ? room_info(world, {room}).exterior : !world.data().rock_outside();
+            world.data().cells.known() ? room_info(world, {room})->exterior : !world.data().rock_outside();
     }
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
-        const PortalInfo info = portal_info(world, {portal});
-        for (std::vector<Vec3> polygon : info.polygons) {
+        const PortalInfo info = *portal_info(world, {portal});
+        for (std::vector<Vec3> polygon : portal_polygons(world, {portal})) {
             rooms_[info.rooms[0].value].portals.push_back(polygon);
             std::reverse(polygon.begin(), polygon.end());
             rooms_[info.rooms[1].value].portals.push_back(std::move(polygon));
@@ -83,7 +83,7 @@ RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_co
 }
 
 std::string RoomBounds::judge(const Vec3& point) const {
-    Location where{Location::Kind::kSolid, {}};
+    Location where{Where::kSolid, {}};
     for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
         const Bounds& bounds = rooms_[room];
         // Fronts look into the room: its boundary winds -1 times around what is in it.
@@ -92,10 +92,10 @@ std::string RoomBounds::judge(const Vec3& point) const {
         if (std::fabs(in) < 1e-3) continue;
         if (std::fabs(in - 1) > 1e-3)
             return "room " + std::to_string(room) + " lies " + std::to_string(in) + " times around " + text_of(point);
-        if (where.kind == Location::Kind::kRoom)
+        if (where.where == Where::kAir)
             return "two rooms, " + std::to_string(where.room.value) + " and " + std::to_string(room) + ", lie around " +
                    text_of(point);
-        where = {Location::Kind::kRoom, {room}};
+        where = {Where::kAir, {room}};
     }
     const Location said = locate(world_, point);
     if (said == where) return "";
@@ -104,18 +104,18 @@ std::string RoomBounds::judge(const Vec3& point) const {
 
 std::string judge_way(const World& world, const Vec3& from, const Vec3& to) {
     const Location start = locate(world, from), end = locate(world, to);
-    if (start.kind != Location::Kind::kRoom || end.kind == Location::Kind::kUnsure) return {};
+    if (start.where != Where::kAir || (end.where != Where::kAir && end.where != Where::kSolid)) return {};
     CastOptions options;
     options.room = start.room;
     std::array<RoomId, 256> passed;
-    options.passed = passed;
+    RoomTrail trail{passed};
+    options.trail = &trail;
     const Hit hit = cast(world, {from, 0}, to - from, options);
     if (hit.touched()) return {};
-    for (std::size_t k = 0; k < std::min<std::size_t>(hit.rooms_passed, passed.size()); ++k)
+    for (std::size_t k = 0; k < std::min<std::size_t>(trail.count, passed.size()); ++k)
         if (passed[k] == end.room) return {};
-    return (end.kind == Location::Kind::kSolid
-                ? "a way into the solid meets nothing: from "
-                : "a way through the air to another room passes no portal into it: from ") +
+    return (end.where == Where::kSolid ? "a way into the solid meets nothing: from "
+                                       : "a way through the air to another room passes no portal into it: from ") +
            text_of(from) + " to " + text_of(to);
 }
 
@@ -123,9 +123,11 @@ std::string judge_cast_by_room(const World& world, const Sphere& sphere, const V
                                std::uint32_t& rooms_passed) {
     rooms_passed = 0;
     const Location start = locate(world, sphere.centre);
-    if (start.kind != Location::Kind::kRoom || closest(world, sphere.centre, sphere.radius + 1e-5)) return "";
-    const Hit all = cast(world, sphere, path), by_room = cast(world, sphere, path, {.room = start.room});
-    rooms_passed = by_room.rooms_passed;
+    if (start.where != Where::kAir || closest(world, sphere.centre, sphere.radius + 1e-5)) return "";
+    RoomTrail trail;
+    const Hit all = cast(world, sphere, path),
+              by_room = cast(world, sphere, path, {.room = start.room, .trail = &trail});
+    rooms_passed = trail.count;
     if (same_hit(all, by_room)) return "";
     char radius[40];
     std::snprintf(radius, sizeof radius, "%.17g", sphere.radius);

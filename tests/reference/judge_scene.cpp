@@ -6,7 +6,10 @@
 #include <cstdio>
 
 #include "firma/level.h"
+#include "firma/queries.h"
+#include "firma/rooms.h"
 #include "firma/world.h"
+#include "tests/source_of.h"
 
 namespace firma::reference {
 
@@ -106,7 +109,7 @@ private:
         options.sides = cast.sides;
         if (rng_.chance(0.3)) options.skin = rng_.chance(0.5) ? 0.02 : 0;
         const Hit hit = firma::cast(world_, cast.sphere, cast.path, options);
-        Answer answer{hit, hit.touched() ? hit.source : 0, hit.safe_fraction,
+        Answer answer{hit, hit.touched() ? source_of(world_, hit) : 0, hit.safe_fraction,
                       options.skin < 0 ? world_.tolerance().skin : options.skin, false};
         if (!hit.touched()) answer.safe_fraction = NAN;
         count("World", judge(twin_, cast, answer), cast, hit, answer.face);
@@ -139,13 +142,11 @@ private:
 
     void judge_names(const Cast& cast, const Hit& hit) {
         if (!hit.touched()) return;
-        if (!hit.face.valid() || !hit.ref.valid() || hit.version != world_.version())
-            return broken("face, ref or version unset", cast, hit);
-        const Face_ face = world_.face(hit.ref);
-        if (face.id != hit.face || face.source != hit.source) return broken("ref and face disagree", cast, hit);
-        const bool edge = hit.feature == Feature::kEdge;
-        const FaceId across = edge ? face.neighbours.at(hit.feature_index) : FaceId{};
-        if (hit.other_face != across) broken("other_face is not the neighbour across the edge", cast, hit);
+        if (!hit.face.valid()) return broken("face unset", cast, hit);
+        const std::optional<FaceInfo> face = world_.face_info(hit.face);
+        if (!face) return broken("the world does not find the face met", cast, hit);
+        if (face->ref() != hit.face || face->material != hit.material || room_of(world_, hit) != face->room)
+            return broken("hit and face disagree", cast, hit);
     }
 
     void judge_any(const Cast& cast, const CastOptions& options, const Hit& hit) {
@@ -165,10 +166,11 @@ private:
             return broken("cast_all begins with another hit", cast, hit);
         std::vector<const Hit*> of_face(polygons_.size());
         for (std::size_t k = 0; k < hits.size(); ++k) {
-            if (of_face[hits[k].source]) return broken("cast_all names a face twice", cast, hit);
-            of_face[hits[k].source] = &hits[k];
+            const Hit*& first = of_face.at(source_of(world_, hits[k]));
+            if (first) return broken("cast_all names a face twice", cast, hit);
+            first = &hits[k];
             if (k > 0 && (hits[k].fraction < hits[k - 1].fraction ||
-                          (hits[k].fraction == hits[k - 1].fraction && hits[k].face <= hits[k - 1].face)))
+                          (hits[k].fraction == hits[k - 1].fraction && hits[k].face.id <= hits[k - 1].face.id)))
                 return broken("cast_all is not in order", cast, hit);
         }
         for (std::uint32_t f = 0; f < of_face.size(); ++f) {

@@ -8,6 +8,7 @@
 
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/save.h"
 #include "save/crc32c.h"
 #include "save/sections.h"

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/hasher.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 #include "scenes/divided_building.h"
@@ -59,10 +60,10 @@ TEST(PackWorld, LevelsOfEveryFamilyAfterCuts) {
 TEST(PackWorld, RoomsPortalsAndDoors) {
     expect_round_trip(two_rooms());
     const World read = unpacked(pack_world(two_rooms()));
-    EXPECT_EQ(room_info(read, {0}).name, "hall");
-    EXPECT_EQ(portal_info(read, {0}).name, "door");
-    EXPECT_FALSE(portal_info(read, {0}).open);
-    EXPECT_TRUE(portal_info(read, {1}).polygons.empty());
+    EXPECT_EQ(room_info(read, {0})->name, "hall");
+    EXPECT_EQ(portal_info(read, {0})->name, "door");
+    EXPECT_FALSE(portal_info(read, {0})->open);
+    EXPECT_TRUE(portal_info(read, {1})->polygons == 0);
     const scenes::DividedBuilding building(
         {.rooms_x = 4, .rooms_y = 3, .rooms_z = 2, .outdoors = true, .closed = 0.5, .seed = 7});
     const World world = assemble_world(building.parts()).value();
@@ -78,11 +79,12 @@ TEST(PackWorld, RoomsPortalsAndDoors) {
     EXPECT_EQ(facets.room_count(), world.room_count());
     for (int k = 0; k < 200; ++k) {
         const Vec3 point = building.point_in_air(0, rng);
-        EXPECT_EQ(locate(facets, point).kind, Location::Kind::kUnsure);
+        EXPECT_EQ(locate(facets, point).where, Where::kUnknown);
         const Vec3 path = rng.direction() * 20.0;
-        const Hit hit = cast(facets, {point, 0}, path, {.room = kLocateRoom});
+        RoomTrail trail;
+        const Hit hit = cast(facets, {point, 0}, path, {.room = kLocateRoom, .trail = &trail});
         EXPECT_EQ(hit.face, cast(world, {point, 0}, path).face);
-        EXPECT_EQ(hit.rooms_passed, 0u);
+        EXPECT_EQ(trail.count, 0u);
     }
 }
 
@@ -247,7 +249,7 @@ World rooms_and_craters() {
         if (k == 4) pose.position = {5.5, 2.5, 0.5};
         world = carve(world, make_crater(CutterShape::kWedge, rng.next()), pose, {"crater"}).world;
     }
-    return set_portal_open(world, {2}, !portal_info(world, {2}).open);
+    return *set_portal_open(world, {2}, !portal_info(world, {2})->open);
 }
 
 TEST(PackWorld, RoomsAndCratersAreTheSameEverywhere) {
@@ -274,9 +276,9 @@ TEST(PackWorld, RoomsOfVersionOneStayReadable) {
     expect_round_trip(world);
     std::size_t joined = 0, gone = 0;
     for (std::uint32_t room = 0; room < world.room_count(); ++room)
-        joined += room_info(world, {room}).part_of != RoomId{room};
+        joined += room_info(world, {room})->merged_into != RoomId{room};
     for (std::uint32_t portal = 0; portal < portal_count(world); ++portal)
-        gone += portal_info(world, {portal}).polygons.empty();
+        gone += portal_info(world, {portal})->polygons == 0;
     EXPECT_GT(joined, 0u);
     EXPECT_GT(gone, 0u);
     EXPECT_LT(joined + 4, world.room_count());

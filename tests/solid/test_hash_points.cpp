@@ -216,8 +216,8 @@ TEST(PointHash, EachCornerCountsInItsRegion) {
     moved[2].y -= 1;
     const Sums other = hash_of({{large[0], large[1], moved[2], large[3]}});
     EXPECT_NE(other, sums);
-    EXPECT_EQ(place_of_region(region_of(to_surface(large[2]))), (std::array<std::int32_t, 3>{3, 5, 0}));
-    EXPECT_EQ(place_of_region(region_of({-1, -1, -1})), (std::array<std::int32_t, 3>{-1, -1, -1}));
+    EXPECT_EQ(place_of_region(region_of(to_surface(large[2]))), (Region{3, 5, 0}));
+    EXPECT_EQ(place_of_region(region_of({-1, -1, -1})), (Region{-1, -1, -1}));
 }
 
 TEST(PointHash, EachMovedCornerShows) {

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "base/hasher.h"
+#include "firma/queries.h"
+#include "firma/rooms.h"
 #include "firma/world_store.h"
 #include "tests/store/cratered.h"
 
@@ -34,20 +36,19 @@ inline std::uint64_t answer_of(const World& world, std::uint64_t question) {
     const Vec3 path = rng.direction() * 20;
     Hasher hasher;
     if (question % 32 == 7) {
-        std::vector<NearFace> near;
+        std::vector<Overlap> near;
         overlap(world, {centre, 1.5}, near);
-        for (const NearFace& face : near) hasher.add(std::uint64_t(face.face.value));
+        for (const NearFace& face : near) hasher.add(std::uint64_t(face.face.id.value));
     } else if (question % 32 == 15) {
-        if (const auto near = closest(world, centre)) hasher.add(std::bit_cast<std::uint64_t>(near->distance));
+        if (const NearFace near = closest(world, centre)) hasher.add(std::bit_cast<std::uint64_t>(near.distance));
     } else if (question % 32 == 23) {
         hasher.add(std::uint64_t(cast_any(world, {centre, radius}, path)));
     } else {
         const Hit hit = cast(world, {centre, radius}, path);
         hasher.add(std::uint64_t(hit.status) * 2 + hit.touched());
-        hasher.add(std::uint64_t(hit.face.value) << 32 | hit.other_face.value);
+        hasher.add(std::uint64_t(hit.face.id.value) << 32 | room_of(world, hit).value);
         hasher.add(std::bit_cast<std::uint64_t>(hit.fraction));
         hasher.add(std::bit_cast<std::uint64_t>(hit.point.x + 2 * hit.point.y + 3 * hit.point.z));
-        hasher.add(hit.version);
     }
     return hasher.value();
 }

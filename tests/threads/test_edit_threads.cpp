@@ -28,7 +28,7 @@ std::uint64_t ask(const World& world) {
         for (int axis = 0; axis < 3; ++axis) centre[axis] = rng.uniform(1, axis == 2 ? 5 : 17);
         const Vec3 direction = rng.direction();
         const Hit hit = cast(world, {centre, 0.2}, direction * 8);
-        sum = sum * 31 + hit.face.value + hit.other_face.value;
+        sum = sum * 31 + hit.face.id.value + room_of(world, hit).value;
     }
     return sum;
 }

@@ -19,19 +19,19 @@ std::uint64_t ask(const World& world, std::uint64_t seed) {
     scenes::Rng rng(seed);
     const Box bounds = world.bounds();
     std::vector<Hit> hits;
-    std::vector<NearFace> near;
+    std::vector<Overlap> near;
     std::uint64_t sum = 0;
     for (int k = 0; k < kCasts; ++k) {
         Vec3 centre;
         for (int axis = 0; axis < 3; ++axis) centre[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
         const Vec3 direction = rng.direction();
         const Sphere sphere{centre, 0.25};
-        sum = sum * 31 + cast(world, sphere, direction * 10).face.value;
+        sum = sum * 31 + cast(world, sphere, direction * 10).face.id.value;
         if (k % 16 != 0) continue;
         cast_all(world, sphere, direction, hits);
         overlap(world, sphere, near);
         const auto nearest = closest(world, centre, 2);
-        sum = sum * 31 + hits.size() + near.size() + (nearest ? nearest->face.value : 0);
+        sum = sum * 31 + hits.size() + near.size() + (nearest ? nearest.face.id.value : 0);
     }
     return sum;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "firma/memory.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
 #include "tests/store/cratered.h"
@@ -172,13 +173,14 @@ struct Asked {
 };
 
 /// @param hits, found  keep their memory from call to call
-Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>& hits, std::vector<NearFace>& found) {
+Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>& hits, std::vector<Overlap>& found) {
     Asked asked;
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Question& it = all[k];
         const Hit hit = cast(world, it.sphere, it.path);
         asked.touched += hit.touched();
-        asked.edges += hit.feature == Feature::kEdge && hit.touched();
+        if (hit.feature == Feature::kEdge && hit.touched())
+            asked.edges += other_face(world, hit.face, hit.feature_index).valid();
         const Status any = cast_any(world, it.sphere, it.path);
         asked.any += any == Status::kHit || any == Status::kTouching;
         if (k % 8 != 0) continue;
@@ -186,9 +188,8 @@ Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>
         asked.all += hits.size();
         overlap(world, {it.sphere.centre, 1}, found);
         asked.near += found.size();
-        asked.nearest += closest(world, it.sphere.centre, 2).has_value();
-        const auto solid = in_solid(world, it.sphere.centre);
-        asked.nearest += solid && *solid;
+        asked.nearest += closest(world, it.sphere.centre, 2).found();
+        asked.nearest += locate(world.solid(), it.sphere.centre) == Where::kSolid;
     }
     return asked;
 }
@@ -225,7 +226,7 @@ TEST(CastTouchesNothing, AHundredThousandCastsWriteNothingAndAllocateNothing) {
     const World& world = the_world();
     const std::vector<Question> all = questions(100'000);
     std::vector<Hit> hits;
-    std::vector<NearFace> found;
+    std::vector<Overlap> found;
     const Asked before = ask(world, all, hits, found);  // the lists get their memory
     const long handles = world.handles();
     const std::uint64_t hash = hash_world(world);
@@ -273,24 +274,25 @@ const World& the_rooms() {
 }
 
 Asked ask_by_room(const World& world, const std::vector<Question>& all, std::vector<Hit>& hits,
-                  std::vector<NearFace>& found) {
+                  std::vector<Overlap>& found) {
     Asked asked;
     std::array<RoomId, 40> passed;
     for (const Question& it : all) {
         const Location where = locate(world, it.sphere.centre);
-        const bool in_room = where.kind == Location::Kind::kRoom;
-        const CastOptions by_room{.room = in_room ? where.room : kAnyRoom, .passed = passed};
+        const bool in_room = where.where == Where::kAir;
+        RoomTrail trail{passed};
+        const CastOptions by_room{.room = in_room ? where.room : kAnyRoom, .trail = &trail};
         const Hit hit = cast(world, it.sphere, it.path, by_room);
         asked.touched += hit.touched();
-        asked.edges += hit.rooms_passed > 2;
+        asked.edges += trail.count > 2;
         asked.any += cast(world, it.sphere, it.path, {.room = kLocateRoom}).touched();
-        cast(world, it.sphere, it.path);
-        cast_any(world, it.sphere, it.path, by_room);
+        asked.any += cast(world, it.sphere, it.path).status == Status::kInvalid;
+        asked.any += cast_any(world, it.sphere, it.path, by_room) == Status::kInvalid;
         cast_all(world, it.sphere, it.path, hits, by_room);
         asked.all += hits.size();
-        overlap(world, {it.sphere.centre, 1}, found, ~0u, by_room.room);
+        overlap(world, {it.sphere.centre, 1}, found, {.room = by_room.room});
         asked.near += found.size();
-        asked.nearest += closest(world, it.sphere.centre, 2, ~0u, by_room.room).has_value();
+        asked.nearest += closest(world, it.sphere.centre, 2, {.room = by_room.room}).found();
     }
     return asked;
 }
@@ -304,7 +306,7 @@ TEST(CastTouchesNothing, NorDoThoseFromRoomToRoom) {
     std::vector<Question> all = questions(10'000);
     for (Question& it : all) it.sphere.centre = it.sphere.centre * 1.2 + Vec3{1, 1, 1};
     std::vector<Hit> hits;
-    std::vector<NearFace> found;
+    std::vector<Overlap> found;
     const Asked before = ask_by_room(world, all, hits, found);
     const long handles = world.handles();
     Asked asked;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
 #include "world/world_data.h"
@@ -40,10 +41,15 @@ void expect_same(const Hit& a, const Hit& b) {
     EXPECT_EQ(a.safe_fraction, b.safe_fraction);
     EXPECT_EQ(a.face, b.face);
     EXPECT_EQ(a.portal, b.portal);
-    EXPECT_EQ(a.other_face, b.other_face);
     EXPECT_EQ(a.point, b.point);
     EXPECT_EQ(a.normal, b.normal);
-    EXPECT_EQ(a.room, b.room);
+}
+
+/// Of a cast that finds out where it starts.
+std::uint32_t rooms_passed(const World& world, const Sphere& sphere, const Vec3& path) {
+    RoomTrail trail;
+    static_cast<void>(cast(world, sphere, path, {.room = kLocateRoom, .trail = &trail}));
+    return trail.count;
 }
 
 void compare(const DividedBuilding& building, const World& world, int casts, std::uint64_t seed) {
@@ -54,15 +60,19 @@ void compare(const DividedBuilding& building, const World& world, int casts, std
     std::vector<Hit> hits;
     for (int k = 0; k < casts && !testing::Test::HasFailure(); ++k) {
         const Asked asked = ask(building, rng);
-        const bool starts_at_door = closest(world, asked.sphere.centre, asked.sphere.radius + 1e-9).has_value();
+        const bool starts_at_door = closest(world, asked.sphere.centre, asked.sphere.radius + 1e-9).found();
         const Hit all = cast(world, asked.sphere, asked.path);
         const Location start = locate(world, asked.sphere.centre);
-        ASSERT_EQ(start.kind, Location::Kind::kRoom);
+        ASSERT_EQ(start.where, Where::kAir);
         SCOPED_TRACE(testing::Message() << "cast " << k << " from room " << start.room.value);
         std::array<RoomId, 64> passed;
-        const CastOptions by_room{.room = start.room, .passed = passed};
+        RoomTrail trail{passed};
+        const CastOptions by_room{.room = start.room, .trail = &trail};
         const Hit hit = cast(world, asked.sphere, asked.path, by_room);
+        const std::uint32_t rooms_passed = trail.count;
+        trail.rooms = {};
         expect_same(hit, all);
+        EXPECT_EQ(room_of(world, hit), room_of(world, all));
         expect_same(cast(world, asked.sphere, asked.path, {.room = kLocateRoom}), all);
         EXPECT_EQ(cast_any(world, asked.sphere, asked.path, by_room) == Status::kMiss, !all.touched());
         EXPECT_EQ(cast_all(world, asked.sphere, asked.path, hits, by_room) == Status::kMiss, !all.touched());
@@ -75,24 +85,21 @@ void compare(const DividedBuilding& building, const World& world, int casts, std
             EXPECT_EQ(plain.fraction, all.fraction);
             EXPECT_EQ(plain.face, all.face);
         }
-        ASSERT_GE(hit.rooms_passed, 1u);
+        ASSERT_GE(rooms_passed, 1u);
         EXPECT_EQ(passed[0], start.room);
-        for (std::uint32_t p = 0; p < std::min(hit.rooms_passed, 64u); ++p) {
-            if (p < kRoomsInHit) {
-                EXPECT_EQ(hit.passed[p], passed[p]);
-            }
-            EXPECT_EQ(std::count(passed.begin(), passed.begin() + std::min(hit.rooms_passed, 64u), passed[p]), 1);
+        for (std::uint32_t p = 0; p < std::min(rooms_passed, 64u); ++p) {
+            EXPECT_EQ(std::count(passed.begin(), passed.begin() + std::min(rooms_passed, 64u), passed[p]), 1);
         }
         const bool ends_at_door = std::any_of(hits.begin(), hits.end(), [&](const Hit& other) {
             return other.portal.valid() && other.fraction <= hit.fraction * (1 + 1e-9);
         });
         if (hit.touched() && !starts_at_door && !ends_at_door) {  // there a face behind the door may have the lowest id
-            const RoomId* const end = passed.data() + std::min(hit.rooms_passed, 64u);
-            EXPECT_NE(std::find<const RoomId*>(passed.data(), end, hit.room), end);
+            const RoomId* const end = passed.data() + std::min(rooms_passed, 64u);
+            EXPECT_NE(std::find<const RoomId*>(passed.data(), end, room_of(world, hit)), end);
         }
         touched += all.touched();
         doors += all.portal.valid();
-        far += hit.rooms_passed > 2;
+        far += rooms_passed > 2;
     }
     EXPECT_GT(touched, std::size_t(casts) / 5);
     EXPECT_GT(far, std::size_t(casts) / 200);
@@ -130,8 +137,8 @@ TEST(CastsByRoom, FromOnAPortal) {
     const World world = assemble_world(building.parts()).value();
     scenes::Rng rng(4);
     for (std::uint32_t k = 0; k < portal_count(world); ++k) {
-        const PortalInfo portal = portal_info(world, {k});
-        for (const std::vector<Vec3>& polygon : portal.polygons)
+        const PortalInfo portal = *portal_info(world, {k});
+        for (const std::vector<Vec3>& polygon : portal_polygons(world, {k}))
             for (int turn = 0; turn < 8; ++turn) {
                 const double share = rng.uniform(0.1, 0.9);
                 const Vec3 start = polygon[0] + (polygon[2] - polygon[0]) * share;
@@ -171,30 +178,31 @@ TEST(CastsByRoom, ThroughAThinWall) {
     const Vec3 path{0, 1.5, 0};  // along the wall, into which the ball reaches, and through it
     const Sphere ball{{3.875, 2, 2}, 0.5};
     const Hit all = cast(world, ball, path);
-    EXPECT_EQ(all.room, RoomId{1});
-    EXPECT_EQ(all.face, FaceId{9});
+    EXPECT_EQ(room_of(world, all), RoomId{1});
+    EXPECT_EQ(all.face.id, FaceId{9});
     EXPECT_LT(all.fraction, 1);
     for (const RoomId room : {RoomId{0}, kLocateRoom}) {
-        const Hit hit = cast(world, ball, path, {.room = room});  // its own room only
-        EXPECT_EQ(hit.face, FaceId{3});
+        RoomTrail trail;
+        const Hit hit = cast(world, ball, path, {.room = room, .trail = &trail});  // its own room only
+        EXPECT_EQ(hit.face.id, FaceId{3});
         EXPECT_EQ(hit.fraction, 1);
-        EXPECT_EQ(hit.rooms_passed, 1u);
+        EXPECT_EQ(trail.count, 1u);
     }
     // Into the wall: the overlap gets deeper at once, whoever is asked.
     for (const RoomId room : {RoomId{0}, kLocateRoom, kAnyRoom}) {
         const Hit hit = cast(world, ball, {1, 0, 0}, {.room = room});
         EXPECT_EQ(hit.status, Status::kTouching);
-        EXPECT_EQ(hit.face, FaceId{5});
+        EXPECT_EQ(hit.face.id, FaceId{5});
     }
     // From within the wall nothing says which room is meant: all are asked.
     const Sphere inside{{4.0625, 2, 2}, 0.5};
     expect_same(cast(world, inside, path, {.room = kLocateRoom}), cast(world, inside, path));
-    EXPECT_EQ(cast(world, inside, path, {.room = kLocateRoom}).rooms_passed, 0u);
-    EXPECT_EQ(cast(world, inside, path * 1.25, {.room = {0}}).face, FaceId{3});  // believed
+    EXPECT_EQ(rooms_passed(world, inside, path), 0u);
+    EXPECT_EQ(cast(world, inside, path * 1.25, {.room = {0}}).face.id, FaceId{3});  // believed
     // On a face likewise.
     const Sphere on_face{{4, 2, 2}, 0.5};
     expect_same(cast(world, on_face, path, {.room = kLocateRoom}), cast(world, on_face, path));
-    EXPECT_EQ(cast(world, on_face, path, {.room = kLocateRoom}).rooms_passed, 0u);
+    EXPECT_EQ(rooms_passed(world, on_face, path), 0u);
 }
 
 /// More rooms than there are marks for on the stack, and more waiting than have places there.
@@ -231,10 +239,11 @@ TEST(CastsByRoom, MoreRoomsThanPlaces) {
         // Down on the first strips: some rooms wait. Along all of them: far too many do.
         for (const Vec3& path : {Vec3{1.2, 0, -2}, Vec3{3900, 0, -1.6}}) {
             const Hit all = cast(world, {{0.5, 0.5, 1.5}, 0.25}, path);
-            const Hit by_room = cast(world, {{0.5, 0.5, 1.5}, 0.25}, path, {.room = {0}});
+            RoomTrail trail;
+            const Hit by_room = cast(world, {{0.5, 0.5, 1.5}, 0.25}, path, {.room = {0}, .trail = &trail});
             EXPECT_TRUE(all.touched());
             expect_same(by_room, all);
-            EXPECT_EQ(by_room.rooms_passed > 256, path.x > 1000) << by_room.rooms_passed;
+            EXPECT_EQ(trail.count > 256, path.x > 1000) << trail.count;
             std::vector<Hit> hits, hits_by_room;
             cast_all(world, {{0.5, 0.5, 1.5}, 0.25}, path, hits);
             cast_all(world, {{0.5, 0.5, 1.5}, 0.25}, path, hits_by_room, {.room = {0}});

@@ -163,16 +163,16 @@ TEST(CheckRooms, HashesSeeRoomsPortalsAndDoors) {
     hash_of([](WorldParts& p) { p.portals.clear(); });
     EXPECT_EQ(hashes.size(), 12u);
     const World world = two_halves();
-    const World twice = set_portal_open(set_portal_open(world, {0}, false), {0}, true);
+    const World twice = *set_portal_open(*set_portal_open(world, {0}, false), {0}, true);
     EXPECT_NE(hash_world(world), hash_world(twice));  // another version
 }
 
 TEST(CheckRooms, DiffsSeeDoors) {
-    const World world = two_halves(), closed = set_portal_open(world, {0}, false);
+    const World world = two_halves(), closed = *set_portal_open(world, {0}, false);
     const WorldDiff diff = diff_worlds(world, closed, 4);
     EXPECT_FALSE(diff.empty());
     EXPECT_EQ(diff.closed, std::vector<PortalId>{{0}});
-    EXPECT_TRUE(diff.opened.empty() && diff.gone.empty() && diff.come.empty() && diff.rooms.empty());
+    EXPECT_TRUE(diff.opened.empty() && diff.removed.empty() && diff.added.empty() && diff.rooms.empty());
     EXPECT_EQ(diff.bounds.low, (Vec3{4, 0, 0}));
     EXPECT_EQ(diff.bounds.high, (Vec3{4, 4, 4}));
     EXPECT_EQ(diff.tiles.size(), 4u);
@@ -185,8 +185,8 @@ TEST(CheckRooms, DiffsSeeRoomsAndPortals) {
     WorldParts parts = two_halves_parts();
     parts.portals[0].polygons.clear();
     const World gone = assemble_world(std::move(parts)).value();
-    EXPECT_EQ(diff_worlds(world, gone).portals_gone, std::vector<PortalId>{{0}});
-    EXPECT_EQ(diff_worlds(gone, world).portals_come, std::vector<PortalId>{{0}});
+    EXPECT_EQ(diff_worlds(world, gone).portals_removed, std::vector<PortalId>{{0}});
+    EXPECT_EQ(diff_worlds(gone, world).portals_added, std::vector<PortalId>{{0}});
     parts = two_halves_parts();
     parts.portals[0].name = "gate";
     EXPECT_EQ(diff_worlds(world, assemble_world(std::move(parts)).value()).portals_changed, std::vector<PortalId>{{0}});
@@ -194,7 +194,7 @@ TEST(CheckRooms, DiffsSeeRoomsAndPortals) {
     auto data = std::make_shared<WorldData>(world.data());
     set_record(*data, 1, [](RoomRecord& record) { record.merged_into = 0; });
     const WorldDiff diff = diff_worlds(world, World(data));
-    EXPECT_TRUE(diff.gone.empty() && diff.come.empty());
+    EXPECT_TRUE(diff.removed.empty() && diff.added.empty());
     EXPECT_EQ(diff.rooms, std::vector<RoomId>{{1}});
 }
 
@@ -204,7 +204,7 @@ TEST(CheckRooms, MemoryOfRoomsAndPortals) {
     const World world = assemble_world(building.parts()).value();
     const std::size_t plain = memory_used(make_world(building.level()).value()), rooms = memory_used(world);
     EXPECT_GT(rooms, plain + portal_count(world) * 100);
-    const World other = set_portal_open(world, {0}, !portal_info(world, {0}).open);
+    const World other = *set_portal_open(world, {0}, !portal_info(world, {0})->open);
     const std::vector<World> both{world, other};
     EXPECT_EQ(bytes_alone(other, world), memory_used(both) - memory_used(world));
     EXPECT_LT(bytes_alone(other, world), 2000u);

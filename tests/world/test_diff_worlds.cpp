@@ -27,17 +27,18 @@ std::vector<std::uint32_t> missing(const std::map<std::uint32_t, Corners>& a,
     return ids;
 }
 
-std::vector<std::uint32_t> ids_of(const std::vector<ChangedFace>& faces) {
+std::vector<std::uint32_t> ids_of(const std::vector<FaceInfo>& faces) {
     std::vector<std::uint32_t> ids;
-    for (const ChangedFace& face : faces) ids.push_back(face.id.value);
+    for (const FaceInfo& face : faces) ids.push_back(face.id.value);
     return ids;
 }
 
-std::set<Tile> tiles_of(const World& world, const std::vector<ChangedFace>& faces, double size) {
+std::set<Tile> tiles_of(const World& world, const std::vector<FaceInfo>& faces, double size) {
     std::set<Tile> tiles;
-    for (const ChangedFace& face : faces) {
+    for (const FaceInfo& face : faces) {
         Box box;
-        for (const Vec3& corner : world.face(face.ref).corners) box.add(corner);
+        const Face whole = *world.face(face.ref());
+        for (const Vec3& corner : whole.corners) box.add(corner);
         for (double x = std::floor(box.low.x / size); x <= std::floor(box.high.x / size); ++x)
             for (double y = std::floor(box.low.y / size); y <= std::floor(box.high.y / size); ++y)
                 for (double z = std::floor(box.low.z / size); z <= std::floor(box.high.z / size); ++z)
@@ -69,23 +70,26 @@ TEST(DiffWorlds, AgreesWithComparingAllFaces) {
         }
         const World world = edited.world();
         const WorldDiff diff = diff_worlds(old_world, world, 2);
-        ASSERT_EQ(ids_of(diff.gone), missing(before.held, edited.held));
-        ASSERT_EQ(ids_of(diff.come), missing(edited.held, before.held));
+        ASSERT_EQ(ids_of(diff.removed), missing(before.held, edited.held));
+        ASSERT_EQ(ids_of(diff.added), missing(edited.held, before.held));
         Box bounds;
-        for (const ChangedFace& face : diff.gone) {
-            EXPECT_EQ(old_world.face(face.ref).id, face.id);
+        for (const FaceInfo& face : diff.removed) {
+            EXPECT_EQ(old_world.face(face.ref())->id, face.id);
             EXPECT_EQ(face.source, face.id.value);
-            for (const Vec3& corner : old_world.face(face.ref).corners) bounds.add(corner);
+            const Face whole = *old_world.face(face.ref());
+            for (const Vec3& corner : whole.corners) bounds.add(corner);
         }
-        for (const ChangedFace& face : diff.come)
-            for (const Vec3& corner : world.face(face.ref).corners) bounds.add(corner);
+        for (const FaceInfo& face : diff.added) {
+            const Face whole = *world.face(face.ref());
+            for (const Vec3& corner : whole.corners) bounds.add(corner);
+        }
         ASSERT_EQ(diff.bounds, bounds);
-        std::set<Tile> tiles = tiles_of(old_world, diff.gone, 2);
-        tiles.merge(tiles_of(world, diff.come, 2));
+        std::set<Tile> tiles = tiles_of(old_world, diff.removed, 2);
+        tiles.merge(tiles_of(world, diff.added, 2));
         ASSERT_EQ(diff.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
         const WorldDiff back = diff_worlds(world, old_world);
-        ASSERT_EQ(ids_of(back.gone), ids_of(diff.come));
-        ASSERT_EQ(ids_of(back.come), ids_of(diff.gone));
+        ASSERT_EQ(ids_of(back.removed), ids_of(diff.added));
+        ASSERT_EQ(ids_of(back.added), ids_of(diff.removed));
     }
 }
 
@@ -95,10 +99,10 @@ TEST(DiffWorlds, SameIdButAnotherFaceIsAChange) {
     set.faces[5].material = 3;
     other.store = build_store(set, {}).store;
     const WorldDiff diff = diff_worlds(one.world(), other.world());
-    ASSERT_EQ(diff.gone.size(), 1u);
-    ASSERT_EQ(diff.come.size(), 1u);
-    EXPECT_EQ(diff.gone[0].id, (FaceId{5}));
-    EXPECT_EQ(diff.come[0].material, 3u);
+    ASSERT_EQ(diff.removed.size(), 1u);
+    ASSERT_EQ(diff.added.size(), 1u);
+    EXPECT_EQ(diff.removed[0].id, (FaceId{5}));
+    EXPECT_EQ(diff.added[0].material, 3u);
 }
 
 TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
@@ -114,14 +118,14 @@ TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
     const World before = rooms().world();
     const WorldDiff diff = diff_worlds(before, world), other = diff_worlds(before, rebuild_index(world, {}));
     EXPECT_FALSE(diff.empty());
-    EXPECT_EQ(ids_of(diff.gone), ids_of(other.gone)) << "of faces, not of blocks";
-    EXPECT_EQ(ids_of(diff.come), ids_of(other.come));
+    EXPECT_EQ(ids_of(diff.removed), ids_of(other.removed)) << "of faces, not of blocks";
+    EXPECT_EQ(ids_of(diff.added), ids_of(other.added));
 }
 
 TEST(DiffWorlds, FromAndToNothing) {
     const EditedTree edited = rooms();
-    EXPECT_EQ(diff_worlds(World(), edited.world()).come.size(), edited.held.size());
-    EXPECT_EQ(diff_worlds(edited.world(), World()).gone.size(), edited.held.size());
+    EXPECT_EQ(diff_worlds(World(), edited.world()).added.size(), edited.held.size());
+    EXPECT_EQ(diff_worlds(edited.world(), World()).removed.size(), edited.held.size());
     EXPECT_TRUE(diff_worlds(World(), World()).empty());
 }
 
@@ -139,14 +143,14 @@ TEST(DiffWorlds, TilesTooSmallOrNoNumberAreNone) {
     const World world = slanted_triangles(1);
     for (const double size : {0.0, -1.0, 1e-300, 1e-9, 3e-6, 0.0624, double(INFINITY), double(NAN)}) {
         const WorldDiff diff = diff_worlds(World(), world, size);
-        EXPECT_EQ(diff.come.size(), 1u);
+        EXPECT_EQ(diff.added.size(), 1u);
         EXPECT_TRUE(diff.tiles.empty()) << size;
         EXPECT_FALSE(diff.too_many_tiles) << size;
     }
     const World plain = rooms().world();
     const WorldDiff least = diff_worlds(World(), plain, kLeastTile);
     EXPECT_FALSE(least.too_many_tiles);
-    const std::set<Tile> tiles = tiles_of(plain, least.come, kLeastTile);
+    const std::set<Tile> tiles = tiles_of(plain, least.added, kLeastTile);
     EXPECT_EQ(least.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
 }
 
@@ -159,7 +163,7 @@ TEST(DiffWorlds, TooManyTilesAreSaidSo) {
     const WorldDiff five = diff_worlds(World(), slanted_triangles(5), 1);
     EXPECT_TRUE(five.tiles.empty());
     EXPECT_TRUE(five.too_many_tiles);
-    EXPECT_EQ(five.come.size(), 5u);
+    EXPECT_EQ(five.added.size(), 5u);
     const WorldDiff fine = diff_worlds(slanted_triangles(1), World(), kLeastTile);
     EXPECT_TRUE(fine.tiles.empty()) << "one face alone";
     EXPECT_TRUE(fine.too_many_tiles);

@@ -2,6 +2,7 @@
 // Facets in a tree: what they were cut from is kept alive, and shows in hits.
 #include <gtest/gtest.h>
 
+#include "firma/queries.h"
 #include "firma/world.h"
 #include "world/assemble_world.h"
 
@@ -79,20 +80,19 @@ TEST(FaceOwners, GiveTheFaceNormalAndNothingElse) {
     owner->normal = exact;
     const World world = world_with(squares(200, Ref<const FaceOwner>(owner.get())));
     const Hit owned = cast(world, {{100.5, 0.5, 1}, 0.25}, {0, 0, -2});
-    ASSERT_EQ(owned.face, (FaceId{100}));
+    ASSERT_EQ(owned.face.id, (FaceId{100}));
     EXPECT_EQ(owned.face_normal, exact);
     EXPECT_EQ(owned.normal, (Vec3{0, 0, 1})) << "of the contact: the facet's own";
-    EXPECT_EQ(owned.source_edit, 0u);
-    EXPECT_EQ(world.face(owned.ref).normal, exact);
+    EXPECT_EQ(world.face_info(owned.face)->source_edit, 0u);
+    EXPECT_EQ(world.face(owned.face)->normal, exact);
     const Hit own = cast(world, {{99.5, 0.5, 1}, 0.25}, {0, 0, -2});
-    ASSERT_EQ(own.face, (FaceId{99}));
+    ASSERT_EQ(own.face.id, (FaceId{99}));
     EXPECT_EQ(own.face_normal, (Vec3{0, 0, 1}));
-    EXPECT_EQ(own.source, 5u);
-    EXPECT_EQ(own.source_edit, 1u);
-    EXPECT_TRUE(world.face(own.ref).solid);
-    EXPECT_EQ(world.face(own.ref).source_edit, 1u);
-    EXPECT_FALSE(world.face(owned.ref).solid);
-    EXPECT_EQ(closest(world, {99.5, 0.5, 1})->source_edit, 1u);
+    EXPECT_EQ(world.face(own.face)->source, 5u);
+    EXPECT_TRUE(world.face(own.face)->solid);
+    EXPECT_EQ(world.face(own.face)->source_edit, 1u);
+    EXPECT_FALSE(world.face(owned.face)->solid);
+    EXPECT_EQ(world.face_info(closest(world, {99.5, 0.5, 1}).face)->source_edit, 1u);
 }
 
 }  // namespace

@@ -330,7 +330,7 @@ TEST(HashWorld, KeptByCutsItIsThatTakenAnew) {
                 k % 5 == 4 ? fill(world, cutter, pose, options) : carve(world, cutter, pose, options);
             world = cut.world;
             if (world.data().cells.portal_count() && k % 6 == 5)
-                world = set_portal_open(world, {0}, !portal_info(world, {0}).open);
+                world = *set_portal_open(world, {0}, !portal_info(world, {0})->open);
             if (cut.done()) {
                 EXPECT_TRUE(hashes.insert(hash_world(world)).second);
             }
@@ -344,14 +344,14 @@ TEST(HashWorld, KeptByCutsItIsThatTakenAnew) {
 
 TEST(HashWorld, ADoorWhoseRoomsWereJoinedKeepsItsState) {
     World world = carve(two_halves(), make_crater(CutterShape::kRocky, 1), {.position = {4, 0, 2}}).world;
-    ASSERT_TRUE(portal_info(world, {0}).polygons.empty());
+    ASSERT_TRUE(portal_info(world, {0})->polygons == 0);
     const World open = world;
-    world = set_portal_open(world, {0}, false);
-    EXPECT_FALSE(portal_info(world, {0}).open);
+    world = *set_portal_open(world, {0}, false);
+    EXPECT_FALSE(portal_info(world, {0})->open);
     EXPECT_NE(hash_world(world), hash_world(open));
     expect_hashes_taken_anew(world);
     const World read = unpack_world(pack_world(world), "joined").value();
-    EXPECT_FALSE(portal_info(read, {0}).open);
+    EXPECT_FALSE(portal_info(read, {0})->open);
     EXPECT_EQ(hash_world(read), hash_world(world));
 }
 
@@ -362,9 +362,9 @@ TEST(HashWorld, RegionsThatDifferAreThoseOfTheEdit) {
     const std::vector<RegionHash> before = hash_regions(world), after = hash_regions(cut.world);
     EXPECT_GT(before.size(), 4u);
     for (const RegionHash& region : after) {
-        const bool near = region.region[0] <= 0 && region.region[1] <= 0;
+        const bool near = region.region.x <= 0 && region.region.y <= 0;
         const bool same = std::find(before.begin(), before.end(), region) != before.end();
-        EXPECT_TRUE(same || near) << region.region[0] << " " << region.region[1] << " " << region.region[2];
+        EXPECT_TRUE(same || near) << region.region.x << " " << region.region.y << " " << region.region.z;
     }
     EXPECT_NE(before, after);
 }

@@ -25,23 +25,28 @@ World box_room(const Vec3& low, const Vec3& high) {
 // met first. Found by a cutter that was filled in twice.
 TEST(InSolid, RaysThatGrazeAnEdge) {
     const World world = box_room({31, 40, -20}, {39, 48, 20});
-    EXPECT_EQ(in_solid(world, {29.125, 45.5, -0.75}), true);
+    EXPECT_EQ(locate(world.solid(), {29.125, 45.5, -0.75}), Where::kSolid);
     for (int k = 1; k < 200; ++k)
         for (const double z : {-0.75, 0.0, 0.3, 1.1}) {
             const double away = k / 32.0;
-            EXPECT_EQ(in_solid(world, {31 - 3 * away, 48 - 4 * away, z}), true) << k << " " << z;
+            EXPECT_EQ(locate(world.solid(), {31 - 3 * away, 48 - 4 * away, z}), Where::kSolid) << k << " " << z;
             if (away == 2) continue;  // on the wall
-            EXPECT_EQ(in_solid(world, {39 - 3 * away, 48 - 4 * away, z}), away > 2) << k << " " << z;
+            EXPECT_EQ(locate(world.solid(), {39 - 3 * away, 48 - 4 * away, z}), away > 2 ? Where::kSolid : Where::kAir)
+                << k << " " << z;
         }
 }
 
 TEST(InSolid, AroundABox) {
     const World world = box_room({0, 0, 0}, {1, 2, 3});
-    EXPECT_EQ(in_solid(world, {0.5, 1, 1.5}), false);
-    EXPECT_EQ(in_solid(world, {0.5, 1, -1.5}), true);
-    EXPECT_EQ(in_solid(world, {1e6, 1, -1.5}), true);
-    EXPECT_EQ(in_solid(world, {0.5, NAN, 0}), std::nullopt);
-    EXPECT_EQ(in_solid(World(), {0.5, 1, 0}), false);
+    EXPECT_EQ(locate(world.solid(), {0.5, 1, 1.5}), Where::kAir);
+    EXPECT_EQ(locate(world.solid(), {0.5, 1, -1.5}), Where::kSolid);
+    EXPECT_EQ(locate(world.solid(), {1e6, 1, -1.5}), Where::kSolid);
+    EXPECT_EQ(locate(world.solid(), {0.5, NAN, 0}), Where::kUnknown);
+    EXPECT_EQ(locate(world.solid(), {0.5, 1, 0}), Where::kSurface);
+    EXPECT_EQ(locate(world.solid(), {1, 2, 3}), Where::kSurface) << "a corner";
+    EXPECT_EQ(locate(world.solid(), {0, 1.25, 1.5}), Where::kSurface);
+    EXPECT_EQ(locate(world.solid(), {0x1p-60, 1.25, 1.5}), Where::kAir);
+    EXPECT_EQ(locate(World().solid(), {0.5, 1, 0}), Where::kAir);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "firma/carve.h"
 #include "firma/diff_worlds.h"
 #include "firma/memory.h"
+#include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "scenes/hub.h"
@@ -72,12 +73,12 @@ TEST(JoinRooms, AHallKeepsThePortalsThatDoNotChange) {
             EXPECT_EQ(bytes_alone(joined, world), memory_used(both) - memory_used(std::span(both).first(1)));
 
             const RoomId hall = std::min(hall_of(hub), room_of_closet(hub, 2));
-            EXPECT_EQ(room_info(joined, hall_of(hub)).part_of, hall);
-            EXPECT_EQ(room_info(joined, hall).portals.size(), std::size_t(hub.closets) - 1);
+            EXPECT_EQ(room_info(joined, hall_of(hub))->merged_into, hall);
+            EXPECT_EQ(room_info(joined, hall)->portals.size(), std::size_t(hub.closets) - 1);
             EXPECT_EQ(neighbours(joined, hall_of(hub)).size(), std::size_t(hub.closets) - 1);
             const WorldDiff diff = diff_worlds(world, joined), back = diff_worlds(joined, world);
-            EXPECT_EQ(diff.portals_gone.size(), 1u);
-            EXPECT_EQ(back.portals_come, diff.portals_gone);
+            EXPECT_EQ(diff.portals_removed.size(), 1u);
+            EXPECT_EQ(back.portals_added, diff.portals_removed);
             EXPECT_EQ(diff.portals_changed.size(), hall_last ? std::size_t(hub.closets) - 1 : 0u);
             EXPECT_EQ(back.portals_changed, diff.portals_changed);
         }
@@ -92,13 +93,13 @@ TEST(JoinRooms, PortalsSayWhatTheirRoomsBecame) {
     const World first = world;
     world = join_closets(world, hub, 2);
     expect_sound(world);
-    EXPECT_EQ(room_info(world, {4}).part_of, RoomId{2});
-    EXPECT_EQ(room_info(world, {2}).portals.size(), 2u);
-    EXPECT_EQ(diff_worlds(first, world).portals_changed, std::vector<PortalId>{room_info(first, {4}).portals[0]});
+    EXPECT_EQ(room_info(world, {4})->merged_into, RoomId{2});
+    EXPECT_EQ(room_info(world, {2})->portals.size(), 2u);
+    EXPECT_EQ(diff_worlds(first, world).portals_changed, std::vector<PortalId>{room_info(first, {4})->portals[0]});
     world = join_to_hall(world, hub, 0);
     expect_sound(world);
     for (const RoomId room : {RoomId{8}, RoomId{0}}) EXPECT_EQ(neighbours(world, room).size(), 6u);
-    const PortalInfo portal = portal_info(world, room_info(world, {3}).portals[0]);
+    const PortalInfo portal = *portal_info(world, room_info(world, {3})->portals[0]);
     EXPECT_EQ(portal.rooms[0], RoomId{3});
     EXPECT_EQ(portal.rooms[1], RoomId{0});
     EXPECT_EQ(find_path(world, {8}, {4})->size(), 1u);
@@ -106,13 +107,17 @@ TEST(JoinRooms, PortalsSayWhatTheirRoomsBecame) {
     const Vec3 closet = scenes::floor_of_closet(hub, 3) + Vec3{0, 0, 1};
     for (const double way : {1.0, -1.0}) {
         const Vec3 start = closet + Vec3{0, way > 0 ? -2.0 : 0, 0};
-        const Hit hit = cast(world, {start, 0.1}, {0, way * 1.5, 0}, {.room = kLocateRoom});
-        EXPECT_EQ(hit.rooms_passed, 2u);
-        EXPECT_EQ(hit.passed[0], way > 0 ? RoomId{0} : RoomId{3});
-        EXPECT_EQ(hit.passed[1], way > 0 ? RoomId{3} : RoomId{0});
+        std::array<RoomId, 2> passed;
+        RoomTrail trail{passed};
+        EXPECT_NE(cast_any(world, {start, 0.1}, {0, way * 1.5, 0}, {.room = kLocateRoom, .trail = &trail}),
+                  Status::kInvalid);
+        EXPECT_EQ(trail.count, 2u);
+        EXPECT_EQ(passed[0], way > 0 ? RoomId{0} : RoomId{3});
+        EXPECT_EQ(passed[1], way > 0 ? RoomId{3} : RoomId{0});
     }
-    const World closed = set_portal_open(world, room_info(world, {3}).portals[0], false);
-    EXPECT_EQ(cast(closed, {closet + Vec3{0, -2, 0}, 0.1}, {0, 3, 0}, {.room = {8}}).room, RoomId{0});
+    const World closed = *set_portal_open(world, room_info(world, {3})->portals[0], false);
+    const Hit hit = cast(closed, {closet + Vec3{0, -2, 0}, 0.1}, {0, 3, 0}, {.room = {8}});
+    EXPECT_EQ(room_of(closed, hit), RoomId{0});
     EXPECT_EQ(locate(world, closet + Vec3{0, -1, 0}).room, RoomId{3});  // on it: the first of its rooms
 }
 

@@ -24,16 +24,20 @@ public:
         add(v.y);
         add(v.z);
     }
-    void add(const Hit& hit) {
+    void add(const World& world, const Hit& hit) {
         add(std::uint64_t(hit.status) | std::uint64_t(hit.feature) << 8 | std::uint64_t(hit.feature_index) << 16);
-        add(hit.fraction);
-        add(hit.safe_fraction);
-        add(hit.centre);
+        // A miss as it was before it had the end of its path, when the hash below was taken.
+        add(hit.touched() ? hit.fraction : 0);
+        add(hit.touched() ? hit.safe_fraction : 0);
+        add(hit.touched() ? hit.centre : Vec3{});
         add(hit.point);
         add(hit.normal);
         add(hit.face_normal);
-        add(std::uint64_t(hit.face.value) << 32 | hit.other_face.value);
-        add(std::uint64_t(hit.source) << 32 | hit.material);
+        const bool at_edge = hit.touched() && hit.feature == Feature::kEdge;
+        const FaceId other = at_edge ? other_face(world, hit.face, hit.feature_index) : FaceId{};
+        add(std::uint64_t(hit.face.id.value) << 32 | other.value);
+        const std::optional<FaceInfo> face = world.face_info(hit.face);
+        add(std::uint64_t(face ? face->source : 0) << 32 | hit.material);
     }
     std::uint64_t value() const { return value_; }
 
@@ -57,7 +61,7 @@ TEST(SameBits, AThousandsOfCastsThroughOurLevel) {
         const double length = rng.uniform(0.1, k % 2 ? 2 : 100);
         const Sides sides = k % 3 ? Sides::kFront : Sides::kBoth;
         const Hit hit = cast(world, {start, radius}, direction * length, {.sides = sides});
-        hash.add(hit);
+        hash.add(world, hit);
         touched += hit.touched();
     }
     EXPECT_GT(touched, 5000);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The World as a value and the questions it answers, on a small closed room.
 #include "firma/carve.h"
+#include "firma/queries.h"
+#include "firma/rooms.h"
 #include "firma/solid.h"
 #include "firma/world.h"
 
@@ -56,7 +58,9 @@ TEST(World, IsSoundAndDescribesItself) {
     const std::vector<Face> faces = world.faces();
     ASSERT_EQ(faces.size(), 6u);
     EXPECT_EQ(faces[0].normal, (Vec3{0, 0, 1})) << "the floor faces up, into the air";
-    for (const FaceId neighbour : faces[0].neighbours) EXPECT_TRUE(neighbour.valid());
+    for (std::uint32_t edge = 0; edge < 4; ++edge) EXPECT_TRUE(other_face(world, faces[0].ref(), edge).valid());
+    EXPECT_FALSE(other_face(world, faces[0].ref(), 4).valid());
+    EXPECT_FALSE(other_face(world, {}, 0).valid());
     EXPECT_EQ(world.find_face({3})->source, 13u);
     EXPECT_FALSE(world.find_face({6}));
 }
@@ -75,13 +79,14 @@ TEST(World, AHitSaysWhatItMet) {
     EXPECT_EQ(hit.status, Status::kHit);
     EXPECT_EQ(hit.fraction, 0.5);
     EXPECT_EQ(hit.safe_fraction, 0.375);
-    EXPECT_EQ(hit.face, (FaceId{0}));
-    EXPECT_EQ(hit.source, 10u);
+    EXPECT_EQ(hit.face.id, (FaceId{0}));
     EXPECT_EQ(world.material_name(hit.material), "floor");
-    EXPECT_EQ(hit.room, RoomId{0});
-    EXPECT_EQ(hit.rooms_passed, 1u);
-    EXPECT_FALSE(hit.other_face.valid());
-    EXPECT_EQ(world.face(hit.ref).id, hit.face);
+    const std::optional<FaceInfo> face = world.face_info(hit.face);
+    ASSERT_TRUE(face);
+    EXPECT_EQ(face->source, 10u);
+    EXPECT_EQ(face->room, RoomId{0});
+    EXPECT_EQ(room_of(world, hit), RoomId{0});
+    EXPECT_EQ(face->ref(), hit.face);
 }
 
 TEST(World, AHitEdgeNamesBothFaces) {
@@ -93,10 +98,10 @@ TEST(World, AHitEdgeNamesBothFaces) {
     const Hit hit = cast(world, {{-2, 2, 5}, 1}, {4, 0, -4});
     ASSERT_EQ(hit.status, Status::kHit);
     ASSERT_EQ(hit.feature, Feature::kEdge);
-    const auto sides = std::minmax(hit.face, hit.other_face);
+    const auto sides = std::minmax(hit.face.id, other_face(world, hit.face, hit.feature_index));
     EXPECT_EQ(sides.first, (FaceId{1})) << "the lid";
     EXPECT_EQ(sides.second, (FaceId{4})) << "and the side at x = 0";
-    EXPECT_EQ(hit.face, (FaceId{1})) << "at a tie the lowest id";
+    EXPECT_EQ(hit.face.id, (FaceId{1})) << "at a tie the lowest id";
 }
 
 TEST(World, SafeFractionKeepsTheSkinWhateverTheSpeed) {
@@ -116,7 +121,7 @@ TEST(World, MasksChooseFaces) {
     const World world = room();
     EXPECT_EQ(cast(world, {{1, 1, 1.5}, 0}, {0, 0, -2}, {.mask = ~1u}).status, Status::kMiss);
     EXPECT_EQ(cast(world, {{1, 1, 1.5}, 0}, {0, 0, -2}, {.mask = 1}).status, Status::kHit);
-    EXPECT_EQ(closest(world, {1, 1, 0.5}, INFINITY, 2)->face, (FaceId{1}));
+    EXPECT_EQ(closest(world, {1, 1, 0.5}, INFINITY, {.mask = 2}).face.id, (FaceId{1}));
 }
 
 TEST(World, SidesByFaceAndByCast) {
@@ -138,27 +143,27 @@ TEST(World, AnyAndAll) {
     EXPECT_TRUE(hits.empty());
     EXPECT_EQ(cast_all(world, {{-1, 2, 1}, 0}, {10, 0, 0}, hits, {.sides = Sides::kBoth}), Status::kHit);
     ASSERT_EQ(hits.size(), 2u);
-    EXPECT_EQ(hits[0].face, (FaceId{4}));
-    EXPECT_EQ(hits[1].face, (FaceId{5}));
+    EXPECT_EQ(hits[0].face.id, (FaceId{4}));
+    EXPECT_EQ(hits[1].face.id, (FaceId{5}));
     EXPECT_EQ(hits[1].fraction, 0.5);
     EXPECT_EQ(cast_all(world, {{0, 0, INFINITY}, 0}, {0, 0, -1}, hits), Status::kInvalid);
 }
 
 TEST(World, OverlapAndClosest) {
     const World world = room();
-    std::vector<NearFace> found;
+    std::vector<Overlap> found;
     EXPECT_EQ(overlap(world, {{1, 1, 1}, 0.5}, found), Status::kMiss);
     EXPECT_EQ(overlap(world, {{1, 1, 1}, 1}, found), Status::kTouching);
     ASSERT_EQ(found.size(), 3u) << "touch counts: floor and two walls";
-    EXPECT_EQ(found[0].face, (FaceId{0}));
+    EXPECT_EQ(found[0].face.id, (FaceId{0}));
     EXPECT_EQ(overlap(world, {{1, 1, 1}, -1}, found), Status::kInvalid);
     const auto near = closest(world, {2, 2, 2.5});
     ASSERT_TRUE(near);
-    EXPECT_EQ(near->face, (FaceId{1}));
-    EXPECT_EQ(near->distance, 0.5);
-    EXPECT_EQ(near->point, (Vec3{2, 2, 3}));
-    EXPECT_FALSE(closest(world, {2, 2, 1.5}, 1));
-    EXPECT_FALSE(closest(world, {2, 2, NAN}));
+    EXPECT_EQ(near.face.id, (FaceId{1}));
+    EXPECT_EQ(near.distance, 0.5);
+    EXPECT_EQ(near.point, (Vec3{2, 2, 3}));
+    EXPECT_EQ(closest(world, {2, 2, 1.5}, 1).status, Status::kMiss);
+    EXPECT_EQ(closest(world, {2, 2, NAN}).status, Status::kInvalid);
 }
 
 TEST(World, RefusesALevelThatNoReaderMakes) {
@@ -271,15 +276,17 @@ TEST(World, ARefThatIsNoLongerGoodIsTold) {
     World world = room();
     const Hit hit = cast(world, {{0, 0, 0}, 0}, {20, 0, 0});
     ASSERT_TRUE(hit.touched());
-    EXPECT_EQ(world.face(hit.ref).id, hit.face);
-    EXPECT_FALSE(world.face({}).id.valid());
-    FaceRef other = hit.ref;
-    other.slot = 1000;
-    EXPECT_FALSE(world.face(other).id.valid());
-    other = hit.ref;
-    other.id = {hit.face.value + 1};
-    EXPECT_FALSE(world.face(other).id.valid());
-    EXPECT_FALSE(World().face(hit.ref).id.valid()) << "of another world";
+    EXPECT_EQ(world.face(hit.face)->id, hit.face.id);
+    EXPECT_FALSE(world.face({}));
+    FaceRef other = hit.face;
+    other.corner.x += 1;
+    EXPECT_FALSE(world.face(other));
+    other = hit.face;
+    other.id = {hit.face.id.value + 1};
+    EXPECT_FALSE(world.face(other));
+    EXPECT_FALSE(World().face(hit.face)) << "of another world";
+    EXPECT_FALSE(World().face_info(hit.face));
+    EXPECT_FALSE(room_of(World(), hit).valid());
     // Edits until the memory of the first version is used again; under the address sanitizer any read of it is seen.
     Pose pose;
     for (int k = 0; k < 40; ++k) {
@@ -287,10 +294,10 @@ TEST(World, ARefThatIsNoLongerGoodIsTold) {
         pose.scale = 0.3;
         world = carve(world, make_crater(CutterShape::kRocky, std::uint64_t(k)), pose).world;
     }
-    const Face stale = world.face(hit.ref);
-    EXPECT_TRUE(!stale.id.valid() || stale.id == hit.face);
+    const std::optional<Face> stale = world.face(hit.face);
+    EXPECT_TRUE(!stale || stale->id == hit.face.id);
     // A closed door has no face.
-    EXPECT_FALSE(world.face(Hit().ref).id.valid());
+    EXPECT_FALSE(world.face(Hit().face));
 }
 
 }  // namespace

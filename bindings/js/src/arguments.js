@@ -38,15 +38,23 @@ export function flag(value, place, what) {
 
 /** A string that C can hold, '' for none. */
 export function text(value, place, what) {
-    if (value === undefined || value === null) return '';
+    if (value === undefined) return '';
     if (typeof value !== 'string') throw badCall(place, `${what} must be a string`);
     if (value.includes('\0')) throw badCall(place, `${what} has a character of code 0`);
     return value;
 }
 
-export function object(value, place, what) {
+/**
+ * An object; {} where none is given.
+ * @param names  what members it may have, where some are optional: a misspelt one would do nothing. None: any
+ */
+export function object(value, place, what, names) {
     if (value === undefined) return {};
-    if (typeof value !== 'object' || value === null) throw badCall(place, `${what} must be an object`);
+    if (typeof value !== 'object' || value === null || Array.isArray(value))
+        throw badCall(place, `${what} must be an object`);
+    if (names === undefined) return value;
+    for (const name in value)
+        if (!names.includes(name)) throw badCall(place, `${what}: there is no ${name}, only ${names.join(', ')}`);
     return value;
 }
 
@@ -70,6 +78,15 @@ export function doubles(value, each, place, what) {
     if (!(value instanceof Float64Array || value instanceof Float32Array))
         for (const one of value) number(one, place, `each of ${what}`);
     return value;
+}
+
+/** As many flags in any array, true and false or 1 and 0. */
+export function flags(value, count, place, what) {
+    if (list(value, place, what).length !== count) throw badCall(place, `${what} must have ${count} entries`);
+    for (const one of value)
+        if (typeof one !== 'boolean' && one !== 0 && one !== 1)
+            throw badCall(place, `each of ${what} must be true, false, 1 or 0`);
+    return Uint8Array.from(value, Number);
 }
 
 /** Integers of 32 bits in any array; as many as `count`, when that is given. */

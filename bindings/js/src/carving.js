@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cutters, and edits in one go, in slices, and several at once.
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
-import { badCall } from './errors.js';
 import { CARVE_OPTIONS, CARVE_REPORT, CARVE_STATUS_NAMES, POSE } from './layout.js';
 import { flag, number, object, text, vector } from './arguments.js';
 import { World } from './world.js';
@@ -12,17 +11,19 @@ export class Cutter extends Handle {
     }
 }
 
+const POSE_NAMES = ['position', 'rotation', 'scale'];
+const OPTION_NAMES = ['fill', 'material'];
+
 /** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
 function putOrder(core, lent, cutter, pose, options, place) {
     const id = idOf(cutter, core, place, 'cutter');
-    if (typeof pose !== 'object' || pose === null)
-        throw badCall(place, 'the pose must be { position, rotation, scale }');
-    object(options, place, 'the options');
-    const position = vector(pose.position, 3, place, 'position');
-    const rotation = vector(pose.rotation ?? [0, 0, 0, 1], 4, place, 'rotation');
-    const scale = number(pose.scale ?? 1, place, 'scale');
-    const fill = flag(options?.fill, place, 'fill');
-    const material = text(options?.material, place, 'material');
+    const { position, rotation = [0, 0, 0, 1], scale = 1 } = object(pose, place, 'the pose', POSE_NAMES);
+    const given = object(options, place, 'the options', OPTION_NAMES);
+    vector(position, 3, place, 'position');
+    vector(rotation, 4, place, 'rotation');
+    number(scale, place, 'scale');
+    const fill = flag(given.fill, place, 'fill');
+    const material = text(given.material, place, 'material');
     const name = material === '' ? 0 : lent.text(material);
     const { pose: at, carveOptions } = core.at;
     core.setVector(at + POSE.position, position);

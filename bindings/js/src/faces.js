@@ -22,6 +22,7 @@ function getFaces(core, faces, count, corners, cornerCount) {
         sourceEdits: words(FACE.sourceEdit),
         masks: words(FACE.mask),
         flags: words(FACE.flags),
+        rooms: words(FACE.room),
         firstCorners: words(FACE.firstCorner),
         cornerCounts: words(FACE.cornerCount),
         corners: core.f64.slice(corners >>> 3, (corners >>> 3) + 3 * cornerCount),
@@ -47,11 +48,17 @@ export function takeDiff(core, handle) {
         const at = core.at.diffView;
         core.run('firma_diff_get_view', handle, at);
         const get = (field) => core.getU32(at + DIFF_VIEW[field]);
-        const gone = get('gone') >>> 2;
+        const words = (field) => core.u32.slice(get(field) >>> 2, (get(field) >>> 2) + get(`${field}Count`));
         const tiles = get('tiles') >>> 2;
         return {
-            gone: core.u32.slice(gone, gone + get('goneCount')),
-            come: getFaces(core, get('come'), get('comeCount'), get('corners'), get('cornerCount')),
+            removed: words('removed'),
+            added: getFaces(core, get('added'), get('addedCount'), get('corners'), get('cornerCount')),
+            rooms: core.u32.slice(get('rooms') >>> 2, (get('rooms') >>> 2) + get('roomCount')),
+            opened: words('opened'),
+            closed: words('closed'),
+            portalsAdded: words('portalsAdded'),
+            portalsRemoved: words('portalsRemoved'),
+            portalsChanged: words('portalsChanged'),
             tiles: core.i32.slice(tiles, tiles + 3 * get('tileCount')),
             low: core.getVector(at + DIFF_VIEW.low),
             high: core.getVector(at + DIFF_VIEW.high),

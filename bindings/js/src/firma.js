@@ -3,10 +3,14 @@
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
 import { MESH, SHAPE_NAMES, WORLD_OPTIONS } from './layout.js';
-import { bytes, doubles, flag, longWord, masks, number, object, text, word, words } from './arguments.js';
+import { bytes, doubles, flag, flags, longWord, masks, number, object, text, word, words } from './arguments.js';
 import { Cutter } from './carving.js';
+import { Level } from './level.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
+
+const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerBin', 'minBinVolume', 'skin', 'scale'];
+const MESH_NAMES = ['positions', 'corners', 'cornerCounts', 'materials', 'materialNames', 'masks', 'twoSided'];
 
 function nameOf(lent, options, place) {
     const name = text(options.name, place, 'name');
@@ -31,11 +35,12 @@ function putWorldOptions(core, options, place) {
 
 /** The arrays of a mesh, checked to fit each other. */
 function readMesh(mesh, place) {
-    if (typeof mesh !== 'object' || mesh === null) throw badCall(place, 'the mesh must be { positions, corners, ... }');
+    if (mesh === undefined) throw badCall(place, 'the mesh must be an object');
+    object(mesh, place, 'the mesh', MESH_NAMES);
     const read = {
         positions: doubles(mesh.positions, 3, place, 'positions'),
         corners: words(mesh.corners, undefined, place, 'corners'),
-        materialNames: mesh.materialNames ?? [],
+        materialNames: mesh.materialNames === undefined ? [] : mesh.materialNames,
     };
     if (mesh.cornerCounts === undefined) {
         if (read.corners.length % 3 !== 0) throw badCall(place, 'corners of triangles must be a multiple of 3');
@@ -52,11 +57,7 @@ function readMesh(mesh, place) {
     read.materialNames = read.materialNames.map((name, k) => text(name, place, `materialNames[${k}]`));
     if (mesh.materials !== undefined) read.materials = words(mesh.materials, read.faceCount, place, 'materials');
     if (mesh.masks !== undefined) read.masks = masks(mesh.masks, read.faceCount, place, 'masks');
-    if (mesh.twoSided !== undefined) {
-        const sides = Array.from(mesh.twoSided, Boolean);
-        if (sides.length !== read.faceCount) throw badCall(place, `twoSided must have ${read.faceCount} entries`);
-        read.twoSided = Uint8Array.from(sides);
-    }
+    if (mesh.twoSided !== undefined) read.twoSided = flags(mesh.twoSided, read.faceCount, place, 'twoSided');
     return read;
 }
 
@@ -98,8 +99,7 @@ export class Firma {
     /** Of a file's bytes, by the function for its format. */
     #worldFrom(format, data, options, place) {
         const core = this.#core;
-        object(options, place, 'the options');
-        const given = options ?? {};
+        const given = object(options, place, 'the options', WORLD_OPTION_NAMES);
         return core.borrow((lent) => {
             const at = lent.bytes(data);
             const name = nameOf(lent, given, place);
@@ -123,11 +123,35 @@ export class Firma {
         return this.#worldFrom('firma_world_from_map', bytes(data, place, 'the file', true), options, place);
     }
 
+    /** @param format  the function for the file's format */
+    #level(format, data, options, place) {
+        const core = this.#core;
+        const given = object(options, place, 'the options', ['name', 'scale']);
+        const scale = given.scale === undefined ? 0 : number(given.scale, place, 'scale');
+        const world = (id, chosen) => {
+            const at = putWorldOptions(core, object(chosen, 'world', 'the options', WORLD_OPTION_NAMES), 'world');
+            return new World(core, makeHandle(core, 'firma_world_from_level', id, at));
+        };
+        return core.borrow((lent) => {
+            const at = lent.bytes(data);
+            const name = nameOf(lent, given, place);
+            return new Level(core, makeHandle(core, format, at, data.length, name, scale), world);
+        });
+    }
+
+    levelFromMap(data, options) {
+        return this.#level('firma_level_from_map', bytes(data, 'levelFromMap', 'the file', true), options, 'levelFromMap');
+    }
+
+    levelFromBsp(data, options) {
+        return this.#level('firma_level_from_bsp', bytes(data, 'levelFromBsp', 'the file'), options, 'levelFromBsp');
+    }
+
     worldFromMesh(mesh, options) {
         const core = this.#core;
         const place = 'worldFromMesh';
         const read = readMesh(mesh, place);
-        const given = object(options, place, 'the options');
+        const given = object(options, place, 'the options', WORLD_OPTION_NAMES);
         return core.borrow((lent) => {
             const at = putMesh(core, lent, read);
             const name = nameOf(lent, given, place);

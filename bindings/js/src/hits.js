@@ -1,24 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Questions as the module takes them, and its answers as JavaScript has them.
 import { badCall } from './errors.js';
-import { CAST_OPTIONS, CAST_COUNTS, FEATURE_NAMES, HIT, NEAR, STATUS_NAMES } from './layout.js';
+import {
+    CAST_COUNTS,
+    CAST_OPTIONS,
+    FACE_SOLID,
+    FACE_TWO_SIDED,
+    FEATURE_NAMES,
+    HIT,
+    HIT_INFO,
+    NEAR,
+    NEAR_OPTIONS,
+    STATUS_NAMES,
+} from './layout.js';
 import { flag, mask, number, object, vector, word } from './arguments.js';
 import { NO_PORTAL } from './rooms.js';
 
-/** What `face` and `otherFace` of a batch are where there is none. */
+/** What `face` of a batch is where there is none. */
 export const NO_FACE = 0xffffffff;
 
 const F64 = (offset) => offset >>> 3;
 const U32 = (offset) => offset >>> 2;
 const noFace = (id) => (id === NO_FACE ? null : id);
+/** Of the numbers of firma_status. */
+const isHit = (status) => status === 1 || status === 2;
 const noPortal = (id) => (id === NO_PORTAL ? null : id);
-/** Rooms that a hit lists at most. */
-const PASSED = (HIT.portal - HIT.passed) / 4;
 const ROOMS = new Map([
     [undefined, 0xffffffff],
     ['any', 0xffffffff],
     ['locate', 0xfffffffe],
 ]);
+
+const OPTION_NAMES = ['mask', 'bothSides', 'skin', 'room'];
+const NEAR_OPTION_NAMES = ['mask', 'room'];
+const COUNT_NAMES = ['bins', 'boxes', 'faces', 'precise'];
 
 /** { centre, radius, path } to the fixed input. */
 export function putInput(core, input, place) {
@@ -39,10 +54,10 @@ export function putInput(core, input, place) {
     return core.at.input;
 }
 
-/** The options' address, or 0 for none. */
-export function putCastOptions(core, options, place) {
+/** The options' address, or 0 for none. @param more  names of options that the caller looks at itself */
+export function putCastOptions(core, options, place, more = []) {
     if (options === undefined) return 0;
-    object(options, place, 'the options');
+    object(options, place, 'the options', [...OPTION_NAMES, ...more]);
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
     const skin = options.skin === undefined ? -1 : number(options.skin, place, 'skin');
@@ -55,13 +70,50 @@ export function putCastOptions(core, options, place) {
     core.setF64(at + CAST_OPTIONS.skin, skin);
     core.setU32(at + CAST_OPTIONS.passed, 0);
     core.setU32(at + CAST_OPTIONS.passedCapacity, 0);
+    core.setU32(at + CAST_OPTIONS.passedCount, 0);
+    return at;
+}
+
+/** Runs cast(given, options), and again with more room where options.passed wants more rooms than fit. */
+export function withPassed(core, options, at, cast) {
+    if (options?.passed === undefined) return cast(at);
+    if (!Array.isArray(options.passed)) throw badCall('cast', 'passed must be an array, which gets the rooms');
+    return core.borrow((lent) => {
+        const count = lent.take(16);
+        for (let capacity = 64; ; capacity = core.getU32(count)) {
+            const rooms = lent.take(4 * capacity);
+            core.setU32(at + CAST_OPTIONS.passed, rooms);
+            core.setU32(at + CAST_OPTIONS.passedCapacity, capacity);
+            core.setU32(at + CAST_OPTIONS.passedCount, count);
+            const answer = cast(at);
+            const passed = core.getU32(count);
+            if (passed > capacity) continue;
+            options.passed.length = 0;
+            for (let k = 0; k < passed; ++k) options.passed.push(core.getU32(rooms + 4 * k));
+            return answer;
+        }
+    });
+}
+
+/** The options' address of overlap() and closest(), or 0 for none. */
+export function putNearOptions(core, options, place) {
+    if (options === undefined) return 0;
+    object(options, place, 'the options', NEAR_OPTION_NAMES);
+    const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
+    const room = options.room === undefined ? 0xffffffff : word(options.room, place, 'room');
+    const at = core.at.nearOptions;
+    core.setU32(at + NEAR_OPTIONS.size, NEAR_OPTIONS.sizeof);
+    core.setU32(at + NEAR_OPTIONS.mask, bits);
+    core.setU32(at + NEAR_OPTIONS.room, room);
+    core.setU32(at + NEAR_OPTIONS.reserved, 0);
     return at;
 }
 
 /** Where counts go: set to 0, or 0 when nobody wants them. */
 export function clearCounts(core, options, place) {
     if (options?.counts === undefined) return 0;
-    object(options.counts, place, 'counts');
+    object(options.counts, place, 'counts', COUNT_NAMES);
+    for (const name in options.counts) number(options.counts[name], place, name);
     core.u64.fill(0n, core.at.counts >>> 3, (core.at.counts + CAST_COUNTS.sizeof) >>> 3);
     return core.at.counts;
 }
@@ -69,7 +121,7 @@ export function clearCounts(core, options, place) {
 /** Adds what clearCounts()'s place has to options.counts. */
 export function addCounts(core, at, options) {
     if (at === 0) return;
-    for (const name of ['bins', 'boxes', 'faces', 'precise'])
+    for (const name of COUNT_NAMES)
         options.counts[name] = (options.counts[name] ?? 0) + core.getCount(at + CAST_COUNTS[name]);
 }
 
@@ -78,11 +130,12 @@ export function getHit(core, at) {
     const w = at >>> 2;
     const f64 = core.f64;
     const u32 = core.u32;
+    const i32 = core.i32;
     const three = (k) => [f64[k], f64[k + 1], f64[k + 2]];
-    const roomsPassed = u32[w + U32(HIT.roomsPassed)];
-    const passed = w + U32(HIT.passed);
+    const corner = w + U32(HIT.corner);
     return {
         status: STATUS_NAMES[u32[w + U32(HIT.status)]],
+        hit: isHit(u32[w + U32(HIT.status)]),
         fraction: f64[d + F64(HIT.fraction)],
         safeFraction: f64[d + F64(HIT.safeFraction)],
         centre: three(d + F64(HIT.centre)),
@@ -92,34 +145,68 @@ export function getHit(core, at) {
         feature: FEATURE_NAMES[u32[w + U32(HIT.feature)]],
         featureIndex: u32[w + U32(HIT.featureIndex)],
         face: noFace(u32[w + U32(HIT.face)]),
-        otherFace: noFace(u32[w + U32(HIT.otherFace)]),
-        source: u32[w + U32(HIT.source)],
-        sourceEdit: u32[w + U32(HIT.sourceEdit)],
-        material: u32[w + U32(HIT.material)],
-        room: u32[w + U32(HIT.room)],
-        roomsPassed,
-        passed: Array.from(u32.subarray(passed, passed + Math.min(roomsPassed, PASSED))),
+        corner: [i32[corner], i32[corner + 1], i32[corner + 2]],
         portal: noPortal(u32[w + U32(HIT.portal)]),
-        version: core.getCount(at + HIT.version),
+        material: u32[w + U32(HIT.material)],
+    };
+}
+
+/** What a hit of this world was, as cast() gave it, to the fixed hit: what firma_world_hit_info() looks at. */
+export function putHit(core, hit, place) {
+    if (hit === undefined) throw badCall(place, 'the hit must be one that cast() gave');
+    object(hit, place, 'the hit');
+    const at = core.at.hit;
+    const id = (value, name, none) => (value === null ? none : word(value, place, name));
+    const feature = FEATURE_NAMES.indexOf(hit.feature);
+    if (feature < 0) throw badCall(place, 'the hit must be one that cast() gave');
+    core.setU32(at + HIT.feature, feature);
+    core.setU32(at + HIT.featureIndex, word(hit.featureIndex, place, 'featureIndex'));
+    core.setU32(at + HIT.face, id(hit.face, 'face', NO_FACE));
+    core.setU32(at + HIT.portal, id(hit.portal, 'portal', NO_PORTAL));
+    core.i32.set(vector(hit.corner, 3, place, 'corner'), (at + HIT.corner) >>> 2);
+    core.setVector(at + HIT.normal, vector(hit.normal, 3, place, 'normal'));
+    core.setVector(at + HIT.faceNormal, vector(hit.faceNormal, 3, place, 'faceNormal'));
+    return at;
+}
+
+export function getHitInfo(core, at) {
+    const flags = core.getU32(at + HIT_INFO.flags);
+    return {
+        room: core.getU32(at + HIT_INFO.room),
+        source: core.getU32(at + HIT_INFO.source),
+        sourceEdit: core.getU32(at + HIT_INFO.sourceEdit),
+        mask: core.getU32(at + HIT_INFO.mask),
+        twoSided: (flags & FACE_TWO_SIDED) !== 0,
+        solid: (flags & FACE_SOLID) !== 0,
+        otherFace: noFace(core.getU32(at + HIT_INFO.otherFace)),
     };
 }
 
 export function getNear(core, at) {
+    const corner = (at + NEAR.corner) >>> 2;
     return {
         point: core.getVector(at + NEAR.point),
         distance: core.getF64(at + NEAR.distance),
         face: noFace(core.getU32(at + NEAR.face)),
+        corner: Array.from(core.i32.subarray(corner, corner + 3)),
         portal: noPortal(core.getU32(at + NEAR.portal)),
-        source: core.getU32(at + NEAR.source),
-        sourceEdit: core.getU32(at + NEAR.sourceEdit),
         material: core.getU32(at + NEAR.material),
         feature: FEATURE_NAMES[core.getU32(at + NEAR.feature)],
         featureIndex: core.getU32(at + NEAR.featureIndex),
     };
 }
 
+/** With the way out. */
+export function getOverlap(core, at) {
+    return {
+        ...getNear(core, at),
+        direction: core.getVector(at + NEAR.direction),
+        depth: core.getF64(at + NEAR.depth),
+    };
+}
+
 const BYTES = ['status', 'feature'];
-const WORDS = ['featureIndex', 'face', 'otherFace', 'source', 'sourceEdit', 'material', 'room', 'roomsPassed', 'portal'];
+const WORDS = ['featureIndex', 'face', 'portal', 'material'];
 const DOUBLES = ['fraction', 'safeFraction'];
 const VECTORS = ['centre', 'point', 'normal', 'faceNormal'];
 
@@ -130,7 +217,6 @@ let reserveHits;
 export class HitBatch {
     /** How many answers there are; the arrays may be longer. */
     count = 0;
-    version = 0;
     #capacity = -1;
 
     constructor() {
@@ -142,13 +228,12 @@ export class HitBatch {
             if (batch.#capacity < count) {
                 for (const name of BYTES) batch[name] = new Uint8Array(count);
                 for (const name of WORDS) batch[name] = new Uint32Array(count);
-                batch.passed = new Uint32Array(PASSED * count);
+                batch.corner = new Int32Array(3 * count);
                 for (const name of DOUBLES) batch[name] = new Float64Array(count);
                 for (const name of VECTORS) batch[name] = new Float64Array(3 * count);
                 batch.#capacity = count;
             }
             batch.count = 0; // until the answers are there
-            batch.version = 0;
         };
     }
 
@@ -158,6 +243,7 @@ export class HitBatch {
         const three = (all) => [all[3 * k], all[3 * k + 1], all[3 * k + 2]];
         return {
             status: STATUS_NAMES[this.status[k]],
+            hit: isHit(this.status[k]),
             fraction: this.fraction[k],
             safeFraction: this.safeFraction[k],
             centre: three(this.centre),
@@ -167,24 +253,17 @@ export class HitBatch {
             feature: FEATURE_NAMES[this.feature[k]],
             featureIndex: this.featureIndex[k],
             face: noFace(this.face[k]),
-            otherFace: noFace(this.otherFace[k]),
-            source: this.source[k],
-            sourceEdit: this.sourceEdit[k],
-            material: this.material[k],
-            room: this.room[k],
-            roomsPassed: this.roomsPassed[k],
-            passed: Array.from(this.passed.subarray(PASSED * k, PASSED * k + Math.min(this.roomsPassed[k], PASSED))),
+            corner: three(this.corner),
             portal: noPortal(this.portal[k]),
-            version: this.version,
+            material: this.material[k],
         };
     }
 }
 
 /** The hits at `at` become answers `begin` and on. In one loop each array is of one type to the engine. */
 export function getHits(core, at, count, batch, begin) {
-    const { f64, u32 } = core;
-    const { status, feature, featureIndex, face, otherFace, source, sourceEdit, material, room, roomsPassed } = batch;
-    const { passed, portal } = batch;
+    const { f64, u32, i32 } = core;
+    const { status, feature, featureIndex, face, corner, portal, material } = batch;
     const { fraction, safeFraction, centre, point, normal, faceNormal } = batch;
     for (let k = 0; k < count; ++k) {
         const to = begin + k;
@@ -194,25 +273,18 @@ export function getHits(core, at, count, batch, begin) {
         feature[to] = u32[w + U32(HIT.feature)];
         featureIndex[to] = u32[w + U32(HIT.featureIndex)];
         face[to] = u32[w + U32(HIT.face)];
-        otherFace[to] = u32[w + U32(HIT.otherFace)];
-        source[to] = u32[w + U32(HIT.source)];
-        sourceEdit[to] = u32[w + U32(HIT.sourceEdit)];
-        material[to] = u32[w + U32(HIT.material)];
-        room[to] = u32[w + U32(HIT.room)];
-        const rooms = u32[w + U32(HIT.roomsPassed)];
-        roomsPassed[to] = rooms;
-        for (let p = 0; p < rooms && p < PASSED; ++p) passed[PASSED * to + p] = u32[w + U32(HIT.passed) + p];
         portal[to] = u32[w + U32(HIT.portal)];
+        material[to] = u32[w + U32(HIT.material)];
         fraction[to] = f64[d + F64(HIT.fraction)];
         safeFraction[to] = f64[d + F64(HIT.safeFraction)];
         for (let axis = 0; axis < 3; ++axis) {
+            corner[3 * to + axis] = i32[w + U32(HIT.corner) + axis];
             centre[3 * to + axis] = f64[d + F64(HIT.centre) + axis];
             point[3 * to + axis] = f64[d + F64(HIT.point) + axis];
             normal[3 * to + axis] = f64[d + F64(HIT.normal) + axis];
             faceNormal[3 * to + axis] = f64[d + F64(HIT.faceNormal) + axis];
         }
     }
-    if (count > 0) batch.version = core.getCount(at + HIT.version);
 }
 
 /** Empties a batch and makes room for `count` answers, in the arrays that it has when they are long enough. */

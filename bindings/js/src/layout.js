@@ -25,9 +25,10 @@ export const CODE_NAMES = Object.freeze([
 
 /** By the numbers of firma_where. */
 export const WHERE_NAMES = Object.freeze([
-    'room',
+    'air',
     'solid',
-    'unsure',
+    'surface',
+    'unknown',
 ]);
 
 /** By the numbers of firma_status. */
@@ -106,6 +107,28 @@ export const MESH = Object.freeze({
     twoSided: 40,
 });
 
+/** firma_entity */
+export const ENTITY = Object.freeze({
+    sizeof: 48,
+    classname: 0,
+    keys: 4,
+    values: 8,
+    keyCount: 12,
+    origin: 16,
+    hasOrigin: 40,
+    line: 44,
+});
+
+/** firma_level_view */
+export const LEVEL_VIEW = Object.freeze({
+    sizeof: 24,
+    entities: 0,
+    entityCount: 4,
+    notes: 8,
+    noteCount: 12,
+    metresAUnit: 16,
+});
+
 /** firma_world_facts */
 export const WORLD_FACTS = Object.freeze({
     sizeof: 96,
@@ -149,7 +172,7 @@ export const RULES = Object.freeze({
 
 /** firma_face */
 export const FACE = Object.freeze({
-    sizeof: 56,
+    sizeof: 64,
     normal: 0,
     id: 24,
     source: 28,
@@ -157,8 +180,9 @@ export const FACE = Object.freeze({
     material: 36,
     mask: 40,
     flags: 44,
-    firstCorner: 48,
-    cornerCount: 52,
+    room: 48,
+    firstCorner: 52,
+    cornerCount: 56,
 });
 
 /** firma_faces_view */
@@ -168,6 +192,60 @@ export const FACES_VIEW = Object.freeze({
     faceCount: 4,
     corners: 8,
     cornerCount: 12,
+});
+
+/** firma_triangle_run */
+export const TRIANGLE_RUN = Object.freeze({
+    sizeof: 24,
+    material: 0,
+    firstTriangle: 4,
+    triangleCount: 8,
+    firstVertex: 12,
+    vertexCount: 16,
+    reserved: 20,
+});
+
+/** firma_triangle_source */
+export const TRIANGLE_SOURCE = Object.freeze({
+    sizeof: 48,
+    face: 0,
+    room: 4,
+    source: 8,
+    sourceEdit: 12,
+    material: 16,
+    mask: 20,
+    flags: 24,
+    firstTriangle: 28,
+    triangleCount: 32,
+    firstVertex: 36,
+    vertexCount: 40,
+    reserved: 44,
+});
+
+/** firma_triangles_view */
+export const TRIANGLES_VIEW = Object.freeze({
+    sizeof: 40,
+    positions: 0,
+    normals: 4,
+    vertexCount: 8,
+    corners: 12,
+    faces: 16,
+    triangleCount: 20,
+    runs: 24,
+    runCount: 28,
+    sources: 32,
+    sourceCount: 36,
+});
+
+/** firma_triangle_options */
+export const TRIANGLE_OPTIONS = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    mask: 4,
+    solidOnly: 8,
+    room: 12,
+    origin: 16,
+    region: 40,
 });
 
 /** firma_room */
@@ -180,7 +258,7 @@ export const ROOM = Object.freeze({
     portals: 60,
     portalCount: 64,
     exterior: 68,
-    partOf: 72,
+    mergedInto: 72,
 });
 
 /** firma_portal */
@@ -206,7 +284,7 @@ export const CAST_INPUT = Object.freeze({
 
 /** firma_cast_options */
 export const CAST_OPTIONS = Object.freeze({
-    sizeof: 32,
+    sizeof: 40,
     size: 0,
     mask: 4,
     sides: 8,
@@ -214,31 +292,39 @@ export const CAST_OPTIONS = Object.freeze({
     skin: 16,
     passed: 24,
     passedCapacity: 28,
+    passedCount: 32,
 });
 
 /** firma_hit */
 export const HIT = Object.freeze({
-    sizeof: 200,
+    sizeof: 152,
     fraction: 0,
     safeFraction: 8,
     centre: 16,
     point: 40,
     normal: 64,
     faceNormal: 88,
-    version: 112,
-    status: 120,
-    feature: 124,
-    featureIndex: 128,
-    face: 132,
-    otherFace: 136,
-    source: 140,
-    sourceEdit: 144,
-    material: 148,
-    room: 152,
-    roomsPassed: 156,
-    passed: 160,
-    portal: 192,
-    reserved: 196,
+    status: 112,
+    feature: 116,
+    featureIndex: 120,
+    face: 124,
+    corner: 128,
+    portal: 140,
+    material: 144,
+    reserved: 148,
+});
+
+/** firma_hit_info */
+export const HIT_INFO = Object.freeze({
+    sizeof: 32,
+    size: 0,
+    room: 4,
+    source: 8,
+    sourceEdit: 12,
+    mask: 16,
+    flags: 20,
+    otherFace: 24,
+    reserved: 28,
 });
 
 /** firma_cast_counts */
@@ -252,17 +338,26 @@ export const CAST_COUNTS = Object.freeze({
 
 /** firma_near */
 export const NEAR = Object.freeze({
-    sizeof: 64,
+    sizeof: 96,
     point: 0,
     distance: 24,
-    face: 32,
-    source: 36,
-    sourceEdit: 40,
-    material: 44,
-    feature: 48,
-    featureIndex: 52,
-    portal: 56,
-    reserved: 60,
+    direction: 32,
+    depth: 56,
+    face: 64,
+    corner: 68,
+    feature: 80,
+    featureIndex: 84,
+    portal: 88,
+    material: 92,
+});
+
+/** firma_near_options */
+export const NEAR_OPTIONS = Object.freeze({
+    sizeof: 16,
+    size: 0,
+    mask: 4,
+    room: 8,
+    reserved: 12,
 });
 
 /** firma_pose */
@@ -304,19 +399,31 @@ export const CARVE_REPORT = Object.freeze({
 
 /** firma_diff_view */
 export const DIFF_VIEW = Object.freeze({
-    sizeof: 88,
-    gone: 0,
-    goneCount: 4,
-    come: 8,
-    comeCount: 12,
+    sizeof: 136,
+    removed: 0,
+    removedCount: 4,
+    added: 8,
+    addedCount: 12,
     corners: 16,
     cornerCount: 20,
     tiles: 24,
     tileCount: 28,
-    low: 32,
-    high: 56,
-    tooManyTiles: 80,
-    reserved: 84,
+    rooms: 32,
+    roomCount: 36,
+    opened: 40,
+    closed: 44,
+    openedCount: 48,
+    closedCount: 52,
+    portalsAdded: 56,
+    portalsRemoved: 60,
+    portalsAddedCount: 64,
+    portalsRemovedCount: 68,
+    portalsChanged: 72,
+    portalsChangedCount: 76,
+    low: 80,
+    high: 104,
+    tooManyTiles: 128,
+    reserved: 132,
 });
 
 /** firma_store_facts */

@@ -5,6 +5,7 @@ import { Core } from './core.js';
 import { Firma } from './firma.js';
 import { FirmaError } from './errors.js';
 import { VERSION } from './layout.js';
+import { readBytes } from './read_file.js';
 
 const PLACE = 'loadFirma';
 const inNode = typeof process !== 'undefined' && Boolean(process.versions?.node);
@@ -14,10 +15,8 @@ function cannotRead(what, cause) {
 }
 
 async function readFile(url) {
-    // Not a plain import(): tools that pack programs for browsers would look for it.
-    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ 'node:fs/promises');
     try {
-        return await readFile(url);
+        return await readBytes(url);
     } catch (error) {
         throw cannotRead(url, error);
     }

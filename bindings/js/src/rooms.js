@@ -14,7 +14,7 @@ export function locate(core, id, point) {
     core.setVector(input, vector(point, 3, 'locate', 'point'));
     core.run('firma_world_locate', id, input, out, out + 4);
     const where = WHERE_NAMES[core.getU32(out)];
-    return { where, room: where === 'room' ? core.getU32(out + 4) : null };
+    return { where, room: where === 'air' ? core.getU32(out + 4) : null };
 }
 
 export function getRoom(core, id, room) {
@@ -27,7 +27,7 @@ export function getRoom(core, id, room) {
         high: core.getVector(at + ROOM.high),
         faceCount: core.getCount(at + ROOM.faceCount),
         exterior: core.getU32(at + ROOM.exterior) !== 0,
-        partOf: core.getU32(at + ROOM.partOf),
+        mergedInto: core.getU32(at + ROOM.mergedInto),
         portals: Array.from(core.u32.subarray(portals, portals + core.getU32(at + ROOM.portalCount))),
     };
 }
@@ -72,7 +72,7 @@ export function getNeighbours(core, id, room, most) {
 export function getPath(core, id, from, to, options, most) {
     word(from, 'path', 'the first room');
     word(to, 'path', 'the last room');
-    const allOpen = flag(object(options, 'path', 'the options').allOpen, 'path', 'allOpen');
+    const allOpen = flag(object(options, 'path', 'the options', ['allOpen']).allOpen, 'path', 'allOpen');
     const found = core.at.out + 8;
     const portals = getWords(core, most, (at, capacity, count) => {
         core.run('firma_world_path', id, from, to, allOpen, at, capacity, count, found);

@@ -5,13 +5,15 @@ import { RULES, ZONE } from './layout.js';
 import { doubles, longWord, number, object, text, vector } from './arguments.js';
 
 const PLACE = 'withRules';
+const ZONE_NAMES = ['name', 'low', 'high', 'hardness'];
 const LIMITS = ['mostFaces', 'mostFacesLookedAt', 'mostNewFaces', 'mostCutterTriangles', 'mostPairs', 'mostCorners'];
+const NAMES = ['zones', 'hardness', ...LIMITS, 'largestCutter'];
 
 function putZones(core, lent, zones) {
     const at = lent.take(zones.length * ZONE.sizeof);
     zones.forEach((zone, k) => {
         const place = `${PLACE}: zone ${k}`;
-        if (typeof zone !== 'object' || zone === null) throw badCall(place, 'it must be { name, low, high, hardness }');
+        object(zone, place, 'the zone', ZONE_NAMES);
         const low = vector(zone.low, 3, place, 'low');
         const high = vector(zone.high, 3, place, 'high');
         const hardness = number(zone.hardness, place, 'hardness');
@@ -27,12 +29,12 @@ function putZones(core, lent, zones) {
 
 /** @returns the address of the struct */
 export function putRules(core, lent, rules) {
-    const given = object(rules, PLACE, 'the rules');
-    const zones = given.zones ?? [];
+    const given = object(rules, PLACE, 'the rules', NAMES);
+    const { zones = [], hardness = [], largestCutter = 0 } = given;
     if (!Array.isArray(zones)) throw badCall(PLACE, 'zones must be an array');
-    const hardness = doubles(given.hardness ?? [], 1, PLACE, 'hardness');
-    const limits = LIMITS.map((name) => longWord(given[name] ?? 0, PLACE, name));
-    const largest = number(given.largestCutter ?? 0, PLACE, 'largestCutter');
+    doubles(hardness, 1, PLACE, 'hardness');
+    const limits = LIMITS.map((name) => longWord(given[name] === undefined ? 0 : given[name], PLACE, name));
+    number(largestCutter, PLACE, 'largestCutter');
     const zonesAt = putZones(core, lent, zones);
     const hardnessAt = lent.doubles(hardness);
     const at = core.at.rules;
@@ -43,6 +45,6 @@ export function putRules(core, lent, rules) {
     core.setU32(at + RULES.hardness, hardnessAt);
     core.setU32(at + RULES.hardnessCount, hardness.length);
     LIMITS.forEach((name, k) => core.setU64(at + RULES[name], limits[k]));
-    core.setF64(at + RULES.largestCutter, largest);
+    core.setF64(at + RULES.largestCutter, largestCutter);
     return at;
 }

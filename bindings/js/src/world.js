@@ -3,23 +3,29 @@
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
 import { badCall, FirmaError } from './errors.js';
 import { CASTS_AT_ONCE } from './core.js';
-import { CAST_INPUT, HIT, NEAR, WORLD_FACTS } from './layout.js';
-import { doubles, flag, mask as maskOf, number, object, vector, word } from './arguments.js';
+import { CAST_INPUT, HIT, HIT_INFO, NEAR, WORLD_FACTS } from './layout.js';
+import { doubles, flag, number, object, vector, word } from './arguments.js';
 import {
     addCounts,
     clearCounts,
     getHit,
+    getHitInfo,
     getHits,
     getNear,
+    getOverlap,
     HitBatch,
     putCastOptions,
+    putHit,
     putInput,
+    putNearOptions,
     reserve,
+    withPassed,
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { takeDiff, takeFaces } from './faces.js';
 import { getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
 import { putRules } from './rules.js';
+import { takeTriangles } from './triangles.js';
 
 /** All of a list whose length is not known before: asks again when there is no room for all. */
 function getList(core, ask, bytes, get) {
@@ -94,6 +100,10 @@ export class World extends Handle {
         return takeFaces(core, makeHandle(core, 'firma_world_faces', this[ID]));
     }
 
+    triangles(options) {
+        return takeTriangles(this[CORE], this[ID], options);
+    }
+
     findFace(id) {
         const core = this[CORE];
         word(id, 'findFace', 'the id');
@@ -107,6 +117,7 @@ export class World extends Handle {
             sourceEdit: found.sourceEdits[0],
             mask: found.masks[0],
             flags: found.flags[0],
+            room: found.rooms[0],
             corners: found.corners,
         };
     }
@@ -115,18 +126,27 @@ export class World extends Handle {
         const core = this[CORE];
         const at = core.at.hit;
         const given = putInput(core, input, 'cast');
-        const chosen = putCastOptions(core, options, 'cast');
+        const chosen = putCastOptions(core, options, 'cast', ['counts', 'passed']);
         const counts = clearCounts(core, options, 'cast');
-        let code;
-        try {
-            code = core.exports.firma_cast(this[ID], given, chosen, at, counts);
-        } catch (error) {
-            throw core.stop(error);
-        }
+        const code = withPassed(core, options, chosen, (asked) => {
+            try {
+                return core.exports.firma_cast(this[ID], given, asked, at, counts);
+            } catch (error) {
+                throw core.stop(error);
+            }
+        });
         core.refresh();
         if (code !== 0) throw core.failure(code);
         addCounts(core, counts, options);
         return getHit(core, at);
+    }
+
+    hitInfo(hit) {
+        const core = this[CORE];
+        const at = core.at.hitInfo;
+        core.setU32(at + HIT_INFO.size, HIT_INFO.sizeof);
+        core.run('firma_world_hit_info', this[ID], putHit(core, hit, 'hitInfo'), at);
+        return getHitInfo(core, at);
     }
 
     castAny(input, options) {
@@ -167,7 +187,7 @@ export class World extends Handle {
         if (!(out instanceof HitBatch)) throw badCall('castBatch', 'out must be a HitBatch, as castBatch() returns');
         const numbers = inputs instanceof Float64Array ? inputs : Float64Array.from(inputs);
         const count = numbers.length / 7;
-        const chosen = putCastOptions(core, options, 'castBatch');
+        const chosen = putCastOptions(core, options, 'castBatch', ['counts']);
         const counts = clearCounts(core, options, 'castBatch');
         const given = core.batch();
         const hits = given + CASTS_AT_ONCE * CAST_INPUT.sizeof;
@@ -185,34 +205,27 @@ export class World extends Handle {
         return out;
     }
 
-    overlap(centre, radius, mask = -1) {
+    overlap(centre, radius, options) {
         const core = this[CORE];
         vector(centre, 3, 'overlap', 'centre');
         number(radius, 'overlap', 'radius');
-        const bits = maskOf(mask, 'overlap');
         const ask = (at, room) => {
             core.setVector(core.at.input, centre);
-            core.run('firma_overlap', this[ID], core.at.input, radius, bits, at, room, core.at.out);
+            const chosen = putNearOptions(core, options, 'overlap');
+            core.run('firma_overlap', this[ID], core.at.input, radius, chosen, at, room, core.at.out);
             return core.getU32(core.at.out);
         };
-        return getList(core, ask, NEAR.sizeof, getNear);
+        return getList(core, ask, NEAR.sizeof, getOverlap);
     }
 
-    closest(point, reach = Infinity, mask = -1) {
+    closest(point, reach = Infinity, options = undefined) {
         const core = this[CORE];
         vector(point, 3, 'closest', 'point');
         number(reach, 'closest', 'reach');
-        const bits = maskOf(mask, 'closest');
+        const chosen = putNearOptions(core, options, 'closest');
         core.setVector(core.at.input, point);
-        core.run('firma_closest', this[ID], core.at.input, reach, bits, core.at.near, core.at.out);
+        core.run('firma_closest', this[ID], core.at.input, reach, chosen, core.at.near, core.at.out);
         return core.getU32(core.at.out) === 0 ? null : getNear(core, core.at.near);
-    }
-
-    inSolid(point) {
-        const core = this[CORE];
-        core.setVector(core.at.input, vector(point, 3, 'inSolid', 'point'));
-        core.run('firma_in_solid', this[ID], core.at.input, core.at.out);
-        return [false, true, null][core.getU32(core.at.out)];
     }
 
     locate(point) {
@@ -277,8 +290,9 @@ export class World extends Handle {
 
     pack(options) {
         const core = this[CORE];
-        const exact = flag(object(options, 'pack', 'the options').exact ?? true, 'pack', 'exact');
-        const handle = makeHandle(core, 'firma_world_pack', this[ID], exact);
+        const { exact = true } = object(options, 'pack', 'the options', ['exact']);
+        flag(exact, 'pack', 'exact');
+        const handle = makeHandle(core, 'firma_world_pack', this[ID], exact ? 1 : 0);
         try {
             core.run('firma_bytes_get_view', handle, core.at.out, core.at.out + 4);
             const start = core.getU32(core.at.out);

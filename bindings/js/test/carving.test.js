@@ -102,7 +102,7 @@ test('a cut, its report, and the world before', () => {
         assert.ok(after.facts().materials.includes('größe'));
         const hit = after.cast({ centre: [4, 4, 4], radius: 0, path: [10, 0, 0] });
         assert.ok(hit.point[0] > 8);
-        assert.deepEqual([hit.sourceEdit, hit.version], [1, 1]);
+        assert.deepEqual([after.hitInfo(hit).sourceEdit, after.hitInfo(hit).room], [1, 0]);
         assert.equal(after.facts().materials[hit.material], 'größe');
         const { world: filled, report: fill } = after.carve(cutter, { ...atWall, scale: 1.5 }, { fill: true });
         keep(filled).check();
@@ -292,7 +292,7 @@ function facesById(faces) {
         const begin = 3 * faces.firstCorners[k];
         found.set(id, {
             normal: [...faces.normals.subarray(3 * k, 3 * k + 3)],
-            words: ['materials', 'sources', 'sourceEdits', 'masks', 'flags'].map((name) => faces[name][k]),
+            words: ['materials', 'sources', 'sourceEdits', 'masks', 'flags', 'rooms'].map((name) => faces[name][k]),
             corners: [...faces.corners.subarray(begin, begin + 3 * faces.cornerCounts[k])],
         });
     });
@@ -314,8 +314,8 @@ test('a diff put to the faces of the first world gives those of the second', () 
             ]) {
                 const diff = from.diff(to, 2);
                 const faces = facesById(from.faces());
-                for (const id of diff.gone) assert.ok(faces.delete(id), `${id} is gone, but was not there`);
-                for (const [id, face] of facesById(diff.come)) {
+                for (const id of diff.removed) assert.ok(faces.delete(id), `${id} is gone, but was not there`);
+                for (const [id, face] of facesById(diff.added)) {
                     assert.ok(!faces.has(id));
                     faces.set(id, face);
                 }
@@ -325,19 +325,19 @@ test('a diff put to the faces of the first world gives those of the second', () 
                     [...facesById(to.faces())].sort(([a], [b]) => a - b),
                 );
                 assert.ok(
-                    diff.gone.length > 0 &&
-                        diff.come.ids.length > 0 &&
+                    diff.removed.length > 0 &&
+                        diff.added.ids.length > 0 &&
                         diff.tiles.length > 0 &&
                         diff.tiles.length % 3 === 0,
                 );
                 assert.equal(diff.tooManyTiles, false);
-                for (let k = 0; k < diff.come.corners.length; ++k) {
-                    assert.ok(diff.come.corners[k] >= diff.low[k % 3] && diff.come.corners[k] <= diff.high[k % 3]);
-                    assert.ok(diff.tiles.includes(Math.floor(diff.come.corners[k] / 2)));
+                for (let k = 0; k < diff.added.corners.length; ++k) {
+                    assert.ok(diff.added.corners[k] >= diff.low[k % 3] && diff.added.corners[k] <= diff.high[k % 3]);
+                    assert.ok(diff.tiles.includes(Math.floor(diff.added.corners[k] / 2)));
                 }
             }
             const none = second.diff(second);
-            assert.deepEqual([none.gone.length, none.come.ids.length, none.tiles.length], [0, 0, 0]);
+            assert.deepEqual([none.removed.length, none.added.ids.length, none.tiles.length], [0, 0, 0]);
             assert.ok(none.low[0] > none.high[0]);
             assert.equal(first.diff(second).tiles.length, 0);
             for (const size of [-1, NaN, 0.01, Infinity]) throwsCode('INVALID', () => first.diff(second, size), /tile/);

@@ -16,9 +16,11 @@ const toWall = { centre: [4, 4, 4], radius: 1, path: [6, 0, 0] };
 
 test('a hit has all that the C API says', () => {
     inBox({ materials: [0, 0, 0, 1, 0, 0], materialNames: ['a', 'b'] }, (world) => {
-        const { safeFraction, face, source, material, ...rest } = world.cast(toWall);
+        const met = world.cast(toWall);
+        const { safeFraction, face, corner, material, ...rest } = met;
         assert.deepEqual(rest, {
             status: 'hit',
+            hit: true,
             fraction: 0.5,
             centre: [7, 4, 4],
             point: [8, 4, 4],
@@ -26,14 +28,28 @@ test('a hit has all that the C API says', () => {
             faceNormal: [-1, 0, 0],
             feature: 'face',
             featureIndex: 0,
-            otherFace: null,
-            sourceEdit: 0,
-            room: 0,
-            roomsPassed: 1,
-            passed: [0],
             portal: null,
-            version: 0,
         });
+        assert.deepEqual(
+            corner.map((steps) => steps / 262144),
+            Array.from(world.findFace(face).corners.subarray(0, 3)),
+        );
+        const info = world.hitInfo(met);
+        const { source } = info;
+        assert.deepEqual(info, {
+            room: 0,
+            source,
+            sourceEdit: 0,
+            mask: 0xffffffff,
+            twoSided: false,
+            solid: true,
+            otherFace: null,
+        });
+        throwsCode('INVALID', () => world.hitInfo({ ...met, face: 100 }), /no such face/);
+        throwsCode('INVALID', () => world.hitInfo({ ...met, portal: 0 }), /no such portal/);
+        throwsCode('INVALID', () => world.hitInfo(world.cast({ ...toWall, path: [1, 0, 0] })), /a miss/);
+        for (const wrong of [null, 5, {}, { ...met, feature: 'rim' }, { ...met, corner: [1, 2] }])
+            throwsCode('BAD_CALL', () => world.hitInfo(wrong));
         assert.ok(safeFraction < 0.5 && safeFraction > 0.499);
         assert.equal(world.findFace(face).normal[0], -1);
         assert.equal(world.findFace(face).source, source);
@@ -41,7 +57,7 @@ test('a hit has all that the C API says', () => {
         const miss = world.cast({ ...toWall, path: [1, 0, 0] });
         assert.equal(miss.status, 'miss');
         assert.equal(miss.face, null);
-        assert.deepEqual([miss.fraction, miss.safeFraction, miss.centre], [0, 0, [0, 0, 0]]);
+        assert.deepEqual([miss.hit, miss.fraction, miss.safeFraction, miss.centre], [false, 1, 1, [5, 4, 4]]);
         assert.equal(world.cast({ ...toWall, centre: [7.5, 4, 4] }).status, 'touching');
         assert.equal(world.cast({ ...toWall, path: [0, 0, 0] }).status, 'miss');
         assert.equal(world.cast({ centre: [4, 4, 4], radius: 0, path: [0, 0, -8] }).fraction, 0.5);
@@ -182,7 +198,7 @@ test('all that a cast meets, also when that is much', () => {
     });
 });
 
-test('overlap, closest, inSolid', () => {
+test('overlap, closest, locate', () => {
     inBox({}, (world) => {
         assert.deepEqual(world.overlap([4, 4, 4], 3.9), []);
         const near = world.overlap([7, 4, 7], 1.5);
@@ -191,16 +207,21 @@ test('overlap, closest, inSolid', () => {
         assert.deepEqual(wall.point, [8, 4, 7]);
         assert.equal(wall.distance, 1);
         assert.deepEqual(ceiling.point, [7, 4, 8]);
-        assert.deepEqual(world.overlap([7, 4, 7], 1.5, 0), []);
+        assert.deepEqual([wall.direction, wall.depth, ceiling.direction], [[-1, 0, 0], 0.5, [0, 0, -1]]);
+        const [behind] = world.overlap([8.25, 4, 4], 0.5);
+        assert.deepEqual([behind.direction, behind.depth], [[-1, 0, 0], 0.75], 'out of the solid');
+        assert.deepEqual(world.overlap([7, 4, 7], 1.5, { mask: 0 }), []);
+        assert.equal(world.overlap([7, 4, 7], 1.5, { room: 0 }).length, 2);
+        throwsCode('OUT_OF_RANGE', () => world.overlap([7, 4, 7], 1.5, { room: 1 }), /no such room/);
         assert.deepEqual(world.closest([4, 4, 1]).point, [4, 4, 0]);
         assert.equal(world.closest([4, 4, 1]).distance, 1);
         assert.equal(world.closest([4, 4, 1]).feature, 'face');
         assert.equal(world.closest([-1, -1, -1]).feature, 'vertex');
         assert.equal(world.closest([4, 4, 4], 3.9), null);
-        assert.equal(world.closest([4, 4, 4], Infinity, 0), null);
-        assert.equal(world.inSolid([4, 4, 4]), false);
-        assert.equal(world.inSolid([-4, 4, 4]), true);
-        assert.equal(world.inSolid([0, 4, 4]), null);
+        assert.equal(world.closest([4, 4, 4], Infinity, { mask: 0 }), null);
+        assert.deepEqual(world.locate([4, 4, 4]), { where: 'air', room: 0 });
+        assert.deepEqual(world.locate([-4, 4, 4]), { where: 'solid', room: null });
+        assert.deepEqual(world.locate([0, 4, 4]), { where: 'surface', room: null });
     });
     withLevel((world) => assert.equal(world.overlap([40, 20, 4], 200).length, world.facts().faceCount));
 });
@@ -216,7 +237,7 @@ test('numbers that are no good, and what is no number', () => {
             throwsCode('OUT_OF_RANGE', () => world.overlap([4, 4, bad], 1));
             throwsCode('OUT_OF_RANGE', () => world.overlap([4, 4, 4], bad));
             throwsCode('OUT_OF_RANGE', () => world.closest([4, bad, 4]));
-            throwsCode('OUT_OF_RANGE', () => world.inSolid([bad, 4, 4]));
+            throwsCode('OUT_OF_RANGE', () => world.locate([bad, 4, 4]));
         }
         throwsCode('OUT_OF_RANGE', () => world.closest([4, 4, 4], -1));
         throwsCode('OUT_OF_RANGE', () => world.closest([4, 4, 4], NaN));
@@ -241,7 +262,9 @@ test('numbers that are no good, and what is no number', () => {
         throwsCode('BAD_CALL', () => world.overlap([1, 2], 3));
         throwsCode('BAD_CALL', () => world.closest());
         throwsCode('BAD_CALL', () => world.closest([1, 2, 3], '1'));
-        throwsCode('BAD_CALL', () => world.closest([1, 2, 3], 1, 0.5));
-        throwsCode('BAD_CALL', () => world.inSolid([1, 2, '3']));
+        throwsCode('BAD_CALL', () => world.closest([1, 2, 3], 1, { mask: 0.5 }));
+        throwsCode('BAD_CALL', () => world.closest([1, 2, 3], 1, 5));
+        throwsCode('BAD_CALL', () => world.cast(toWall, { passed: 5 }));
+        throwsCode('BAD_CALL', () => world.locate([1, 2, '3']));
     });
 });

@@ -33,6 +33,20 @@ export function boxMesh(low = [0, 0, 0], high = [8, 8, 8]) {
     return { positions, corners: quads.reverse(), cornerCounts: [4, 4, 4, 4, 4, 4] };
 }
 
+/** A brush in units of the file: six sides, clockwise seen from outside; the one at low x with its own texture. */
+export function brush(low, high, texture, lowX = texture) {
+    const at = (...bits) => `( ${bits.map((bit, axis) => (bit ? high : low)[axis]).join(' ')} )`;
+    const sides = [
+        [at(0, 0, 0), at(0, 1, 0), at(0, 0, 1), lowX],
+        [at(1, 0, 0), at(1, 0, 1), at(1, 1, 0), texture],
+        [at(0, 0, 0), at(0, 0, 1), at(1, 0, 0), texture],
+        [at(0, 1, 0), at(1, 1, 0), at(0, 1, 1), texture],
+        [at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), texture],
+        [at(0, 0, 1), at(0, 1, 1), at(1, 0, 1), texture],
+    ];
+    return `{\n${sides.map((side) => `${side.join(' ')} 0 0 0 1 1\n`).join('')}}\n`;
+}
+
 /** Asserts that it throws a FirmaError of a code, and that its message is of the pattern. */
 export function throwsCode(code, work, message = /./) {
     assert.throws(work, (error) => {

@@ -102,5 +102,5 @@ test('the module asks its host for the time alone', async () => {
 test('the module is small', () => {
     const size = gzipSync(bytes, { level: 9 }).length;
     console.log(`firma.wasm: ${bytes.length} bytes, ${size} by gzip -9`);
-    assert.ok(size < 300_000, `${size} bytes by gzip -9`);
+    assert.ok(size < 450_000, `${size} bytes by gzip -9`);
 });

@@ -89,15 +89,16 @@ test('arguments of every kind', () => {
     const job = world.startCarve(cutter, { position: [8, 4, 4] });
     const edit = world.edit();
     const store = firma.openStore(world, 1e5);
+    const level = firma.levelFromMap('{ "classname" "worldspawn" }');
     const gone = firma.crater('box', 1);
     gone.release();
-    const handles = [world, cutter, job, edit, store, gone];
+    const handles = [world, cutter, job, edit, store, level, gone];
     const answers = { returned: 0 };
-    const objects = [firma, world, cutter, job, edit, store];
+    const objects = [firma, world, cutter, job, edit, store, level];
     for (let round = 0; round < 300; ++round) {
         for (const object of objects) {
             for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(object))) {
-                if (name === 'constructor' || name === 'version') continue;
+                if (['constructor', 'version', 'metresPerUnit'].includes(name)) continue;
                 const given = Array.from({ length: below(4) }, () => (next() < 0.3 ? pick(handles) : pick(makers)()));
                 // Once in three times what such a call begins with.
                 if (/arve/.test(name) && next() < 0.5) given.splice(0, 2, cutter, { position: vectorOf(3) });
@@ -119,8 +120,68 @@ test('arguments of every kind', () => {
         }
     }
     world.check();
-    for (const object of [world, cutter, job, edit, store]) object.release();
+    for (const object of [world, cutter, job, edit, store, level]) object.release();
     const seen = JSON.stringify(answers);
     for (const code of ['returned', 'BAD_CALL', 'BAD_HANDLE', 'INVALID', 'MALFORMED', 'OUT_OF_RANGE'])
         assert.ok(answers[code] > 3, seen);
+});
+
+const refused = (call, message) =>
+    assert.throws(call, (error) => {
+        assert.ok(error instanceof FirmaError && error.code === 'BAD_CALL', `${error.stack}`);
+        assert.match(error.message, message);
+        return true;
+    });
+
+test('a member that options do not have is refused by name', () => {
+    const mesh = boxMesh();
+    const world = firma.worldFromMesh(mesh);
+    const cutter = firma.crater('box', 1);
+    const ball = { centre: [4, 4, 4], radius: 0.5, path: [1, 0, 0] };
+    const at = { position: [8, 4, 4] };
+    const zone = { low: [0, 0, 0], high: [1, 1, 1], hardness: 1 };
+    const edit = world.edit();
+    refused(() => firma.worldFromObj(levelBytes, { sclae: 2 }), /^worldFromObj: the options: there is no sclae, only name/);
+    refused(() => firma.worldFromMesh(mesh, { Skin: 1 }), /there is no Skin/);
+    refused(() => firma.worldFromMesh({ ...mesh, mask: [1] }), /the mesh: there is no mask, only .*masks/);
+    for (const cast of ['cast', 'castAny', 'castAll']) refused(() => world[cast](ball, { both: true }), /there is no both/);
+    refused(() => world.castBatch(new Float64Array(7), { masks: 1 }), /there is no masks/);
+    refused(() => world.castAny(ball, { counts: {} }), /there is no counts/);
+    refused(() => world.cast(ball, { counts: { bin: 0 } }), /counts: there is no bin,/);
+    for (const call of [world.carve, world.startCarve].map((one) => one.bind(world)).concat(edit.carve.bind(edit))) {
+        refused(() => call(cutter, { ...at, size: 2 }), /the pose: there is no size, only position, rotation, scale/);
+        refused(() => call(cutter, at, { filled: true }), /there is no filled/);
+    }
+    refused(() => world.withRules({ zone: [zone] }), /the rules: there is no zone,/);
+    refused(() => world.withRules({ zones: [{ ...zone, hard: 1 }] }), /zone 0: the zone: there is no hard,/);
+    refused(() => world.pack({ exakt: true }), /there is no exakt/);
+    refused(() => world.path(0, 0, { open: true }), /there is no open/);
+    for (const one of [edit, cutter, world]) one.release();
+});
+
+test('a value of a wrong type is refused', () => {
+    const mesh = boxMesh();
+    const world = firma.worldFromMesh(mesh);
+    const cutter = firma.crater('box', 1);
+    const ball = { centre: [4, 4, 4], radius: 0.5, path: [1, 0, 0] };
+    const at = { position: [8, 4, 4] };
+    for (const options of [null, [], 'fast', 7]) {
+        refused(() => world.cast(ball, options), /must be an object/);
+        refused(() => world.carve(cutter, at, options), /must be an object/);
+        refused(() => firma.worldFromMesh(mesh, options), /must be an object/);
+    }
+    refused(() => firma.worldFromMesh(mesh, { name: null }), /name must be a string/);
+    refused(() => firma.worldFromMesh({ ...mesh, twoSided: 'yes' }), /twoSided must be an array/);
+    refused(() => firma.worldFromMesh({ ...mesh, twoSided: mesh.cornerCounts.map(() => 2) }), /must be true, false, 1 or 0/);
+    refused(() => firma.worldFromMesh({ ...mesh, materialNames: null }), /materialNames must be an array/);
+    refused(() => world.cast(ball, { room: null }), /room/);
+    refused(() => world.cast(ball, { counts: { bins: '0' } }), /bins must be a number/);
+    refused(() => world.carve(cutter, { ...at, scale: null }), /scale must be a number/);
+    refused(() => world.carve(cutter, { ...at, rotation: null }), /rotation must be an array/);
+    refused(() => world.carve(cutter, at, { material: 5 }), /material must be a string/);
+    refused(() => world.withRules({ zones: null }), /zones must be an array/);
+    refused(() => world.withRules({ mostFaces: null }), /mostFaces must be an integer/);
+    refused(() => world.withRules({ hardness: null }), /hardness must be an array/);
+    refused(() => world.pack({ exact: 1 }), /exact must be true or false/);
+    for (const one of [cutter, world]) one.release();
 });

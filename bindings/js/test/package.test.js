@@ -74,7 +74,7 @@ test('types name what there is, and nothing else', () => {
 test('the package has its files, and the lock names no host', () => {
     const result = spawnSync('npm', ['pack', '--dry-run', '--json'], { cwd: root, encoding: 'utf8' });
     const files = JSON.parse(result.stdout)[0].files.map((file) => file.path);
-    for (const name of ['src/firma.wasm', 'src/index.js', 'src/layout.js', 'index.d.ts', 'README.md', 'package.json'])
+    for (const name of ['src/firma.wasm', 'src/index.js', 'src/layout.js', 'index.d.ts', 'README.md', 'LICENSE', 'package.json'])
         assert.ok(files.includes(name), `${name} is not in the package`);
     assert.ok(
         files.every((name) => !/^(test|tools|node_modules)\//.test(name)),

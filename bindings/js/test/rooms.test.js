@@ -4,23 +4,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { HitBatch, NO_PORTAL } from '../src/index.js';
-import { firma, levelBytes, releasing, throwsCode } from './helpers.js';
+import { brush as box, firma, levelBytes, releasing, throwsCode } from './helpers.js';
 
 const depot = readFileSync(new URL('../../../levels/depot.map', import.meta.url));
-
-/** A brush in units of the file: six sides, clockwise seen from outside; the one at low x with its own texture. */
-function box(low, high, texture, lowX = texture) {
-    const at = (...bits) => `( ${bits.map((bit, axis) => (bit ? high : low)[axis]).join(' ')} )`;
-    const sides = [
-        [at(0, 0, 0), at(0, 1, 0), at(0, 0, 1), lowX],
-        [at(1, 0, 0), at(1, 0, 1), at(1, 1, 0), texture],
-        [at(0, 0, 0), at(0, 0, 1), at(1, 0, 0), texture],
-        [at(0, 1, 0), at(1, 1, 0), at(0, 1, 1), texture],
-        [at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), texture],
-        [at(0, 0, 1), at(0, 1, 1), at(1, 0, 1), texture],
-    ];
-    return `{\n${sides.map((side) => `${side.join(' ')} 0 0 0 1 1\n`).join('')}}\n`;
-}
 
 /** Two rooms of 4 m along x within walls of half a metre, a portal between them at x = 4. */
 const twoRooms =
@@ -62,7 +48,7 @@ test('where a point is', () => {
     withRooms((world) => {
         assert.equal(new Set([1, 7, 99].map((x) => roomAt(world, x))).size, 3);
         assert.deepEqual(world.locate([-0.25, 2, 2]), { where: 'solid', room: null });
-        assert.deepEqual(world.locate([2, 2, 0]), { where: 'unsure', room: null });
+        assert.deepEqual(world.locate([2, 2, 0]), { where: 'surface', room: null });
         throwsCode('OUT_OF_RANGE', () => world.locate([0, NaN, 0]));
         throwsCode('BAD_CALL', () => world.locate([0, 0]));
     });
@@ -77,7 +63,7 @@ test('rooms and portals, and what leads where', () => {
             high: [4, 4, 4],
             faceCount: 5,
             exterior: false,
-            partOf: west,
+            mergedInto: west,
             portals: [0],
         });
         assert.equal(world.room(outside).exterior, true);
@@ -118,6 +104,9 @@ test('a closed door is a wall', () => {
             assert.deepEqual(closed.path(west, east, { allOpen: true }), [0]);
             const hit = closed.cast({ centre: [1, 2, 2], radius: 0.5, path: [6, 0, 0] });
             assert.deepEqual([hit.status, hit.portal, hit.face, hit.fraction], ['hit', 0, null, 2.5 / 6]);
+            assert.equal(closed.hitInfo(hit).room, west);
+            const diff = open.diff(closed);
+            assert.deepEqual([[...diff.closed], [...diff.opened], diff.removed.length], [[0], [], 0]);
             const near = closed.closest([3.5, 2, 2], 1);
             assert.deepEqual([near.portal, near.face, near.distance], [0, null, 0.5]);
             assert.deepEqual(closed.overlap([3.5, 2, 2], 1).map((one) => one.portal), [0]);
@@ -134,11 +123,15 @@ test('casts by room', () => {
         const [west, east] = [1, 7].map((x) => roomAt(world, x));
         const through = { centre: [1, 2, 2], radius: 0.5, path: [10, 0, 0] };
         const any = world.cast(through);
-        assert.deepEqual([any.roomsPassed, any.passed, any.portal, any.room], [0, [], null, east]);
+        assert.deepEqual([any.portal, world.hitInfo(any).room], [null, east]);
+        const all = [7];
+        world.cast(through, { passed: all });
+        assert.deepEqual(all, []);
         for (const room of [west, 'locate']) {
-            const hit = world.cast(through, { room });
-            assert.deepEqual({ ...hit, roomsPassed: 0, passed: [] }, any);
-            assert.deepEqual(hit.passed, [west, east]);
+            const passed = [];
+            const hit = world.cast(through, { room, passed });
+            assert.deepEqual(hit, any);
+            assert.deepEqual(passed, [west, east]);
             assert.equal(world.castAny(through, { room }), true);
             assert.equal(world.castAll(through, { room })[0].face, any.face);
             const batch = world.castBatch([...through.centre, 0.5, ...through.path], { room }, new HitBatch());
@@ -177,11 +170,43 @@ test('the depot: rooms by name, ways, a cut that joins two of them', () => {
                 assert.equal(report.status, 'done');
                 assert.equal(after.portal(way[0]).polygons.length, 0); // the air of both is one
                 const [low, high] = [...portal.rooms].sort((a, b) => a - b);
-                assert.equal(after.room(high).partOf, low);
+                assert.equal(after.room(high).mergedInto, low);
                 after.check();
             });
         });
     });
+});
+
+test('entities of a level, and its world', () => {
+    releasing([firma.levelFromMap(depot, { name: 'depot.map' })], (level) => {
+        const entities = level.entities();
+        assert.equal(entities[0].classname, 'worldspawn');
+        assert.equal(entities[0].origin, null);
+        assert.equal(level.metresPerUnit, 1 / 32);
+        const [start] = entities.filter((entity) => entity.classname === 'info_player_start');
+        const numbers = start.values.get('origin').split(' ').map(Number);
+        assert.deepEqual(start.origin, numbers.map((x) => x / 32));
+        assert.ok(start.line > 1 && start.keys.some(([key, value]) => key === 'classname' && value === start.classname));
+        assert.ok(entities.filter((entity) => entity.classname === 'firma_room').length > 12);
+        assert.ok(Array.isArray(level.notes()));
+        releasing([level.world({ skin: 0.01 }), firma.worldFromMap(depot, { skin: 0.01 })], (world, other) => {
+            assert.equal(world.hash(), other.hash());
+            assert.equal(world.locate(start.origin).where, 'air');
+        });
+    });
+    const noted = '{ "classname" "worldspawn" { brushDef9 { } } }\n{ "classname" "light" "origin" "1 2" "größe" "ü" "a" "1" "a" "2" }';
+    releasing([firma.levelFromMap(noted, { scale: 0.5 })], (level) => {
+        const [, light] = level.entities();
+        assert.equal(light.origin, null);
+        assert.deepEqual([light.values.get('größe'), light.values.get('a'), light.keys.length], ['ü', '1', 5]);
+        assert.equal(level.metresPerUnit, 0.5);
+        assert.match(level.notes().join(), /brushDef9/);
+        throwsCode('MALFORMED', () => level.world());
+    });
+    throwsCode('MALFORMED', () => firma.levelFromMap('{', { name: 'torn.map' }), /torn\.map/);
+    throwsCode('INVALID', () => firma.levelFromMap('{}', { scale: -1 }), /scale/);
+    throwsCode('BAD_CALL', () => firma.levelFromMap(5));
+    throwsCode('BAD_CALL', () => firma.levelFromMap('{}', { scale: '1' }));
 });
 
 test('a level without rooms has one', () => {

@@ -59,8 +59,8 @@ export function scenario(firma, level, cuts, casts) {
         world = after;
     });
     const hits = world.castBatch(randomCasts(casts, world.facts(), 11));
-    const { fraction, safeFraction, centre, point, normal, faceNormal, status, feature, face, otherFace } = hits;
-    const answers = hashOf(fraction, safeFraction, centre, point, normal, faceNormal, status, feature, face, otherFace);
+    const { fraction, safeFraction, centre, point, normal, faceNormal, status, feature, face, corner } = hits;
+    const answers = hashOf(fraction, safeFraction, centre, point, normal, faceNormal, status, feature, face, corner);
     const faces = world.faces();
     const result = {
         ...counts,

@@ -74,11 +74,11 @@ test('memory that grows within any call', async () => {
     assert.equal(world.faces().ids.length, 6);
     assert.deepEqual(world.closest([4, 4, 1]).point, [4, 4, 0]);
     assert.equal(world.overlap([4, 4, 4], 5).length, 6);
-    assert.equal(world.inSolid([4, 4, 4]), false);
+    assert.equal(world.locate([4, 4, 4]).where, 'air');
     const cutter = firma.crater('rocky', 1);
     const { world: after, report } = world.carve(cutter, { position: [8, 4, 4] }, { material: 'x' });
     assert.equal(report.status, 'done');
-    assert.equal(world.diff(after, 1).gone.length, report.facesGone);
+    assert.equal(world.diff(after, 1).removed.length, report.facesGone);
     assert.ok(after.facts().materials.includes('x'));
     const copy = firma.unpackWorld(after.pack());
     assert.equal(copy.hash(), after.hash());
@@ -141,7 +141,7 @@ test('memory beyond two and beyond three gigabytes', async () => {
                 near: after.overlap([40, 20, 4], 300),
                 hits: Array.from({ length: batch.count }, (_, k) => batch.hit(k)),
                 packed: after.pack(),
-                solid: after.inSolid([40, 20, 4]),
+                solid: after.locate([40, 20, 4]),
             };
             answers.again = one.unpackWorld(answers.packed).hash();
             for (const object of [world, cutter, after]) object.release();

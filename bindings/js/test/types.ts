@@ -11,15 +11,21 @@ import {
     type CarveReport,
     type CastCounts,
     type Diff,
+    type Entity,
     type Face,
     type Faces,
     type Hit,
+    type HitInfo,
+    type Level,
     type Location,
     type Mesh,
     type Near,
+    type Overlap,
     type Portal,
     type Room,
     type StoreFacts,
+    type TriangleRun,
+    type Triangles,
     type World,
     type WorldFacts,
 } from 'firma';
@@ -62,6 +68,11 @@ firma.worldFromBsp('text');
 // @ts-expect-error an option that is none
 firma.worldFromObj('', { skn: 1 });
 
+const level: Level = firma.levelFromMap('{}', { name: 'a', scale: 1 });
+const entity: Entity | undefined = level.entities()[0];
+const spawn: number = (entity?.origin?.[0] ?? 0) + level.metresPerUnit + level.notes().length;
+level.world({ skin: 0.1 }).release();
+
 const facts: WorldFacts = world.facts();
 const [x, y, z]: [number, number, number] = facts.low;
 const names: string[] = facts.materials;
@@ -72,6 +83,9 @@ const memory: number = world.memory() + firma.memory([world, world.copy()]);
 const faces: Faces = world.faces();
 const flags: number = faces.flags[0]! & (FACE_SOLID | FACE_TWO_SIDED);
 const face: Face | null = world.findFace(0);
+const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
+const run: TriangleRun | undefined = triangles.runs[0];
+const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
 const counts: CastCounts = { bins: 0, boxes: 0, faces: 0, precise: 0 };
@@ -85,12 +99,15 @@ const batch: HitBatch = world.castBatch(new Float64Array(7), { counts: {} }, new
 const one: Hit | null = batch.hit(0);
 const where: number = batch.point[0]! + batch.status[0]! + batch.count;
 const none: boolean = batch.face[0] === NO_FACE;
-const near: Near[] = world.overlap([1, 2, 3], 1, 1);
-const closest: Near | null = world.closest([1, 2, 3], 5, 1);
-const solid: boolean | null = world.inSolid([1, 2, 3]);
+const near: Overlap[] = world.overlap([1, 2, 3], 1, { mask: 1, room: 0 });
+const deep: number = near[0]!.depth + near[0]!.direction[0];
+const closest: Near | null = world.closest([1, 2, 3], 5, { mask: 1 });
+const info: HitInfo = world.hitInfo(hit);
+const across: number | null = info.otherFace;
 
 const place: Location = world.locate([1, 2, 3]);
-if (place.room !== null) world.cast(input, { room: place.room }).passed.includes(place.room);
+const passed: number[] = [];
+if (place.room !== null) world.cast(input, { room: place.room, passed }).hit.valueOf();
 world.castAny(input, { room: 'locate' });
 // @ts-expect-error no such word
 world.castAny(input, { room: 'here' });
@@ -121,7 +138,7 @@ const edit = world.edit();
 edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
 const diff: Diff = world.diff(after, 1);
-const corners: Float64Array = diff.come.corners;
+const corners: Float64Array = diff.added.corners;
 world.withRules({
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],
@@ -152,6 +169,7 @@ try {
 export const used = [
     version,
     live,
+    spawn,
     x,
     y,
     z,
@@ -161,14 +179,17 @@ export const used = [
     memory,
     flags,
     face,
+    origin,
     any,
     all,
     one,
     where,
     none,
     near,
+    deep,
     closest,
-    solid,
+    across,
+    passed,
     total,
     corners,
     waiting,

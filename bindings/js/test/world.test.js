@@ -115,8 +115,8 @@ test('a mesh, with all its arrays and with few', () => {
         assert.equal(full.faces().flags[2] & FACE_TWO_SIDED, FACE_TWO_SIDED);
         assert.ok(plain.faces().flags.every((flags) => flags === FACE_SOLID));
         assert.equal(plain.measure().volume, -512);
-        assert.equal(plain.inSolid([4, 4, 4]), false);
-        assert.equal(plain.inSolid([9, 4, 4]), true);
+        assert.equal(plain.locate([4, 4, 4]).where, 'air');
+        assert.equal(plain.locate([9, 4, 4]).where, 'solid');
     });
     const triangles = { positions: Float32Array.of(0, 0, 0, 4, 0, 0, 0, 4, 0), corners: Uint16Array.of(0, 1, 2) };
     releasing([firma.worldFromMesh(triangles)], (world) => assert.equal(world.facts().faceCount, 1));
@@ -193,12 +193,41 @@ test('faces are copies, each found by its id', () => {
             sourceEdit: 0,
             mask: 0xffffffff,
             flags: FACE_SOLID,
+            room: 0,
             corners: faces.corners.slice(begin, begin + 3 * faces.cornerCounts[k]),
         });
         assert.equal(world.findFace(4_000_000), null);
         for (const id of [-1, 0.5, 2 ** 32, '1', undefined]) throwsCode('BAD_CALL', () => world.findFace(id));
         faces.corners.fill(0);
         assert.notEqual(world.faces().corners[0], 0);
+    });
+});
+
+test('faces as triangles', () => {
+    withLevel((world) => {
+        const faces = world.faces();
+        const all = world.triangles();
+        assert.equal(all.sources.length, faces.ids.length);
+        assert.equal(all.positions.length, faces.corners.length);
+        assert.equal(all.corners.length, 3 * faces.cornerCounts.reduce((sum, count) => sum + count - 2, 0));
+        assert.equal(all.runs.reduce((sum, run) => sum + run.triangleCount, 0), all.faces.length);
+        assert.deepEqual(all.runs.map((run) => run.material), [...new Set(faces.materials)].sort((a, b) => a - b));
+        for (let t = 0; t < all.corners.length; t += 3) {
+            const [a, b, c] = [0, 1, 2].map((k) => all.positions.subarray(3 * all.corners[t + k], 3 * all.corners[t + k] + 3));
+            const [u, v] = [b, c].map((p) => p.map((x, axis) => x - a[axis]));
+            const normal = [0, 1, 2].map((axis) => u[(axis + 1) % 3] * v[(axis + 2) % 3] - u[(axis + 2) % 3] * v[(axis + 1) % 3]);
+            const along = normal.reduce((sum, x, axis) => sum + x * all.normals[3 * all.corners[t] + axis], 0);
+            assert.ok(along > 0, `triangle ${t / 3}`);
+        }
+        const moved = world.triangles({ origin: [32, 16, 2], room: 0 });
+        assert.equal(moved.positions[0], all.positions[0] - 32);
+        assert.equal(world.triangles({ mask: 0 }).corners.length, 0);
+        assert.equal(world.triangles({ region: [-1, 0, 0] }).corners.length < all.corners.length, true);
+        throwsCode('INVALID', () => world.triangles({ room: 7 }), /no such room/);
+        throwsCode('INVALID', () => world.triangles({ room: 0, region: [0, 0, 0] }), /not both/);
+        throwsCode('OUT_OF_RANGE', () => world.triangles({ origin: [0, NaN, 0] }), /origin/);
+        for (const wrong of [5, { room: -1 }, { region: [1, 2] }, { region: [0.5, 0, 0] }, { origin: 3 }, { solidOnly: 1 }])
+            throwsCode('BAD_CALL', () => world.triangles(wrong));
     });
 });
 

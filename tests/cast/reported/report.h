@@ -14,6 +14,7 @@
 
 #include "firma/level.h"
 #include "firma/polygon.h"
+#include "firma/queries.h"
 #include "firma/world.h"
 
 namespace firma::reported {
@@ -203,7 +204,7 @@ private:
         const Hit got = cast(world, sphere, path, options);
         expect_outcome(got, *first, sphere.radius);
         if (first->touched()) {
-            EXPECT_EQ(got.face, FaceId{face}) << "of several at one fraction the first";
+            EXPECT_EQ(got.face.id, FaceId{face}) << "of several at one fraction the first";
         }
         EXPECT_EQ(cast_any(world, sphere, path, options) != Status::kMiss, first->touched());
         std::vector<Hit> hits;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What users of parry, rapier and ncollide reported, asked of Firma.
+#include "firma/queries.h"
 #include "tests/cast/reported/report.h"
+#include "tests/source_of.h"
 
 namespace firma::reported {
 namespace {
@@ -138,7 +140,7 @@ TEST(Parry123, ReadersDropFacesWithoutArea) {
     for (const Sides sides : {Sides::kFront, Sides::kBoth}) {
         const Hit got = cast(world, {{2, 2, 0}, 0.5}, {0, -2, 0}, {.sides = sides});
         expect_outcome(got, hit_exactly(7.0 / 8, kUp, Feature::kFace), 0.5);
-        EXPECT_EQ(got.source, 2u) << "dropped faces are counted";
+        EXPECT_EQ(source_of(world, got), 2u) << "dropped faces are counted";
     }
 }
 

@@ -70,7 +70,7 @@ TEST(Tinybvh168, RaysAtVerticesAndEdgesOfAnIntegerField) {
                     ASSERT_EQ(hit.status, Status::kHit);
                     ASSERT_EQ(hit.fraction, 0.5);
                     ASSERT_EQ(hit.point, target);
-                    ASSERT_EQ(hit.face, FaceId{first}) << "of several at one fraction the first";
+                    ASSERT_EQ(hit.face.id, FaceId{first}) << "of several at one fraction the first";
                 }
             }
             EXPECT_EQ(targets_by_faces, (std::map<std::size_t, int>{{1, 18}, {2, 42}, {3, 12}, {6, 9}}));

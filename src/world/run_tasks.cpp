@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Spreads the work of a batch over the threads that the caller's hook has, and watches that the hook does it.
-#include "bindings/c/batch.h"
+// Spreads the work of a batch over the threads that a caller has, and watches that the caller does all of it.
+#include "world/run_tasks.h"
 
 #include <atomic>
 #include <memory>
-#include <new>
 
-#include "base/lock.h"
-
-namespace firma::c {
+namespace firma {
 namespace {
-
-struct Hook {
-    Lock lock;
-    firma_tasks tasks{};
-};
-
-Hook& hook() {
-    alignas(Hook) static std::byte place[sizeof(Hook)];  // never destroyed, never without memory
-    static auto& only = *new (place) Hook;
-    return only;
-}
 
 enum class Progress : std::uint8_t { kWaiting, kBegun, kDone };
 
@@ -57,17 +43,7 @@ bool all_done(const Watched& watched) {
 
 }  // namespace
 
-void set_batch_tasks(const firma_tasks& tasks) {
-    const std::lock_guard<Lock> guard(hook().lock);
-    hook().tasks = tasks;
-}
-
-bool run_batch(std::size_t count, void (*work)(void* context, std::size_t k), void* context) {
-    firma_tasks tasks;
-    {
-        const std::lock_guard<Lock> guard(hook().lock);
-        tasks = hook().tasks;
-    }
+bool run_tasks(const Tasks& tasks, std::size_t count, void (*work)(void* context, std::size_t k), void* context) {
     if (tasks.run && count > 1) {
         Watched watched{count, work, context, std::make_unique<std::atomic<Progress>[]>(count)};
         tasks.run(count, work_watched, &watched, tasks.user);
@@ -77,4 +53,4 @@ bool run_batch(std::size_t count, void (*work)(void* context, std::size_t k), vo
     return true;
 }
 
-}  // namespace firma::c
+}  // namespace firma

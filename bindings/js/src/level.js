@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Levels of brushes: their entities, and worlds of them.
+import { CORE, Handle, ID } from './handle.js';
+import { ENTITY, LEVEL_VIEW } from './layout.js';
+
+export class Level extends Handle {
+    #world;
+
+    /** @param world  makes a World of a level's handle and options */
+    constructor(core, id, world) {
+        super(core, id, 'firma_level_release');
+        this.#world = world;
+    }
+
+    world(options) {
+        return this.#world(this[ID], options);
+    }
+
+    entities() {
+        const core = this[CORE];
+        const at = this.#view();
+        const first = core.getU32(at + LEVEL_VIEW.entities);
+        return Array.from({ length: core.getU32(at + LEVEL_VIEW.entityCount) }, (_, k) =>
+            getEntity(core, first + k * ENTITY.sizeof),
+        );
+    }
+
+    notes() {
+        const core = this[CORE];
+        const at = this.#view();
+        return getTexts(core, core.getU32(at + LEVEL_VIEW.notes), core.getU32(at + LEVEL_VIEW.noteCount));
+    }
+
+    get metresPerUnit() {
+        return this[CORE].getF64(this.#view() + LEVEL_VIEW.metresAUnit);
+    }
+
+    #view() {
+        const core = this[CORE];
+        core.run('firma_level_get_view', this[ID], core.at.levelView);
+        return core.at.levelView;
+    }
+}
+
+const getTexts = (core, at, count) => Array.from({ length: count }, (_, k) => core.text(core.getU32(at + 4 * k)));
+
+function getEntity(core, at) {
+    const count = core.getU32(at + ENTITY.keyCount);
+    const names = getTexts(core, core.getU32(at + ENTITY.keys), count);
+    const texts = getTexts(core, core.getU32(at + ENTITY.values), count);
+    const values = new Map();
+    names.forEach((name, k) => {
+        if (!values.has(name)) values.set(name, texts[k]);
+    });
+    return {
+        classname: core.text(core.getU32(at + ENTITY.classname)),
+        keys: names.map((name, k) => [name, texts[k]]),
+        values,
+        origin: core.getU32(at + ENTITY.hasOrigin) !== 0 ? core.getVector(at + ENTITY.origin) : null,
+        line: core.getU32(at + ENTITY.line),
+    };
+}

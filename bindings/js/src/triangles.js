@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Faces as triangles: copies of what the module shows.
+import { flag, mask, object, vector, word } from './arguments.js';
+import { badCall } from './errors.js';
+import { makeHandle } from './handle.js';
+import { TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
+
+const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin'];
+
+/** The options' address. */
+function putOptions(core, lent, options) {
+    const given = object(options, 'triangles', 'the options', NAMES);
+    const { origin = [0, 0, 0], room, region } = given;
+    const at = lent.take(TRIANGLE_OPTIONS.sizeof);
+    core.setU32(at + TRIANGLE_OPTIONS.size, TRIANGLE_OPTIONS.sizeof);
+    core.setU32(at + TRIANGLE_OPTIONS.mask, given.mask === undefined ? 0xffffffff : mask(given.mask, 'triangles'));
+    core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(given.solidOnly, 'triangles', 'solidOnly'));
+    core.setU32(at + TRIANGLE_OPTIONS.room, room === undefined ? 0xffffffff : word(room, 'triangles', 'room'));
+    core.setVector(at + TRIANGLE_OPTIONS.origin, vector(origin, 3, 'triangles', 'origin'));
+    let place = 0;
+    if (region !== undefined) {
+        vector(region, 3, 'triangles', 'region');
+        if (!Array.from(region).every((k) => Number.isInteger(k) && Math.abs(k) < 2 ** 31))
+            throw badCall('triangles', 'region must be three integers');
+        place = lent.take(16);
+        core.i32.set(region, place >>> 2);
+    }
+    core.setU32(at + TRIANGLE_OPTIONS.region, place);
+    return at;
+}
+
+/** An array of objects with the fields of a struct, all of them words. */
+function getStructs(core, at, count, layout) {
+    const fields = Object.keys(layout).filter((name) => name !== 'sizeof' && name !== 'reserved');
+    return Array.from({ length: count }, (_, k) =>
+        Object.fromEntries(fields.map((name) => [name, core.getU32(at + k * layout.sizeof + layout[name])])),
+    );
+}
+
+export function takeTriangles(core, id, options) {
+    const handle = core.borrow((lent) => makeHandle(core, 'firma_world_triangles', id, putOptions(core, lent, options)));
+    try {
+        const at = core.at.trianglesView;
+        core.run('firma_triangles_get_view', handle, at);
+        const get = (field) => core.getU32(at + TRIANGLES_VIEW[field]);
+        const f32 = new Float32Array(core.u8.buffer);
+        const floats = (field, count) => f32.slice(get(field) >>> 2, (get(field) >>> 2) + count);
+        const words = (field, count) => core.u32.slice(get(field) >>> 2, (get(field) >>> 2) + count);
+        const triangles = get('triangleCount');
+        return {
+            positions: floats('positions', 3 * get('vertexCount')),
+            normals: floats('normals', 3 * get('vertexCount')),
+            corners: words('corners', 3 * triangles),
+            faces: words('faces', triangles),
+            runs: getStructs(core, get('runs'), get('runCount'), TRIANGLE_RUN),
+            sources: getStructs(core, get('sources'), get('sourceCount'), TRIANGLE_SOURCE),
+        };
+    } finally {
+        core.call('firma_triangles_release', handle);
+    }
+}

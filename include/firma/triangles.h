@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Faces as triangles: for a renderer, or for the collider of another engine.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "firma/export.h"
+#include "firma/world.h"
+
+namespace firma {
+
+/// Triangles of some faces. Vertices are not shared between faces, as normals differ; of one face they are.
+struct TriangleMesh {
+    // One for each vertex.
+    std::vector<std::array<float, 3>> positions;  ///< metres from TriangleOptions::origin, rounded to float
+    std::vector<std::array<float, 3>> normals;    ///< unit, of the exact plane that the face was cut from
+
+    // One for each triangle, in order of material, then face.
+    std::vector<std::array<std::uint32_t, 3>> corners;  ///< vertices, counter-clockwise seen from the face's front
+    std::vector<FaceId> faces;
+
+    /// Triangles of one material, one behind the other: a draw call.
+    struct Run {
+        std::uint32_t material = 0;        ///< index into World::material_name
+        std::uint32_t first_triangle = 0;  ///< into `corners`
+        std::uint32_t triangle_count = 0;
+        std::uint32_t first_vertex = 0;  ///< its triangles name vertices from here on ...
+        std::uint32_t vertex_count = 0;  ///< ... so many, and no other run's do
+    };
+    std::vector<Run> runs;  ///< in order of material
+
+    /// The faces, in order of material, then id: where they came from.
+    struct Source {
+        FaceId face;
+        RoomId room;
+        std::uint32_t source = 0, source_edit = 0;  ///< as in FaceInfo
+        std::uint32_t material = 0, mask = 0;
+        bool two_sided = false, solid = false;
+        std::uint32_t first_triangle = 0, triangle_count = 0;
+        std::uint32_t first_vertex = 0, vertex_count = 0;
+    };
+    std::vector<Source> sources;
+};
+
+struct TriangleOptions {
+    Vec3 origin{};              ///< metres: what positions are told from. Near the faces, floats lose least
+    std::uint32_t mask = ~0u;   ///< faces that share a bit
+    bool castable_only = true;  ///< also the faces that bound no solid
+};
+
+/// The triangles of all faces of a world, of a room, or of a region. None is without area on the surface grid. The same
+/// worlds give the same triangles in the same order, however their faces are kept.
+/// @return none for a room or region that is not there, or an origin that is not finite
+/// Costs some hundred nanoseconds a face, and sorting them.
+[[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, const TriangleOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, RoomId room,
+                                                     const TriangleOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, const Region& region,
+                                                     const TriangleOptions& options = {});
+
+}  // namespace firma

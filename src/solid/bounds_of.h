@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// How far faces reach.
+#pragma once
+
+#include "firma/vec.h"
+#include "index/node.h"
+
+namespace firma {
+
+/// Around all faces of an index, exactly, by the bins that may reach farthest: costs a few walks.
+Box bounds_of(const Node& root);
+
+}  // namespace firma
