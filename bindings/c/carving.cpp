@@ -63,9 +63,9 @@ firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, 
                                   size_t triangle_count, const char* name, firma_cutter* cutter) {
     return guarded(__func__, [&, function = __func__] {
         if (!cutter || (vertex_count && !positions) || (triangle_count && !corners)) return bad_call(function, kNull);
-        if (triangle_count > kMostCutterTriangles || vertex_count > 3 * kMostCutterTriangles)
+        if (triangle_count > kMaxCutterTriangles || vertex_count > 3 * kMaxCutterTriangles)
             return fail(FIRMA_ERROR_TOO_LARGE, function,
-                        "a cutter has at most " + std::to_string(kMostCutterTriangles) + " triangles");
+                        "a cutter has at most " + std::to_string(kMaxCutterTriangles) + " triangles");
         std::vector<Vec3> vertices(vertex_count);
         for (std::size_t k = 0; k < vertex_count; ++k)
             vertices[k] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};

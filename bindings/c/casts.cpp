@@ -13,7 +13,7 @@ namespace firma::c {
 namespace {
 
 void add(const CastCounts& counts, firma_cast_counts& out) {
-    out.bins += counts.bins;
+    out.nodes += counts.nodes;
     out.boxes += counts.boxes;
     out.faces += counts.faces;
     out.precise += counts.precise;
@@ -61,7 +61,7 @@ void firma_cast_options_defaults(firma_cast_options* options) {
     options->size = sizeof(firma_cast_options);
     options->mask = ~0u;
     options->room = FIRMA_ANY_ROOM;
-    options->skin = -1;
+    options->contact_offset = -1;
 }
 
 firma_code firma_cast(firma_world world, const firma_cast_input* input, const firma_cast_options* options,

@@ -16,18 +16,18 @@ firma_code read_options(const firma_world_options* given, WorldOptions& world, R
                         const char* function) {
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
-    if (given->surface_area > 1 || given->max_depth < 0 || given->max_depth > 64 || given->faces_per_bin < 1 ||
-        !(given->min_bin_volume >= 0))
+    if (given->surface_area > 1 || given->max_depth < 0 || given->max_depth > 64 || given->faces_per_leaf < 1 ||
+        !(given->min_node_volume >= 0))
         return fail(FIRMA_ERROR_INVALID, function, "a rule for the tree is out of its range");
-    if (!(given->skin >= 0) || !is_finite(given->skin))
-        return fail(FIRMA_ERROR_INVALID, function, "the skin must be a finite number, not below zero");
+    if (!(given->contact_offset >= 0) || !is_finite(given->contact_offset))
+        return fail(FIRMA_ERROR_INVALID, function, "the contact offset must be a finite number, not below zero");
     if (!(given->scale >= 0) || !is_finite(given->scale))
         return fail(FIRMA_ERROR_INVALID, function, "the scale must be a finite number above zero, or 0");
     world.tree.split = given->surface_area ? Split::kSurfaceArea : Split::kLongestAxis;
     world.tree.max_depth = given->max_depth;
-    world.tree.faces_per_bin = given->faces_per_bin;
-    world.tree.min_bin_volume = given->min_bin_volume;
-    world.tolerance.skin = given->skin;
+    world.tree.faces_per_leaf = given->faces_per_leaf;
+    world.tree.min_node_volume = given->min_node_volume;
+    world.tolerance.contact_offset = given->contact_offset;
     read.scale = given->scale;
     return FIRMA_OK;
 }
@@ -36,12 +36,13 @@ firma_code read_options(const firma_cast_options* given, CastOptions& cast, cons
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
     if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
-    if (!is_finite(given->skin)) return fail(FIRMA_ERROR_INVALID, function, "the skin is not finite");
+    if (!is_finite(given->contact_offset))
+        return fail(FIRMA_ERROR_INVALID, function, "the contact offset is not finite");
     if (!given->passed && given->passed_capacity) return bad_call(function, "a count without its array");
     cast.mask = given->mask;
     cast.room = {given->room};
     cast.sides = given->sides ? Sides::kBoth : Sides::kFront;
-    cast.skin = given->skin;
+    cast.contact_offset = given->contact_offset;
     return FIRMA_OK;
 }
 
@@ -120,10 +121,10 @@ void put_report(const CarveResult& result, firma_carve_report& out) {
     const CarveReport& report = result.report;
     out.status = std::uint32_t(result.status);
     out.retries = std::uint32_t(report.retries);
-    out.faces_looked_at = report.faces_looked_at;
+    out.candidate_faces = report.candidate_faces;
     out.faces_cut = report.faces_cut;
-    out.faces_gone = report.faces_gone;
-    out.faces_new = report.faces_new;
+    out.faces_removed = report.faces_removed;
+    out.faces_added = report.faces_added;
     out.scale = report.scale;
     out.volume = report.volume;
     out.place_us = report.times.place;

@@ -79,7 +79,7 @@ firma_code firma_world_diff(firma_world before, firma_world after, double tile_s
         const WorldObject* first = find<WorldObject>(before.id, function);
         const WorldObject* second = first ? find<WorldObject>(after.id, function) : nullptr;
         if (!second) return FIRMA_ERROR_BAD_HANDLE;
-        if (tile_size != 0 && (!(tile_size >= kLeastTile) || !is_finite(tile_size)))
+        if (tile_size != 0 && (!(tile_size >= kMinTileSize) || !is_finite(tile_size)))
             return fail(FIRMA_ERROR_INVALID, function, "the size of a tile must be 0, or 1/16 m and more");
         auto made = std::make_unique<DiffObject>();
         made->diff = diff_worlds(first->world, second->world, tile_size);

@@ -10,8 +10,8 @@
 #include "bindings/c/handles.h"
 #include "firma/carve.h"
 #include "firma/cutter.h"
-#include "firma/diff_worlds.h"
 #include "firma/firma_c.h"
+#include "firma/versions.h"
 #include "firma/world.h"
 
 namespace firma::c {

@@ -92,14 +92,14 @@ firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* f
             return fail(FIRMA_ERROR_INVALID, std::string(function) + ": material " + std::to_string(k),
                         "its hardness is not within 0 and 1");
     rules.hardness.assign(given.hardness, given.hardness + given.hardness_count);
-    rules.most_faces = or_default(given.most_faces, rules.most_faces);
-    rules.most_faces_looked_at = or_default(given.most_faces_looked_at, rules.most_faces_looked_at);
-    rules.most_new_faces = or_default(given.most_new_faces, rules.most_new_faces);
-    rules.most_cutter_triangles = or_default(given.most_cutter_triangles, rules.most_cutter_triangles);
-    rules.most_pairs = or_default(given.most_pairs, rules.most_pairs);
-    rules.most_corners = or_default(given.most_corners, rules.most_corners);
-    if (!(given.largest_cutter >= 0)) return fail(FIRMA_ERROR_INVALID, function, "largest_cutter is no length");
-    if (given.largest_cutter > 0) rules.largest_cutter = given.largest_cutter;
+    rules.max_faces = or_default(given.max_faces, rules.max_faces);
+    rules.max_candidate_faces = or_default(given.max_candidate_faces, rules.max_candidate_faces);
+    rules.max_new_faces = or_default(given.max_new_faces, rules.max_new_faces);
+    rules.max_cutter_triangles = or_default(given.max_cutter_triangles, rules.max_cutter_triangles);
+    rules.max_pairs = or_default(given.max_pairs, rules.max_pairs);
+    rules.max_corners = or_default(given.max_corners, rules.max_corners);
+    if (!(given.max_cutter_size >= 0)) return fail(FIRMA_ERROR_INVALID, function, "max_cutter_size is no length");
+    if (given.max_cutter_size > 0) rules.max_cutter_size = given.max_cutter_size;
     return FIRMA_OK;
 }
 
@@ -127,9 +127,9 @@ void firma_world_options_defaults(firma_world_options* options) {
     options->size = sizeof(firma_world_options);
     options->surface_area = defaults.tree.split == Split::kSurfaceArea;
     options->max_depth = defaults.tree.max_depth;
-    options->faces_per_bin = defaults.tree.faces_per_bin;
-    options->min_bin_volume = defaults.tree.min_bin_volume;
-    options->skin = defaults.tolerance.skin;
+    options->faces_per_leaf = defaults.tree.faces_per_leaf;
+    options->min_node_volume = defaults.tree.min_node_volume;
+    options->contact_offset = defaults.tolerance.contact_offset;
 }
 
 firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const firma_world_options* options,
@@ -208,7 +208,7 @@ firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts) {
         facts->portal_count = portal_count(w);
         put(bounds.low, facts->low);
         put(bounds.high, facts->high);
-        facts->skin = w.tolerance().skin;
+        facts->contact_offset = w.tolerance().contact_offset;
         facts->material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
         facts->edits = w.data().edits();
         return FIRMA_OK;

@@ -97,9 +97,9 @@ export interface Firma {
 
     /**
      * A history that begins with `world`.
-     * @param mostBytes what versions other than the current one may hold; 0: no undo, Infinity: no bound
+     * @param maxBytes what versions other than the current one may hold; 0: no undo, Infinity: no bound
      */
-    openStore(world: World, mostBytes: number | bigint): Store;
+    openStore(world: World, maxBytes: number | bigint): Store;
 }
 
 /** An integer from 0: below 2^53 as a number, below 2^64 as a BigInt. */
@@ -111,17 +111,17 @@ export interface WorldOptions {
     /** For messages. */
     name?: string;
     /** How far movers stay from surfaces, metres; 0.001 unless given. */
-    skin?: number;
+    contactOffset?: number;
     /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp and .map). */
     scale?: number;
-    /** Whether bins are split by surface area, not in half. */
+    /** Whether nodes are split by surface area, not in half. */
     surfaceArea?: boolean;
     /** 0..64 */
     maxDepth?: number;
     /** >= 1 */
-    facesPerBin?: number;
+    facesPerLeaf?: number;
     /** Cubic metres. */
-    minBinVolume?: number;
+    minNodeVolume?: number;
 }
 
 export interface LevelOptions {
@@ -133,7 +133,7 @@ export interface LevelOptions {
 
 /** A level of brushes; it never changes. */
 export interface Level extends Handle {
-    /** As worldFromMap() makes it; the options' scale and name are not looked at. */
+    /** As worldFromMap() makes it; the options' scale and name are ignored. */
     world(options?: WorldOptions): World;
     /** In the file's order; the first is the world. */
     entities(): Entity[];
@@ -186,7 +186,7 @@ export interface WorldFacts {
     /** Bounds of all faces; low > high when there are none. */
     low: Vector3;
     high: Vector3;
-    skin: number;
+    contactOffset: number;
     /**
      * By the numbers that all of a world's materials go by, whatever their place in the mesh or file: 0 is '', of faces
      * without one, and equal names are one.
@@ -307,7 +307,7 @@ export interface CastOptions {
     /** Whether faces are met from behind too. */
     bothSides?: boolean;
     /** Metres; the world's unless given. */
-    skin?: number;
+    contactOffset?: number;
     /**
      * The room that the start lies in, and the cast goes on through portals; or 'locate': it finds out; 'any' (the
      * default): all rooms are asked. From the air, clear of all faces, the answer is the same. A room that is not there
@@ -358,9 +358,9 @@ export interface Portal {
     polygons: Float64Array[];
 }
 
-/** What casts looked at. */
+/** What casts tested. */
 export interface CastCounts {
-    bins: number;
+    nodes: number;
     boxes: number;
     faces: number;
     precise: number;
@@ -387,7 +387,7 @@ export interface NearOptions {
     room?: number;
 }
 
-/** 'invalid': a number of the input is no good, nothing was asked. 'touching': at the start, and moving closer. */
+/** 'invalid': a number of the input is non-finite or out of range, nothing was asked. 'touching': at the start, and moving closer. */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
@@ -401,7 +401,7 @@ export interface Hit {
     hit: boolean;
     /** Of the path, 0..1. */
     fraction: number;
-    /** How far to go so that the skin is kept. */
+    /** How far to go so that the contact offset is kept. */
     safeFraction: number;
     /** Of the sphere at `fraction`. */
     centre: Vector3;
@@ -511,10 +511,10 @@ export interface CarveReport {
     /** Why it was refused; '' when it was not. */
     reason: string;
     retries: number;
-    facesLookedAt: number;
+    candidateFaces: number;
     facesCut: number;
-    facesGone: number;
-    facesNew: number;
+    facesRemoved: number;
+    facesAdded: number;
     /** That reach into the cutter and are left as they are, as they bound no solid. */
     facesCastableOnly: number;
     /** What zones and materials left of the cutter's scale, 0..1. */
@@ -570,14 +570,14 @@ export interface Rules {
     zones?: readonly Zone[];
     /** By the material's number in WorldFacts.materials, 0..1; missing ones are 0. */
     hardness?: Numbers;
-    mostFaces?: number;
-    mostFacesLookedAt?: number;
-    mostNewFaces?: number;
-    mostCutterTriangles?: number;
-    mostPairs?: number;
-    mostCorners?: number;
+    maxFaces?: number;
+    maxCandidateFaces?: number;
+    maxNewFaces?: number;
+    maxCutterTriangles?: number;
+    maxPairs?: number;
+    maxCorners?: number;
     /** Metres. */
-    largestCutter?: number;
+    maxCutterSize?: number;
 }
 
 /** A value: it never changes, edits make others that share with it what they did not touch. */
@@ -607,7 +607,7 @@ export interface World extends Handle {
      * @throws {FirmaError} INVALID for a miss, and where this world has no such face or portal: cut since, or of another world
      */
     hitInfo(hit: Hit): HitInfo;
-    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     castAny(input: CastInput, options?: CastOptions): boolean;
     /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
     castAll(input: CastInput, options?: CastOptions): Hit[];
@@ -618,15 +618,15 @@ export interface World extends Handle {
      *     call that fails leaves the answers of before
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
-    /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
     /**
      * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are no good
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range
      */
     closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 
-    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     locate(point: Vector): Location;
     /** @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below */
     room(room: number): Room;
@@ -700,7 +700,7 @@ export interface Store extends Handle {
      * @throws {FirmaError} INVALID, and nothing changed, when `before` (which it was made from) is not the current one
      */
     publish(before: World, after: World): void;
-    /** The world gone back to. @throws {FirmaError} INVALID when there is none */
+    /** The world that is current then. @throws {FirmaError} INVALID when there is none */
     undo(): World;
     redo(): World;
     /** @throws {FirmaError} INVALID for a version that is not held */

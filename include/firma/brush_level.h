@@ -88,7 +88,7 @@ struct BrushLevel {
     double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values, > 0
     /// Metres by which a plane was moved onto the grid, at that corner of its faces where it is most; of a .bsp also by
     /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
-    double greatest_shift = 0;
+    double max_shift = 0;
 };
 
 /// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks

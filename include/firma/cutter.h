@@ -24,7 +24,7 @@ struct CutterData;
 using CutterTriangle = std::array<std::uint32_t, 3>;
 
 /// A cutter of more triangles is refused.
-inline constexpr std::size_t kMostCutterTriangles = 4'000'000;
+inline constexpr std::size_t kMaxCutterTriangles = 4'000'000;
 
 /// Crater shapes that are made from a seed.
 enum class CutterShape : std::uint8_t {
@@ -67,7 +67,7 @@ FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 /// A cutter from a mesh. An inside-out one is turned over; vertices that no triangle uses are left out.
 ///
 /// @param vertices   any unit
-/// @param triangles  indices of vertices [4 <= count <= kMostCutterTriangles], all wound the same way
+/// @param triangles  indices of vertices [4 <= count <= kMaxCutterTriangles], all wound the same way
 /// @param name       for messages
 /// @return the cutter, or the first fault, with the vertex, triangle or edge:
 ///         kTooLarge, too many triangles; kOutOfRange, a number that is not finite or beyond 2^200;

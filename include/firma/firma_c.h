@@ -134,13 +134,13 @@ typedef struct firma_bytes {
 
 /* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
 typedef struct firma_world_options {
-    uint32_t size;         /* sizeof(firma_world_options) */
-    uint32_t surface_area; /* 0: bins are split in half across their longest axis; 1: by surface area */
-    int32_t max_depth;     /* 0..64 */
-    int32_t faces_per_bin; /* >= 1 */
-    double min_bin_volume; /* cubic metres */
-    double skin;           /* metres: how far movers stay from surfaces */
-    double scale;          /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
+    uint32_t size;          /* sizeof(firma_world_options) */
+    uint32_t surface_area;  /* 0: nodes are split in half across their longest axis; 1: by surface area */
+    int32_t max_depth;      /* 0..64 */
+    int32_t faces_per_leaf; /* >= 1 */
+    double min_node_volume; /* cubic metres */
+    double contact_offset;  /* metres: how far movers stay from surfaces */
+    double scale;           /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
 } firma_world_options;
 
 FIRMA_API void firma_world_options_defaults(firma_world_options* options);
@@ -194,7 +194,7 @@ FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const
                                           firma_level* level);
 FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
                                           firma_level* level);
-/* The world that firma_world_from_map() would make; the scale of the options is not looked at. */
+/* The world that firma_world_from_map() would make; the scale of the options is ignored. */
 FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
 
 typedef struct firma_entity {
@@ -229,7 +229,7 @@ typedef struct firma_world_facts {
     uint64_t room_count;    /* those that edits joined to others counted */
     uint64_t portal_count;  /* those without polygons counted */
     double low[3], high[3]; /* bounds of all faces; low > high when there are none */
-    double skin;
+    double contact_offset;
     uint32_t material_count;
     uint32_t edits; /* cuts and fills so far */
 } firma_world_facts;
@@ -263,8 +263,8 @@ typedef struct firma_rules {
     size_t zone_count;
     const double* hardness; /* by number of the material in the world; missing ones are 0 */
     size_t hardness_count;
-    uint64_t most_faces, most_faces_looked_at, most_new_faces, most_cutter_triangles, most_pairs, most_corners;
-    double largest_cutter; /* metres */
+    uint64_t max_faces, max_candidate_faces, max_new_faces, max_cutter_triangles, max_pairs, max_corners;
+    double max_cutter_size; /* metres */
 } firma_rules;
 
 /* The same world under other rules for carving. */
@@ -417,7 +417,7 @@ FIRMA_API firma_code firma_world_path(firma_world world, uint32_t from, uint32_t
 
 /* ---- casts ------------------------------------------------------------------------------------------------------ */
 
-typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_TOUCHING = 2, FIRMA_INVALID = 3 } firma_status;
+typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_INITIAL_OVERLAP = 2, FIRMA_INVALID = 3 } firma_status;
 typedef enum firma_feature { FIRMA_FACE = 0, FIRMA_EDGE = 1, FIRMA_VERTEX = 2 } firma_feature;
 
 /* A sphere and its path; radius 0 casts a particle. */
@@ -427,16 +427,16 @@ typedef struct firma_cast_input {
     double path[3];
 } firma_cast_input;
 
-/* A null pointer takes the defaults: all bits, one-sided, all rooms, the world's skin. */
+/* A null pointer takes the defaults: all bits, one-sided, all rooms, the world's contact offset. */
 typedef struct firma_cast_options {
-    uint32_t size;    /* sizeof(firma_cast_options) */
-    uint32_t mask;    /* faces that share a bit are met */
-    uint32_t sides;   /* 0: the front, where the face does not say both; 1: both sides of all */
-    uint32_t room;    /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
-                         FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
-    double skin;      /* metres; negative takes the world's */
-    uint32_t* passed; /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
-                         `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
+    uint32_t size;         /* sizeof(firma_cast_options) */
+    uint32_t mask;         /* faces that share a bit are met */
+    uint32_t sides;        /* 0: the front, where the face does not say both; 1: both sides of all */
+    uint32_t room;         /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
+                              FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
+    double contact_offset; /* metres; negative takes the world's */
+    uint32_t* passed;      /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
+                              `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
     size_t passed_capacity;
     uint32_t* passed_count; /* gets how many there were, the first included: 0 when all rooms of a world of several were
                                asked; may be null */
@@ -448,13 +448,14 @@ FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
  * else there is to know of the face met tells firma_world_hit_info(). */
 typedef struct firma_hit {
     double fraction;      /* of the path, 0..1 */
-    double safe_fraction; /* how far to go so that the skin is kept */
+    double safe_fraction; /* how far to go so that the contact offset is kept */
     double centre[3];     /* of the sphere at `fraction` */
     double point[3];      /* of the surface */
     double normal[3];     /* unit, from `point` toward the centre */
     double face_normal[3];
-    uint32_t status;        /* firma_status; FIRMA_INVALID: a number of the input is no good, nothing was asked */
-    uint32_t feature;       /* firma_feature */
+    uint32_t status;  /* firma_status; FIRMA_INVALID: a number of the input is non-finite or out of range, nothing was
+                         asked */
+    uint32_t feature; /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
     uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
     int32_t corner[3];      /* the face's first, in steps of 1/262144 m: where to look for it */
@@ -478,9 +479,9 @@ typedef struct firma_hit_info {
  * or cut since. Takes no memory; costs a walk through the index, and another one at an edge. */
 FIRMA_API firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_hit_info* info);
 
-/* What casts looked at; added to. */
+/* What casts tested; added to. */
 typedef struct firma_cast_counts {
-    uint64_t bins, boxes, faces, precise;
+    uint64_t nodes, boxes, faces, precise;
 } firma_cast_counts;
 
 /* The first touch. Bad numbers give FIRMA_OK with status FIRMA_INVALID. `counts` may be null. */
@@ -574,7 +575,7 @@ typedef enum firma_carve_status {
 typedef struct firma_carve_report {
     uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
     uint32_t retries;
-    uint64_t faces_looked_at, faces_cut, faces_gone, faces_new;
+    uint64_t candidate_faces, faces_cut, faces_removed, faces_added;
     double scale;  /* what zones and materials left of the cutter's scale */
     double volume; /* cubic metres taken; negative when added */
     /* Microseconds. */
@@ -648,14 +649,14 @@ typedef struct firma_store_facts {
     uint64_t waiting;                 /* dropped versions that somebody held when it was last looked */
 } firma_store_facts;
 
-/* `most_bytes` bounds what versions other than the current one hold; with 0 there is no undo. */
-FIRMA_API firma_code firma_store_open(firma_world first, uint64_t most_bytes, firma_store* store);
+/* `max_bytes` bounds what versions other than the current one hold; with 0 there is no undo. */
+FIRMA_API firma_code firma_store_open(firma_world first, uint64_t max_bytes, firma_store* store);
 /* Another handle to the current world; never waits for an edit. Take one for a frame and cast on it. */
 FIRMA_API firma_code firma_store_current(firma_store store, firma_world* world);
 /* Makes `after` the current world. `before` must be the current one, from which it was made: FIRMA_ERROR_INVALID, and
  * nothing changed, when somebody else was first. Drops what was undone, and the oldest versions beyond the bytes. */
 FIRMA_API firma_code firma_store_publish(firma_store store, firma_world before, firma_world after);
-/* The world gone back, or forward, to. FIRMA_ERROR_INVALID when there is none. */
+/* The world that is current then. FIRMA_ERROR_INVALID when there is none. */
 FIRMA_API firma_code firma_store_undo(firma_store store, firma_world* world);
 FIRMA_API firma_code firma_store_redo(firma_store store, firma_world* world);
 /* FIRMA_ERROR_INVALID for a version that is not held. */

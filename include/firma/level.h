@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A level as read from a file: snapped vertices, convex planar faces, and an account of what was dropped or divided.
+// A level as read from a file: snapped vertices, convex planar faces, what they stop, and an account of what was
+// dropped or divided.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,15 @@
 #include "firma/result.h"
 
 namespace firma {
+
+inline constexpr std::uint32_t kStopsWalk = 1;    ///< bodies that walk: walls, glass, clip brushes
+inline constexpr std::uint32_t kStopsShots = 2;   ///< walls, glass
+inline constexpr std::uint32_t kStopsSight = 4;   ///< walls, but no glass
+inline constexpr std::uint32_t kStopsLiquid = 8;  ///< the surface of water, slime, lava
+inline constexpr std::uint32_t kIsSky = 16;       ///< in addition to what a wall stops: the sky is painted on it
+
+/// What a wall stops. Faces of formats that know no contents stop everything.
+inline constexpr std::uint32_t kStopsSolid = kStopsWalk | kStopsShots | kStopsSight;
 
 /// What a face was in its file.
 enum class FaceKind : std::uint8_t { kPolygon, kTriangleSoup, kPatch };

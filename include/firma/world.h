@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "firma/carve_rules.h"
 #include "firma/export.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
@@ -17,7 +16,6 @@
 #include "firma/polygon.h"
 #include "firma/result.h"
 #include "firma/solid.h"
-#include "firma/tolerance.h"
 #include "firma/tree_options.h"
 
 namespace firma {
@@ -83,7 +81,8 @@ public:
 
     /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of
     /// another world, of a closed portal, or of nothing. Keep it in a variable: `for (Vec3 c :
-    /// world.face(ref)->corners)` would go through corners that are gone. Costs a walk through the index to the face.
+    /// world.face(ref)->corners)` would go through corners that are no longer there. Costs a walk through the index to
+    /// the face.
     [[nodiscard]] FIRMA_EXPORT std::optional<Face> face(const FaceRef& ref) const;
     /// The same without its outline. Never allocates.
     [[nodiscard]] FIRMA_EXPORT std::optional<FaceInfo> face_info(const FaceRef& ref) const;
@@ -120,7 +119,8 @@ FIRMA_EXPORT World with_rules(const World& world, CarveRules rules);
 FIRMA_EXPORT World make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
-/// @return kTooLarge beyond 2^31 faces; kInvalid when the skin is negative or not finite, or when a face of the level
+/// @return kTooLarge beyond 2^31 faces; kInvalid when the contact offset is negative or not finite, or when a face of
+/// the level
 ///         is not convex, planar and of 3 to 64 corners, or has a corner, material or group that is not there (readers
 ///         never make such), naming it; kMalformed for a level without a face, with what its reader left out: such a
 ///         world would answer every cast with a miss (World() is one).
@@ -131,14 +131,14 @@ FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& op
 /// @return whether the visitor let it come to an end
 
 /// All.
-FIRMA_EXPORT bool visit_faces(const World& world, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, FaceVisitor visit);
 /// Those whose own box shares a point with a box (metres, closed). A box that is empty or not finite has none.
-FIRMA_EXPORT bool visit_faces(const World& world, const Box& box, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, const Box& box, FaceVisitor visit);
 /// Those that look into a room, or into the one that it became part of. A room that is not there has none; kAnyRoom has
 /// all.
-FIRMA_EXPORT bool visit_faces(const World& world, RoomId room, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, RoomId room, FaceVisitor visit);
 /// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region.
-FIRMA_EXPORT bool visit_faces(const World& world, const Region& region, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, const Region& region, FaceVisitor visit);
 
 /// The face across an edge of a face, from its corner `edge` to the next.
 /// @return invalid where that edge is not shared by exactly two faces of the room, wound alike, and for a face or an
@@ -164,8 +164,8 @@ struct WorldFault {
     FaceId face;
 };
 
-/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin of its room; ids unique; hashes those of the faces. In a world
+/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of nodes
+/// around what they hold; every face in exactly one leaf of its room; ids unique; hashes those of the faces. In a world
 /// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
 /// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
 /// check_solid().

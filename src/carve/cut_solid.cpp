@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cuts of a solid that is no world's.
 #include "carve/cut_job.h"
-#include "firma/solid_cut.h"
+#include "firma/solid.h"
 
 namespace firma {
 namespace {

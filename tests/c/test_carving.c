@@ -33,7 +33,8 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     firma_carve_report report;
     double before_volume = 0, after_volume = 0;
     CHECK_OK(firma_carve(room, cutter, &kInFloor, NULL, &after, &report));
-    CHECK(report.status == FIRMA_CARVE_DONE && report.volume > 1 && report.faces_new > 20 && report.faces_gone == 1);
+    CHECK(report.status == FIRMA_CARVE_DONE && report.volume > 1 && report.faces_added > 20 &&
+          report.faces_removed == 1);
     CHECK_OK(firma_world_check(after));
     CHECK_OK(firma_world_measure(room, &before_volume, NULL));
     CHECK_OK(firma_world_measure(after, &after_volume, NULL));
@@ -44,7 +45,7 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     firma_diff_view view;
     CHECK_OK(firma_world_diff(room, after, 1, &diff));
     CHECK_OK(firma_diff_get_view(diff, &view));
-    CHECK(view.removed_count == 1 && view.removed[0] == 0 && view.added_count == report.faces_new &&
+    CHECK(view.removed_count == 1 && view.removed[0] == 0 && view.added_count == report.faces_added &&
           view.tile_count > 0);
     CHECK(view.added[0].first_corner == 0 && view.corner_count >= 3 * view.added_count && view.low[2] < -1);
     CHECK_OK(firma_diff_release(diff));

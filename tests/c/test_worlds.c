@@ -50,21 +50,21 @@ static void test_options(void) {
     firma_world_options_defaults(&options);
     firma_world world = {0};
     options.scale = 2;
-    options.skin = 0.25;
+    options.contact_offset = 0.25;
     CHECK_OK(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world));
     firma_world_facts facts;
     CHECK_OK(firma_world_get_facts(world, &facts));
-    CHECK(facts.high[0] == 8 && facts.skin == 0.25);
+    CHECK(facts.high[0] == 8 && facts.contact_offset == 0.25);
     CHECK_OK(firma_world_release(world));
     options.size = 4;
     CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world),
                 FIRMA_ERROR_BAD_CALL, "size");
     firma_world_options_defaults(&options);
-    options.skin = -1;
+    options.contact_offset = -1;
     CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
-                "skin");
+                "contact offset");
     firma_world_options_defaults(&options);
-    options.faces_per_bin = 0;
+    options.faces_per_leaf = 0;
     CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
                 "tree");
     firma_world_options_defaults(&options);
@@ -92,7 +92,7 @@ static void test_room(void) {
     firma_world_facts facts;
     CHECK_OK(firma_world_get_facts(room, &facts));
     CHECK(facts.face_count == 6 && facts.room_count == 1 && facts.version == 0 && facts.edits == 0);
-    CHECK(facts.low[0] == 0 && facts.high[2] == 4 && facts.skin == 0.001);
+    CHECK(facts.low[0] == 0 && facts.high[2] == 4 && facts.contact_offset == 0.001);
     CHECK_OK(firma_world_check(room));
     double volume = 0, area = 0;
     CHECK_OK(firma_world_measure(room, &volume, &area));

@@ -102,15 +102,15 @@ TEST(CarveRules, LimitsRefuse) {
         set(rules);
         return room(rules);
     };
-    World world = limited([](CarveRules& r) { r.most_faces = 10; });
+    World world = limited([](CarveRules& r) { r.max_faces = 10; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "more than 10 faces");
-    world = limited([](CarveRules& r) { r.most_new_faces = 20; });
+    world = limited([](CarveRules& r) { r.max_new_faces = 20; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "more than the 20 new faces");
-    world = limited([](CarveRules& r) { r.most_faces_looked_at = 2; });
+    world = limited([](CarveRules& r) { r.max_candidate_faces = 2; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 4, 4)), "it meets 3 faces; the world allows 2");
-    world = limited([](CarveRules& r) { r.most_cutter_triangles = 100; });
+    world = limited([](CarveRules& r) { r.max_cutter_triangles = 100; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "180 triangles; the world allows 100");
-    world = limited([](CarveRules& r) { r.largest_cutter = 2; });
+    world = limited([](CarveRules& r) { r.max_cutter_size = 2; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0, 3)), "the world allows 2 m");
 }
 
@@ -172,7 +172,7 @@ TEST(Carve, NewFacesSayWhereTheyComeFrom) {
     }
     EXPECT_GT(from_cutter, 40u);
     EXPECT_GT(from_level, 6u);
-    EXPECT_EQ(result.world.face_count(), world.face_count() - result.report.faces_gone + result.report.faces_new);
+    EXPECT_EQ(result.world.face_count(), world.face_count() - result.report.faces_removed + result.report.faces_added);
 }
 
 TEST(Carve, UntouchedFacesKeepTheirIds) {
@@ -275,8 +275,8 @@ TEST(Carve, ACavityInRockAndAPillarInTheAir) {
     const World world = room();
     const CarveResult cavity = carve(world, kRock, test::pose_at(20, 0, 0));
     ASSERT_TRUE(cavity.done());
-    EXPECT_EQ(cavity.report.faces_gone, 0u);
-    EXPECT_EQ(cavity.report.faces_new, 180u);
+    EXPECT_EQ(cavity.report.faces_removed, 0u);
+    EXPECT_EQ(cavity.report.faces_added, 180u);
     EXPECT_EQ(locate(cavity.world.solid(), {20, 0, 0}), Where::kAir);
     EXPECT_EQ(locate(world.solid(), {20, 0, 0}), Where::kSolid);
     const CarveResult boulder = fill(world, kRock, test::pose_at(0, 0, 0));
@@ -339,7 +339,7 @@ TEST(CarveRules, ACutterThatTakesTooLongToJudgeIsRefused) {
     const World world = room();
     EXPECT_TRUE(carve(world, umbrella(400), test::pose_at(4, 0, 0, 2)).done());
     CarveRules rules;
-    rules.most_pairs = 50'000;
+    rules.max_pairs = 50'000;
     const World hasty = with_rules(world, rules);
     const CarveResult result = carve(hasty, umbrella(400), test::pose_at(4, 0, 0, 2));
     expect_refused(hasty, result, "more than 50000 pairs");
@@ -349,7 +349,7 @@ TEST(CarveRules, ACutterThatTakesTooLongToJudgeIsRefused) {
 
 TEST(CarveRules, AFaceOfTooManyCornersIsRefused) {
     CarveRules rules;
-    rules.most_corners = 50;
+    rules.max_corners = 50;
     const World world = room(rules);
     expect_refused(world, carve(world, umbrella(400), test::pose_at(4, 0, 0, 2)), "corners; the world allows 50");
 }
@@ -416,7 +416,7 @@ TEST(CarveRules, WithoutNumbersForVersionsThereAreNoEdits) {
 
 TEST(CarveRules, WithoutIdsForFacesThereAreNoEdits) {
     constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max() - 1;  // the next one says "no face"
-    const std::uint32_t come = std::uint32_t(carve(room(), kRock, test::pose_at(4, 0, 0)).report.faces_new);
+    const std::uint32_t come = std::uint32_t(carve(room(), kRock, test::pose_at(4, 0, 0)).report.faces_added);
     ASSERT_GT(come, 0u);
     for (const std::uint32_t left : {0u, 1u, come - 1}) {
         const World last = with_counters(room(), [&](WorldData&, SolidData& data) { data.next_face = kMost - left; });

@@ -139,26 +139,26 @@ TEST(PackWorld, SameBytesEverywhere) {
 
 TEST(PackWorld, ToleranceOptionsAndRules) {
     WorldOptions options;
-    options.tolerance.skin = 0.0123;
+    options.tolerance.contact_offset = 0.0123;
     options.tree = {Split::kSurfaceArea, 20, 3, 0.25};
     options.rules.zones = {{"vault", {{-1, -2, -3}, {1, 2, 3}}, 0.5}, {"", {}, 1}};
     options.rules.hardness = {0, 0.25, 1};
-    options.rules.most_faces = 12345;
-    options.rules.most_faces_looked_at = 23456;
-    options.rules.most_new_faces = 34567;
-    options.rules.most_cutter_triangles = 45678;
-    options.rules.most_pairs = std::size_t(1) << 40;
-    options.rules.most_corners = 56789;
-    options.rules.largest_cutter = 67.5;
+    options.rules.max_faces = 12345;
+    options.rules.max_candidate_faces = 23456;
+    options.rules.max_new_faces = 34567;
+    options.rules.max_cutter_triangles = 45678;
+    options.rules.max_pairs = std::size_t(1) << 40;
+    options.rules.max_corners = 56789;
+    options.rules.max_cutter_size = 67.5;
     const World world = room_world(options);
     expect_round_trip(world);
     const World keep = unpacked(pack_world(world));
     const WorldData& read = keep.data();
-    EXPECT_EQ(read.tolerance.skin, 0.0123);
+    EXPECT_EQ(read.tolerance.contact_offset, 0.0123);
     EXPECT_EQ(read.tree_options.split, Split::kSurfaceArea);
     EXPECT_EQ(read.tree_options.max_depth, 20);
-    EXPECT_EQ(read.tree_options.faces_per_bin, 3);
-    EXPECT_EQ(read.tree_options.min_bin_volume, 0.25);
+    EXPECT_EQ(read.tree_options.faces_per_leaf, 3);
+    EXPECT_EQ(read.tree_options.min_node_volume, 0.25);
     const CarveRules& rules = *read.rules;
     ASSERT_EQ(rules.zones.size(), 2u);
     EXPECT_EQ(rules.zones[0].name, "vault");
@@ -166,13 +166,13 @@ TEST(PackWorld, ToleranceOptionsAndRules) {
     EXPECT_EQ(rules.zones[0].hardness, 0.5);
     EXPECT_TRUE(rules.zones[1].box.empty());
     EXPECT_EQ(rules.hardness, options.rules.hardness);
-    EXPECT_EQ(rules.most_faces, 12345u);
-    EXPECT_EQ(rules.most_faces_looked_at, 23456u);
-    EXPECT_EQ(rules.most_new_faces, 34567u);
-    EXPECT_EQ(rules.most_cutter_triangles, 45678u);
-    EXPECT_EQ(rules.most_pairs, std::size_t(1) << 40);
-    EXPECT_EQ(rules.most_corners, 56789u);
-    EXPECT_EQ(rules.largest_cutter, 67.5);
+    EXPECT_EQ(rules.max_faces, 12345u);
+    EXPECT_EQ(rules.max_candidate_faces, 23456u);
+    EXPECT_EQ(rules.max_new_faces, 34567u);
+    EXPECT_EQ(rules.max_cutter_triangles, 45678u);
+    EXPECT_EQ(rules.max_pairs, std::size_t(1) << 40);
+    EXPECT_EQ(rules.max_corners, 56789u);
+    EXPECT_EQ(rules.max_cutter_size, 67.5);
     EXPECT_EQ(keep.material_name(1), "rock");
 }
 

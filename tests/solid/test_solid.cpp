@@ -83,10 +83,10 @@ void expect_same(const SolidResult& alone, const CarveResult& within) {
     ASSERT_EQ(alone.status, within.status);
     ASSERT_EQ(alone.error.text(), within.error.text());
     const CarveReport &a = alone.report, &b = within.report;
-    ASSERT_EQ(a.faces_looked_at, b.faces_looked_at);
+    ASSERT_EQ(a.candidate_faces, b.candidate_faces);
     ASSERT_EQ(a.faces_cut, b.faces_cut);
-    ASSERT_EQ(a.faces_gone, b.faces_gone);
-    ASSERT_EQ(a.faces_new, b.faces_new);
+    ASSERT_EQ(a.faces_removed, b.faces_removed);
+    ASSERT_EQ(a.faces_added, b.faces_added);
     ASSERT_EQ(a.retries, b.retries);
     ASSERT_EQ(a.scale, b.scale);
     ASSERT_EQ(a.volume, b.volume);

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "firma/carve_rules.h"
 #include "firma/level.h"
 #include "firma/memory.h"
+#include "firma/solid.h"
 #include "tests/store/cratered.h"
 #include "world/world_data.h"
 

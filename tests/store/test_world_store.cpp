@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Publishing, undoing, forgetting: by one thread. (tests/threads has several.)
-#include "firma/world_store.h"
+#include "firma/versions.h"
 
 #include <gtest/gtest.h>
 

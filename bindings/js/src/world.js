@@ -62,7 +62,7 @@ export class World extends Handle {
             portalCount: core.getCount(at + WORLD_FACTS.portalCount),
             low: core.getVector(at + WORLD_FACTS.low),
             high: core.getVector(at + WORLD_FACTS.high),
-            skin: core.getF64(at + WORLD_FACTS.skin),
+            contactOffset: core.getF64(at + WORLD_FACTS.contactOffset),
             materials: [],
             edits: core.getU32(at + WORLD_FACTS.edits),
         };

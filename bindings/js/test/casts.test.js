@@ -75,12 +75,12 @@ test('options: mask, sides, skin, counts', () => {
         const fromRock = { centre: [12, 4, 4], radius: 1, path: [-6, 0, 0] };
         assert.notEqual(world.cast(fromRock).point[0], 8);
         assert.equal(world.cast(fromRock, { bothSides: true }).point[0], 8);
-        assert.equal(world.cast(toWall, { skin: 0.6 }).safeFraction, 0.4);
-        assert.equal(world.cast(toWall, { skin: 0 }).safeFraction, 0.5);
+        assert.equal(world.cast(toWall, { contactOffset: 0.6 }).safeFraction, 0.4);
+        assert.equal(world.cast(toWall, { contactOffset: 0 }).safeFraction, 0.5);
         const counts = { faces: 100 };
         world.cast(toWall, { counts });
         const once = { ...counts };
-        assert.ok(once.faces > 100 && once.boxes > 0 && once.bins > 0, JSON.stringify(once));
+        assert.ok(once.faces > 100 && once.boxes > 0 && once.nodes > 0, JSON.stringify(once));
         assert.equal(typeof once.precise, 'number');
         world.castBatch([4, 4, 4, 1, 6, 0, 0], { counts });
         assert.equal(counts.faces - once.faces, once.faces - 100);
@@ -89,7 +89,7 @@ test('options: mask, sides, skin, counts', () => {
             { mask: 2 ** 32 },
             { mask: 'all' },
             { bothSides: 1 },
-            { skin: '1' },
+            { contactOffset: '1' },
             { counts: 5 },
             null,
             5,
@@ -100,8 +100,8 @@ test('options: mask, sides, skin, counts', () => {
                     () => world[ask](ask === 'cast' ? toWall : [], options),
                     new RegExp(`^${ask}: `),
                 );
-        throwsCode('INVALID', () => world.cast(toWall, { skin: NaN }), /skin/);
-        throwsCode('INVALID', () => world.castBatch([], { skin: Infinity }), /skin/);
+        throwsCode('INVALID', () => world.cast(toWall, { contactOffset: NaN }), /contactOffset/);
+        throwsCode('INVALID', () => world.castBatch([], { contactOffset: Infinity }), /contactOffset/);
     });
 });
 
@@ -164,7 +164,7 @@ test('a batch takes any numbers, and memory that it had', () => {
             throwsCode('BAD_CALL', () => world.castBatch(wrong), /^castBatch: /);
         throwsCode('BAD_CALL', () => world.castBatch(inputs, {}, {}), /out/);
         world.castBatch(inputs, {}, out);
-        throwsCode('INVALID', () => world.castBatch(inputs.subarray(0, 7), { skin: NaN }, out));
+        throwsCode('INVALID', () => world.castBatch(inputs.subarray(0, 7), { contactOffset: NaN }, out));
         assert.deepEqual([out.count, out.hit(49)], [50, expected.hit(49)]);
     });
 });

@@ -42,12 +42,12 @@ const live: number = firma.liveHandles();
 
 const world: World = firma.worldFromObj('v 0 0 0', {
     name: 'a',
-    skin: 0.001,
+    contactOffset: 0.001,
     scale: 1,
     surfaceArea: true,
     maxDepth: 9,
-    facesPerBin: 4,
-    minBinVolume: 1,
+    facesPerLeaf: 4,
+    minNodeVolume: 1,
 });
 firma.worldFromObj(new Uint8Array(1));
 firma.worldFromBsp(new ArrayBuffer(1), {});
@@ -61,7 +61,7 @@ const mesh: Mesh = {
     masks: [1],
     twoSided: [false],
 };
-firma.worldFromMesh(mesh, { skin: 1 });
+firma.worldFromMesh(mesh, { contactOffset: 1 });
 firma.unpackWorld(world.pack({ exact: true }), 'name');
 // @ts-expect-error text is no .bsp
 firma.worldFromBsp('text');
@@ -71,7 +71,7 @@ firma.worldFromObj('', { skn: 1 });
 const level: Level = firma.levelFromMap('{}', { name: 'a', scale: 1 });
 const entity: Entity | undefined = level.entities()[0];
 const spawn: number = (entity?.origin?.[0] ?? 0) + level.metresPerUnit + level.notes().length;
-level.world({ skin: 0.1 }).release();
+level.world({ contactOffset: 0.1 }).release();
 
 const facts: WorldFacts = world.facts();
 const [x, y, z]: [number, number, number] = facts.low;
@@ -89,7 +89,7 @@ const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (r
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
 const counts: CastCounts = { bins: 0, boxes: 0, faces: 0, precise: 0 };
-const hit: Hit = world.cast(input, { mask: 1, bothSides: true, skin: 0.1, counts });
+const hit: Hit = world.cast(input, { mask: 1, bothSides: true, contactOffset: 0.1, counts });
 if (hit.status === 'hit' && hit.face !== null) world.findFace(hit.face);
 // @ts-expect-error a name that no status has
 if (hit.status === 'nothing') throw new Error();
@@ -142,8 +142,8 @@ const corners: Float64Array = diff.added.corners;
 world.withRules({
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],
-    mostFaces: 5,
-    largestCutter: 3,
+    maxFaces: 5,
+    maxCutterSize: 3,
 });
 // @ts-expect-error a world is no cutter for carving
 world.carve(world, { position: 5 });
