@@ -254,7 +254,8 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.clear(); }), "an index block has no nodes");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.corner_vertices[2] = 99; }), "a corner has no vertex");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[0].owner = 3; }), "a face has an owner that is not there");
-    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }), "an index block's count of faces is not how many there are");
+    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }),
+              "an index block's count of faces is not how many there are");
     EXPECT_EQ(broken([](Spoilt& s) { ++s.node.depth; }), "an index block's depth is not how deep it is");
     EXPECT_EQ(broken([](Spoilt& s) { s.solid.faces.count = 7; }), "the count of faces is not how many there are");
     const auto spoil = [](PersistentMap<std::uint64_t>& regions) {
