@@ -40,6 +40,8 @@ NAMES = [
     (r'\b(\w+_)?skin(_\w+)?\b|\b[a-z]\w*Skin(?![a-z])\w*', 'contact_offset'),
     (r'\b(\w+_)?bins?(_\w+)?\b|\b[a-z]\w*Bins?(?![a-z])\w*', 'nodes, leaves'),
     (r'\bkTouching\b|\bFIRMA_TOUCHING\b', 'initial overlap'),
+    (r'\bpart_of\b|\bpartOf\b', 'merged_into'),
+    (r'\bkUnsure\b|\bFIRMA_UNSURE\b', 'unknown'),
     (r'\bvisit_\w+', 'each_'),
     (r'\btwin\w*', 'oracle'),
 ]

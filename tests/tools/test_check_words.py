@@ -77,7 +77,7 @@ class WordsTest(unittest.TestCase):
         for line, instead in (('double skin = 0;', 'contact_offset'), ('int faces_per_bin = 4;', 'nodes, leaves'), ('int most_faces;', 'max_'),
                               ('int kMostTiles;', 'kMax'), ('double largest_cutter;', 'max_'), ('int faces_looked_at;', 'candidate_faces'),
                               ('int faces_gone;', 'removed'), ('int portals_come;', 'removed, added'), ('kTouching,', 'initial overlap'),
-                              ('void visit_faces();', 'each_'), ('struct twin_world;', 'oracle')):
+                              ('RoomId part_of;', 'merged_into'), ('kUnsure,', 'unknown'), ('void visit_faces();', 'each_'), ('struct twin_world;', 'oracle')):
             self.finds('include/firma/a.h', f'#pragma once\n{line}\n', 2, instead)
         for line, instead in (('    facesPerBin?: number;', 'nodes, leaves'), ('    mostFaces?: number;', 'max'), ('    facesGone: number;', 'removed')):
             self.finds('bindings/js/index.d.ts', f'interface A {{\n{line}\n}}\n', 2, instead)
