@@ -103,16 +103,18 @@ struct BrushLevel {
 /// @return the level, or the first error with file and line: broken syntax, a number too large, a point outside the
 ///         world, a brush of more than 1024 sides, no entity at all. Parts it does not know are kept or noted, never an
 ///         error.
-FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name,
+                                                       const ReadOptions& options = {});
 
 /// Reads the brushes and patches of a Quake 3 .bsp (version 46), of all its models; of the drawn surfaces only patches,
 /// those of the first model. Float planes are made exact once each, a plane and its negative together.
 ///
 /// @return the level, or the first error with file, lump and entry.
-FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
-                                                 const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
+                                                               const ReadOptions& options = {});
 
 /// Reads a file by its ending (.map, .bsp): of a .bsp the brushes.
-FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path,
+                                                               const ReadOptions& options = {});
 
 }  // namespace firma

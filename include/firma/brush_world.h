@@ -62,8 +62,8 @@ struct BrushWorldReport {
 /// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
 ///         together (see BrushLevel), and for a contact offset that is no length; kMalformed where no face is left that
 ///         a cast could meet, with what was left out
-FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
-                                      BrushWorldReport* report = nullptr);
+[[nodiscard]] FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
+                                                    BrushWorldReport* report = nullptr);
 
 struct DivideOptions {
     /// An opening divides two rooms when its area is less than so many times that of a square wall of the smaller one,
@@ -97,8 +97,8 @@ struct DivideReport {
 ///         kInvalid as of make_world(); kInvalid for an option that is no number or negative
 /// Takes about as long as making the level's world, and a second or so for the cells: the brushes are joined once,
 /// however many narrows are chosen in vain.
-FIRMA_EXPORT Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
-                                             DivideReport* report = nullptr);
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
+                                                           DivideReport* report = nullptr);
 
 /// A way through the air from a point to beyond all faces, for an author to see where a level leaks.
 ///
@@ -107,6 +107,7 @@ FIRMA_EXPORT Result<BrushLevel> divide_rooms(const BrushLevel& level, const Divi
 /// @return the points of a line, `from` first, the last one outside the world's bounds; each sees the next. Empty where
 ///         there is no way, or none wide enough to be found: ways narrower than an eighth of a metre may not be
 /// Tests a lattice of points, ever finer; takes up to some seconds for a large level.
-FIRMA_EXPORT std::vector<Vec3> find_leak(const World& world, const Vec3& from, std::uint32_t mask = kStopsSight);
+[[nodiscard]] FIRMA_EXPORT std::vector<Vec3> find_leak(const World& world, const Vec3& from,
+                                                       std::uint32_t mask = kStopsSight);
 
 }  // namespace firma

@@ -14,7 +14,7 @@
 
 namespace firma {
 
-struct CarveResult {
+struct [[nodiscard]] CarveResult {
     CarveStatus status = CarveStatus::kRefused;
     World world;  ///< after the edit; the one before unless kDone
     Error error;  ///< for kRefused

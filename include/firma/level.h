@@ -97,7 +97,8 @@ struct ReadOptions {
 /// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
 ///         that names no vertex before the face, face with fewer than 3 or more than 4096 corners, no face at all,
 ///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
-FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name,
+                                                  const ReadOptions& options = {});
 
 /// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces as the polygons that their
 /// triangles make up, triangle soups as they are, patches tessellated. Shader names become materials. Quake's units are
@@ -105,10 +106,10 @@ FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name, con
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.
-FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
-                                    const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
+                                                  const ReadOptions& options = {});
 
 /// Reads a file by its ending (.obj, .bsp).
-FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

@@ -35,7 +35,8 @@ struct Mesh {
 /// @return the level, or the first error with vertex or face: a position that is not finite or lies outside the world,
 ///         an index that names no vertex or material, a face with fewer than 3 or more than 4096 corners, counts that
 ///         do not add up to the corners, arrays of other lengths than said, no face at all, more than 2^31 corners.
-FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name,
+                                                         const ReadOptions& options = {});
 
 enum class MeshFault : std::uint8_t {
     kOpenEdge,      ///< an edge that fewer faces use one way than the other
@@ -78,13 +79,14 @@ struct MeshCheck {
 /// their indices. `options.scale` only says what the notes compare with.
 /// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent
 ///         beyond 400
-FIRMA_EXPORT Result<MeshCheck> check_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_obj(std::string_view text, std::string name,
+                                                       const ReadOptions& options = {});
 
 /// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).
-FIRMA_EXPORT Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name,
-                                         const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name,
+                                                       const ReadOptions& options = {});
 
 /// Checks a file by its ending.
-FIRMA_EXPORT Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

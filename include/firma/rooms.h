@@ -138,7 +138,8 @@ struct PortalReport {
 ///         that is not as LevelPortal says
 /// Takes some four times as long as make_world() where there are portals, as faces are put in order around edges
 /// exactly; parts of portals are compared in pairs.
-FIRMA_EXPORT Result<World> make_divided_world(const Level& level, std::span<const LevelPortal> portals,
-                                              const WorldOptions& options = {}, PortalReport* report = nullptr);
+[[nodiscard]] FIRMA_EXPORT Result<World> make_divided_world(const Level& level, std::span<const LevelPortal> portals,
+                                                            const WorldOptions& options = {},
+                                                            PortalReport* report = nullptr);
 
 }  // namespace firma

@@ -34,7 +34,7 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees and
 /// the rules for carving. The same world, made the same way, gives the same bytes on every machine. docs/formats.md has
 /// the layout.
-FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its
 /// exact part), and edits of both end in the same bits.
@@ -56,8 +56,8 @@ FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 /// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
 /// file that was there is kept.
 /// @return nothing on success; kCannotWrite with the system's reason
-FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
-                                             const SaveOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
+                                                           const SaveOptions& options = {});
 
 /// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
 /// meanwhile is an error at most.

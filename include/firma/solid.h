@@ -55,7 +55,7 @@ private:
 
 /// The closed pieces of a level, by the rules of level_solidity(); other faces are left out.
 /// @return errors as make_world()
-FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
+[[nodiscard]] FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
 
 /// What does not hold of a solid's exact boundary, and where.
 struct SolidFault {
@@ -68,8 +68,8 @@ struct SolidFault {
 /// way around, then holes; every edge is used twice, once each way; vertices lie exactly on the planes of their faces
 /// and edges; the facets of each face cover it, and all facets together are closed. Says nothing about where the
 /// boundary crosses itself. See check_world() for facets one by one.
-FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
-FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
 
 struct SolidMeasures {
     /// Of the exact solid, cubic metres; where rock reaches to infinity, minus the volume of its air.
@@ -83,14 +83,14 @@ struct SolidMeasures {
 };
 
 /// Measures all faces. Each number is rounded once or twice, from sums of 100 bits and more.
-FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
-FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
+[[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
 
 /// A hash of the solid's set of points: equal for equal solids, however they came about and however their surface is
 /// divided into faces; disjoint edits in any order give the same. Ids, sources, materials and blocks do not count. The
 /// same on every machine. It is kept as edits go: asking costs nothing.
-FIRMA_EXPORT std::uint64_t hash_solid(const Solid& solid);
-FIRMA_EXPORT std::uint64_t hash_solid(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_solid(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_solid(const World& world);
 
 /// A cube of 32 m: from (x, y, z) * 32 m to (x + 1, y + 1, z + 1) * 32 m.
 struct Region {
@@ -108,7 +108,7 @@ struct RegionHash {
 };
 
 /// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
-FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
 
 /// Where a point lies.
 enum class Where : std::uint8_t {
@@ -154,7 +154,7 @@ struct LevelSolidity {
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
 /// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
 /// @param level  one that make_world() refuses has no solid face and no note
-FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
+[[nodiscard]] FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
 
 /// A region that resists cutters whose surface or inside reaches into it.
 struct CarveZone {
@@ -217,7 +217,7 @@ struct CarveReport {
 };
 
 /// What became of a solid.
-struct SolidResult {
+struct [[nodiscard]] SolidResult {
     CarveStatus status = CarveStatus::kRefused;
     Solid solid;         ///< after the edit; the one before unless kDone
     Error error;         ///< for kRefused
@@ -235,11 +235,11 @@ struct SolidCutOptions {
 
 /// Takes a placed cutter away from a solid, by the rules of carve(): the faces of the result are those that a world
 /// around the solid would have. Costs what the cut costs.
-FIRMA_EXPORT SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose,
-                                  const SolidCutOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose,
+                                                const SolidCutOptions& options = {});
 
 /// Adds a placed cutter to a solid, by the same rules.
-FIRMA_EXPORT SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose,
-                               const SolidCutOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose,
+                                             const SolidCutOptions& options = {});
 
 }  // namespace firma

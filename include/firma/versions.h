@@ -56,7 +56,7 @@ struct WorldDiff {
 /// out.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
 ///                   makes a long list; one of more than kMaxTiles is left out, and too_many_tiles is set.
-FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
+[[nodiscard]] FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
 
 struct WorldStoreOptions {
     std::size_t history_bytes = std::size_t(64) << 20;  ///< see WorldStore::set_history_bytes
@@ -98,7 +98,7 @@ public:
     WorldStore& operator=(const WorldStore&) = delete;
 
     /// The version that was published last, or that undo() or redo() went to.
-    FIRMA_EXPORT World current() const;
+    [[nodiscard]] FIRMA_EXPORT World current() const;
     /// A version of the history, undone ones included; nothing when it is not kept. Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
     FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
@@ -113,7 +113,7 @@ public:
     /// @param after   of a greater version number. That it came from `before` by edits cannot be seen: another world
     ///                will do, and only counts and costs more.
     /// The cost follows what the two do not share, and what is dropped.
-    FIRMA_EXPORT PublishStatus publish(const World& before, World after);
+    [[nodiscard]] FIRMA_EXPORT PublishStatus publish(const World& before, World after);
 
     /// Goes back to the version before, or forward to the one that was undone.
     /// @return the version that is current then, whatever other threads do meanwhile; nothing when there is none

@@ -109,24 +109,24 @@ struct WorldOptions {
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
 /// or hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces
 /// have many corners.
-FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
+[[nodiscard]] FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
 
 /// The same world under other rules for carving.
 /// @return kInvalid, naming the zone or material: a hardness that is not within 0..1, a box that is empty or not of
 ///         numbers, a max_cutter_size that is no length above zero
-FIRMA_EXPORT Result<World> with_rules(const World& world, CarveRules rules);
+[[nodiscard]] FIRMA_EXPORT Result<World> with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
 /// many as there are, are put into blocks anew. Materials keep their numbers and have no names.
 /// @return kInvalid when the contact offset is negative or not finite, and for rules as with_rules()
-FIRMA_EXPORT Result<World> make_world(const Solid& solid, const WorldOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
 /// @return kTooLarge beyond 2^31 faces; kInvalid when the contact offset is negative or not finite, for rules as
 ///         with_rules(), or when a face of the level is not convex, planar and of 3 to 64 corners, or has a corner,
 ///         material or group that is not there (readers never make such), naming it; kMalformed for a level without a
 ///         face, with what its reader left out: such a world would answer every cast with a miss (World() is one).
-FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:
 /// the index down to the box, the faces of the room, the index down to the region.
@@ -150,15 +150,15 @@ FIRMA_EXPORT bool each_face(const World& world, const Region& region, FaceVisito
 /// A hash of what the world holds: faces with ids, exact forms and rooms, portals, doors, counters, version; not of the
 /// rules for carving, nor of how faces are kept and found. Worlds made by equal edits in equal order have equal ones on
 /// every machine. It is kept as edits go: asking costs a few nanoseconds a material.
-FIRMA_EXPORT std::uint64_t hash_world(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_world(const World& world);
 
 /// Of one room: its faces, name and number. Costs the same.
 /// @param room  below World::room_count(); 0 for others
-FIRMA_EXPORT std::uint64_t hash_room(const World& world, RoomId room);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_room(const World& world, RoomId room);
 
 /// Of each cube of 32 m with anything in it, in an order that is the same everywhere: so two machines can find where
 /// their worlds differ.
-FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
 
 /// A broken invariant, named.
 struct WorldFault {
@@ -171,6 +171,6 @@ struct WorldFault {
 /// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
 /// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
 /// check_solid().
-FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma
