@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,7 @@ struct FaceList {
     std::vector<firma_face> faces;
     std::vector<double> corners;
 
-    void add(const Face& face);
+    void add(const FaceInfo& face, std::span<const Vec3> outline);
 };
 
 struct FacesObject final : Object {

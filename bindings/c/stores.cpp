@@ -108,18 +108,21 @@ firma_code firma_store_at(firma_store store, uint64_t version, firma_world* worl
     });
 }
 
-firma_code firma_store_get_facts(firma_store store, firma_store_facts* facts) {
+firma_code firma_store_get_facts(firma_store store, firma_store_facts* out) {
     return guarded(__func__, [&, function = __func__] {
-        if (!facts) return bad_call(function, kNull);
+        if (!out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
+        firma_store_facts facts{};
         const StoreObject* object = find<StoreObject>(store.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const StoreHistory history = object->store.history();
-        facts->oldest = history.oldest;
-        facts->current = history.current;
-        facts->newest = history.newest;
-        facts->versions = history.versions;
-        facts->bytes = history.bytes;
-        facts->waiting = history.waiting;
+        facts.oldest = history.oldest;
+        facts.current = history.current;
+        facts.newest = history.newest;
+        facts.versions = history.versions;
+        facts.bytes = history.bytes;
+        facts.waiting = history.waiting;
+        put_sized(facts, out);
         return FIRMA_OK;
     });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds made, released, measured.
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,8 +36,10 @@ struct MeshArrays {
     Mesh mesh;
 };
 
-firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* function) {
-    if (!sized(&given)) return bad_call(function, kWrongSize);
+firma_code read_mesh(const firma_mesh& from, MeshArrays& arrays, const char* function) {
+    if (!sized(&from)) return bad_call(function, kWrongSize);
+    firma_mesh given{};
+    take_sized(&from, given);
     const auto lacks = [](const void* array, std::size_t count) { return count > 0 && !array; };
     if (lacks(given.positions, given.vertex_count) || lacks(given.corners, given.face_count) ||
         lacks(given.material_names, given.material_count))
@@ -72,8 +75,10 @@ std::size_t or_default(std::uint64_t given, std::size_t otherwise) {
     return given == 0 ? otherwise : std::size_t(given < kMost ? given : kMost);
 }
 
-firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* function) {
-    if (!sized(&given)) return bad_call(function, kWrongSize);
+firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* function) {
+    if (!sized(&from)) return bad_call(function, kWrongSize);
+    firma_rules given{};
+    take_sized(&from, given);
     if (given.reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
     if ((given.zone_count && !given.zones) || (given.hardness_count && !given.hardness))
         return bad_call(function, "a count without its array");
@@ -195,22 +200,25 @@ firma_code firma_world_release(firma_world world) {
     return release<WorldObject>(world.id, __func__);
 }
 
-firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts) {
+firma_code firma_world_get_facts(firma_world world, firma_world_facts* out) {
     return guarded(__func__, [&, function = __func__] {
-        if (!facts) return bad_call(function, kNull);
+        if (!out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const World& w = object->world;
         const Box bounds = w.bounds();
-        facts->version = w.version();
-        facts->face_count = w.face_count();
-        facts->room_count = w.room_count();
-        facts->portal_count = portal_count(w);
-        put(bounds.low, facts->low);
-        put(bounds.high, facts->high);
-        facts->contact_offset = w.tolerance().contact_offset;
-        facts->material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
-        facts->edits = w.data().edits();
+        firma_world_facts facts{};
+        facts.version = w.version();
+        facts.face_count = w.face_count();
+        facts.room_count = w.room_count();
+        facts.portal_count = portal_count(w);
+        put(bounds.low, facts.low);
+        put(bounds.high, facts.high);
+        facts.contact_offset = w.tolerance().contact_offset;
+        facts.material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
+        facts.edits = w.data().edits();
+        put_sized(facts, out);
         return FIRMA_OK;
     });
 }
@@ -221,6 +229,31 @@ firma_code firma_world_hash(firma_world world, uint64_t* hash) {
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         *hash = hash_world(object->world);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_hash_solid(firma_world world, uint64_t* hash) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!hash) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        *hash = hash_solid(object->world);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_hash_regions(firma_world world, firma_region_hash* hashes, size_t capacity, size_t* count) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!count || (!hashes && capacity)) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const std::vector<RegionHash> found = hash_regions(object->world);
+        *count = found.size();
+        for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) {
+            const Region& at = found[k].region;
+            hashes[k] = {{at.x, at.y, at.z}, 0, found[k].faces, found[k].points};
+        }
         return FIRMA_OK;
     });
 }

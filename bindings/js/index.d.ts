@@ -215,9 +215,18 @@ export interface Faces {
     /** Counted in points. */
     firstCorners: Uint32Array;
     cornerCounts: Uint32Array;
+    /** The first corner of each, three integers, in steps of 1/262144 m: where World.face() looks for it. */
+    firstPoints: Int32Array;
     /** Three for each; convex, counter-clockwise seen from the front. */
     corners: Float64Array;
 }
+/** What faces stop: bits of their masks, and of casts'. Faces of formats that know no contents have all bits. */
+export const STOPS_WALK: 1;
+export const STOPS_SHOTS: 2;
+export const STOPS_SIGHT: 4;
+export const STOPS_LIQUID: 8;
+/** In addition to what a wall stops: the sky is painted on it. */
+export const IS_SKY: 16;
 export const FACE_TWO_SIDED: 1;
 /** Bounds a closed solid, which can be carved. */
 export const FACE_SOLID: 2;
@@ -235,8 +244,23 @@ export interface Face {
     mask: number;
     flags: number;
     room: number;
+    /** Its first, in steps of 1/262144 m. */
+    corner: Vector3;
     /** Three for each. */
     corners: Float64Array;
+}
+
+/** Names a face: a Hit, a Near, a Face, or two numbers kept of one. */
+export type FaceRef = { face: number | null; corner: ArrayLike<number> } | { id: number; corner: ArrayLike<number> };
+
+/** Which faces: at most one of these. */
+export interface FaceFilter {
+    /** Those that look into this room, or into the one that it became part of. */
+    room?: number;
+    /** Those whose own box shares a point with this one. */
+    box?: { low: Vector; high: Vector };
+    /** Those whose lowest corner lies in the cube from region * 32 m on, 32 m wide: three integers. */
+    region?: ArrayLike<number>;
 }
 
 /** What triangles() is limited to; all faces of the world, from its origin, unless given. */
@@ -580,6 +604,15 @@ export interface Rules {
     maxCutterSize?: number;
 }
 
+export interface RegionHash {
+    /** From region * 32 m to (region + 1) * 32 m along each axis. */
+    region: Vector3;
+    /** Of the faces whose lowest corner lies there. */
+    faces: bigint;
+    /** Of the solid's corners there. */
+    points: bigint;
+}
+
 /** A value: it never changes, edits make others that share with it what they did not touch. */
 export interface World extends Handle {
     /** Another handle to the same value. */
@@ -587,14 +620,20 @@ export interface World extends Handle {
     facts(): WorldFacts;
     /** Of everything the world holds: equal edits in equal order give equal ones on every machine. */
     hash(): bigint;
+    /** Of the solid's set of points alone: equal for equal solids, however they came about. */
+    hashSolid(): bigint;
+    /** Of each cube of 32 m with anything in it: so two machines can find where their worlds differ. */
+    hashRegions(): RegionHash[];
     /** @throws {FirmaError} BROKEN when an invariant of faces, trees or the exact solid does not hold */
     check(): void;
     /** The solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and area. */
     measure(): { volume: number; area: number };
     /** Bytes. */
     memory(): number;
-    /** Copies of all faces, in order of id. */
-    faces(): Faces;
+    /** Copies of all faces, in order of id; of some by a filter, in no particular order. @throws {FirmaError} INVALID for a room that is not there */
+    faces(filter?: FaceFilter): Faces;
+    /** The face of a hit, or another; null when this world has no such face: cut since, or of another world. Costs a walk through the index. */
+    face(ref: FaceRef): Face | null;
     /** Copies of faces as triangles, for a renderer or another engine's collider. @throws {FirmaError} INVALID for a room that is not there */
     triangles(options?: TriangleOptions): Triangles;
     /** Null when the world has no such face. Searches all faces. */
@@ -612,6 +651,14 @@ export interface World extends Handle {
     /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
     castAll(input: CastInput, options?: CastOptions): Hit[];
     /**
+     * Every face and closed portal that the sphere would meet along the path, as if alone, in no particular order: to
+     * filter, to stop early, to collect. What `visit` throws ends the cast and is thrown.
+     * @param visit returns the fraction up to which to look on: hit.fraction asks for nothing later than this hit; true
+     *     or nothing: on as before; false or 0: enough
+     * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE as castAny()
+     */
+    castEach(input: CastInput, visit: (hit: Hit) => number | boolean | void, options?: CastOptions): boolean;
+    /**
      * Many casts: answer k is what cast() gives for input k.
      * @param inputs seven numbers a cast: centre, radius, path; fastest as a Float64Array
      * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned; a
@@ -620,6 +667,8 @@ export interface World extends Handle {
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
     /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
+    /** The same one by one, in no particular order, until visit returns false. @returns whether there were any */
+    overlapEach(centre: Vector, radius: number, visit: (found: Overlap) => boolean | void, options?: NearOptions): boolean;
     /**
      * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
      * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range

@@ -8,8 +8,12 @@
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
- * be null say so; any other null, a count without its array, or a struct whose `size` is not that of this header gives
+ * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
+ *
+ * Structs. Those that begin with `size` may grow in later versions: set it to the struct's sizeof, also in structs that
+ * a call fills (`firma_room room = {.size = sizeof room};`). A caller that was compiled with an older, shorter struct
+ * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs and
  * edits are for one thread at a time. A handle must not be released while another thread is using it.
@@ -55,7 +59,7 @@ typedef enum firma_code {
     FIRMA_ERROR_INVALID = 6,      /* arguments that make no sense */
     FIRMA_ERROR_CANNOT_WRITE = 7, /* the file cannot be made or written */
     FIRMA_ERROR_BAD_HANDLE = 8,   /* released, never made, or of another kind */
-    FIRMA_ERROR_BAD_CALL = 9,     /* a null that may not be, a wrong `size`, a call out of order */
+    FIRMA_ERROR_BAD_CALL = 9,     /* a null that may not be, a `size` that cannot be, a call out of order */
     FIRMA_ERROR_NO_MEMORY = 10,
     FIRMA_ERROR_BROKEN = 11,  /* firma_world_check() found something that does not hold */
     FIRMA_ERROR_INTERNAL = 12 /* a mistake of Firma's own: please report it */
@@ -208,6 +212,7 @@ typedef struct firma_entity {
 } firma_entity;
 
 typedef struct firma_level_view {
+    uint32_t size;                /* sizeof(firma_level_view) */
     const firma_entity* entities; /* the first is the world */
     size_t entity_count;
     const char* const* notes; /* for people: what was dropped, replaced or not understood, with its place */
@@ -224,6 +229,8 @@ FIRMA_API firma_code firma_world_copy(firma_world world, firma_world* copy);
 FIRMA_API firma_code firma_world_release(firma_world world);
 
 typedef struct firma_world_facts {
+    uint32_t size;    /* sizeof(firma_world_facts) */
+    uint32_t edits;   /* cuts and fills so far */
     uint64_t version; /* 0 as read; every edit adds one */
     uint64_t face_count;
     uint64_t room_count;    /* those that edits joined to others counted */
@@ -231,12 +238,27 @@ typedef struct firma_world_facts {
     double low[3], high[3]; /* bounds of all faces; low > high when there are none */
     double contact_offset;
     uint32_t material_count;
-    uint32_t edits; /* cuts and fills so far */
+    uint32_t reserved;
 } firma_world_facts;
 
 FIRMA_API firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts);
 /* Of everything the world holds: equal edits in equal order give equal ones on every machine. */
 FIRMA_API firma_code firma_world_hash(firma_world world, uint64_t* hash);
+/* Of the solid's set of points alone: equal for equal solids, however they came about. */
+FIRMA_API firma_code firma_world_hash_solid(firma_world world, uint64_t* hash);
+
+/* Of a cube of 32 m: from region * 32 m to (region + 1) * 32 m along each axis. */
+typedef struct firma_region_hash {
+    int32_t region[3];
+    uint32_t reserved;
+    uint64_t faces;  /* of all that faces are whose lowest corner lies there */
+    uint64_t points; /* of the solid's set of points: of its corners there */
+} firma_region_hash;
+
+/* Of each region with anything in it, in an order that is the same everywhere: so two machines can find where their
+ * worlds differ. `count` gets how many; the first `capacity` are written (`hashes` may be null when that is 0). */
+FIRMA_API firma_code firma_world_hash_regions(firma_world world, firma_region_hash* hashes, size_t capacity,
+                                              size_t* count);
 /* FIRMA_ERROR_BROKEN when an invariant of faces, trees or the exact solid does not hold: the message names it. */
 FIRMA_API firma_code firma_world_check(firma_world world);
 /* The exact solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and its area, square
@@ -272,6 +294,14 @@ FIRMA_API firma_code firma_world_with_rules(firma_world world, const firma_rules
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
 
+/* What faces stop: bits of their masks, and of casts'. Faces of formats that know no contents have all bits. */
+#define FIRMA_STOPS_WALK 1u   /* bodies that walk: walls, glass, clip brushes */
+#define FIRMA_STOPS_SHOTS 2u  /* walls, glass */
+#define FIRMA_STOPS_SIGHT 4u  /* walls, but no glass */
+#define FIRMA_STOPS_LIQUID 8u /* the surface of water, slime, lava */
+#define FIRMA_IS_SKY 16u      /* in addition to what a wall stops: the sky is painted on it */
+#define FIRMA_STOPS_SOLID (FIRMA_STOPS_WALK | FIRMA_STOPS_SHOTS | FIRMA_STOPS_SIGHT)
+
 #define FIRMA_FACE_TWO_SIDED 1u
 #define FIRMA_FACE_SOLID 2u /* bounds a closed solid, which can be carved */
 
@@ -286,17 +316,43 @@ typedef struct firma_face {
     uint32_t room;         /* that it looks into */
     uint32_t first_corner; /* in firma_faces_view.corners, counted in points */
     uint32_t corner_count;
+    int32_t corner[3]; /* its first, in steps of 1/262144 m: where to look for it */
 } firma_face;
 
 typedef struct firma_faces_view {
+    uint32_t size; /* sizeof(firma_faces_view) */
     const firma_face* faces;
     size_t face_count;
     const double* corners; /* three for each */
     size_t corner_count;
 } firma_faces_view;
 
+/* Which faces; a null pointer takes all. At most one of room, box and region. */
+typedef struct firma_face_filter {
+    uint32_t size;         /* sizeof(firma_face_filter) */
+    uint32_t room;         /* those that look into it, or into the one that it became part of; or FIRMA_ANY_ROOM */
+    const double* box;     /* six: low, high. Those whose own box shares a point with it; may be null */
+    const int32_t* region; /* three: those whose lowest corner lies in the cube of 32 m from region * 32 m on; may be
+                              null */
+} firma_face_filter;
+
+FIRMA_API void firma_face_filter_defaults(firma_face_filter* filter);
+
+/* Gets a face and its corners, three doubles for each; both are good until it returns. Returns 1 to go on, 0 to stop.
+ */
+typedef uint32_t (*firma_face_visitor)(const firma_face* face, const double* corners, void* user);
+
 /* All faces, in order of id. */
 FIRMA_API firma_code firma_world_faces(firma_world world, firma_faces* faces);
+/* Some, in no particular order. Costs the walk through the index down to them. */
+FIRMA_API firma_code firma_world_faces_in(firma_world world, const firma_face_filter* filter, firma_faces* faces);
+/* The same one by one, without taking memory. `completed` gets 0 when the visitor stopped it, else 1; it may be null.
+ */
+FIRMA_API firma_code firma_world_each_face(firma_world world, const firma_face_filter* filter, firma_face_visitor visit,
+                                           void* user, uint32_t* completed);
+/* The face of a hit, a firma_near or a firma_face by its id and first corner; none in the list when the world has no
+ * such face: cut since, or of another world. Costs a walk through the index. */
+FIRMA_API firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner[3], firma_faces* faces);
 /* One face by its id; none in the list when the world has no such face. Searches all faces. */
 FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma_faces* faces);
 /* Views are good until the handle is released. */
@@ -326,6 +382,7 @@ typedef struct firma_triangle_source {
 } firma_triangle_source;
 
 typedef struct firma_triangles_view {
+    uint32_t size;          /* sizeof(firma_triangles_view) */
     const float* positions; /* three for each vertex: metres from the origin of the options */
     const float* normals;   /* three for each vertex, unit */
     size_t vertex_count;
@@ -376,26 +433,30 @@ FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3]
 
 /* What pointers show is good as long as the handle of the world. */
 typedef struct firma_room {
+    uint32_t size;          /* sizeof(firma_room) */
+    uint32_t exterior;      /* 1: reaches to infinity */
     double low[3], high[3]; /* of its faces and portals; low > high when there are none */
     uint64_t face_count;
     const char* name;        /* UTF-8; "" where the level gives none */
     const uint32_t* portals; /* ascending */
     size_t portal_count;
-    uint32_t exterior;    /* 1: reaches to infinity */
     uint32_t merged_into; /* itself; of a room that an edit joined to another: that one, and it is empty */
+    uint32_t reserved;
 } firma_room;
 
 /* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
 FIRMA_API firma_code firma_world_room(firma_world world, uint32_t room, firma_room* info);
 
 typedef struct firma_portal {
+    uint32_t size; /* sizeof(firma_portal) */
+    uint32_t material;
     double low[3], high[3]; /* low > high when it has no polygons */
     const char* name;       /* UTF-8; "" where the level gives none */
     uint32_t rooms[2];
-    uint32_t material;
-    uint32_t mask;          /* what it stops while closed */
+    uint32_t mask;          /* what it stops while closed: FIRMA_STOPS_... */
     uint32_t open;          /* 0 or 1 */
     uint32_t polygon_count; /* 0: an edit joined its rooms, or filled it, and it leads nowhere */
+    uint32_t reserved;
 } firma_portal;
 
 FIRMA_API firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* info);
@@ -494,6 +555,15 @@ FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* i
  * first `capacity` of them are written (`hits` may be null when that is 0). */
 FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     firma_hit* hits, size_t capacity, size_t* count);
+/* Gets one hit at a time, good until it returns. Returns the fraction up to which to look on: 1 goes on as before,
+ * hit->fraction asks for nothing later than this hit, 0 or less ends the cast. It can only bring the end nearer. */
+typedef double (*firma_hit_visitor)(const firma_hit* hit, void* user);
+/* Every face and closed portal that the sphere would meet along the path, as if alone, in no particular order: to
+ * filter, to stop early, to collect. Takes no memory. `status` gets FIRMA_MISS when the visitor was given nothing,
+ * FIRMA_INVALID as firma_cast(), else FIRMA_HIT; it may be null. */
+FIRMA_API firma_code firma_cast_each(firma_world world, const firma_cast_input* input,
+                                     const firma_cast_options* options, firma_hit_visitor visit, void* user,
+                                     uint32_t* status);
 /* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. When firma_tasks.run does not do
  * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. */
 FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
@@ -527,6 +597,12 @@ FIRMA_API void firma_near_options_defaults(firma_near_options* options);
 FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius,
                                    const firma_near_options* options, firma_near* found, size_t capacity,
                                    size_t* count);
+/* Gets one at a time, in no particular order; good until it returns. Returns 1 to go on, 0 to stop. */
+typedef uint32_t (*firma_overlap_visitor)(const firma_near* found, void* user);
+/* The same without taking memory. `found` gets 1 when the visitor was given anything, else 0; it may be null. */
+FIRMA_API firma_code firma_overlap_each(firma_world world, const double centre[3], double radius,
+                                        const firma_near_options* options, firma_overlap_visitor visit, void* user,
+                                        uint32_t* found);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
  * FIRMA_ERROR_OUT_OF_RANGE as above. */
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
@@ -573,8 +649,10 @@ typedef enum firma_carve_status {
 } firma_carve_status;
 
 typedef struct firma_carve_report {
+    uint32_t size;   /* sizeof(firma_carve_report) */
     uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
     uint32_t retries;
+    uint32_t reserved;
     uint64_t candidate_faces, faces_cut, faces_removed, faces_added;
     double scale;  /* what zones and materials left of the cutter's scale */
     double volume; /* cubic metres taken; negative when added */
@@ -611,6 +689,8 @@ FIRMA_API firma_code firma_edit_release(firma_edit edit);
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 
 typedef struct firma_diff_view {
+    uint32_t size; /* sizeof(firma_diff_view) */
+    uint32_t too_many_tiles;
     const uint32_t* removed; /* ids, in order */
     size_t removed_count;
     const firma_face* added; /* in order of id */
@@ -629,8 +709,6 @@ typedef struct firma_diff_view {
     const uint32_t* portals_changed; /* of both, with other rooms, polygons or names */
     size_t portals_changed_count;
     double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
-    uint32_t too_many_tiles;
-    uint32_t reserved;
 } firma_diff_view;
 
 /* What changed from one world to another. `tile_size` metres, 0 for no tiles. */
@@ -643,6 +721,8 @@ FIRMA_API firma_code firma_diff_release(firma_diff diff);
 /* A store holds the newest world, which any thread may take at any time, and those before it, for undo. An editor takes
  * the current world, edits it, and publishes the result. */
 typedef struct firma_store_facts {
+    uint32_t size; /* sizeof(firma_store_facts) */
+    uint32_t reserved;
     uint64_t oldest, current, newest; /* versions */
     uint64_t versions;                /* held, undone ones included */
     uint64_t bytes;                   /* held beside the newest version */
@@ -671,6 +751,43 @@ FIRMA_API firma_code firma_store_release(firma_store store);
 
 FIRMA_API firma_code firma_bytes_get_view(firma_bytes bytes, const void** data, size_t* length);
 FIRMA_API firma_code firma_bytes_release(firma_bytes bytes);
+
+/* ---- names of version 0.1 --------------------------------------------------------------------------------------- */
+
+/* For programs of version 0.1; the next version has them no more. docs/migration.md tells what else changed. */
+#define FIRMA_TOUCHING FIRMA_INITIAL_OVERLAP
+#define FIRMA_ROOM FIRMA_AIR
+#define FIRMA_UNSURE FIRMA_UNKNOWN
+
+/* firma_world_locate() says more. 1 in the solid, 0 in the air, 2 on a face or where that cannot be said. */
+static inline firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where) {
+    uint32_t found = FIRMA_UNKNOWN;
+    const firma_code code = firma_world_locate(world, point, where ? &found : NULL, NULL);
+    if (code == FIRMA_OK) *where = found == FIRMA_SOLID ? 1 : found == FIRMA_AIR ? 0 : 2;
+    return code;
+}
+
+/* Members of structs, too, when the program defines this before it includes the header; they are macros then. */
+#ifdef FIRMA_NAMES_0_1
+#define skin contact_offset
+#define bins nodes
+#define faces_per_bin faces_per_leaf
+#define min_bin_volume min_node_volume
+#define most_faces max_faces
+#define most_faces_looked_at max_candidate_faces
+#define most_new_faces max_new_faces
+#define most_cutter_triangles max_cutter_triangles
+#define most_pairs max_pairs
+#define most_corners max_corners
+#define largest_cutter max_cutter_size
+#define faces_looked_at candidate_faces
+#define faces_gone faces_removed
+#define faces_new faces_added
+#define gone removed
+#define gone_count removed_count
+#define come added
+#define come_count added_count
+#endif
 
 #ifdef __cplusplus
 }

@@ -52,7 +52,7 @@ static void test_options(void) {
     options.scale = 2;
     options.contact_offset = 0.25;
     CHECK_OK(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world));
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(world, &facts));
     CHECK(facts.high[0] == 8 && facts.contact_offset == 0.25);
     CHECK_OK(firma_world_release(world));
@@ -89,7 +89,7 @@ static void test_obj(void) {
 
 static void test_room(void) {
     const firma_world room = make_room();
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(room, &facts));
     CHECK(facts.face_count == 6 && facts.room_count == 1 && facts.version == 0 && facts.edits == 0);
     CHECK(facts.low[0] == 0 && facts.high[2] == 4 && facts.contact_offset == 0.001);
@@ -112,7 +112,7 @@ static void test_room(void) {
     CHECK(alone > 0 && both >= alone && both < alone + alone / 2);
 
     firma_faces faces = {0};
-    firma_faces_view view;
+    firma_faces_view view = {.size = sizeof view};
     CHECK_OK(firma_world_faces(room, &faces));
     CHECK_OK(firma_faces_get_view(faces, &view));
     CHECK(view.face_count == 6 && view.corner_count == 24);
@@ -136,7 +136,7 @@ static void test_room(void) {
 static void test_triangles(void) {
     const firma_world room = make_room();
     firma_triangles triangles = {0};
-    firma_triangles_view view;
+    firma_triangles_view view = {.size = sizeof view};
     CHECK_OK(firma_world_triangles(room, NULL, &triangles));
     CHECK_OK(firma_triangles_get_view(triangles, &view));
     CHECK(view.vertex_count == 24 && view.triangle_count == 12 && view.source_count == 6 && view.run_count == 3);

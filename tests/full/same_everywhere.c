@@ -188,7 +188,7 @@ static void carve_three(firma_world world, firma_cutter cutter, firma_pose* pose
 static firma_world cut_once(firma_world world) {
     firma_cutter cutter;
     firma_pose pose;
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     firma_world after;
     draw_cutter(&cutter);
     draw_pose(&pose);
@@ -315,7 +315,7 @@ static firma_world read_level(const char* path) {
 }
 
 static void say(firma_world world, unsigned cuts, unsigned casts) {
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     uint64_t hash;
     must(firma_world_get_facts(world, &facts));
     must(firma_world_hash(world, &hash));
@@ -328,8 +328,8 @@ static void say(firma_world world, unsigned cuts, unsigned casts) {
 // The world's faces as a mesh, and a world of that.
 static void say_mesh(firma_world world) {
     firma_faces faces;
-    firma_faces_view view;
-    firma_world_facts facts;
+    firma_faces_view view = {.size = sizeof view};
+    firma_world_facts facts = {.size = sizeof facts};
     must(firma_world_faces(world, &faces));
     must(firma_faces_get_view(faces, &view));
     must(firma_world_get_facts(world, &facts));
@@ -382,7 +382,7 @@ static void say_rest(firma_world first, firma_world last) {
     mix_double(volume);
     mix_double(area);
     firma_diff diff;
-    firma_diff_view view;
+    firma_diff_view view = {.size = sizeof view};
     must(firma_world_diff(first, last, 4, &diff));
     must(firma_diff_get_view(diff, &view));
     for (size_t k = 0; k < view.removed_count; ++k) mix(view.removed[k]);
@@ -414,7 +414,7 @@ int main(int count, char** words) {
     if (count != 4) return fputs("usage: same_everywhere LEVEL CUTS CASTS\n", stderr), 2;
     const unsigned cuts = (unsigned)atoi(words[2]), casts = (unsigned)atoi(words[3]);
     const firma_world first = read_level(words[1]);
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     must(firma_world_get_facts(first, &facts));
     memcpy(low, facts.low, sizeof low);
     memcpy(high, facts.high, sizeof high);

@@ -31,7 +31,7 @@ const ROOMS = new Map([
     ['locate', 0xfffffffe],
 ]);
 
-const OPTION_NAMES = ['mask', 'bothSides', 'skin', 'room'];
+const OPTION_NAMES = ['mask', 'bothSides', 'contactOffset', 'room'];
 const NEAR_OPTION_NAMES = ['mask', 'room'];
 const COUNT_NAMES = ['nodes', 'boxes', 'faces', 'precise'];
 
@@ -60,7 +60,7 @@ export function putCastOptions(core, options, place, more = []) {
     object(options, place, 'the options', [...OPTION_NAMES, ...more]);
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
-    const contactOffset = options.contactOffset === undefined ? -1 : number(options.contactOffset, place, 'skin');
+    const contactOffset = options.contactOffset === undefined ? -1 : number(options.contactOffset, place, 'contactOffset');
     const room = ROOMS.get(options.room) ?? word(options.room, place, "room, where not 'any' or 'locate',");
     const at = core.at.castOptions;
     core.setU32(at + CAST_OPTIONS.size, CAST_OPTIONS.sizeof);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Faces as triangles: copies of what the module shows.
-import { flag, mask, object, vector, word } from './arguments.js';
+import { flag, mask, object, region as regionOf, vector, word } from './arguments.js';
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
 import { TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
@@ -17,15 +17,7 @@ function putOptions(core, lent, options) {
     core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(given.solidOnly, 'triangles', 'solidOnly'));
     core.setU32(at + TRIANGLE_OPTIONS.room, room === undefined ? 0xffffffff : word(room, 'triangles', 'room'));
     core.setVector(at + TRIANGLE_OPTIONS.origin, vector(origin, 3, 'triangles', 'origin'));
-    let place = 0;
-    if (region !== undefined) {
-        vector(region, 3, 'triangles', 'region');
-        if (!Array.from(region).every((k) => Number.isInteger(k) && Math.abs(k) < 2 ** 31))
-            throw badCall('triangles', 'region must be three integers');
-        place = lent.take(16);
-        core.i32.set(region, place >>> 2);
-    }
-    core.setU32(at + TRIANGLE_OPTIONS.region, place);
+    core.setU32(at + TRIANGLE_OPTIONS.region, region === undefined ? 0 : lent.words(regionOf(region, 'triangles')));
     return at;
 }
 

@@ -194,6 +194,7 @@ test('faces are copies, each found by its id', () => {
             mask: 0xffffffff,
             flags: FACE_SOLID,
             room: 0,
+            corner: [...faces.corners.subarray(begin, begin + 3)].map((x) => x * 262144),
             corners: faces.corners.slice(begin, begin + 3 * faces.cornerCounts[k]),
         });
         assert.equal(world.findFace(4_000_000), null);

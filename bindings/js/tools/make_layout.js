@@ -59,7 +59,7 @@ function write() {
         (part) => new RegExp(`FIRMA_VERSION_${part} (\\d+)`).exec(header)[1],
     );
     lines.push(`export const VERSION = '${version.join('.')}';`, '');
-    for (const [, name, value] of header.matchAll(/#define FIRMA_(FACE_\w+) (\d+)u/g))
+    for (const [, name, value] of header.matchAll(/#define FIRMA_(FACE_\w+|STOPS_\w+|IS_\w+) (\d+)u/g))
         lines.push(`export const ${name} = ${value};`);
     lines.push('');
     for (const [name, entries] of readEnumerations(header)) {
