@@ -8,8 +8,6 @@
 
 #include "firma/firma_c.h"
 
-enum { STOPS_WALK = 1, STOPS_SHOTS = 2 }; /* docs/rooms.md, "Masks" */
-
 static void fail(const char* why) {
     fprintf(stderr, "%s\n", why);
     exit(1);
@@ -45,7 +43,7 @@ static void place(const firma_level_view* level, const char* key, const char* va
 }
 
 static const char* name_of(firma_world world, uint32_t room) {
-    firma_room info = {0};
+    firma_room info = {.size = sizeof info};
     must(firma_world_room(world, room, &info));
     return info.name;
 }
@@ -65,7 +63,7 @@ static int walk(firma_world world, firma_cast_input* ball, double* fall, const d
     ball->path[2] += *fall / 60;
     firma_cast_options options;
     firma_cast_options_defaults(&options);
-    options.mask = STOPS_WALK;
+    options.mask = FIRMA_STOPS_WALK;
     for (int k = 0; k < 4; ++k) { /* along four surfaces at most */
         firma_hit hit;
         must(firma_cast(world, ball, &options, &hit, NULL));
@@ -83,7 +81,7 @@ static int walk(firma_world world, firma_cast_input* ball, double* fall, const d
 static firma_hit shoot(const char* who, firma_world world, const firma_cast_input* shot) {
     firma_cast_options options;
     firma_cast_options_defaults(&options);
-    options.mask = STOPS_SHOTS;
+    options.mask = FIRMA_STOPS_SHOTS;
     firma_hit hit;
     must(firma_cast(world, shot, &options, &hit, NULL));
     if (hit.status == FIRMA_MISS) return printf("%s meets nothing\n", who), hit;
@@ -100,9 +98,9 @@ int main(void) {
     size_t length = 0;
     char* text = read_file("levels/depot.map", &length);
     firma_level level = {0};
-    firma_level_view view = {0};
+    firma_level_view view = {.size = sizeof view};
     firma_world world = {0};
-    firma_world_facts facts = {0};
+    firma_world_facts facts = {.size = sizeof facts};
     must(firma_level_from_map(text, length, "levels/depot.map", 0, &level));
     must(firma_level_get_view(level, &view));
     must(firma_world_from_level(level, NULL, &world));
@@ -127,7 +125,7 @@ int main(void) {
     must(firma_world_path(world, room, goal_room, 0, portals, 8, &portal_count, &found));
     if (!found || portal_count > 8) fail("no way to office_west");
     for (size_t k = 0; k < portal_count; ++k) {
-        firma_portal portal = {0};
+        firma_portal portal = {.size = sizeof portal};
         must(firma_world_portal(world, portals[k], &portal));
         for (int a = 0; a < 3; ++a) stops[k][a] = (portal.low[a] + portal.high[a]) * 0.5;
     }
@@ -142,7 +140,7 @@ int main(void) {
             if (where != FIRMA_AIR || steps == 600) fail("stuck, or in a wall");
             if (here == room) continue;
             size_t count = 0;
-            firma_portal portal = {0};
+            firma_portal portal = {.size = sizeof portal};
             must(firma_world_path(world, room, here, 0, &door, 1, &count, &found));
             must(firma_world_portal(world, door, &portal));
             printf("step %d: through %s into %s\n", steps, portal.name, name_of(world, here));
@@ -158,7 +156,7 @@ int main(void) {
 
     firma_cutter crater = {0};
     firma_world after = {0};
-    firma_carve_report report = {0};
+    firma_carve_report report = {.size = sizeof report};
     must(firma_cutter_crater(FIRMA_ROCKY, 7, &crater));
     const firma_pose pose = {{hit.point[0], hit.point[1], hit.point[2]}, {0, 0, 0, 1}, 0.5};
     const firma_carve_options rubble = {.size = sizeof rubble, .material = "rubble"};
@@ -166,12 +164,12 @@ int main(void) {
     if (report.status != FIRMA_CARVE_DONE) fail("nothing carved");
 
     firma_diff diff = {0};
-    firma_diff_view changes = {0};
+    firma_diff_view changes = {.size = sizeof changes};
     must(firma_world_diff(world, after, 0, &diff));
     must(firma_diff_get_view(diff, &changes));
     printf("carved %.3f m3: %zu faces removed, %zu added\n", report.volume, changes.removed_count, changes.added_count);
     for (size_t k = 0; k < changes.room_count; ++k) {
-        firma_room now = {0};
+        firma_room now = {.size = sizeof now};
         must(firma_world_room(after, changes.rooms[k], &now));
         if (now.merged_into != changes.rooms[k]) {
             printf("%s is now part of %s\n", name_of(world, changes.rooms[k]), name_of(after, now.merged_into));
@@ -181,7 +179,7 @@ int main(void) {
         firma_triangle_options_defaults(&options);
         options.room = changes.rooms[k];
         firma_triangles triangles = {0};
-        firma_triangles_view mesh = {0};
+        firma_triangles_view mesh = {.size = sizeof mesh};
         must(firma_world_triangles(after, &options, &triangles));
         must(firma_triangles_get_view(triangles, &mesh));
         printf("draw %s anew: %zu triangles\n", now.name, mesh.triangle_count);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The program of docs/guide.md in JavaScript: loads a level, walks through it, shoots, carves, undoes, saves.
 import { readFile, writeFile } from 'node:fs/promises';
-import { loadFirma } from 'firma';
-
-const STOPS_WALK = 1, STOPS_SHOTS = 2; // docs/rooms.md, "Masks"
+import { loadFirma, STOPS_SHOTS, STOPS_WALK } from 'firma';
 
 const plus = (a, b, s = 1) => a.map((x, k) => x + b[k] * s);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
