@@ -32,7 +32,7 @@ int main() {
     rules.zones.push_back({.name = "west end", .box = {{18, 18, -2}, {26, 40, 12}}, .hardness = 1});
     firma::Pose west = floor;
     west.position = {21, 29, 0};
-    std::puts(firma::carve(firma::with_rules(after, rules), crater, west).error.text().c_str());
+    std::puts(firma::carve(firma::with_rules(after, rules).value(), crater, west).error.text().c_str());
 
     const firma::Result<firma::ObjWritten> written = firma::write_obj(after, "build/after.obj");
     if (!written) return std::puts(written.error().text().c_str()), 1;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Finds words that Firma does not use where the field has one: in docs, help, messages and public headers.
 
-usage: check_words.py [ROOT]
+usage: check_words.py [ROOT]     exit 0: none; 1: some, each named; 2: a bad call
 
 Looked through are the prose of *.md, the comments and names of public headers and of index.d.ts, and texts with a blank
 in them of the programs, the library and the package: what people read. What programs read (columns, keys, options,
@@ -18,7 +18,7 @@ PROSE = [
     (r'\bskin\b', 'contact offset'),
     (r'\bbins?\b', 'node or leaf (bins are the article\'s alone)'),
     (r'\b(visits|visited|visiting|to visit)\b', 'traverse, or go through'),
-    (r'\b(looked|looks) at\b', 'candidate faces, or test, or read'),
+    (r'\b(looked|looks) at\b|\b(casts|craters|cuts|edits) look at\b', 'candidate faces, or test, or read'),
     (r'\bgone\b', 'removed'),
     (r'\bno ray t(old|ells)\b', 'unclassified'),
     (r'\b(shelf|shelves)\b', 'size class'),
@@ -37,9 +37,11 @@ NAMES = [
     (r'\b(most|largest|least)[A-Z]\w*', 'max or min'),
     (r'\b\w*looked_at\w*|\b\w*LookedAt\w*', 'candidate_faces'),
     (r'\b\w+_(gone|come)\b|\b\w+(Gone|Come)\b', 'removed, added'),
-    (r'\b(\w+_)?skin(_\w+)?\b', 'contact_offset'),
-    (r'\b(\w+_)?bins?(_\w+)?\b|\b[a-z]+Bins?[A-Z]?\w*\b', 'nodes, leaves'),
+    (r'\b(\w+_)?skin(_\w+)?\b|\b[a-z]\w*Skin(?![a-z])\w*', 'contact_offset'),
+    (r'\b(\w+_)?bins?(_\w+)?\b|\b[a-z]\w*Bins?(?![a-z])\w*', 'nodes, leaves'),
     (r'\bkTouching\b|\bFIRMA_TOUCHING\b', 'initial overlap'),
+    (r'\bpart_of\b|\bpartOf\b', 'merged_into'),
+    (r'\bkUnsure\b|\bFIRMA_UNSURE\b', 'unknown'),
     (r'\bvisit_\w+', 'each_'),
     (r'\btwin\w*', 'oracle'),
 ]
@@ -50,11 +52,14 @@ RIGHT = [
     ('migration.md', '|'),               # what was called what
     ('coming_from.md', '|'),             # other engines' words
 ]
-MARKDOWN_CODE = re.compile(r'^```.*?^```', re.S | re.M)
+# Fenced blocks, blocks indented by four blanks after an empty line, comments (of tables that a program fills).
+MARKDOWN_CODE = re.compile(r'^```.*?^```|(?<=\n\n)(?: {4}[^\n]*(?:\n|\Z))+|<!--.*?-->', re.S | re.M)
 SPAN = re.compile(r'`[^`\n]*`|\]\([^)]*\)|https?:\S+')
 STRING = re.compile(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', re.S)
 JS_STRING = re.compile(r"'((?:[^'\\\n]|\\.)*)'|`((?:[^`\\]|\\.)*)`|\"((?:[^\"\\\n]|\\.)*)\"", re.S)
 COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/', re.S)
+# The end of firma_c.h: what programs of version 0.1 may still say.
+OLD_NAMES = re.compile(r'/\* ---- names of version 0\.1 .*', re.S)
 
 
 def blank(match):
@@ -86,12 +91,13 @@ def faults(path, text, rules):
 
 
 def check(root):
-    """Every fault, by file and line."""
-    def files(*patterns):
-        found = {path for pattern in patterns for path in glob.glob(os.path.join(root, pattern), recursive=True)}
-        return sorted(path for path in found if '/node_modules/' not in path)
+    """Every fault, by file and line; None where there is nothing to check."""
+    found, seen = [], []
 
-    found = []
+    def files(*patterns):
+        paths = {path for pattern in patterns for path in glob.glob(os.path.join(root, pattern), recursive=True)}
+        seen.extend(paths)
+        return sorted(path for path in paths if '/node_modules/' not in path)
 
     def judge(path, rules, prepare):
         with open(path, encoding='utf-8') as file:
@@ -103,8 +109,8 @@ def check(root):
         if path.endswith(HOUSE_FILES):
             judge(path, HOUSE, prose_of_markdown)
     for path in files('include/firma/*.h', 'bindings/js/index.d.ts'):
-        judge(path, PROSE, lambda text: SPAN.sub(blank, only(COMMENT, text)))
-        judge(path, NAMES, lambda text: COMMENT.sub(blank, text))
+        judge(path, PROSE, lambda text: SPAN.sub(blank, only(COMMENT, OLD_NAMES.sub(blank, text))))
+        judge(path, NAMES, lambda text: COMMENT.sub(blank, OLD_NAMES.sub(blank, text)))
     keys = re.compile(r'^--json:.*?(?:\n\n|\.\n|\)\")', re.S | re.M)  # of help: keys as programs read them
     for path in files('cli/*.cpp', 'src/*/*.cpp', 'gltf/*.cpp', 'bindings/*/*.cpp', 'draw/*.cpp'):
         judge(path, PROSE, lambda text: keys.sub(blank, only(STRING, COMMENT.sub(blank, text), lambda string: ' ' in string)))
@@ -114,12 +120,15 @@ def check(root):
         judge(path, PROSE, lambda text: re.sub(r'\S*/\S*', blank, text))
     for path in files('tools/full.py'):
         judge(path, PROSE, lambda text: only(JS_STRING, text, lambda string: ' ' in string))
-    return [text for _, text in found]
+    return [text for _, text in found] if seen else None
 
 
 def main():
     root = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(os.path.abspath(__file__)), '..')
     found = check(root)
+    if found is None:
+        print(f'{root}: no documents and no sources', file=sys.stderr)
+        return 2
     print('\n'.join(found + [f'{len(found)} faults']))
     return 1 if found else 0
 

@@ -133,7 +133,7 @@ CLAIMS = [
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
-    Claim('long_life', 'cuts and fills in three worlds by each Split, after which casts look at no more boxes and take no longer than 1.15 times those in an index built anew',
+    Claim('long_life', 'cuts and fills in three worlds by each Split, after which casts test no more boxes and take no longer than 1.15 times those in an index built anew',
           120_000, 120_000, 'edits', CARVE_SOURCES + ['src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_life.cpp', 'tests/full/options.h'],
           'test', life, 'full_life'),
     Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact oracle', 1_000_000, 100_000, 'casts',

@@ -82,20 +82,10 @@ firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* fu
     if (given.reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
     if ((given.zone_count && !given.zones) || (given.hardness_count && !given.hardness))
         return bad_call(function, "a count without its array");
-    const auto hard = [](double h) { return h >= 0 && h <= 1; };
     for (std::size_t k = 0; k < given.zone_count; ++k) {
         const firma_zone& zone = given.zones[k];
-        const std::string place = std::string(function) + ": zone " + std::to_string(k);
-        if (!hard(zone.hardness)) return fail(FIRMA_ERROR_INVALID, place, "its hardness is not within 0 and 1");
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(zone.low[axis] <= zone.high[axis]))
-                return fail(FIRMA_ERROR_INVALID, place, "its box is empty, or not of numbers");
         rules.zones.push_back({text_of(zone.name), {vec(zone.low), vec(zone.high)}, zone.hardness});
     }
-    for (std::size_t k = 0; k < given.hardness_count; ++k)
-        if (!hard(given.hardness[k]))
-            return fail(FIRMA_ERROR_INVALID, std::string(function) + ": material " + std::to_string(k),
-                        "its hardness is not within 0 and 1");
     rules.hardness.assign(given.hardness, given.hardness + given.hardness_count);
     rules.max_faces = or_default(given.max_faces, rules.max_faces);
     rules.max_candidate_faces = or_default(given.max_candidate_faces, rules.max_candidate_faces);
@@ -103,8 +93,7 @@ firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* fu
     rules.max_cutter_triangles = or_default(given.max_cutter_triangles, rules.max_cutter_triangles);
     rules.max_pairs = or_default(given.max_pairs, rules.max_pairs);
     rules.max_corners = or_default(given.max_corners, rules.max_corners);
-    if (!(given.max_cutter_size >= 0)) return fail(FIRMA_ERROR_INVALID, function, "max_cutter_size is no length");
-    if (given.max_cutter_size > 0) rules.max_cutter_size = given.max_cutter_size;
+    if (given.max_cutter_size != 0) rules.max_cutter_size = given.max_cutter_size;
     return FIRMA_OK;
 }
 
@@ -317,6 +306,8 @@ firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, f
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         CarveRules made;
         if (const firma_code code = read_rules(*rules, made, function)) return code;
-        return give_world(with_rules(object->world, std::move(made)), out, function);
+        Result<World> world_with = with_rules(object->world, std::move(made));
+        if (!world_with) return fail(world_with.error());
+        return give_world(std::move(world_with).value(), out, function);
     });
 }

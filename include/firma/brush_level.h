@@ -18,7 +18,7 @@
 
 namespace firma {
 
-/// What a brush is made of, and so what it stops (masks.h).
+/// What a brush is made of, and so what it stops (level.h).
 enum class BrushKind : std::uint8_t {
     kSolid,       ///< joined into the one solid, which can be carved: stops everything but liquid's casts
     kSky,         ///< likewise, and painted with the sky

@@ -67,7 +67,7 @@ struct PortalInfo {
     std::array<RoomId, 2> rooms;
     std::string_view name;  ///< "" where the level gives none; good as long as the world
     std::uint32_t material = 0;
-    std::uint32_t mask = 0;    ///< what it stops while closed (masks.h)
+    std::uint32_t mask = 0;    ///< what it stops while closed (level.h)
     std::size_t polygons = 0;  ///< 0: an edit has joined the rooms or filled the portal, and it leads nowhere
     bool open = true;
     Box bounds;  ///< metres; empty where it has no polygons

@@ -19,7 +19,7 @@ namespace firma {
 
 struct SaveOptions {
     /// Whether the exact solid behind the facets is kept. Without, the file is smaller, and the world read back can be
-    /// cast against, not carved: no face of it is `solid`, in_solid() finds no rock, and a hit's `face_normal` is the
+    /// cast against, not carved: no face of it is `solid`, locate() finds no solid, and a hit's `face_normal` is the
     /// facet's own.
     bool exact = true;
     /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without, the

@@ -112,18 +112,20 @@ struct WorldOptions {
 FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
 
 /// The same world under other rules for carving.
-FIRMA_EXPORT World with_rules(const World& world, CarveRules rules);
+/// @return kInvalid, naming the zone or material: a hardness that is not within 0..1, a box that is empty or not of
+///         numbers, a max_cutter_size that is no length above zero
+FIRMA_EXPORT Result<World> with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
 /// many as there are, are put into blocks anew. Materials keep their numbers and have no names.
-FIRMA_EXPORT World make_world(const Solid& solid, const WorldOptions& options = {});
+/// @return kInvalid when the contact offset is negative or not finite, and for rules as with_rules()
+FIRMA_EXPORT Result<World> make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
-/// @return kTooLarge beyond 2^31 faces; kInvalid when the contact offset is negative or not finite, or when a face of
-/// the level
-///         is not convex, planar and of 3 to 64 corners, or has a corner, material or group that is not there (readers
-///         never make such), naming it; kMalformed for a level without a face, with what its reader left out: such a
-///         world would answer every cast with a miss (World() is one).
+/// @return kTooLarge beyond 2^31 faces; kInvalid when the contact offset is negative or not finite, for rules as
+///         with_rules(), or when a face of the level is not convex, planar and of 3 to 64 corners, or has a corner,
+///         material or group that is not there (readers never make such), naming it; kMalformed for a level without a
+///         face, with what its reader left out: such a world would answer every cast with a miss (World() is one).
 FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:

@@ -11,6 +11,7 @@
 #include "level/judge_level.h"
 #include "level/nothing_left.h"
 #include "world/assemble_world.h"
+#include "world/judge_options.h"
 
 namespace firma {
 namespace {
@@ -175,7 +176,7 @@ Error nothing_left(const BrushLevel& level, const BrushWorldReport& report) {
 
 Result<World> make_world(const BrushLevel& level, const WorldOptions& options, BrushWorldReport* report) {
     if (auto error = judge_brush_level(level)) return *std::move(error);
-    if (auto error = judge_contact_offset(options.tolerance.contact_offset, level.name)) return *std::move(error);
+    if (auto error = judge_options(options, level.name)) return *std::move(error);
     const Result<std::unique_ptr<JoinedLevel>> joined = join_brushes(level);
     if (!joined.ok()) return joined.error();
     if (report) *report = report_of(level, *joined.value());

@@ -47,9 +47,4 @@ std::optional<Error> judge_level(const Level& level, const std::string& name, co
     return std::nullopt;
 }
 
-std::optional<Error> judge_contact_offset(double contact_offset, const std::string& name) {
-    if (contact_offset >= 0 && is_finite(contact_offset)) return std::nullopt;
-    return Error{ErrorCode::kInvalid, name, "the contact offset must be a finite number, not below zero"};
-}
-
 }  // namespace firma

@@ -21,7 +21,4 @@ inline std::size_t name_count(const std::vector<std::string>& names) {
 /// @param what  of which level, in front of the face in messages: "" or "surfaces, "
 std::optional<Error> judge_level(const Level& level, const std::string& name, const std::string& what = "");
 
-/// kInvalid for a contact offset that is not a finite length.
-std::optional<Error> judge_contact_offset(double contact_offset, const std::string& name);
-
 }  // namespace firma

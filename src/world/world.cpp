@@ -84,7 +84,7 @@ const std::shared_ptr<const WorldData>& empty_world() {
 }  // namespace
 
 World::World() : data_(empty_world()) {}
-World::World(std::shared_ptr<const WorldData> data) : data_(std::move(data)) {}
+World::World(std::shared_ptr<const WorldData> data) : data_(data ? std::move(data) : empty_world()) {}
 World::World(World&& other) noexcept : data_(std::exchange(other.data_, empty_world())) {}
 World& World::operator=(World&& other) noexcept {
     data_ = std::exchange(other.data_, empty_world());

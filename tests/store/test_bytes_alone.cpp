@@ -58,7 +58,7 @@ TEST(BytesAlone, CountsWhatIsCastableOnly) {
 TEST(BytesAlone, OfOneVersionIsNothing) {
     const World world = test::building(), same = world;
     EXPECT_EQ(bytes_alone(world, same), 0u);
-    expect_the_difference(world, with_rules(world, {}));
+    expect_the_difference(world, with_rules(world, {}).value());
 }
 
 }  // namespace
