@@ -24,7 +24,7 @@ int main() {
     }
 
     const firma::WorldDiff diff = firma::diff_worlds(before, after, 4.0);
-    std::printf("%zu faces gone, %zu come, in %zu tiles of 4 m; %.2f cubic metres less\n", diff.removed.size(),
+    std::printf("%zu faces removed, %zu added, in %zu tiles of 4 m; %.2f cubic metres less\n", diff.removed.size(),
                 diff.added.size(), diff.tiles.size(), blast.report.volume);
 
     // From here on the hall's west end may not be touched.
