@@ -12,7 +12,6 @@
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
-#include "cli/seconds_since.h"
 #include "firma/save.h"
 #include "level/read_file.h"
 

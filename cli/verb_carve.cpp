@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires blasts one after the other, keeps account of each, writes the world after the last.
-#include "cli/verb_carve.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads all queries, casts them in chunks on all cores, writes rows in order.
-#include "cli/verb_cast.h"
+#include "cli/verbs.h"
 #include "firma/queries.h"
 
 #include <oneapi/tbb/global_control.h>
@@ -25,7 +25,6 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_queries.h"
-#include "cli/seconds_since.h"
 #include "cli/write_hits.h"
 #include "firma/masks.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Judges the file by its own numbers, then the world that is made of it.
-#include "cli/verb_check.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,6 @@
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
-#include "cli/point_text.h"
 #include "cli/saved_world.h"
 #include "firma/check_mesh.h"
 #include "firma/rooms.h"

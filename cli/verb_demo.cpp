@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires casts and craters, asks a twin without a tree whether casts are right, prints a table, draws pictures.
-#include "cli/verb_demo.h"
+#include "cli/verbs.h"
 #include "firma/queries.h"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -29,7 +29,6 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_hits.h"
-#include "cli/seconds_since.h"
 #include "draw/draw_plan.h"
 #include "draw/draw_view.h"
 #include "draw/picture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gathers level, blasts and casts; draw/draw_plan.h and draw_view.h draw them.
-#include "cli/verb_draw.h"
+#include "cli/verbs.h"
 #include "firma/queries.h"
 
 #include <fmt/format.h>

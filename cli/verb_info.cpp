@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a level, builds its tree, and tells about both.
-#include "cli/verb_info.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 

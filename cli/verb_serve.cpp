@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arguments and words; file_server.h holds the server.
-#include "cli/verb_serve.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arguments, frames, rows; bounce.h holds the walk itself.
-#include "cli/verb_walk.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "firma/masks.h"
 #include "join/join_brushes.h"
 #include "level/judge_level.h"
-#include "level/nothing_left.h"
+#include "level/message.h"
 #include "world/assemble_world.h"
 
 namespace firma {

@@ -33,4 +33,10 @@ World with_cells(const World& world, const Cells& cells) {
     return with_faces_by_room(std::move(next));
 }
 
+World with_rules(const World& world, CarveRules rules) {
+    auto data = std::make_shared<WorldData>(world.data());
+    data->rules = std::make_shared<const CarveRules>(std::move(rules));
+    return World(std::move(data));
+}
+
 }  // namespace firma
