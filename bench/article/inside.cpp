@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Is the hit point inside? The article's alpha and beta against signs of edges: what it costs, and what leaks at shared
 // edges and vertices.
+#include "article/questions.h"
+
 #include <cmath>
 #include <cstdio>
 
@@ -12,7 +14,6 @@
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
 #include "support/race.h"
-#include "support/settings.h"
 #include "support/table.h"
 #include "support/walk.h"
 
@@ -312,12 +313,10 @@ bool measure_leaks(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace firma::bench
 
-int main(int argc, char** argv) {
-    using namespace firma::bench;
-    const Settings settings =
-        read_settings(argc, argv, "Inside a polygon or not: what ways of telling cost and what they let through.");
+int measure_inside(const Settings& settings) {
     const bool cost = measure_cost(settings);
     return measure_leaks(settings) && cost ? 0 : 1;
 }
+
+}  // namespace firma::bench

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casting against the usual alternative: test the position wanted, and halve the path while it is in the way.
+#include "article/questions.h"
+
 #include <cmath>
 #include <cstdio>
 
@@ -7,7 +9,6 @@
 #include "scenes/rng.h"
 #include "support/race.h"
 #include "support/sets.h"
-#include "support/settings.h"
 #include "support/table.h"
 #include "support/walk.h"
 
@@ -177,11 +178,10 @@ bool measure_costs(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace firma::bench
 
-int main(int argc, char** argv) {
-    using namespace firma::bench;
-    const Settings settings = read_settings(argc, argv, "Casting against binary subdivision: cost and tunnelling.");
+int measure_subdivision(const Settings& settings) {
     const bool tunnelling = measure_tunnelling(settings);
     return measure_costs(settings) && tunnelling ? 0 : 1;
 }
+
+}  // namespace firma::bench

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How far from a wall a mover stops, at speeds over nine decades: kept along the normal, against a fudge in time.
+#include "article/questions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "firma/queries.h"
 #include "scenes/rng.h"
-#include "support/settings.h"
 #include "support/table.h"
 #include "support/walk.h"
 
@@ -80,7 +81,9 @@ Row measure(const World& world, double length_of_path, std::size_t count) {
     return row;
 }
 
-int run(const Settings& settings) {
+}  // namespace
+
+int measure_stop_distance(const Settings& settings) {
     Table table("stop_distance", {"path a frame m", "speed at 60 Hz m/s", "kept by safe_fraction mm",
                                   "largest deviation from the skin m", "kept by 1% of the frame's time mm"});
     WorldOptions options;
@@ -95,10 +98,4 @@ int run(const Settings& settings) {
     return table.finish(settings.csv) && even ? 0 : 1;
 }
 
-}  // namespace
 }  // namespace firma::bench
-
-int main(int argc, char** argv) {
-    return firma::bench::run(
-        firma::bench::read_settings(argc, argv, "The distance kept from a wall at any speed; the skin is 1 mm."));
-}

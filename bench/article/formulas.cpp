@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The article's formulas as printed, mended, and Firma's, on casts with known answers: what they miss, how deep it
 // gets, what a face costs.
+#include "article/questions.h"
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -15,8 +17,8 @@
 #include "support/exact_cases.h"
 #include "support/family_cases.h"
 #include "support/race.h"
-#include "support/settings.h"
 #include "support/table.h"
+#include "tests/source_of.h"
 
 namespace firma::bench {
 namespace {
@@ -136,7 +138,7 @@ public:
 
     Answer answer(const CastQuery& move) const override {
         const Hit hit = cast(world_, move.sphere, move.path);
-        return {hit.touched(), hit.fraction, hit.source};
+        return {hit.touched(), hit.fraction, source_of(world_, hit)};
     }
 
     void test(const Pairs& pairs) const override {
@@ -295,7 +297,9 @@ bool measure_cost(const Formulas& formulas, const std::vector<ExactCase>& cases,
     return written;
 }
 
-int run(const Settings& settings) {
+}  // namespace
+
+int measure_formulas(const Settings& settings) {
     std::vector<ExactCase> cases = read_exact_cases(settings.shared + "/casts/cases");
     if (cases.empty()) {
         std::printf("%s/casts/cases is not there: judged on families of our own, by Firma's own answers\n",
@@ -307,11 +311,4 @@ int run(const Settings& settings) {
     return measure_cost(formulas, cases, settings) && right ? 0 : 1;
 }
 
-}  // namespace
 }  // namespace firma::bench
-
-int main(int argc, char** argv) {
-    return firma::bench::run(firma::bench::read_settings(
-        argc, argv,
-        "The article's formulas against exact answers. An argument names a folder for hits that score.py can read."));
-}

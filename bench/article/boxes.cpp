@@ -4,12 +4,13 @@
 //
 // The faces asked about are those in the bins that the box of a cast's path meets: what the article's system has left
 // to test one by one.
+#include "article/questions.h"
+
 #include <cmath>
 #include <cstdio>
 
 #include "support/race.h"
 #include "support/sets.h"
-#include "support/settings.h"
 #include "support/table.h"
 #include "support/walk.h"
 
@@ -287,7 +288,9 @@ void measure_whole_casts(const Setup& setup, const std::string& name, int rounds
                    times(laps[k].ratio)});
 }
 
-int run(const Settings& settings) {
+}  // namespace
+
+int measure_boxes(const Settings& settings) {
     Table culls("box_culls", {"casts", "test", "faces tested a cast", "left a cast", "culled",
                               "culled, to the path's box", "ns a test", "to the path's box", "culled wrongly"});
     Table storage("face_boxes", {"casts", "box of a face", "ns a test", "ratio", "bytes more a face"});
@@ -311,9 +314,4 @@ int run(const Settings& settings) {
     return storage.finish(settings.csv) && whole.finish(settings.csv) && written ? 0 : 1;
 }
 
-}  // namespace
 }  // namespace firma::bench
-
-int main(int argc, char** argv) {
-    return firma::bench::run(firma::bench::read_settings(argc, argv, "Culling faces by their boxes, three ways."));
-}

@@ -4,6 +4,8 @@
 //
 // Whole casts with copies of cast/cast_sphere_polygon.cpp's loop over a face's rim, each different in one thing. What a
 // face answers must not change; casts whose answers differ are counted.
+#include "article/questions.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +19,6 @@
 #include "geometry/rounding.h"
 #include "support/race.h"
 #include "support/sets.h"
-#include "support/settings.h"
 #include "support/table.h"
 #include "support/walk.h"
 
@@ -341,7 +342,9 @@ void measure(const Scene& scene, const CastSet& set, int rounds, Table& table) {
                    number(laps[k].seconds / n * 1e9), times(laps[k].ratio), count(wrong[k])});
 }
 
-int run(const Settings& settings) {
+}  // namespace
+
+int measure_edges(const Settings& settings) {
     Table table("edges", {"casts", "edges and vertices", "rims a cast", "edges spared", "vertices spared", "ns a rim",
                           "rim", "ns a cast", "cast", "answers differ"});
     const std::size_t casts = settings.few(4000), faces = settings.quick ? 1000 : 50000;
@@ -355,10 +358,4 @@ int run(const Settings& settings) {
     return table.finish(settings.csv) ? 0 : 1;
 }
 
-}  // namespace
 }  // namespace firma::bench
-
-int main(int argc, char** argv) {
-    return firma::bench::run(
-        firma::bench::read_settings(argc, argv, "Edges and vertices: culled or not, shared ones once or each time."));
-}

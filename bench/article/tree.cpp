@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the tree of bins buys as levels grow, and what each of its stop rules and both ways of splitting do.
+#include "article/questions.h"
+
 #include <cstdio>
 #include <memory>
 
 #include "firma/queries.h"
 #include "support/race.h"
 #include "support/sets.h"
-#include "support/settings.h"
 #include "support/table.h"
 #include "support/walk.h"
 
@@ -170,7 +171,9 @@ bool measure_rules(const Settings& settings, const Scene& scene) {
     return table.finish(settings.csv);
 }
 
-int run(const Settings& settings) {
+}  // namespace
+
+int measure_tree(const Settings& settings) {
     const std::size_t faces = settings.quick ? 2000 : 100000, casts = settings.few(10000);
     const bool growth = measure_growth(settings);
     const bool rooms = measure_rules(settings, rooms_scene(faces, casts));
@@ -178,10 +181,4 @@ int run(const Settings& settings) {
     return growth && rooms && ground ? 0 : 1;
 }
 
-}  // namespace
 }  // namespace firma::bench
-
-int main(int argc, char** argv) {
-    return firma::bench::run(
-        firma::bench::read_settings(argc, argv, "Casts with and without a tree, and under each stop rule."));
-}
