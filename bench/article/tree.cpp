@@ -94,7 +94,7 @@ bool measure_growth(const Settings& settings) {
         CastCounts counts;
         CastOptions options;
         options.counts = &counts;
-        for (const CastQuery& move : moves) cast(world, move.sphere, move.path, options);
+        for (const CastQuery& move : moves) keep(cast(world, move.sphere, move.path, options).fraction);
         const double n = double(moves.size()), all = double(scene.level.faces.size());
         table.add({count(scene.level.faces.size()), number(none * 1e6), number(boxes * 1e6), number(tree * 1e6),
                    times(boxes / tree), times(none / tree), number(double(counts.bins) / n),
@@ -160,7 +160,7 @@ bool measure_rules(const Settings& settings, const Scene& scene) {
         CastOptions options;
         options.counts = &counts;
         const std::vector<CastQuery>& moves = scene.sets[0].moves;
-        for (const CastQuery& move : moves) cast(worlds[k], move.sphere, move.path, options);
+        for (const CastQuery& move : moves) keep(cast(worlds[k], move.sphere, move.path, options).fraction);
         const double n = double(moves.size());
         table.add({rules[k].name, number(built[k].seconds * 1e3), times(built[k].ratio), count(s.bins),
                    count(std::size_t(s.depth)), count(s.largest_bin), percent(s.overlap), number(s.bytes_per_face()),
