@@ -4,7 +4,7 @@
 #include "firma/world.h"
 #include "level/find_solids.h"
 #include "level/judge_level.h"
-#include "level/nothing_left.h"
+#include "level/message.h"
 #include "solid/append_faces.h"
 #include "solid/solid_data.h"
 #include "world/assemble_world.h"
