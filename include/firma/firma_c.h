@@ -198,6 +198,8 @@ FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const
                                           firma_level* level);
 FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
                                           firma_level* level);
+/* A .map or .bsp by its file. */
+FIRMA_API firma_code firma_level_load(const char* path, double scale, firma_level* level);
 /* The world that firma_world_from_map() would make; the scale of the options is ignored. */
 FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
 
@@ -211,12 +213,21 @@ typedef struct firma_entity {
     uint32_t line;       /* where it begins in the file, from 1; 0 where the format has none */
 } firma_entity;
 
+/* Things of one kind that a file holds and a world of it will not. */
+typedef struct firma_omission {
+    const char* what;  /* in the plural: "primitives 'brushDef9'", "faces without area" */
+    const char* first; /* the place of the first; "" where the format has none */
+    uint64_t count;
+} firma_omission;
+
 typedef struct firma_level_view {
     uint32_t size;                /* sizeof(firma_level_view) */
     const firma_entity* entities; /* the first is the world */
     size_t entity_count;
     const char* const* notes; /* for people: what was dropped, replaced or not understood, with its place */
     size_t note_count;
+    const firma_omission* omissions; /* what the file holds and casts will not meet */
+    size_t omission_count;
     double metres_a_unit; /* for numbers in the entities' values */
 } firma_level_view;
 
@@ -447,6 +458,10 @@ typedef struct firma_room {
 /* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
 FIRMA_API firma_code firma_world_room(firma_world world, uint32_t room, firma_room* info);
 
+/* The room of a name, the first of several, or FIRMA_NO_ROOM; a portal of a name, or FIRMA_NO_PORTAL. */
+FIRMA_API firma_code firma_world_find_room(firma_world world, const char* name, uint32_t* room);
+FIRMA_API firma_code firma_world_find_portal(firma_world world, const char* name, uint32_t* portal);
+
 typedef struct firma_portal {
     uint32_t size; /* sizeof(firma_portal) */
     uint32_t material;
@@ -501,6 +516,8 @@ typedef struct firma_cast_options {
     size_t passed_capacity;
     uint32_t* passed_count; /* gets how many there were, the first included: 0 when all rooms of a world of several were
                                asked; may be null */
+    uint32_t* passed_portals; /* gets for each of these rooms the portal that it was reached through first,
+                                 FIRMA_NO_PORTAL for the first room; as long as `passed`; may be null */
 } firma_cast_options;
 
 FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
