@@ -176,7 +176,7 @@ export interface Mesh {
     cornerCounts?: Words;
     /** For each face, an index of `materialNames`; none: the first. */
     materials?: Words;
-    /** The world numbers them anew: see WorldFacts.materials. */
+    /** The world numbers them so, too. */
     materialNames?: readonly string[];
     /** For each face, what casts choose by, ~0 or -1 for all; none: all bits. */
     masks?: Words | Int32Array;
@@ -197,8 +197,8 @@ export interface WorldFacts {
     high: Vector3;
     contactOffset: number;
     /**
-     * By the numbers that all of a world's materials go by, whatever their place in the mesh or file: 0 is '', of faces
-     * without one, and equal names are one.
+     * By the numbers that all of a world's materials go by: of a mesh, the caller's own; of a file, 0 is '', of faces
+     * without one.
      */
     materials: string[];
     /** Cuts and fills so far. */

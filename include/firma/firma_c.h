@@ -160,7 +160,7 @@ typedef struct firma_mesh {
     const uint32_t* corner_counts; /* for each face, >= 3; null: all are triangles */
     size_t face_count;
     const uint32_t* materials;         /* for each face, an index of material_names; null: the first, or none */
-    const char* const* material_names; /* UTF-8; null when material_count is 0. The world numbers them anew */
+    const char* const* material_names; /* UTF-8; null when material_count is 0. The world numbers them so, too */
     const uint32_t* masks;             /* for each face; null: all bits */
     const uint8_t* two_sided;          /* for each face, 0 or 1; null: none */
 } firma_mesh;
@@ -277,9 +277,9 @@ FIRMA_API firma_code firma_world_check(firma_world world);
 FIRMA_API firma_code firma_world_measure(firma_world world, double* volume, double* area);
 /* Bytes that several worlds hold together; what they share counts once. */
 FIRMA_API firma_code firma_world_memory(const firma_world* worlds, size_t count, uint64_t* bytes);
-/* UTF-8; good as long as the handle. Materials have a number each in a world, whatever their place in the mesh or file:
- * 0 is "", of faces without one, and equal names are one. Everything that a world says or is told of a material is by
- * that number. FIRMA_ERROR_INVALID for one that the world does not have. */
+/* UTF-8; good as long as the handle. Materials have a number each in a world: of a mesh, the caller's own; of a file, 0
+ * is "", of faces without one. Everything that a world says or is told of a material is by that number.
+ * FIRMA_ERROR_INVALID for one that the world does not have. */
 FIRMA_API firma_code firma_world_material(firma_world world, uint32_t material, const char** name);
 
 /* Regions and materials that refuse a cut (hardness 1) or shrink it, and limits; 0 for a limit takes the default. */
