@@ -17,7 +17,7 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 RESULTS = os.path.join(ROOT, 'bench', 'results', 'full.txt')
 BUILD = os.path.join('build', 'test', 'bin')
-FUZZ = os.path.join('build', 'fuzz', 'bin')
+FUZZ = os.path.join('build', 'sanitize', 'bin')
 THREAD = os.path.join('build', 'thread', 'bin')
 
 # What casts and carving are made of. Of the public headers those of files, brushes, histories and other languages do not
@@ -96,11 +96,11 @@ def carved(what):
 
 def fuzz(reader):
     def command(seed, count):
-        scratch = os.path.join('build', 'fuzz', f'corpus_{reader}')
+        scratch = os.path.join('build', 'sanitize', f'corpus_{reader}')
         os.makedirs(os.path.join(ROOT, scratch), exist_ok=True)
         seeds = os.path.join('tests', 'fuzz', 'seeds', reader.removeprefix('read_').removeprefix('load_'))
         return [f'{FUZZ}/fuzz_{reader}', f'-seed={seed}', f'-max_total_time={count}', '-rss_limit_mb=2048', '-timeout=20',
-                f'-artifact_prefix=build/fuzz/{reader}_', scratch] + [seeds] * os.path.isdir(os.path.join(ROOT, seeds))
+                f'-artifact_prefix=build/sanitize/{reader}_', scratch] + [seeds] * os.path.isdir(os.path.join(ROOT, seeds))
     return command
 
 
@@ -161,24 +161,24 @@ CLAIMS = [
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
-          CAST_SOURCES + LEVEL + ['src/carve'] + fuzzer('carve', 'bytes'), 'fuzz', fuzz('carve'), 'fuzz_carve'),
+          CAST_SOURCES + LEVEL + ['src/carve'] + fuzzer('carve', 'bytes'), 'sanitize', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + fuzzer('read_obj', 'expect_sound_obj', 'expect_sound_level'), 'fuzz', fuzz('read_obj'), 'fuzz_read_obj'),
+          READ_SOURCES + fuzzer('read_obj', 'expect_sound_obj', 'expect_sound_level'), 'sanitize', fuzz('read_obj'), 'fuzz_read_obj'),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + fuzzer('obj_mesh', 'bytes', 'expect_sound_obj', 'expect_sound_level'), 'fuzz', fuzz('obj_mesh'), 'fuzz_obj_mesh'),
+          READ_SOURCES + fuzzer('obj_mesh', 'bytes', 'expect_sound_obj', 'expect_sound_level'), 'sanitize', fuzz('obj_mesh'), 'fuzz_obj_mesh'),
     Claim('fuzz_read_bsp', 'seconds of fuzzing the .bsp reader and check, no crash, hang or broken level', 600, 300, 'seconds',
-          READ_SOURCES + fuzzer('read_bsp', 'expect_sound_level'), 'fuzz', fuzz('read_bsp'), 'fuzz_read_bsp'),
+          READ_SOURCES + fuzzer('read_bsp', 'expect_sound_level'), 'sanitize', fuzz('read_bsp'), 'fuzz_read_bsp'),
     Claim('fuzz_read_map', 'seconds of fuzzing the .map reader, no crash, hang or broken level of brushes', 600, 300, 'seconds',
-          BRUSH_SOURCES + fuzzer('read_map', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_map'), 'fuzz_read_map'),
+          BRUSH_SOURCES + fuzzer('read_map', 'expect_sound_brushes', 'expect_sound_level'), 'sanitize', fuzz('read_map'), 'fuzz_read_map'),
     Claim('fuzz_bsp_brushes', 'seconds of fuzzing the reader of .bsp brushes, no crash, hang or broken level of brushes', 600, 300, 'seconds',
-          BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
+          BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'sanitize', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
     Claim('fuzz_read_gltf', 'seconds of fuzzing the glTF reader and its rooms, no crash, hang or broken world', 600, 300, 'seconds',
           READ_SOURCES + ['include/firma/read_gltf.h', 'include/firma/rooms.h', 'gltf']
           + ['src/level', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/join', 'src/world']
-          + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'fuzz', fuzz('read_gltf'), 'fuzz_read_gltf'),
+          + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'sanitize', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
-          'seconds', CARVE_SOURCES + ['include/firma/save.h', 'src/save', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('load_firma', 'bytes'), 'fuzz', fuzz('load_firma'), 'fuzz_load_firma'),
+          'seconds', CARVE_SOURCES + ['include/firma/save.h', 'src/save', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('load_firma', 'bytes'), 'sanitize', fuzz('load_firma'), 'fuzz_load_firma'),
 ]
 
 

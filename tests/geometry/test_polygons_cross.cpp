@@ -16,7 +16,7 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 using Rational = boost::multiprecision::cpp_rational;
 
-bool cross(const std::vector<InputPoint>& points, const Numbers& p, const Numbers& q) {
+bool crosses(const std::vector<InputPoint>& points, const Numbers& p, const Numbers& q) {
     const MeshPolygon a{p, polygon_normal(points, p)}, b{q, polygon_normal(points, q)};
     const bool result = polygons_cross(points, a, b);
     EXPECT_EQ(polygons_cross(points, b, a), result);
@@ -31,34 +31,34 @@ const std::vector<InputPoint> kPoints = {
     {4, 2, 4}, {4, 2, -4}, {2, 2, 4}, {2, 2, 0}, {2, 2, -4}, {0, 0, 4}, {6, 6, 4}, {6, 6, 0}, {12, 0, 0}};
 
 TEST(PolygonsCross, NeighboursDoNot) {
-    EXPECT_FALSE(cross(kPoints, {0, 1, 4, 3}, {1, 2, 5, 4})) << "in one plane";
-    EXPECT_FALSE(cross(kPoints, {0, 1, 4, 3}, {1, 4, 9})) << "at an angle";
-    EXPECT_FALSE(cross(kPoints, {0, 1, 4, 3}, {4, 5, 8, 7})) << "a corner in common";
-    EXPECT_TRUE(cross(kPoints, {0, 1, 4, 3}, {0, 14, 2})) << "a corner, and on along the side";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 4, 3}, {1, 2, 5, 4})) << "in one plane";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 4, 3}, {1, 4, 9})) << "at an angle";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 4, 3}, {4, 5, 8, 7})) << "a corner in common";
+    EXPECT_TRUE(crosses(kPoints, {0, 1, 4, 3}, {0, 14, 2})) << "a corner, and on along the side";
 }
 
 TEST(PolygonsCross, CornersAlongSidesAreCorners) {
-    EXPECT_FALSE(cross(kPoints, {0, 1, 2, 5, 4, 3}, {4, 3, 6})) << "two neighbours along one side";
-    EXPECT_FALSE(cross(kPoints, {0, 1, 2, 5, 4, 3}, {5, 4, 8}));
-    EXPECT_TRUE(cross(kPoints, {0, 1, 2, 5, 3}, {4, 3, 6})) << "a corner on a side that has none there";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 2, 5, 4, 3}, {4, 3, 6})) << "two neighbours along one side";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 2, 5, 4, 3}, {5, 4, 8}));
+    EXPECT_TRUE(crosses(kPoints, {0, 1, 2, 5, 3}, {4, 3, 6})) << "a corner on a side that has none there";
 }
 
 TEST(PolygonsCross, TouchingIsCrossing) {
-    EXPECT_TRUE(cross(kPoints, {0, 1, 4, 3}, {12, 11, 14})) << "a corner on the face";
-    EXPECT_TRUE(cross(kPoints, {0, 2, 8, 6}, {1, 9, 14})) << "a corner on an edge";
-    EXPECT_TRUE(cross(kPoints, {0, 2, 8, 6}, {13, 11, 9})) << "an edge through the face";
-    EXPECT_FALSE(cross(kPoints, {0, 2, 8, 6}, {11, 9, 15})) << "above it";
-    EXPECT_TRUE(cross(kPoints, {0, 2, 6}, {1, 10, 15})) << "through an edge";
-    EXPECT_FALSE(cross(kPoints, {0, 1, 3}, {16, 15, 8})) << "of its plane, beside it";
+    EXPECT_TRUE(crosses(kPoints, {0, 1, 4, 3}, {12, 11, 14})) << "a corner on the face";
+    EXPECT_TRUE(crosses(kPoints, {0, 2, 8, 6}, {1, 9, 14})) << "a corner on an edge";
+    EXPECT_TRUE(crosses(kPoints, {0, 2, 8, 6}, {13, 11, 9})) << "an edge through the face";
+    EXPECT_FALSE(crosses(kPoints, {0, 2, 8, 6}, {11, 9, 15})) << "above it";
+    EXPECT_TRUE(crosses(kPoints, {0, 2, 6}, {1, 10, 15})) << "through an edge";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 3}, {16, 15, 8})) << "of its plane, beside it";
 }
 
 TEST(PolygonsCross, OverlapsInOnePlane) {
-    EXPECT_TRUE(cross(kPoints, {0, 2, 8, 6}, {0, 1, 4, 3})) << "a corner and part of two sides";
-    EXPECT_TRUE(cross(kPoints, {0, 1, 4, 3}, {0, 1, 4, 3})) << "the same";
-    EXPECT_TRUE(cross(kPoints, {0, 1, 4, 3}, {0, 1, 3})) << "folded onto it";
-    EXPECT_TRUE(cross(kPoints, {0, 2, 8, 6}, {12, 1, 16})) << "within";
-    EXPECT_TRUE(cross(kPoints, {0, 1, 4, 3}, {4, 0, 2})) << "along a diagonal";
-    EXPECT_FALSE(cross(kPoints, {0, 1, 4, 3}, {2, 17, 5})) << "elsewhere";
+    EXPECT_TRUE(crosses(kPoints, {0, 2, 8, 6}, {0, 1, 4, 3})) << "a corner and part of two sides";
+    EXPECT_TRUE(crosses(kPoints, {0, 1, 4, 3}, {0, 1, 4, 3})) << "the same";
+    EXPECT_TRUE(crosses(kPoints, {0, 1, 4, 3}, {0, 1, 3})) << "folded onto it";
+    EXPECT_TRUE(crosses(kPoints, {0, 2, 8, 6}, {12, 1, 16})) << "within";
+    EXPECT_TRUE(crosses(kPoints, {0, 1, 4, 3}, {4, 0, 2})) << "along a diagonal";
+    EXPECT_FALSE(crosses(kPoints, {0, 1, 4, 3}, {2, 17, 5})) << "elsewhere";
 }
 
 /// Whether two triangles without common numbers share a point: the segments of each against the other, in rationals.
@@ -125,7 +125,7 @@ TEST(PolygonsCross, AsRationalsSay) {
         ++compared;
         const bool expected = meet_by_rationals(points, p, q);
         crossing += expected;
-        EXPECT_EQ(cross(points, p, q), expected) << k;
+        EXPECT_EQ(crosses(points, p, q), expected) << k;
     }
     EXPECT_GT(compared, 3000);
     EXPECT_GT(crossing, 400);

@@ -16,7 +16,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Float = boost::multiprecision::cpp_bin_float_100;
 
-struct Exact {
+struct ExactMeasures {
     Rational volume;   // cubic input steps
     Float area;        // square input steps
     Big facet_sixths;  // cubic surface steps
@@ -38,8 +38,8 @@ RationalPoint rational(const ExactPoint& point) {
 }
 
 /// Cones to the origin, area vectors as they are defined: nothing shared with what is tested.
-Exact exact_measures(const Boundary& boundary) {
-    Exact sums;
+ExactMeasures exact_measures(const Boundary& boundary) {
+    ExactMeasures sums;
     for (const PatchFace& face : boundary.patch.faces) {
         Rational twice[3];
         std::uint32_t first = 0;
@@ -81,7 +81,7 @@ Exact exact_measures(const Boundary& boundary) {
 void expect_exact(const World& world) {
     const Boundary boundary = test::boundary_of(world);
     const BoundaryMeasures found = measure_boundary(boundary);
-    const Exact exact = exact_measures(boundary);
+    const ExactMeasures exact = exact_measures(boundary);
     const Rational volume = Rational(found.volume.high) + Rational(found.volume.low);
     EXPECT_LT(Float(abs(volume - exact.volume) / abs(exact.volume)), Float("1e-27"));
     EXPECT_LT(Float(abs(Float(found.area.high) + Float(found.area.low) - exact.area) / exact.area), Float("1e-27"));
