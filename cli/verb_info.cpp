@@ -137,6 +137,10 @@ void add_gltf(JsonWriter& json, const LoadedGltf& gltf) {
     json.close();
 }
 
+std::size_t divided_faces(const Level& level) {
+    return level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing) + level.count(FaceNote::kTexture);
+}
+
 std::string json_text(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     const KindCounts kinds = count_kinds(level);
@@ -150,7 +154,7 @@ std::string json_text(const LoadedLevel& loaded) {
     json.add("triangle_soup", kinds.soup);
     json.add("patch", kinds.patches);
     json.add("dropped", level.count(FaceNote::kNoArea));
-    json.add("divided", level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing));
+    json.add("divided", divided_faces(level));
     json.add("crossing", level.count(FaceNote::kCrossing));
     json.close();
     json.add("vertices", level.vertices.size());
@@ -196,8 +200,7 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("faces", fmt::format("{} ({})", grouped(level.faces.size()), kinds_text(count_kinds(level))));
     row("faces in file", fmt::format("{}: {} dropped (no area), {} divided ({} of them cross themselves)",
                                      grouped(level.source_faces), grouped(level.count(FaceNote::kNoArea)),
-                                     grouped(level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing)),
-                                     grouped(level.count(FaceNote::kCrossing))));
+                                     grouped(divided_faces(level)), grouped(level.count(FaceNote::kCrossing))));
     row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
     row("materials", grouped(material_names(level).size()));
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));

@@ -36,6 +36,7 @@ public:
         add_faces();
         add_loose();
         add_portals();
+        add_textures();
     }
 
     WorldParts take() { return std::move(parts_); }
@@ -115,6 +116,20 @@ private:
             }
             parts_.portals.push_back(std::move(part));
         }
+    }
+
+    /// By source: sides, then faces of the surfaces.
+    void add_textures() {
+        FaceTextureBuilder textures;
+        textures.add_projections(level_.textures);
+        for (std::uint32_t k = 0; k < level_.sides.size(); ++k)
+            if (level_.sides[k].texture != kNoTexture) textures.add(k, level_.sides[k].texture);
+        const std::uint32_t first = textures.add_projections(level_.surfaces.textures);
+        for (std::uint32_t k = 0; k < level_.surfaces.faces.size(); ++k) {
+            const std::uint32_t texture = level_.surfaces.faces[k].texture;
+            if (texture != kNoTexture) textures.add(std::uint32_t(level_.sides.size()) + k, first + texture);
+        }
+        parts_.textures = textures.take();
     }
 
     const BrushLevel& level_;
