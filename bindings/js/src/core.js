@@ -26,6 +26,7 @@ const FIXED = {
     mesh: layout.MESH.sizeof,
     rules: layout.RULES.sizeof,
     facesView: layout.FACES_VIEW.sizeof,
+    texture: layout.TEXTURE.sizeof,
     trianglesView: layout.TRIANGLES_VIEW.sizeof,
     diffView: layout.DIFF_VIEW.sizeof,
     pose: layout.POSE.sizeof,

@@ -23,6 +23,13 @@ export const CODE_NAMES = Object.freeze([
     'INTERNAL',
 ]);
 
+/** By the numbers of firma_texture_unit. */
+export const TEXTURE_UNIT_NAMES = Object.freeze([
+    'texels',
+    'repeats',
+    'metres',
+]);
+
 /** By the numbers of firma_where. */
 export const WHERE_NAMES = Object.freeze([
     'air',
@@ -93,7 +100,7 @@ export const WORLD_OPTIONS = Object.freeze({
 
 /** firma_mesh */
 export const MESH = Object.freeze({
-    sizeof: 44,
+    sizeof: 48,
     size: 0,
     materialCount: 4,
     positions: 8,
@@ -105,6 +112,7 @@ export const MESH = Object.freeze({
     materialNames: 32,
     masks: 36,
     twoSided: 40,
+    uvs: 44,
 });
 
 /** firma_entity */
@@ -194,6 +202,17 @@ export const FACES_VIEW = Object.freeze({
     cornerCount: 12,
 });
 
+/** firma_texture */
+export const TEXTURE = Object.freeze({
+    sizeof: 72,
+    uAxis: 0,
+    uOffset: 24,
+    vAxis: 32,
+    vOffset: 56,
+    unit: 64,
+    reserved: 68,
+});
+
 /** firma_triangle_run */
 export const TRIANGLE_RUN = Object.freeze({
     sizeof: 24,
@@ -219,12 +238,12 @@ export const TRIANGLE_SOURCE = Object.freeze({
     triangleCount: 32,
     firstVertex: 36,
     vertexCount: 40,
-    reserved: 44,
+    uvUnit: 44,
 });
 
 /** firma_triangles_view */
 export const TRIANGLES_VIEW = Object.freeze({
-    sizeof: 40,
+    sizeof: 44,
     positions: 0,
     normals: 4,
     vertexCount: 8,
@@ -235,17 +254,22 @@ export const TRIANGLES_VIEW = Object.freeze({
     runCount: 28,
     sources: 32,
     sourceCount: 36,
+    uvs: 40,
 });
 
 /** firma_triangle_options */
 export const TRIANGLE_OPTIONS = Object.freeze({
-    sizeof: 48,
+    sizeof: 64,
     size: 0,
     mask: 4,
     solidOnly: 8,
     room: 12,
     origin: 16,
     region: 40,
+    textureSizes: 44,
+    textureSizeCount: 48,
+    uvs: 52,
+    reserved: 56,
 });
 
 /** firma_room */

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Faces as triangles: copies of what the module shows.
-import { flag, mask, object, vector, word } from './arguments.js';
+// Faces as triangles, and how textures lie on them: copies of what the module shows.
+import { doubles, flag, mask, object, vector, word } from './arguments.js';
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
-import { TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
+import { TEXTURE, TEXTURE_UNIT_NAMES, TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
 
-const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin'];
+const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin', 'uvs', 'textureSizes'];
 
 /** The options' address. */
 function putOptions(core, lent, options) {
@@ -26,6 +26,12 @@ function putOptions(core, lent, options) {
         core.i32.set(region, place >>> 2);
     }
     core.setU32(at + TRIANGLE_OPTIONS.region, place);
+    core.setU32(at + TRIANGLE_OPTIONS.uvs, flag(given.uvs, 'triangles', 'uvs'));
+    core.setU32(at + TRIANGLE_OPTIONS.reserved, 0);
+    const sizes = given.textureSizes ?? [];
+    doubles(sizes, 2, 'triangles', 'textureSizes');
+    core.setU32(at + TRIANGLE_OPTIONS.textureSizes, lent.doubles(sizes));
+    core.setU32(at + TRIANGLE_OPTIONS.textureSizeCount, sizes.length / 2);
     return at;
 }
 
@@ -47,15 +53,40 @@ export function takeTriangles(core, id, options) {
         const floats = (field, count) => f32.slice(get(field) >>> 2, (get(field) >>> 2) + count);
         const words = (field, count) => core.u32.slice(get(field) >>> 2, (get(field) >>> 2) + count);
         const triangles = get('triangleCount');
+        const sources = getStructs(core, get('sources'), get('sourceCount'), TRIANGLE_SOURCE);
+        for (const source of sources) source.uvUnit = TEXTURE_UNIT_NAMES[source.uvUnit];
         return {
             positions: floats('positions', 3 * get('vertexCount')),
             normals: floats('normals', 3 * get('vertexCount')),
+            uvs: floats('uvs', get('uvs') === 0 ? 0 : 2 * get('vertexCount')),
             corners: words('corners', 3 * triangles),
             faces: words('faces', triangles),
             runs: getStructs(core, get('runs'), get('runCount'), TRIANGLE_RUN),
-            sources: getStructs(core, get('sources'), get('sourceCount'), TRIANGLE_SOURCE),
+            sources,
         };
     } finally {
         core.call('firma_triangles_release', handle);
     }
+}
+
+/** @param face  an id, or a hit: then nothing is searched */
+export function takeTexture(core, id, face) {
+    const isHit = typeof face === 'object';
+    const number = word(isHit ? face?.face : face, 'texture', 'the face');
+    return core.borrow((lent) => {
+        let corner = 0;
+        if (isHit) {
+            corner = lent.take(16);
+            core.i32.set(vector(face.corner, 3, 'texture', 'corner'), corner >>> 2);
+        }
+        const at = core.at.texture;
+        core.run('firma_world_texture', id, number, corner, at);
+        return {
+            uAxis: core.getVector(at + TEXTURE.uAxis),
+            uOffset: core.getF64(at + TEXTURE.uOffset),
+            vAxis: core.getVector(at + TEXTURE.vAxis),
+            vOffset: core.getF64(at + TEXTURE.vOffset),
+            unit: TEXTURE_UNIT_NAMES[core.getU32(at + TEXTURE.unit)],
+        };
+    });
 }

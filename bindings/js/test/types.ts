@@ -25,6 +25,8 @@ import {
     type Room,
     type StoreFacts,
     type TriangleRun,
+    type Texture,
+    type TextureUnit,
     type Triangles,
     type World,
     type WorldFacts,
@@ -85,6 +87,9 @@ const flags: number = faces.flags[0]! & (FACE_SOLID | FACE_TWO_SIDED);
 const face: Face | null = world.findFace(0);
 const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
 const run: TriangleRun | undefined = triangles.runs[0];
+const units: TextureUnit[] = world.triangles({ uvs: true, textureSizes: [64, 64] }).sources.map((source) => source.uvUnit);
+const lies: Texture = world.texture(0);
+const laid: number = lies.uAxis[0] + lies.uOffset + triangles.uvs[0]! + units.length;
 const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
