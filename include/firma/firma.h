@@ -21,6 +21,7 @@
 #include "firma/save.h"
 #include "firma/solid.h"
 #include "firma/solid_cut.h"
+#include "firma/texture.h"
 #include "firma/tolerance.h"
 #include "firma/tree_options.h"
 #include "firma/triangles.h"

@@ -106,6 +106,8 @@ struct WorldOptions {
     TreeOptions tree;
     Tolerance tolerance{};
     CarveRules rules{};
+    /// Whether how textures lie is kept, for texture_of(): of a mesh with texture coordinates some 90 bytes a face.
+    bool textures = true;
 };
 
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit

@@ -186,7 +186,7 @@ Result<World> assemble_world(WorldParts parts) {
     stored.tolerance = parts.options.tolerance;
     stored.tree_options = parts.options.tree;
     stored.rules = std::make_shared<const CarveRules>(std::move(parts.options.rules));
-    stored.textures = std::move(parts.textures);
+    if (parts.options.textures) stored.textures = std::move(parts.textures);
     return world_of(std::move(stored));
 }
 

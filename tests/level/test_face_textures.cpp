@@ -9,6 +9,7 @@
 #include "firma/carve.h"
 #include "firma/level.h"
 #include "firma/level_portals.h"
+#include "firma/memory.h"
 #include "firma/mesh.h"
 #include "firma/triangles.h"
 #include "firma/world.h"
@@ -176,6 +177,23 @@ TEST(ObjTextures, SurviveCutsWholeOrInPieces) {
         }
         EXPECT_GT(pieces, 6u);
     }
+}
+
+TEST(ObjTextures, AreLeftOutOnRequest) {
+    const Level level = read_obj(papered_room(true), "room.obj").value();
+    WorldOptions without;
+    without.textures = false;
+    const World kept = make_world(level).value(), bare = make_world(level, without).value();
+    EXPECT_TRUE(texture_of(kept, kept.faces()[0].ref()));
+    EXPECT_FALSE(texture_of(bare, bare.faces()[0].ref()));
+    EXPECT_EQ(hash_world(kept), hash_world(bare));
+    const std::size_t bytes = memory_used({&kept, 1}) - memory_used({&bare, 1});
+    EXPECT_GT(bytes, 12 * sizeof(TextureProjection));
+    EXPECT_LT(bytes, 12 * sizeof(TextureProjection) + 2000);
+    const World cut = carve(kept, make_crater(CutterShape::kBox, 1), {.position = {4, 4, 0}}).world;
+    const World bare_cut = carve(bare, make_crater(CutterShape::kBox, 1), {.position = {4, 4, 0}}).world;
+    EXPECT_EQ(memory_used(std::vector{kept, cut}) - memory_used(std::vector{bare, bare_cut}), bytes)
+        << "versions share them";
 }
 
 TEST(ObjTextures, StayWherePortalsDivideTheLevel) {
