@@ -95,8 +95,8 @@ bool report_growth(const std::vector<std::unique_ptr<Run>>& runs, const std::str
                    number(median(run->cpu(0, fifth))),
                    number(median(run->cpu(cuts - fifth))),
                    count(std::size_t(retries)),
-                   number(run->middle([](const CutCost& c) { return double(c.report.faces_looked_at); })),
-                   number(run->middle([](const CutCost& c) { return double(c.report.faces_new); })),
+                   number(run->middle([](const CutCost& c) { return double(c.report.candidate_faces); })),
+                   number(run->middle([](const CutCost& c) { return double(c.report.faces_added); })),
                    count(run->world.face_count())});
     }
     return table.finish(csv);
@@ -157,7 +157,7 @@ bool report_spikes(const std::vector<std::unique_ptr<Run>>& runs, const std::str
         table.add({count(run->faces), run->places == CraterPlaces::kCorner ? "in one corner" : "spread", number(middle),
                    number(quantile(run->cpu(), 0.99)), number(quantile(run->cpu(), 0.999)), number(worst->cpu),
                    count(std::size_t(worst - run->costs.begin()) + 1), count(std::size_t(worst->report.retries)),
-                   count(worst->report.faces_looked_at), count(worst->report.faces_new), count(std::size_t(slow))});
+                   count(worst->report.candidate_faces), count(worst->report.faces_added), count(std::size_t(slow))});
     }
     return table.finish(csv);
 }

@@ -85,8 +85,8 @@ void measure_casts(const World& world, const World& fresh, const std::string& na
     const Counted edited = count_casts(world, moves), built = count_casts(fresh, moves);
     const double n = double(moves.size());
     table.add({craters, name, count(world.face_count()), number(laps[0].seconds / n * 1e9),
-               number(laps[1].seconds / n * 1e9), times(laps[1].ratio), number(double(built.counts.bins) / n),
-               number(double(edited.counts.bins) / n), number(double(built.counts.boxes) / n),
+               number(laps[1].seconds / n * 1e9), times(laps[1].ratio), number(double(built.counts.nodes) / n),
+               number(double(edited.counts.nodes) / n), number(double(built.counts.boxes) / n),
                number(double(edited.counts.boxes) / n), number(double(built.counts.faces) / n),
                number(double(edited.counts.faces) / n), edited.answers == built.answers ? "same" : "DIFFER"});
 }
@@ -112,8 +112,8 @@ int measure(const Settings& settings) {
         const World fresh = rebuilt(world);
         for (const bool edited : {false, true}) {
             const TreeStatistics s = (edited ? world : fresh).statistics();
-            shape.add({level.name, count(world.face_count()), edited ? "after edits" : "built anew", count(s.bins),
-                       count(std::size_t(s.depth)), count(s.largest_bin), percent(s.overlap),
+            shape.add({level.name, count(world.face_count()), edited ? "after edits" : "built anew", count(s.nodes),
+                       count(std::size_t(s.depth)), count(s.max_leaf_faces), percent(s.overlap),
                        number(s.bytes_per_face())});
         }
         const auto row = [&](const std::string& name, const std::vector<CastQuery>& moves) {

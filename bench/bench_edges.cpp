@@ -84,7 +84,7 @@ private:
 
 void keep_earlier(Contact& best, const Entry& entry, Feature feature, std::size_t index) {
     if (entry.kind != Entry::kFound || (best.touched() && best.t <= entry.t)) return;
-    best = {entry.t > 0 ? Status::kHit : Status::kTouching, feature, std::uint32_t(index), entry.t};
+    best = {entry.t > 0 ? Status::kHit : Status::kInitialOverlap, feature, std::uint32_t(index), entry.t};
 }
 
 Entry vertex_entry(const Sweep& sweep, const Vec3& corner) {
@@ -229,7 +229,7 @@ struct FaceTest {
             const Entry entry = enter_plane(*sweep, polygon, view);
             if (entry.kind == Entry::kNone) return {};
             if (foot_inside(*sweep, polygon, entry.t))
-                return {entry.t > 0 ? Status::kHit : Status::kTouching, Feature::kFace, 0, entry.t};
+                return {entry.t > 0 ? Status::kHit : Status::kInitialOverlap, Feature::kFace, 0, entry.t};
         }
         return rim(*sweep, polygon, level.corners.data() + level.faces[id].first_corner, latest, counts);
     }

@@ -82,7 +82,7 @@ int run(const Settings& settings) {
         const double seconds = race({&contender, 1}, settings.rounds)[0].seconds, n = double(moves.size());
         const double share = double(counts.faces) / n / faces;
         most_share = std::max(most_share, share);
-        table.add({name, percent(double(hits) / n), number(double(counts.bins) / n), number(double(counts.boxes) / n),
+        table.add({name, percent(double(hits) / n), number(double(counts.nodes) / n), number(double(counts.boxes) / n),
                    number(double(counts.faces) / n), percent(share), count(most), number(n / seconds / 1e3)});
     }
     const bool written = table.finish(settings.csv);

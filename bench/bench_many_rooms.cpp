@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "firma/carve.h"
-#include "firma/diff_worlds.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
-#include "firma/world_store.h"
+#include "firma/versions.h"
 #include "scenes/divided_building.h"
 #include "scenes/hub.h"
 #include "scenes/rng.h"

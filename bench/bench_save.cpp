@@ -7,7 +7,6 @@
 
 #include "firma/save.h"
 #include "firma/solid.h"
-#include "firma/write_obj.h"
 #include "support/craters.h"
 #include "support/race.h"
 #include "support/settings.h"

@@ -46,7 +46,7 @@ struct Kept {
 
 struct Row {
     Kept firma, by_time;
-    double deviation = 0;  ///< of Firma's from the skin, metres
+    double deviation = 0;  ///< of Firma's from the contact offset, metres
 };
 
 /// Moves of one length that meet the wall: straight on, aslant, down to 3 degrees above it.
@@ -59,7 +59,8 @@ Row measure(const World& world, double length_of_path, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
         const double radius = rng.chance(0.5) ? 0.25 : rng.uniform(0.01, 1);
         const Vec3 target = along * rng.uniform(-2, 2) + across * rng.uniform(-2, 2);
-        // The wall is met within the first half of the move; what comes closer than the skin at once is another matter.
+        // The wall is met within the first half of the move; what comes closer than the contact offset at once is
+        // another matter.
         const double steepness = rng.uniform(0.05, 1), turn = rng.uniform(-1, 1);
         const double flat = std::sqrt(1 - steepness * steepness), other = std::sqrt(1 - turn * turn);
         const Vec3 way = along * (flat * turn) + across * (flat * other) - normal * steepness;
@@ -84,7 +85,7 @@ int run(const Settings& settings) {
     Table table("stop_distance", {"path a frame m", "speed at 60 Hz m/s", "kept by safe_fraction mm",
                                   "largest deviation from the skin m", "kept by 1% of the frame's time mm"});
     WorldOptions options;
-    options.tolerance.skin = kSkin;
+    options.tolerance.contact_offset = kSkin;
     const World world = make_world(tilted_wall(), options).value();
     bool even = true;
     for (const double path : {0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6}) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "firma/queries.h"
-#include "firma/world_store.h"
+#include "firma/versions.h"
 #include "scenes/cast_range.h"
 #include "support/craters.h"
 #include "support/race.h"

@@ -23,7 +23,7 @@ public:
 
     bool touches(const Sphere& sphere) {
         ++tests;
-        return overlap(world_, sphere, found_) == Status::kTouching;
+        return overlap(world_, sphere, found_) == Status::kInitialOverlap;
     }
 
     /// The fraction of the path that binary subdivision allows.

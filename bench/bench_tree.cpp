@@ -96,7 +96,7 @@ bool measure_growth(const Settings& settings) {
         for (const CastQuery& move : moves) cast(world, move.sphere, move.path, options);
         const double n = double(moves.size()), all = double(scene.level.faces.size());
         table.add({count(scene.level.faces.size()), number(none * 1e6), number(boxes * 1e6), number(tree * 1e6),
-                   times(boxes / tree), times(none / tree), number(double(counts.bins) / n),
+                   times(boxes / tree), times(none / tree), number(double(counts.nodes) / n),
                    number(double(counts.boxes) / n), number(double(counts.faces) / n),
                    percent(double(counts.faces) / n / all), count(disagreements(world, flat, flat_moves))});
     }
@@ -116,17 +116,17 @@ std::vector<Rules> all_rules() {
     }
     for (const int faces : {1, 2, 8, 16, 32, 64}) {
         all.push_back({"faces a bin " + std::to_string(faces), {}});
-        all.back().options.faces_per_bin = faces;
+        all.back().options.faces_per_leaf = faces;
     }
     for (const double volume : {1.0, 10.0, 100.0}) {
         all.push_back({"bin volume " + number(volume) + " m3", {}});
-        all.back().options.min_bin_volume = volume;
+        all.back().options.min_node_volume = volume;
     }
     const std::size_t longest = all.size();
     for (std::size_t k = 0; k < longest; ++k) {
         const TreeOptions& o = all[k].options;
-        if (o.max_depth != 48 || o.min_bin_volume != 0 || o.faces_per_bin > 16) continue;
-        all.push_back({"by surface area, faces a bin " + std::to_string(o.faces_per_bin), o});
+        if (o.max_depth != 48 || o.min_node_volume != 0 || o.faces_per_leaf > 16) continue;
+        all.push_back({"by surface area, faces a bin " + std::to_string(o.faces_per_leaf), o});
         all.back().options.split = Split::kSurfaceArea;
     }
     return all;
@@ -161,9 +161,9 @@ bool measure_rules(const Settings& settings, const Scene& scene) {
         const std::vector<CastQuery>& moves = scene.sets[0].moves;
         for (const CastQuery& move : moves) cast(worlds[k], move.sphere, move.path, options);
         const double n = double(moves.size());
-        table.add({rules[k].name, number(built[k].seconds * 1e3), times(built[k].ratio), count(s.bins),
-                   count(std::size_t(s.depth)), count(s.largest_bin), percent(s.overlap), number(s.bytes_per_face()),
-                   number(double(counts.bins) / n), number(double(counts.boxes) / n), number(double(counts.faces) / n),
+        table.add({rules[k].name, number(built[k].seconds * 1e3), times(built[k].ratio), count(s.nodes),
+                   count(std::size_t(s.depth)), count(s.max_leaf_faces), percent(s.overlap), number(s.bytes_per_face()),
+                   number(double(counts.nodes) / n), number(double(counts.boxes) / n), number(double(counts.faces) / n),
                    number(n / laps[0][k].seconds / 1e3), times(laps[0][k].ratio), times(laps[1][k].ratio),
                    times(laps[2][k].ratio), times(laps[3][k].ratio)});
     }

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "firma/diff_worlds.h"
 #include "firma/memory.h"
+#include "firma/versions.h"
 #include "support/craters.h"
 #include "support/race.h"
 #include "support/settings.h"

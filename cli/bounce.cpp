@@ -112,7 +112,7 @@ bool Bouncer::fly() {
     const Vec3 path = flight_.direction * (cell_size_ * rng_.uniform(1, 3));
     CastOptions options;
     options.sides = Sides::kBoth;
-    options.skin = flight_.skin;
+    options.contact_offset = flight_.contact_offset;
     const Hit hit = cast(world_, {place_, radius_}, path, options);
     const Vec3 before = place_;
     if (hit.touched()) {
@@ -143,28 +143,28 @@ void Bouncer::look_for_a_way_out() {
     const std::vector<Vec3> normals = normals_in_reach();
     Vec3 away;
     for (const Vec3& normal : normals) away = away + normal;
-    for (const double skin : {kSkin, radius_ < kLeastSphere ? kTightParticleSkin : kTightSkin}) {
+    for (const double contact_offset : {kSkin, radius_ < kLeastSphere ? kTightParticleSkin : kTightSkin}) {
         for (int k = 0; k < kTightLooks && flight_.length < kTiny * cell_size_; ++k) {
             Vec3 direction = direction_near(away);
             if (k % 2 == 1 && !normals.empty())
                 direction = along(direction, normals[rng_.below(std::uint32_t(normals.size()))]);
-            const Flight seen = look(direction, skin);
+            const Flight seen = look(direction, contact_offset);
             if (seen.length > flight_.length) flight_ = seen;
         }
     }
 }
 
 /// How far the sphere could go, and over what ground.
-Bouncer::Flight Bouncer::look(const Vec3& direction, double skin) const {
+Bouncer::Flight Bouncer::look(const Vec3& direction, double contact_offset) const {
     CastOptions options;
     options.sides = Sides::kBoth;
-    options.skin = skin;
+    options.contact_offset = contact_offset;
     const Hit hit = cast(world_, {place_, radius_}, direction * span_, options);
     if (!hit.touched())
         throw Failure(
             "walk", fmt::format("the level is not closed: from {} nothing stops the sphere along {} (see firma check)",
                                 point_text(place_), point_text(direction)));
-    Flight flight{direction, hit.safe_fraction * span_, skin, 0};
+    Flight flight{direction, hit.safe_fraction * span_, contact_offset, 0};
     flight.worth = worth_of(flight);
     return flight;
 }

@@ -35,16 +35,16 @@ public:
 private:
     /// A straight line to the next face.
     struct Flight {
-        Vec3 direction;     ///< unit
-        double length = 0;  ///< metres that can be flown with the skin kept
-        double skin = 0;    ///< metres
-        double worth = -1;  ///< how little visited the ground is that it leads over
+        Vec3 direction;             ///< unit
+        double length = 0;          ///< metres that can be flown with the contact offset kept
+        double contact_offset = 0;  ///< metres
+        double worth = -1;          ///< how little visited the ground is that it leads over
     };
 
     bool choose_flight();
     void look_for_a_way_out();
     bool fly();
-    Flight look(const Vec3& direction, double skin) const;
+    Flight look(const Vec3& direction, double contact_offset) const;
     double worth_of(const Flight& flight) const;
     Vec3 chalk_direction(const Vec3& normal);
     Vec3 even_direction(const Vec3& normal);

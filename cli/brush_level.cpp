@@ -17,7 +17,7 @@
 #include "cli/numbers.h"
 #include "cli/verb.h"
 #include "firma/brush_level.h"
-#include "firma/find_leak.h"
+#include "firma/brush_world.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 
@@ -93,7 +93,7 @@ std::string info_json(const LoadedLevel& loaded) {
     for (const std::string& name : material_names(level)) json.add({}, name);
     json.close();
     json.add("planes_moved", report.planes_moved);
-    json.add("greatest_shift", level.greatest_shift);
+    json.add("max_shift", level.max_shift);
     json.add("idle_portals", count_notes(report, BrushNote::What::kIdlePortal));
     add_divided(json, divided);
     add_left_out(json, left_out(loaded));
@@ -126,7 +126,7 @@ std::string info_text(const LoadedLevel& loaded) {
                               grouped(count_notes(report, BrushNote::What::kNoVolume))));
     row("faces", fmt::format("{}: {} of the solid, {} others", grouped(total), grouped(solid), grouped(total - solid)));
     row("planes", fmt::format("{} moved a little; onto the grid by {:.2g} mm at most", grouped(report.planes_moved),
-                              level.greatest_shift * 1000));
+                              level.max_shift * 1000));
     row("materials", grouped(material_names(level).size()));
     row("left out", left_out_text(left_out(loaded)));
     if (divided)

@@ -67,10 +67,10 @@ void add_world(JsonWriter& json, const World& world) {
     json.open_object("tree");
     json.add("faces", tree.faces);
     json.add("blocks", tree.blocks);
-    json.add("bins", tree.bins);
-    json.add("leaf_bins", tree.leaf_bins);
+    json.add("bins", tree.nodes);
+    json.add("leaf_bins", tree.leaves);
     json.add("depth", tree.depth);
-    json.add("largest_bin", tree.largest_bin);
+    json.add("largest_bin", tree.max_leaf_faces);
     json.add("overlap", tree.overlap);
     json.add("bytes", tree.bytes);
     json.add("bytes_per_face", tree.bytes_per_face());
@@ -118,9 +118,10 @@ std::string world_text(const World& world) {
                                                               solid.volume < 0 ? "air" : "rock", solid.area));
     const TreeStatistics tree = world.statistics();
     text += info_row(
-        "tree", fmt::format("{} bins, {} of them leaves, in {} blocks; depth {}; fullest leaf {} faces; overlap {:.3f}",
-                            grouped(tree.bins), grouped(tree.leaf_bins), grouped(tree.blocks), tree.depth,
-                            grouped(tree.largest_bin), tree.overlap));
+        "tree",
+        fmt::format("{} nodes, {} of them leaves, in {} blocks; depth {}; fullest leaf {} faces; overlap {:.3f}",
+                    grouped(tree.nodes), grouped(tree.leaves), grouped(tree.blocks), tree.depth,
+                    grouped(tree.max_leaf_faces), tree.overlap));
     text += info_row("memory", fmt::format("{}, {:.0f} bytes a face", bytes_text(tree.bytes), tree.bytes_per_face()));
     return text;
 }

@@ -10,7 +10,6 @@
 #include "cli/command.h"
 #include "cli/json.h"
 #include "firma/brush_world.h"
-#include "firma/divide_rooms.h"
 #include "firma/level.h"
 #include "firma/read_gltf.h"
 #include "firma/world.h"

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 19> kHitColumns{
 Status status_of(const CsvReader& csv) {
     const std::string_view word = csv.at(1);
     if (word == "hit") return Status::kHit;
-    if (word == "touching") return Status::kTouching;
+    if (word == "touching") return Status::kInitialOverlap;
     if (word == "miss") return Status::kMiss;
     csv.fail("status is neither miss, hit nor touching");
 }

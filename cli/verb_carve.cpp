@@ -22,7 +22,6 @@
 #include "cli/read_blasts.h"
 #include "cli/write_glb.h"
 #include "firma/save.h"
-#include "firma/write_obj.h"
 #include "world/world_data.h"
 
 namespace firma::cli {
@@ -126,7 +125,7 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
     const bool done = fired.result.done();
     std::string row =
         fmt::format("{},{},{:.4f},{},{},{},", blast, status_name(fired.result.status), 1e3 * fired.seconds,
-                    done ? did.faces_gone : 0, done ? did.faces_new : 0, did.retries);
+                    done ? did.faces_removed : 0, done ? did.faces_added : 0, did.retries);
     append_17(row, done ? did.volume : 0);
     report.write(row + fmt::format(",{},{}\n", hash_text(world), did.faces_castable_only));
 }

@@ -27,7 +27,7 @@
 #include "cli/read_queries.h"
 #include "cli/seconds_since.h"
 #include "cli/write_hits.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 
 namespace firma::cli {
 
@@ -35,7 +35,7 @@ namespace {
 
 struct CastArguments {
     LevelArguments level;
-    std::string queries, out, skin, threads, meets;
+    std::string queries, out, contact_offset, threads, meets;
     bool two_sided = false;
     bool json = false;
 };
@@ -52,7 +52,7 @@ Hits: one row a query, in the order of the queries, the same bytes for any numbe
   query          row of the queries, from 0
   status         miss, hit, or touching (starts in touch or overlap and gets nearer); a miss leaves the rest empty
   fraction       of the path at first contact, 0 .. 1
-  safe_fraction  how far to go so that the skin is kept, 0 .. fraction
+  safe_fraction  how far to go so that the contact_offset is kept, 0 .. fraction
   cx,cy,cz       centre at `fraction`, metres
   px,py,pz       contact point on the face, metres
   nx,ny,nz       unit contact normal, from the contact point toward the centre
@@ -106,7 +106,7 @@ Rows cast_chunk(const World& world, const std::vector<Query>& queries, std::size
         if (hit.status == Status::kInvalid)  // the reader has refused all of these already, so this is belt and braces
             throw Failure(fmt::format("{}:{}", place, k + 2), "a number is too large to be computed with");
         rows.tally.hit += hit.status == Status::kHit;
-        rows.tally.touching += hit.status == Status::kTouching;
+        rows.tally.touching += hit.status == Status::kInitialOverlap;
         rows.tally.miss += hit.status == Status::kMiss;
         append_hit(rows.text, k, world, hit);
     }
@@ -191,7 +191,8 @@ int run(const CastArguments& arguments) {
     CastOptions options;
     if (arguments.two_sided) options.sides = Sides::kBoth;
     if (!arguments.meets.empty()) options.mask = mask_option(arguments.meets);
-    if (!arguments.skin.empty()) options.skin = number_option("--skin", arguments.skin, 0, INFINITY);
+    if (!arguments.contact_offset.empty())
+        options.contact_offset = number_option("--skin", arguments.contact_offset, 0, INFINITY);
     const int threads = arguments.threads.empty() ? tbb::this_task_arena::max_concurrency()
                                                   : int(count_option("--threads", arguments.threads, 1, 256));
     refuse_json_beside(arguments.json, arguments.out);
@@ -232,7 +233,7 @@ Verb add_cast(CLI::App& app) {
     command.add_flag("--two-sided", arguments->two_sided, "meet both sides of every face, not only the front");
     command.add_option("--meets", arguments->meets, "WORDS",
                        "meet only faces that stop this: walk, shots, sight, liquid, see below (default: all faces)");
-    command.add_option("--skin", arguments->skin, "M",
+    command.add_option("--skin", arguments->contact_offset, "M",
                        "distance that safe_fraction keeps, metres, 0 or more (default 0.001)");
     command.add_option("--threads", arguments->threads, "N", "1 .. 256 (default: one a core)");
     add_json_flag(command, arguments->json);

@@ -18,7 +18,7 @@
 #include "cli/numbers.h"
 #include "cli/point_text.h"
 #include "cli/saved_world.h"
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 
@@ -46,7 +46,7 @@ neighbours), a broken world. Notes: no_area, dropped (by the snap), bent, turned
 Then it says which faces bound solids, which can be carved. A piece of the surface, joined by edges, that cannot be
 is castable only, which is no fault: open_edge, folded_edge (faces around it lie on each other), two_sided, off_grid,
 crossing (it crosses or touches itself or another piece), wrong_way (a solid in a solid, a hollow in the air),
-too_complex (too much lies too close around it to be looked at).
+too_complex (too much lies too close around it to be tested).
 
 --json: level, sound, faces, vertices, fault_count, faults [{what, face, line, from, to, t_joint}], note_count,
 notes [{what, face, line, at}], world_fault or null, solid_faces, rock_outside, castable_only_count, castable_only
@@ -180,7 +180,7 @@ std::string solid_note_sentence(const SolidNote& note) {
         case SolidNoteKind::kWrongWay:
             return "turned the wrong way for where it lies" + at;
         case SolidNoteKind::kTooComplex:
-            return "too much lies too close around it to be looked at" + at;
+            return "too much lies too close around it to be tested" + at;
     }
     return "";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fires casts and craters, asks a twin without a tree whether casts are right, prints a table, draws pictures.
+// Fires casts and craters, asks an oracle without a tree whether casts are right, prints a table, draws pictures.
 #include "cli/verb_demo.h"
 #include "firma/queries.h"
 
@@ -46,7 +46,7 @@ struct DemoArguments {
 };
 
 constexpr std::size_t kSample = 2000;
-constexpr std::size_t kMostTwinFaces = 40000000;  // faces the twin looks at in all; a smaller sample in huge levels
+constexpr std::size_t kMostOracleFaces = 40000000;  // faces the oracle looks at in all; a smaller sample in huge levels
 constexpr std::size_t kDrawn = 100;
 
 constexpr const char* kDemoFooter =
@@ -54,7 +54,7 @@ constexpr const char* kDemoFooter =
 build/demo.svg where there is a levels/depot.map, else to firma_demo.svg; -o names another.
 
 The casts are seeded: half of them particles, half spheres of up to 0.5 m, paths from a thousandth of the level's
-diagonal to all of it. A sample is checked against a twin without a tree, which asks the pair function of every
+diagonal to all of it. A sample is checked against a reference oracle without a tree, which asks the pair function of every
 face; they must agree to the last bit.
 
 Then craters are carved where casts meet the level (200, or --craters; 0.4 to 1.6 m, made from the seed), with the
@@ -67,7 +67,7 @@ casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, 
 done, nothing, nothing_castable_only (of these), refused, median_ms, p99_ms, volume, faces_after, casts,
 casts_per_second, rays, escaped_before, escaped, checked, disagreements, hash}, view (null where there is none), out.
 
-Exit codes: 0 done; 1 the twin disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
+Exit codes: 0 done; 1 the oracle disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
 )";
 
 struct Checked {
@@ -108,18 +108,18 @@ void fire(const World& world, const std::vector<Query>& queries, Results& result
     for (const Query& query : queries) static_cast<void>(cast(world, query.sphere, query.path, counting));
     for (const Hit& hit : results.hits) {
         results.hit += hit.status == Status::kHit;
-        results.touching += hit.status == Status::kTouching;
+        results.touching += hit.status == Status::kInitialOverlap;
         results.miss += !hit.touched();
     }
 }
 
 /// The first touch by asking every face, in order of id, by itself.
-struct TwinHit {
+struct OracleHit {
     PolygonHit hit;
     FaceId face;
 };
-TwinHit ask_every_face(const std::vector<Face>& faces, const Query& query) {
-    TwinHit first;
+OracleHit ask_every_face(const std::vector<Face>& faces, const Query& query) {
+    OracleHit first;
     for (const Face& face : faces) {
         const Sides sides = face.two_sided ? Sides::kBoth : Sides::kFront;
         const PolygonHit hit = cast_polygon(query.sphere, query.path, face.corners, sides);
@@ -128,34 +128,34 @@ TwinHit ask_every_face(const std::vector<Face>& faces, const Query& query) {
     return first;
 }
 
-bool agree(const Hit& hit, const TwinHit& twin) {
-    if (hit.touched() != twin.hit.touched()) return false;
-    if (!hit.touched()) return hit.status == twin.hit.status;
-    return hit.status == twin.hit.status && hit.fraction == twin.hit.fraction && hit.face.id == twin.face;
+bool agree(const Hit& hit, const OracleHit& oracle) {
+    if (hit.touched() != oracle.hit.touched()) return false;
+    if (!hit.touched()) return hit.status == oracle.hit.status;
+    return hit.status == oracle.hit.status && hit.fraction == oracle.hit.fraction && hit.face.id == oracle.face;
 }
 
-std::string describe(const Query& query, const Hit& hit, const TwinHit& twin) {
+std::string describe(const Query& query, const Hit& hit, const OracleHit& oracle) {
     const Vec3 &p = query.sphere.centre, &d = query.path;
     return fmt::format(
         "start {:.17g},{:.17g},{:.17g} path {:.17g},{:.17g},{:.17g} radius {:.17g}: world says status {} at {:.17g} "
         "face "
-        "{}, twin says status {} at {:.17g} face {}",
+        "{}, the oracle says status {} at {:.17g} face {}",
         p.x, p.y, p.z, d.x, d.y, d.z, query.sphere.radius, int(hit.status), hit.fraction, hit.face.id.value,
-        int(twin.hit.status), twin.hit.fraction, twin.face.value);
+        int(oracle.hit.status), oracle.hit.fraction, oracle.face.value);
 }
 
 Checked check_sample(const World& world, const std::vector<Query>& queries) {
     Checked checked;
     const std::vector<Face> faces = world.faces();
     if (faces.empty()) return checked;
-    checked.casts = std::min({kSample, queries.size(), std::max<std::size_t>(kMostTwinFaces / faces.size(), 20)});
+    checked.casts = std::min({kSample, queries.size(), std::max<std::size_t>(kMostOracleFaces / faces.size(), 20)});
     Progress progress("checking", checked.casts);
     std::vector<std::string> wrong(checked.casts);
     tbb::parallel_for(std::size_t(0), checked.casts, [&](std::size_t k) {
         const Query& query = queries[k * queries.size() / checked.casts];
         const Hit hit = cast(world, query.sphere, query.path);
-        const TwinHit twin = ask_every_face(faces, query);
-        if (!agree(hit, twin)) wrong[k] = describe(query, hit, twin);
+        const OracleHit oracle = ask_every_face(faces, query);
+        if (!agree(hit, oracle)) wrong[k] = describe(query, hit, oracle);
         progress.add(1);
     });
     for (const std::string& text : wrong) {
@@ -216,7 +216,7 @@ std::string craters_text(const LoadedLevel& loaded, const Results& results) {
                          ? fmt::format("{} of {}", grouped(craters.escaped), grouped(craters.rays))
                          : fmt::format("{} of {}; {} before: the level is open", grouped(craters.escaped),
                                        grouped(craters.rays), grouped(craters.escaped_before)));
-    text += row_text("checked by the twin", checked_text(results.checked_after));
+    text += row_text("checked by the oracle", checked_text(results.checked_after));
     return text + row_text("hash of the world", fmt::format("{:016x}", hash_world(craters.after)));
 }
 
@@ -233,14 +233,14 @@ std::string text_for_people(const LoadedLevel& loaded, const Results& results, c
     row("casts a second",
         fmt::format("{} on one thread, {} on {}", grouped(std::uint64_t(rate(results.hits.size(), results.seconds))),
                     grouped(std::uint64_t(rate(results.hits.size(), results.parallel_seconds))), results.threads));
-    row("faces looked at a cast",
+    row("candidate faces a cast",
         fmt::format("{:.1f}, {:.2f}% of all", per_cast(results), 100 * per_cast(results) / faces));
-    row("checked by the twin", checked_text(results.checked));
+    row("checked by the oracle", checked_text(results.checked));
     text += craters_text(loaded, results);
     row("picture", out);
     if (!results.view.empty()) row("before and after", results.view);
     if (results.disagreements() > 0)
-        text += "\nTHE TWIN DISAGREES: casts through the tree are not right. The first:\n" +
+        text += "\nTHE ORACLE DISAGREES: casts through the tree are not right. The first:\n" +
                 (results.checked.first.empty() ? results.checked_after.first : results.checked.first) + "\n";
     if (results.craters.leaks()) text += "\nTHE LEVEL LEAKS: rays escape through what was carved.\n";
     return text;

@@ -104,7 +104,7 @@ debug::Camera camera_of(const DrawArguments& arguments, const World& before, con
         return camera;
     }
     const std::optional<debug::Camera> found = find_camera(before, after, camera);
-    if (!found) throw Failure("--view", "needs --eye and --look where no blast made anything to look at");
+    if (!found) throw Failure("--view", "needs --eye and --look where no blast made anything to see");
     return *found;
 }
 

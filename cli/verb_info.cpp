@@ -24,14 +24,14 @@ namespace {
 
 struct InfoArguments {
     LevelArguments level;
-    std::string split, max_depth, faces_per_bin, min_bin_volume;
+    std::string split, max_depth, faces_per_leaf, min_node_volume;
     bool json = false;
 };
 
 constexpr const char* kInfoFooter = R"(Lengths are metres, volumes cubic metres, times seconds.
 
-A bin of the tree is divided until it meets any of the three stop rules; a bin of more than 64 faces is halved
-all the same, as blocks hold no more. `overlap` is the mean share of a bin's surface that both of its children
+A node of the tree is divided until it meets any of the three stop rules; one of more than 64 faces is halved
+all the same, as blocks hold no more. `overlap` is the mean share of a node's surface that both of its children
 cover, 0 .. 1.
 
 --json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
@@ -54,7 +54,7 @@ player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {tot
 planes_moved, greatest_shift, idle_portals, divided, left_out, bounds, rooms, portals, tree, solid, read_seconds, build_seconds.
 `brushes` counts those of the file, no portals that were added; `faces` counts convex facets; those of `solid` bound
 the joined solid. `divided` is null, or with --rooms auto {cells, narrows, untried, idle, portals}: how many cells
-were looked at, how many places where the air narrows, how many of these were too many to be tried, how many were tried
+were tested, how many places where the air narrows, how many of these were too many to be tried, how many were tried
 in vain, as the air goes around by a way that the cells do not show, and how many portals were added.
 
 Of a .firma file, which holds a world rather than a level, --json has: level, bytes, version (of the world: how many
@@ -71,10 +71,10 @@ TreeOptions tree_options(const InfoArguments& arguments) {
         throw Failure("--split", "'" + arguments.split + "' is neither longest-axis nor surface-area");
     }
     if (!arguments.max_depth.empty()) options.max_depth = int(count_option("--max-depth", arguments.max_depth, 0, 64));
-    if (!arguments.faces_per_bin.empty())
-        options.faces_per_bin = int(count_option("--faces-per-bin", arguments.faces_per_bin, 1, 1000000000));
-    if (!arguments.min_bin_volume.empty())
-        options.min_bin_volume = number_option("--min-bin-volume", arguments.min_bin_volume, 0, INFINITY);
+    if (!arguments.faces_per_leaf.empty())
+        options.faces_per_leaf = int(count_option("--faces-per-bin", arguments.faces_per_leaf, 1, 1000000000));
+    if (!arguments.min_node_volume.empty())
+        options.min_node_volume = number_option("--min-bin-volume", arguments.min_node_volume, 0, INFINITY);
     return options;
 }
 
@@ -86,8 +86,8 @@ void refuse_tree_options(const InfoArguments& arguments) {
     };
     refuse("--split", arguments.split);
     refuse("--max-depth", arguments.max_depth);
-    refuse("--faces-per-bin", arguments.faces_per_bin);
-    refuse("--min-bin-volume", arguments.min_bin_volume);
+    refuse("--faces-per-bin", arguments.faces_per_leaf);
+    refuse("--min-bin-volume", arguments.min_node_volume);
 }
 
 struct KindCounts {
@@ -238,12 +238,12 @@ Verb add_info(CLI::App& app) {
     const auto arguments = std::make_shared<InfoArguments>();
     add_level_arguments(command, arguments->level);
     add_rooms_option(command, arguments->level);
-    command.add_option("--split", arguments->split, "HOW", "how bins divide: longest-axis (default) or surface-area");
-    command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: bins above a bin, 0 .. 64 (default 48)");
-    command.add_option("--faces-per-bin", arguments->faces_per_bin, "N",
-                       "stop rule: a bin of at most this many faces (default 4)");
-    command.add_option("--min-bin-volume", arguments->min_bin_volume, "V",
-                       "stop rule: a bin of less volume, cubic metres (default 0)");
+    command.add_option("--split", arguments->split, "HOW", "how nodes divide: longest-axis (default) or surface-area");
+    command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: nodes above a node, 0 .. 64 (default 48)");
+    command.add_option("--faces-per-bin", arguments->faces_per_leaf, "N",
+                       "stop rule: a node of at most this many faces (default 4)");
+    command.add_option("--min-bin-volume", arguments->min_node_volume, "V",
+                       "stop rule: a node of less volume, cubic metres (default 0)");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kInfoFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};

@@ -26,7 +26,7 @@ std::string_view status_name(Status status) {
             return "miss";
         case Status::kHit:
             return "hit";
-        case Status::kTouching:
+        case Status::kInitialOverlap:
             return "touching";
         case Status::kInvalid:
             return "invalid";

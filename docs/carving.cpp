@@ -24,7 +24,7 @@ int main() {
     }
 
     const firma::WorldDiff diff = firma::diff_worlds(before, after, 4.0);
-    std::printf("%zu faces gone, %zu come, in %zu tiles of 4 m; %.2f cubic metres less\n", diff.removed.size(),
+    std::printf("%zu faces removed, %zu added, in %zu tiles of 4 m; %.2f cubic metres less\n", diff.removed.size(),
                 diff.added.size(), diff.tiles.size(), blast.report.volume);
 
     // From here on the hall's west end may not be touched.
@@ -32,7 +32,7 @@ int main() {
     rules.zones.push_back({.name = "west end", .box = {{18, 18, -2}, {26, 40, 12}}, .hardness = 1});
     firma::Pose west = floor;
     west.position = {21, 29, 0};
-    std::puts(firma::carve(firma::with_rules(after, rules), crater, west).error.text().c_str());
+    std::puts(firma::carve(firma::with_rules(after, rules).value(), crater, west).error.text().c_str());
 
     const firma::Result<firma::ObjWritten> written = firma::write_obj(after, "build/after.obj");
     if (!written) return std::puts(written.error().text().c_str()), 1;

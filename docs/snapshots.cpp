@@ -32,7 +32,7 @@ int main() {
     for (int k = 0; k < 20; ++k) {
         const firma::World before = store.current();
         const firma::Pose pose{.position = {25.0 + k, 29, 0}, .rotation = firma::random_turn(k), .scale = 1.2};
-        store.publish(before, firma::carve(before, crater, pose).world);
+        if (store.publish(before, firma::carve(before, crater, pose).world) != firma::PublishStatus::kDone) return 1;
     }
     over = true;
     reader.join();

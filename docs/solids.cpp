@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "firma/level.h"
-#include "firma/solid_cut.h"
+#include "firma/solid.h"
 
 int main() {
     const firma::Result<firma::Level> level = firma::read_level("levels/first.obj");

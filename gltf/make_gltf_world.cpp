@@ -2,8 +2,8 @@
 // From a glTF level to a World, in rooms.
 #include <vector>
 
-#include "firma/level_portals.h"
 #include "firma/read_gltf.h"
+#include "firma/rooms.h"
 
 namespace firma {
 

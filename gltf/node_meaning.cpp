@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "level/message.h"
 
 namespace firma::gltf {

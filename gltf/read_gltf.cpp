@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "gltf/accessor.h"
 #include "gltf/gltf_file.h"
 #include "gltf/node_meaning.h"
@@ -113,9 +113,9 @@ private:
             return std::nullopt;
         }
         taken_ += triangles.size();
-        if (taken_ > options_.most_triangles)
+        if (taken_ > options_.max_triangles)
             return fail(ErrorCode::kTooLarge, place_,
-                        "makes more than " + std::to_string(options_.most_triangles) + " triangles of all nodes");
+                        "makes more than " + std::to_string(options_.max_triangles) + " triangles of all nodes");
         if (std::optional<Error> error = take_material(primitive.material)) return error;
         if (triangles.has_broken_uvs()) notes_.insert("texture coordinates that cannot be read are left out");
         return node_->portal ? add_to_portal(triangles) : add_faces(triangles);

@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "firma/masks.h"
+#include "firma/level.h"
 
 namespace firma::scenes {
 namespace {
@@ -259,7 +259,7 @@ BrushLevel brush_pile(BrushPile kind, std::uint64_t seed, int brushes) {
             case BrushPile::kNested:
                 maker.box_by_another(true);
                 break;
-            case BrushPile::kTouching:
+            case BrushPile::kInitialOverlap:
                 if (choice == 0)
                     maker.wedge(6, kInputMetre);
                 else

@@ -9,13 +9,13 @@
 namespace firma::scenes {
 
 enum class BrushPile : std::uint8_t {
-    kBoxes,     ///< on a coarse grid: faces lie in common planes, against each other and on each other
-    kNested,    ///< boxes in boxes, some equal, some sharing a corner, an edge or a face
-    kTouching,  ///< boxes and wedges that touch along edges and in vertices, from outside
-    kWedges,    ///< prisms and tetrahedra with corners on a coarse grid: many planes through one point
-    kCrystals,  ///< tetrahedra with corners anywhere on the input grid
-    kSlivers,   ///< boxes of a grid step or a few thickness, and tetrahedra nearly flat
-    kHalls,     ///< rooms of boxes for walls, divided by portals in their doorways
+    kBoxes,           ///< on a coarse grid: faces lie in common planes, against each other and on each other
+    kNested,          ///< boxes in boxes, some equal, some sharing a corner, an edge or a face
+    kInitialOverlap,  ///< boxes and wedges that touch along edges and in vertices, from outside
+    kWedges,          ///< prisms and tetrahedra with corners on a coarse grid: many planes through one point
+    kCrystals,        ///< tetrahedra with corners anywhere on the input grid
+    kSlivers,         ///< boxes of a grid step or a few thickness, and tetrahedra nearly flat
+    kHalls,           ///< rooms of boxes for walls, divided by portals in their doorways
 };
 inline constexpr int kBrushPiles = 7;
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Runs the large numbers: ./test --full [CLAIM...] | --list
+"""Runs the soak tests: ./test --full [CLAIM...] | --list
 
 Each claim is a count of seeded checks to be made on the sources as they are. It is worked off in chunks; every chunk leaves a line
 in bench/results/full.txt with its seed, count, result and the commit it ran on. Lines count until a file the claim exercises changes;
@@ -22,7 +22,7 @@ THREAD = os.path.join('build', 'thread', 'bin')
 
 # What casts and carving are made of. Of the public headers those of files, brushes, histories and other languages do not
 # count.
-APART = ('brush_level.h', 'brush_world.h', 'divide_rooms.h', 'find_leak.h', 'firma.h', 'firma_c.h', 'level_portals.h', 'mesh.h', 'read_gltf.h', 'save.h', 'world_store.h')
+APART = ('brush_level.h', 'brush_world.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'triangles.h', 'versions.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
 # From a level to a world: of src/level nothing else.
 MAKE_WORLD = [f'src/level/{name}' for name in (
@@ -43,9 +43,9 @@ def reference(*names):
     return [f'tests/reference/{name}.{ending}' for name in names for ending in ('h', 'cpp')]
 
 
-TWIN = reference('exact_number', 'exact_polygon', 'exact_twin', 'judge', 'judge_scene', 'surely_apart')
+ORACLE = reference('exact_number', 'exact_polygon', 'exact_oracle', 'judge', 'judge_scene', 'surely_apart')
 JUDGE_CUT = reference('carve_oracle', 'directed_edges', 'judge_cut', 'judge_rooms', 'world_facets')
-CARVED = TWIN + JUDGE_CUT + reference('judge_carved_casts')
+CARVED = ORACLE + JUDGE_CUT + reference('judge_carved_casts')
 JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
 
 READ_SOURCES = HEADERS + LEVEL + ['src/base', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
@@ -124,19 +124,19 @@ def store(seed, count):
 
 
 CLAIMS = [
-    Claim('casts_vs_twin', 'casts judged by the exact twin, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
-          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + TWIN, 'test', casts, 'full_casts'),
+    Claim('casts_vs_twin', 'casts judged by the exact oracle, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts, 'full_casts'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
-          CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + TWIN + reference('escapes'), 'test', watertight, 'full_watertight'),
+          CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
           CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
-    Claim('long_life', 'cuts and fills in three worlds by each Split, after which casts look at no more boxes and take no longer than 1.15 times those in an index built anew',
+    Claim('long_life', 'cuts and fills in three worlds by each Split, after which casts test no more boxes and take no longer than 1.15 times those in an index built anew',
           120_000, 120_000, 'edits', CARVE_SOURCES + ['src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_life.cpp', 'tests/full/options.h'],
           'test', life, 'full_life'),
-    Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact twin', 1_000_000, 100_000, 'casts',
+    Claim('carved_casts', 'casts through our level after 1,000 cuts, judged by the exact oracle', 1_000_000, 100_000, 'casts',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('casts'), 'full_carved_casts'),
     Claim('carved_rays', 'rays from the air of our level after 1,000 cuts, none escapes', 10_000_000, 2_000_000, 'rays',
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
@@ -147,7 +147,7 @@ CLAIMS = [
               'tools/same_everywhere.sh']
           + [f'tests/full/same_everywhere{ending}' for ending in ('.c', '.mjs', '_browser.mjs')], 'test', same_everywhere, 'firma_c'),
     Claim('store_threads', 'cuts published beside two readers under the thread sanitizer, no race, every answer its version\'s', 1_000,
-          1_000, 'cuts', CARVE_SOURCES + ['include/firma/world_store.h', 'src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
+          1_000, 'cuts', CARVE_SOURCES + ['include/firma/versions.h', 'src/store', 'tests/store/cratered.h', 'tests/threads/store_race.h',
                                           'tests/full/full_store.cpp'], 'thread', store, 'full_store'),
     Claim('join_piles', 'random piles of brushes joined: closed, of the right volume, points and ways in the right rooms', 2_000, 500, 'piles',
           JOIN_SOURCES + JUDGE_JOINED, 'test', levels('piles'), 'full_levels'),
@@ -174,7 +174,7 @@ CLAIMS = [
           BRUSH_SOURCES + fuzzer('read_bsp_brushes', 'expect_sound_brushes', 'expect_sound_level'), 'fuzz', fuzz('read_bsp_brushes'),
           'fuzz_read_bsp_brushes'),
     Claim('fuzz_read_gltf', 'seconds of fuzzing the glTF reader and its rooms, no crash, hang or broken world', 600, 300, 'seconds',
-          READ_SOURCES + ['include/firma/read_gltf.h', 'include/firma/level_portals.h', 'gltf']
+          READ_SOURCES + ['include/firma/read_gltf.h', 'include/firma/rooms.h', 'gltf']
           + ['src/level', 'src/geometry', 'src/cast', 'src/index', 'src/solid', 'src/join', 'src/world']
           + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'fuzz', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,

@@ -86,6 +86,15 @@ user chosen -DBUILD_SHARED_LIBS=ON
 needs_library "$work/chosen/crater_c" libfirma_c.so || fail "BUILD_SHARED_LIBS does not choose the shared libraries"
 ! cmake -S "$work/tests/installed" -B "$work/other" -DCMAKE_PREFIX_PATH="$prefix" -DFORM=nonsense >"$log" 2>&1 || fail "a component that is not there is found"
 
+# ---- the game of docs/game_loop.md: the page shows the project, and says what it prints
+
+[[ $(<docs/game_loop.md) == *"$(tail -n +3 tests/install/game_loop/CMakeLists.txt)"* ]] || fail "docs/game_loop.md shows another project"
+cp docs/game_loop.cpp "$work/tests/game_loop/"
+quietly cmake -S "$work/tests/game_loop" -B "$work/game" -G Ninja -DCMAKE_PREFIX_PATH="$prefix"
+quietly cmake --build "$work/game"
+quietly /usr/bin/python3 tests/docs/test_page.py "$root" game_loop game_loop.cpp "$work/game/game"
+echo "find_package, docs/game_loop.cpp: prints what docs/game_loop.md says"
+
 # ---- pkg-config
 
 export PKG_CONFIG_PATH=$libraries/pkgconfig

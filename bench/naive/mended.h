@@ -86,7 +86,7 @@ Meeting<Real> mended_vertex(const Vector<Real>& pos, const Vector<Real>& path, R
     return time;
 }
 
-enum class AtStart { kApart, kTouching, kIgnored };
+enum class AtStart { kApart, kInitialOverlap, kIgnored };
 
 /// Whether a sphere overlaps the face before it moves, and comes closer.
 template <class Real>
@@ -105,7 +105,7 @@ AtStart start_of(const PlainFace<Real>& face, const Vector<Real>& pos, const Vec
     }
     const Real distance = length(away);
     if (distance > r) return AtStart::kApart;
-    return distance == 0 || dot(away, path) < 0 ? AtStart::kTouching : AtStart::kIgnored;
+    return distance == 0 || dot(away, path) < 0 ? AtStart::kInitialOverlap : AtStart::kIgnored;
 }
 
 /// One-sided, as the article has it.
@@ -127,7 +127,7 @@ Meeting<Real> mended_cast(const PlainFace<Real>& face, const Vector<Real>& pos, 
     } else {
         const AtStart start = start_of(face, pos, path, r);
         if (start == AtStart::kIgnored) return {};
-        if (start == AtStart::kTouching) return Real(0);
+        if (start == AtStart::kInitialOverlap) return Real(0);
     }
     if (height >= r) {
         const Real time = (height - r) / len;

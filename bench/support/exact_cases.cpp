@@ -62,7 +62,7 @@ scenes::CastQuery read_cast(const Row& row) {
 Expected read_expected(const Row& row) {
     Expected expected;
     const std::string& status = row.at("status");
-    expected.status = status == "hit" ? Status::kHit : status == "touching" ? Status::kTouching : Status::kMiss;
+    expected.status = status == "hit" ? Status::kHit : status == "touching" ? Status::kInitialOverlap : Status::kMiss;
     expected.fraction = real(row.at("fraction"));
     const std::string& faces = row.at("faces").empty() ? row.at("face") : row.at("faces");
     for (const std::string& face : split(faces, '|')) expected.faces.push_back(std::uint32_t(real(face)));
@@ -152,7 +152,7 @@ bool is_clear(const ExactCase& exact, std::size_t cast, double tolerance) {
     const scenes::CastQuery& move = exact.casts[cast];
     const Expected& expected = exact.expected[cast];
     if (expected.must_hit || expected.margin > tolerance) return true;
-    if (expected.status != Status::kTouching) return false;
+    if (expected.status != Status::kInitialOverlap) return false;
     for (const std::uint32_t face : expected.faces) {
         const Nearness start = nearness(move, exact.faces[face], 0);
         if (start.distance - move.sphere.radius < -tolerance && start.approach > 1e-9 + 4 * tolerance / start.distance)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cases of our own: the families of scenes/cast_families.h for when the shared ones are missing, judged by Firma's own
-// answers, which the exact twin of the tests judges in turn; and ordinary ones.
+// answers, which the exact oracle of the tests judges in turn; and ordinary ones.
 #pragma once
 
 #include "support/exact_cases.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
@@ -80,13 +81,27 @@ firma_code release(std::uint64_t id, const char* function) noexcept {
     return FIRMA_ERROR_BAD_HANDLE;
 }
 
-/// Whether a struct from outside is one that this header describes.
+/// Whether a struct from outside may be one that this header, or one before it, describes.
 template <class T>
 bool sized(const T* given) noexcept {
-    return given->size == sizeof(T);
+    return given->size >= 8 && given->size <= sizeof(T) && given->size % alignof(T) == 0;
 }
 
-inline constexpr const char* kWrongSize = "the struct's `size` is not that of this version's header";
+/// Copies what the caller's struct has; what it is too short for stays in `out`. Once it is sized().
+template <class T>
+void take_sized(const T* given, T& out) noexcept {
+    std::memcpy(&out, given, given->size);
+}
+
+/// Fills what the caller's struct has room for. Once it is sized().
+template <class T>
+void put_sized(T made, T* out) noexcept {
+    made.size = out->size;
+    std::memcpy(out, &made, out->size);
+}
+
+inline constexpr const char* kWrongSize =
+    "the struct's `size` is not set, or is larger than this version's: it was compiled with a newer header";
 inline constexpr const char* kNull = "a pointer is null that may not be";
 
 }  // namespace firma::c

@@ -20,7 +20,7 @@ firma_code give_result(const CarveResult& result, firma_world* after, firma_carv
                        const char* function) {
     const firma_code code = give(std::make_unique<WorldObject>(result.world), after, function);
     if (code) return code;
-    if (report) put_report(result, *report);
+    if (report) put_report(result, report);
     if (result.status == CarveStatus::kRefused) fail(result.error);
     return FIRMA_OK;
 }
@@ -63,9 +63,9 @@ firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, 
                                   size_t triangle_count, const char* name, firma_cutter* cutter) {
     return guarded(__func__, [&, function = __func__] {
         if (!cutter || (vertex_count && !positions) || (triangle_count && !corners)) return bad_call(function, kNull);
-        if (triangle_count > kMostCutterTriangles || vertex_count > 3 * kMostCutterTriangles)
+        if (triangle_count > kMaxCutterTriangles || vertex_count > 3 * kMaxCutterTriangles)
             return fail(FIRMA_ERROR_TOO_LARGE, function,
-                        "a cutter has at most " + std::to_string(kMostCutterTriangles) + " triangles");
+                        "a cutter has at most " + std::to_string(kMaxCutterTriangles) + " triangles");
         std::vector<Vec3> vertices(vertex_count);
         for (std::size_t k = 0; k < vertex_count; ++k)
             vertices[k] = {positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]};
@@ -99,6 +99,7 @@ firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose*
                        const firma_carve_options* options, firma_world* after, firma_carve_report* report) {
     return guarded(__func__, [&, function = __func__] {
         if (!after) return bad_call(function, kNull);
+        if (report && !sized(report)) return bad_call(function, kWrongSize);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         Order order;
@@ -137,6 +138,7 @@ firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished)
 firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report) {
     return guarded(__func__, [&, function = __func__] {
         if (!after) return bad_call(function, kNull);
+        if (report && !sized(report)) return bad_call(function, kWrongSize);
         const JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (object->job.broken()) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
@@ -161,6 +163,7 @@ firma_code firma_edit_begin(firma_world world, firma_edit* edit) {
 firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, const firma_pose* pose,
                             const firma_carve_options* options, firma_carve_report* report) {
     return guarded(__func__, [&, function = __func__] {
+        if (report && !sized(report)) return bad_call(function, kWrongSize);
         EditObject* object = find<EditObject>(edit.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         Order order;
@@ -168,7 +171,7 @@ firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, const firma_po
         const CarveResult result = order.kind == CarveKind::kFill
                                        ? object->edit.fill(order.cutter, order.pose, order.options)
                                        : object->edit.carve(order.cutter, order.pose, order.options);
-        if (report) put_report(result, *report);
+        if (report) put_report(result, report);
         if (result.status == CarveStatus::kRefused) fail(result.error);
         return FIRMA_OK;
     });

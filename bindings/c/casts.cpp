@@ -13,11 +13,13 @@ namespace firma::c {
 namespace {
 
 void add(const CastCounts& counts, firma_cast_counts& out) {
-    out.bins += counts.bins;
+    out.nodes += counts.nodes;
     out.boxes += counts.boxes;
     out.faces += counts.faces;
     out.precise += counts.precise;
 }
+
+constexpr const char* kBadSphere = "a number is not finite or too large, the radius negative, or there is no such room";
 
 /// What one call of a batch's work does.
 constexpr std::size_t kCastsATask = 256;
@@ -61,7 +63,7 @@ void firma_cast_options_defaults(firma_cast_options* options) {
     options->size = sizeof(firma_cast_options);
     options->mask = ~0u;
     options->room = FIRMA_ANY_ROOM;
-    options->skin = -1;
+    options->contact_offset = -1;
 }
 
 firma_code firma_cast(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
@@ -71,17 +73,15 @@ firma_code firma_cast(firma_world world, const firma_cast_input* input, const fi
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         CastOptions chosen;
-        if (const firma_code code = read_options(options, chosen, function)) return code;
+        firma_cast_options whole;
+        if (const firma_code code = read_options(options, chosen, whole, function)) return code;
         static_assert(sizeof(RoomId) == sizeof(std::uint32_t));
-        RoomTrail trail;
-        if (options) {
-            trail.rooms = {reinterpret_cast<RoomId*>(options->passed), options->passed_capacity};
-            chosen.trail = &trail;
-        }
+        RoomTrail trail{{reinterpret_cast<RoomId*>(whole.passed), whole.passed_capacity}};
+        if (whole.passed || whole.passed_count) chosen.trail = &trail;
         CastCounts seen;
         if (counts) chosen.counts = &seen;
         put_hit(cast(object->world, sphere_of(*input), vec(input->path), chosen), *hit);
-        if (options && options->passed_count) *options->passed_count = trail.count;
+        if (whole.passed_count) *whole.passed_count = trail.count;
         if (counts) add(seen, *counts);
         return FIRMA_OK;
     });
@@ -110,9 +110,27 @@ firma_code firma_cast_all(firma_world world, const firma_cast_input* input, cons
         if (const firma_code code = read_options(options, chosen, function)) return code;
         std::vector<Hit> found;
         if (cast_all(object->world, sphere_of(*input), vec(input->path), found, chosen) == Status::kInvalid)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                        "a number is not finite or too large, the radius negative, or there is no such room");
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
         put_some(found, hits, capacity, count, put_hit);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_cast_each(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                           firma_hit_visitor visit, void* user, uint32_t* status) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!input || !visit) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        CastOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        const auto show = [&](const Hit& hit) {
+            firma_hit shown;
+            put_hit(hit, shown);
+            return visit(&shown, user);
+        };
+        const Status met = cast_each(object->world, sphere_of(*input), vec(input->path), show, chosen);
+        if (status) *status = std::uint32_t(met);
         return FIRMA_OK;
     });
 }
@@ -145,7 +163,6 @@ firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_h
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         firma_hit_info info{};
-        info.size = sizeof info;
         info.other_face = FIRMA_NO_FACE;
         if (hit->portal != FIRMA_NO_PORTAL) {
             const std::optional<PortalInfo> portal = portal_info(object->world, {hit->portal});
@@ -166,7 +183,7 @@ firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_h
             if (hit->feature == FIRMA_EDGE)
                 info.other_face = other_face(object->world, face->ref(), hit->feature_index).value;
         }
-        *out = info;
+        put_sized(info, out);
         return FIRMA_OK;
     });
 }
@@ -186,9 +203,29 @@ firma_code firma_overlap(firma_world world, const double centre[3], double radiu
         if (const firma_code code = read_options(options, chosen, function)) return code;
         std::vector<Overlap> near;
         if (overlap(object->world, {{centre[0], centre[1], centre[2]}, radius}, near, chosen) == Status::kInvalid)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                        "a number is not finite or too large, the radius negative, or there is no such room");
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
         put_some(near, found, capacity, count, put_overlap);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_overlap_each(firma_world world, const double centre[3], double radius,
+                              const firma_near_options* options, firma_overlap_visitor visit, void* user,
+                              uint32_t* found) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!centre || !visit) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        NearOptions chosen;
+        if (const firma_code code = read_options(options, chosen, function)) return code;
+        const auto show = [&](const Overlap& overlap) {
+            firma_near shown;
+            put_overlap(overlap, shown);
+            return visit(&shown, user) != 0;
+        };
+        const Status met = overlap_each(object->world, {{centre[0], centre[1], centre[2]}, radius}, show, chosen);
+        if (met == Status::kInvalid) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
+        if (found) *found = met != Status::kMiss;
         return FIRMA_OK;
     });
 }

@@ -12,51 +12,77 @@ static_assert(FIRMA_NO_FACE == FaceId{}.value && FIRMA_NO_PORTAL == PortalId{}.v
 
 }  // namespace
 
-firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read,
-                        const char* function) {
+namespace {
+
+/// Of a struct that may be null, or shorter than this version's: all of it, what is lacking by default.
+template <class T>
+firma_code whole_of(const T* given, void (*defaults)(T*), T& whole, const char* function) {
+    defaults(&whole);
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
-    if (given->surface_area > 1 || given->max_depth < 0 || given->max_depth > 64 || given->faces_per_bin < 1 ||
-        !(given->min_bin_volume >= 0))
+    take_sized(given, whole);
+    return FIRMA_OK;
+}
+
+}  // namespace
+
+firma_code read_options(const firma_world_options* options, WorldOptions& world, ReadOptions& read,
+                        const char* function) {
+    firma_world_options whole;
+    const firma_world_options* const given = &whole;
+    if (const firma_code code = whole_of(options, firma_world_options_defaults, whole, function)) return code;
+    if (given->surface_area > 1 || given->max_depth < 0 || given->max_depth > 64 || given->faces_per_leaf < 1 ||
+        !(given->min_node_volume >= 0))
         return fail(FIRMA_ERROR_INVALID, function, "a rule for the tree is out of its range");
-    if (!(given->skin >= 0) || !is_finite(given->skin))
-        return fail(FIRMA_ERROR_INVALID, function, "the skin must be a finite number, not below zero");
+    if (!(given->contact_offset >= 0) || !is_finite(given->contact_offset))
+        return fail(FIRMA_ERROR_INVALID, function, "the contact offset must be a finite number, not below zero");
     if (!(given->scale >= 0) || !is_finite(given->scale))
         return fail(FIRMA_ERROR_INVALID, function, "the scale must be a finite number above zero, or 0");
     world.tree.split = given->surface_area ? Split::kSurfaceArea : Split::kLongestAxis;
     world.tree.max_depth = given->max_depth;
-    world.tree.faces_per_bin = given->faces_per_bin;
-    world.tree.min_bin_volume = given->min_bin_volume;
-    world.tolerance.skin = given->skin;
+    world.tree.faces_per_leaf = given->faces_per_leaf;
+    world.tree.min_node_volume = given->min_node_volume;
+    world.tolerance.contact_offset = given->contact_offset;
     read.scale = given->scale;
     return FIRMA_OK;
 }
 
-firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function) {
-    if (!given) return FIRMA_OK;
-    if (!sized(given)) return bad_call(function, kWrongSize);
+firma_code read_options(const firma_cast_options* options, CastOptions& cast, firma_cast_options& whole,
+                        const char* function) {
+    const firma_cast_options* const given = &whole;
+    if (const firma_code code = whole_of(options, firma_cast_options_defaults, whole, function)) return code;
     if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
-    if (!is_finite(given->skin)) return fail(FIRMA_ERROR_INVALID, function, "the skin is not finite");
+    if (!is_finite(given->contact_offset))
+        return fail(FIRMA_ERROR_INVALID, function, "the contact offset is not finite");
     if (!given->passed && given->passed_capacity) return bad_call(function, "a count without its array");
     cast.mask = given->mask;
     cast.room = {given->room};
     cast.sides = given->sides ? Sides::kBoth : Sides::kFront;
-    cast.skin = given->skin;
+    cast.contact_offset = given->contact_offset;
     return FIRMA_OK;
 }
 
-firma_code read_options(const firma_near_options* given, NearOptions& near, const char* function) {
-    if (!given) return FIRMA_OK;
-    if (!sized(given)) return bad_call(function, kWrongSize);
+firma_code read_options(const firma_cast_options* options, CastOptions& cast, const char* function) {
+    firma_cast_options whole;
+    return read_options(options, cast, whole, function);
+}
+
+firma_code read_options(const firma_near_options* options, NearOptions& near, const char* function) {
+    firma_near_options whole;
+    const firma_near_options* const given = &whole;
+    if (const firma_code code = whole_of(options, firma_near_options_defaults, whole, function)) return code;
     if (given->reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
     near.mask = given->mask;
     near.room = {given->room};
     return FIRMA_OK;
 }
 
-firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function) {
-    if (!given) return FIRMA_OK;
-    if (!sized(given)) return bad_call(function, kWrongSize);
+firma_code read_options(const firma_carve_options* options, CarveOptions& carve, CarveKind& kind,
+                        const char* function) {
+    firma_carve_options whole;
+    const firma_carve_options* const given = &whole;
+    const auto defaults = [](firma_carve_options* out) { *out = {sizeof(firma_carve_options), 0, nullptr}; };
+    if (const firma_code code = whole_of(options, +defaults, whole, function)) return code;
     if (given->fill > 1) return fail(FIRMA_ERROR_INVALID, function, "fill must be 0 or 1");
     carve.material = text_of(given->material);
     kind = given->fill ? CarveKind::kFill : CarveKind::kCarve;
@@ -116,14 +142,15 @@ void put_overlap(const Overlap& overlap, firma_near& out) {
     out.depth = overlap.depth;
 }
 
-void put_report(const CarveResult& result, firma_carve_report& out) {
+void put_report(const CarveResult& result, firma_carve_report* to) {
     const CarveReport& report = result.report;
+    firma_carve_report out{};
     out.status = std::uint32_t(result.status);
     out.retries = std::uint32_t(report.retries);
-    out.faces_looked_at = report.faces_looked_at;
+    out.candidate_faces = report.candidate_faces;
     out.faces_cut = report.faces_cut;
-    out.faces_gone = report.faces_gone;
-    out.faces_new = report.faces_new;
+    out.faces_removed = report.faces_removed;
+    out.faces_added = report.faces_added;
     out.scale = report.scale;
     out.volume = report.volume;
     out.place_us = report.times.place;
@@ -134,6 +161,7 @@ void put_report(const CarveResult& result, firma_carve_report& out) {
     out.facets_us = report.times.facets;
     out.tree_us = report.times.tree;
     out.faces_castable_only = report.faces_castable_only;
+    put_sized(out, to);
 }
 
 }  // namespace firma::c

@@ -31,9 +31,12 @@ inline Sphere sphere_of(const firma_cast_input& input) {
     return {vec(input.centre), input.radius};
 }
 
-/// FIRMA_OK, or why the options are no good; null gives the defaults.
+/// FIRMA_OK, or what is wrong with the options; null gives the defaults.
 firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read, const char* function);
 firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function);
+/// The same; `whole` gets all of the options, the rooms passed among them.
+firma_code read_options(const firma_cast_options* given, CastOptions& cast, firma_cast_options& whole,
+                        const char* function);
 firma_code read_options(const firma_near_options* given, NearOptions& near, const char* function);
 firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function);
 
@@ -42,7 +45,9 @@ void put_hit(const Hit& hit, firma_hit& out);
 void put_near(const NearFace& near, firma_near& out);
 void put_overlap(const Overlap& overlap, firma_near& out);
 FaceRef face_of(const firma_hit& hit);
+void put_corner(const FaceRef& face, std::int32_t (&corner)[3]);
 std::uint32_t face_flags(const FaceInfo& face);
-void put_report(const CarveResult& result, firma_carve_report& out);
+/// `out` is sized().
+void put_report(const CarveResult& result, firma_carve_report* out);
 
 }  // namespace firma::c

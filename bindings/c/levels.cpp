@@ -99,10 +99,12 @@ firma_code firma_world_from_level(firma_level level, const firma_world_options* 
 firma_code firma_level_get_view(firma_level level, firma_level_view* view) {
     return guarded(__func__, [&, function = __func__] {
         if (!view) return bad_call(function, kNull);
+        if (!sized(view)) return bad_call(function, kWrongSize);
         const LevelObject* object = find<LevelObject>(level.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        *view = {object->entities.data(), object->entities.size(), object->notes.data(), object->notes.size(),
-                 object->level.metres_a_unit};
+        put_sized({0, object->entities.data(), object->entities.size(), object->notes.data(), object->notes.size(),
+                   object->level.metres_a_unit},
+                  view);
         return FIRMA_OK;
     });
 }

@@ -68,8 +68,10 @@ const char* firma_error_message(void) {
 firma_code firma_set_allocator(const firma_allocator* allocator) {
     if (!allocator) return bad_call(__func__, kNull);
     if (!sized(allocator)) return bad_call(__func__, kWrongSize);
-    if (!allocator->take || !allocator->give_back) return bad_call(__func__, "a function is missing");
-    if (!set_memory_source({allocator->take, allocator->give_back, allocator->user}))
+    firma_allocator given{};
+    take_sized(allocator, given);
+    if (!given.take || !given.give_back) return bad_call(__func__, "a function is missing");
+    if (!set_memory_source({given.take, given.give_back, given.user}))
         return bad_call(__func__, "it is too late: worlds have taken memory already");
     return FIRMA_OK;
 }
@@ -80,8 +82,10 @@ firma_code firma_set_tasks(const firma_tasks* tasks) {
         return FIRMA_OK;
     }
     if (!sized(tasks)) return bad_call(__func__, kWrongSize);
-    if (!tasks->run) return bad_call(__func__, "the function `run` is missing");
-    set_batch_tasks(*tasks);
+    firma_tasks given{};
+    take_sized(tasks, given);
+    if (!given.run) return bad_call(__func__, "the function `run` is missing");
+    set_batch_tasks(given);
     return FIRMA_OK;
 }
 

@@ -4,14 +4,15 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "bindings/c/handles.h"
 #include "firma/carve.h"
 #include "firma/cutter.h"
-#include "firma/diff_worlds.h"
 #include "firma/firma_c.h"
+#include "firma/versions.h"
 #include "firma/world.h"
 
 namespace firma::c {
@@ -49,7 +50,7 @@ struct FaceList {
     std::vector<firma_face> faces;
     std::vector<double> corners;
 
-    void add(const Face& face);
+    void add(const FaceInfo& face, std::span<const Vec3> outline);
 };
 
 struct FacesObject final : Object {

@@ -37,13 +37,12 @@ void put_box(const Box& box, double (&low)[3], double (&high)[3]) {
 }
 
 /// A portal's polygon as a face that both sides meet.
-Face as_face(const PortalInfo& portal, std::uint32_t id, const std::vector<Vec3>& corners) {
-    Face face;
+FaceInfo as_face(const PortalInfo& portal, std::uint32_t id, const std::vector<Vec3>& corners) {
+    FaceInfo face;
     face.source = id;
     face.material = portal.material;
     face.mask = portal.mask;
     face.two_sided = true;
-    face.corners = corners;
     Vec3 twice;
     for (std::size_t k = 1; k + 1 < corners.size(); ++k)
         twice = twice + cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
@@ -74,42 +73,46 @@ firma_code firma_world_locate(firma_world world, const double point[3], uint32_t
     });
 }
 
-firma_code firma_world_room(firma_world world, uint32_t room, firma_room* out) {
+firma_code firma_world_room(firma_world world, uint32_t room, firma_room* to) {
     return guarded(__func__, [&, function = __func__] {
-        if (!out) return bad_call(function, kNull);
+        if (!to) return bad_call(function, kNull);
+        if (!sized(to)) return bad_call(function, kWrongSize);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_room(object->world, room, function)) return code;
         const RoomInfo info = *room_info(object->world, {room});
         const RoomRecord& record = object->world.data().cells.room(room);
-        *out = {};
-        put_box(info.bounds, out->low, out->high);
-        out->face_count = info.faces;
-        out->name = record.name.c_str();
+        firma_room out{};
+        put_box(info.bounds, out.low, out.high);
+        out.face_count = info.faces;
+        out.name = record.name.c_str();
         static_assert(sizeof(PortalId) == sizeof(std::uint32_t));
-        out->portals = reinterpret_cast<const std::uint32_t*>(record.portals.data());
-        out->portal_count = record.portals.size();
-        out->exterior = info.exterior;
-        out->merged_into = info.merged_into.value;
+        out.portals = reinterpret_cast<const std::uint32_t*>(record.portals.data());
+        out.portal_count = record.portals.size();
+        out.exterior = info.exterior;
+        out.merged_into = info.merged_into.value;
+        put_sized(out, to);
         return FIRMA_OK;
     });
 }
 
-firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* out) {
+firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* to) {
     return guarded(__func__, [&, function = __func__] {
-        if (!out) return bad_call(function, kNull);
+        if (!to) return bad_call(function, kNull);
+        if (!sized(to)) return bad_call(function, kWrongSize);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_portal(object->world, portal, function)) return code;
         const PortalInfo info = *portal_info(object->world, {portal});
-        *out = {};
-        put_box(info.bounds, out->low, out->high);
-        out->name = object->world.data().cells.portal(portal).name.c_str();
-        for (std::size_t k = 0; k < 2; ++k) out->rooms[k] = info.rooms[k].value;
-        out->material = info.material;
-        out->mask = info.mask;
-        out->open = info.open;
-        out->polygon_count = std::uint32_t(info.polygons);
+        firma_portal out{};
+        put_box(info.bounds, out.low, out.high);
+        out.name = object->world.data().cells.portal(portal).name.c_str();
+        for (std::size_t k = 0; k < 2; ++k) out.rooms[k] = info.rooms[k].value;
+        out.material = info.material;
+        out.mask = info.mask;
+        out.open = info.open;
+        out.polygon_count = std::uint32_t(info.polygons);
+        put_sized(out, to);
         return FIRMA_OK;
     });
 }
@@ -123,7 +126,7 @@ firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma
         const PortalInfo info = *portal_info(object->world, {portal});
         auto list = std::make_unique<FacesObject>();
         for (const std::vector<Vec3>& corners : portal_polygons(object->world, {portal}))
-            list->list.add(as_face(info, portal, corners));
+            list->list.add(as_face(info, portal, corners), corners);
         return give(std::move(list), polygons, function);
     });
 }

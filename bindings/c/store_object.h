@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bindings/c/handles.h"
-#include "firma/world_store.h"
+#include "firma/versions.h"
 
 namespace firma::c {
 

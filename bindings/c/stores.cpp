@@ -38,14 +38,14 @@ firma_code give_current(const WorldStore& store, firma_world* out, const char* f
 using namespace firma;
 using namespace firma::c;
 
-firma_code firma_store_open(firma_world first, uint64_t most_bytes, firma_store* store) {
+firma_code firma_store_open(firma_world first, uint64_t max_bytes, firma_store* store) {
     return guarded(__func__, [&, function = __func__] {
         if (!store) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(first.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
         WorldStoreOptions options;
-        options.history_bytes = std::size_t(most_bytes < kMost ? most_bytes : kMost);
+        options.history_bytes = std::size_t(max_bytes < kMost ? max_bytes : kMost);
         return give(std::make_unique<StoreObject>(object->world, options), store, function);
     });
 }
@@ -108,18 +108,21 @@ firma_code firma_store_at(firma_store store, uint64_t version, firma_world* worl
     });
 }
 
-firma_code firma_store_get_facts(firma_store store, firma_store_facts* facts) {
+firma_code firma_store_get_facts(firma_store store, firma_store_facts* out) {
     return guarded(__func__, [&, function = __func__] {
-        if (!facts) return bad_call(function, kNull);
+        if (!out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
+        firma_store_facts facts{};
         const StoreObject* object = find<StoreObject>(store.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const StoreHistory history = object->store.history();
-        facts->oldest = history.oldest;
-        facts->current = history.current;
-        facts->newest = history.newest;
-        facts->versions = history.versions;
-        facts->bytes = history.bytes;
-        facts->waiting = history.waiting;
+        facts.oldest = history.oldest;
+        facts.current = history.current;
+        facts.newest = history.newest;
+        facts.versions = history.versions;
+        facts.bytes = history.bytes;
+        facts.waiting = history.waiting;
+        put_sized(facts, out);
         return FIRMA_OK;
     });
 }

@@ -56,13 +56,16 @@ void firma_triangle_options_defaults(firma_triangle_options* options) {
     options->room = FIRMA_ANY_ROOM;
 }
 
-firma_code firma_world_triangles(firma_world world, const firma_triangle_options* options, firma_triangles* triangles) {
+firma_code firma_world_triangles(firma_world world, const firma_triangle_options* given, firma_triangles* triangles) {
     return guarded(__func__, [&, function = __func__] {
         if (!triangles) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (!options) return give(object_of(triangles_of(object->world)), triangles, function);
-        if (!sized(options)) return bad_call(function, kWrongSize);
+        firma_triangle_options whole;
+        firma_triangle_options_defaults(&whole);
+        if (given && !sized(given)) return bad_call(function, kWrongSize);
+        if (given) take_sized(given, whole);
+        const firma_triangle_options* const options = &whole;
         if (options->solid_only > 1) return fail(FIRMA_ERROR_INVALID, function, "solid_only must be 0 or 1");
         if (options->uvs > 1) return fail(FIRMA_ERROR_INVALID, function, "uvs must be 0 or 1");
         if (options->reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
@@ -87,28 +90,30 @@ firma_code firma_world_triangles(firma_world world, const firma_triangle_options
     });
 }
 
-firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_view* view) {
+firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_view* out) {
     return guarded(__func__, [&, function = __func__] {
-        if (!view) return bad_call(function, kNull);
+        if (!out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
         const TrianglesObject* object = find<TrianglesObject>(triangles.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const TriangleMesh& made = object->made;
         static_assert(sizeof made.positions[0] == 3 * sizeof(float) && sizeof made.corners[0] == 3 * sizeof(uint32_t) &&
                       sizeof made.uvs[0] == 2 * sizeof(float));
-        *view = {};
+        firma_triangles_view view{};
         if (!made.positions.empty()) {
-            view->positions = made.positions[0].data();
-            view->normals = made.normals[0].data();
-            view->corners = made.corners[0].data();
+            view.positions = made.positions[0].data();
+            view.normals = made.normals[0].data();
+            view.corners = made.corners[0].data();
         }
-        if (!made.uvs.empty()) view->uvs = made.uvs[0].data();
-        view->vertex_count = made.positions.size();
-        view->faces = object->faces.data();
-        view->triangle_count = made.corners.size();
-        view->runs = object->runs.data();
-        view->run_count = object->runs.size();
-        view->sources = object->sources.data();
-        view->source_count = object->sources.size();
+        if (!made.uvs.empty()) view.uvs = made.uvs[0].data();
+        view.vertex_count = made.positions.size();
+        view.faces = object->faces.data();
+        view.triangle_count = made.corners.size();
+        view.runs = object->runs.data();
+        view.run_count = object->runs.size();
+        view.sources = object->sources.data();
+        view.source_count = object->sources.size();
+        put_sized(view, out);
         return FIRMA_OK;
     });
 }

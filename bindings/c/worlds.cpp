@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds made, released, measured.
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -36,8 +37,10 @@ struct MeshArrays {
     Mesh mesh;
 };
 
-firma_code read_mesh(const firma_mesh& given, MeshArrays& arrays, const char* function) {
-    if (!sized(&given)) return bad_call(function, kWrongSize);
+firma_code read_mesh(const firma_mesh& from, MeshArrays& arrays, const char* function) {
+    if (!sized(&from)) return bad_call(function, kWrongSize);
+    firma_mesh given{};
+    take_sized(&from, given);
     const auto lacks = [](const void* array, std::size_t count) { return count > 0 && !array; };
     if (lacks(given.positions, given.vertex_count) || lacks(given.corners, given.face_count) ||
         lacks(given.material_names, given.material_count))
@@ -78,34 +81,25 @@ std::size_t or_default(std::uint64_t given, std::size_t otherwise) {
     return given == 0 ? otherwise : std::size_t(given < kMost ? given : kMost);
 }
 
-firma_code read_rules(const firma_rules& given, CarveRules& rules, const char* function) {
-    if (!sized(&given)) return bad_call(function, kWrongSize);
+firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* function) {
+    if (!sized(&from)) return bad_call(function, kWrongSize);
+    firma_rules given{};
+    take_sized(&from, given);
     if (given.reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
     if ((given.zone_count && !given.zones) || (given.hardness_count && !given.hardness))
         return bad_call(function, "a count without its array");
-    const auto hard = [](double h) { return h >= 0 && h <= 1; };
     for (std::size_t k = 0; k < given.zone_count; ++k) {
         const firma_zone& zone = given.zones[k];
-        const std::string place = std::string(function) + ": zone " + std::to_string(k);
-        if (!hard(zone.hardness)) return fail(FIRMA_ERROR_INVALID, place, "its hardness is not within 0 and 1");
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(zone.low[axis] <= zone.high[axis]))
-                return fail(FIRMA_ERROR_INVALID, place, "its box is empty, or not of numbers");
         rules.zones.push_back({text_of(zone.name), {vec(zone.low), vec(zone.high)}, zone.hardness});
     }
-    for (std::size_t k = 0; k < given.hardness_count; ++k)
-        if (!hard(given.hardness[k]))
-            return fail(FIRMA_ERROR_INVALID, std::string(function) + ": material " + std::to_string(k),
-                        "its hardness is not within 0 and 1");
     rules.hardness.assign(given.hardness, given.hardness + given.hardness_count);
-    rules.most_faces = or_default(given.most_faces, rules.most_faces);
-    rules.most_faces_looked_at = or_default(given.most_faces_looked_at, rules.most_faces_looked_at);
-    rules.most_new_faces = or_default(given.most_new_faces, rules.most_new_faces);
-    rules.most_cutter_triangles = or_default(given.most_cutter_triangles, rules.most_cutter_triangles);
-    rules.most_pairs = or_default(given.most_pairs, rules.most_pairs);
-    rules.most_corners = or_default(given.most_corners, rules.most_corners);
-    if (!(given.largest_cutter >= 0)) return fail(FIRMA_ERROR_INVALID, function, "largest_cutter is no length");
-    if (given.largest_cutter > 0) rules.largest_cutter = given.largest_cutter;
+    rules.max_faces = or_default(given.max_faces, rules.max_faces);
+    rules.max_candidate_faces = or_default(given.max_candidate_faces, rules.max_candidate_faces);
+    rules.max_new_faces = or_default(given.max_new_faces, rules.max_new_faces);
+    rules.max_cutter_triangles = or_default(given.max_cutter_triangles, rules.max_cutter_triangles);
+    rules.max_pairs = or_default(given.max_pairs, rules.max_pairs);
+    rules.max_corners = or_default(given.max_corners, rules.max_corners);
+    if (given.max_cutter_size != 0) rules.max_cutter_size = given.max_cutter_size;
     return FIRMA_OK;
 }
 
@@ -133,9 +127,9 @@ void firma_world_options_defaults(firma_world_options* options) {
     options->size = sizeof(firma_world_options);
     options->surface_area = defaults.tree.split == Split::kSurfaceArea;
     options->max_depth = defaults.tree.max_depth;
-    options->faces_per_bin = defaults.tree.faces_per_bin;
-    options->min_bin_volume = defaults.tree.min_bin_volume;
-    options->skin = defaults.tolerance.skin;
+    options->faces_per_leaf = defaults.tree.faces_per_leaf;
+    options->min_node_volume = defaults.tree.min_node_volume;
+    options->contact_offset = defaults.tolerance.contact_offset;
 }
 
 firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const firma_world_options* options,
@@ -201,22 +195,25 @@ firma_code firma_world_release(firma_world world) {
     return release<WorldObject>(world.id, __func__);
 }
 
-firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts) {
+firma_code firma_world_get_facts(firma_world world, firma_world_facts* out) {
     return guarded(__func__, [&, function = __func__] {
-        if (!facts) return bad_call(function, kNull);
+        if (!out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const World& w = object->world;
         const Box bounds = w.bounds();
-        facts->version = w.version();
-        facts->face_count = w.face_count();
-        facts->room_count = w.room_count();
-        facts->portal_count = portal_count(w);
-        put(bounds.low, facts->low);
-        put(bounds.high, facts->high);
-        facts->skin = w.tolerance().skin;
-        facts->material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
-        facts->edits = w.data().edits();
+        firma_world_facts facts{};
+        facts.version = w.version();
+        facts.face_count = w.face_count();
+        facts.room_count = w.room_count();
+        facts.portal_count = portal_count(w);
+        put(bounds.low, facts.low);
+        put(bounds.high, facts.high);
+        facts.contact_offset = w.tolerance().contact_offset;
+        facts.material_count = std::uint32_t(w.data().materials ? w.data().materials->size() : 0);
+        facts.edits = w.data().edits();
+        put_sized(facts, out);
         return FIRMA_OK;
     });
 }
@@ -227,6 +224,31 @@ firma_code firma_world_hash(firma_world world, uint64_t* hash) {
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         *hash = hash_world(object->world);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_hash_solid(firma_world world, uint64_t* hash) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!hash) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        *hash = hash_solid(object->world);
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_hash_regions(firma_world world, firma_region_hash* hashes, size_t capacity, size_t* count) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!count || (!hashes && capacity)) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const std::vector<RegionHash> found = hash_regions(object->world);
+        *count = found.size();
+        for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) {
+            const Region& at = found[k].region;
+            hashes[k] = {{at.x, at.y, at.z}, 0, found[k].faces, found[k].points};
+        }
         return FIRMA_OK;
     });
 }
@@ -290,6 +312,8 @@ firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, f
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         CarveRules made;
         if (const firma_code code = read_rules(*rules, made, function)) return code;
-        return give_world(with_rules(object->world, std::move(made)), out, function);
+        Result<World> world_with = with_rules(object->world, std::move(made));
+        if (!world_with) return fail(world_with.error());
+        return give_world(std::move(world_with).value(), out, function);
     });
 }

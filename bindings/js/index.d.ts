@@ -97,9 +97,9 @@ export interface Firma {
 
     /**
      * A history that begins with `world`.
-     * @param mostBytes what versions other than the current one may hold; 0: no undo, Infinity: no bound
+     * @param maxBytes what versions other than the current one may hold; 0: no undo, Infinity: no bound
      */
-    openStore(world: World, mostBytes: number | bigint): Store;
+    openStore(world: World, maxBytes: number | bigint): Store;
 }
 
 /** An integer from 0: below 2^53 as a number, below 2^64 as a BigInt. */
@@ -111,17 +111,17 @@ export interface WorldOptions {
     /** For messages. */
     name?: string;
     /** How far movers stay from surfaces, metres; 0.001 unless given. */
-    skin?: number;
+    contactOffset?: number;
     /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp and .map). */
     scale?: number;
-    /** Whether bins are split by surface area, not in half. */
+    /** Whether nodes are split by surface area, not in half. */
     surfaceArea?: boolean;
     /** 0..64 */
     maxDepth?: number;
     /** >= 1 */
-    facesPerBin?: number;
+    facesPerLeaf?: number;
     /** Cubic metres. */
-    minBinVolume?: number;
+    minNodeVolume?: number;
 }
 
 export interface LevelOptions {
@@ -133,7 +133,7 @@ export interface LevelOptions {
 
 /** A level of brushes; it never changes. */
 export interface Level extends Handle {
-    /** As worldFromMap() makes it; the options' scale and name are not looked at. */
+    /** As worldFromMap() makes it; the options' scale and name are ignored. */
     world(options?: WorldOptions): World;
     /** In the file's order; the first is the world. */
     entities(): Entity[];
@@ -188,7 +188,7 @@ export interface WorldFacts {
     /** Bounds of all faces; low > high when there are none. */
     low: Vector3;
     high: Vector3;
-    skin: number;
+    contactOffset: number;
     /**
      * By the numbers that all of a world's materials go by, whatever their place in the mesh or file: 0 is '', of faces
      * without one, and equal names are one.
@@ -217,9 +217,18 @@ export interface Faces {
     /** Counted in points. */
     firstCorners: Uint32Array;
     cornerCounts: Uint32Array;
+    /** The first corner of each, three integers, in steps of 1/262144 m: where World.face() looks for it. */
+    firstPoints: Int32Array;
     /** Three for each; convex, counter-clockwise seen from the front. */
     corners: Float64Array;
 }
+/** What faces stop: bits of their masks, and of casts'. Faces of formats that know no contents have all bits. */
+export const STOPS_WALK: 1;
+export const STOPS_SHOTS: 2;
+export const STOPS_SIGHT: 4;
+export const STOPS_LIQUID: 8;
+/** In addition to what a wall stops: the sky is painted on it. */
+export const IS_SKY: 16;
 export const FACE_TWO_SIDED: 1;
 /** Bounds a closed solid, which can be carved. */
 export const FACE_SOLID: 2;
@@ -237,8 +246,23 @@ export interface Face {
     mask: number;
     flags: number;
     room: number;
+    /** Its first, in steps of 1/262144 m. */
+    corner: Vector3;
     /** Three for each. */
     corners: Float64Array;
+}
+
+/** Names a face: a Hit, a Near, a Face, or two numbers kept of one. */
+export type FaceRef = { face: number | null; corner: ArrayLike<number> } | { id: number; corner: ArrayLike<number> };
+
+/** Which faces: at most one of these. */
+export interface FaceFilter {
+    /** Those that look into this room, or into the one that it became part of. */
+    room?: number;
+    /** Those whose own box shares a point with this one. */
+    box?: { low: Vector; high: Vector };
+    /** Those whose lowest corner lies in the cube from region * 32 m on, 32 m wide: three integers. */
+    region?: ArrayLike<number>;
 }
 
 /** What triangles() is limited to; all faces of the world, from its origin, unless given. */
@@ -329,7 +353,7 @@ export interface CastOptions {
     /** Whether faces are met from behind too. */
     bothSides?: boolean;
     /** Metres; the world's unless given. */
-    skin?: number;
+    contactOffset?: number;
     /**
      * The room that the start lies in, and the cast goes on through portals; or 'locate': it finds out; 'any' (the
      * default): all rooms are asked. From the air, clear of all faces, the answer is the same. A room that is not there
@@ -380,9 +404,9 @@ export interface Portal {
     polygons: Float64Array[];
 }
 
-/** What casts looked at. */
+/** What casts tested. */
 export interface CastCounts {
-    bins: number;
+    nodes: number;
     boxes: number;
     faces: number;
     precise: number;
@@ -409,7 +433,7 @@ export interface NearOptions {
     room?: number;
 }
 
-/** 'invalid': a number of the input is no good, nothing was asked. 'touching': at the start, and moving closer. */
+/** 'invalid': a number of the input is non-finite or out of range, nothing was asked. 'touching': at the start, and moving closer. */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
@@ -423,7 +447,7 @@ export interface Hit {
     hit: boolean;
     /** Of the path, 0..1. */
     fraction: number;
-    /** How far to go so that the skin is kept. */
+    /** How far to go so that the contact offset is kept. */
     safeFraction: number;
     /** Of the sphere at `fraction`. */
     centre: Vector3;
@@ -533,10 +557,10 @@ export interface CarveReport {
     /** Why it was refused; '' when it was not. */
     reason: string;
     retries: number;
-    facesLookedAt: number;
+    candidateFaces: number;
     facesCut: number;
-    facesGone: number;
-    facesNew: number;
+    facesRemoved: number;
+    facesAdded: number;
     /** That reach into the cutter and are left as they are, as they bound no solid. */
     facesCastableOnly: number;
     /** What zones and materials left of the cutter's scale, 0..1. */
@@ -592,14 +616,23 @@ export interface Rules {
     zones?: readonly Zone[];
     /** By the material's number in WorldFacts.materials, 0..1; missing ones are 0. */
     hardness?: Numbers;
-    mostFaces?: number;
-    mostFacesLookedAt?: number;
-    mostNewFaces?: number;
-    mostCutterTriangles?: number;
-    mostPairs?: number;
-    mostCorners?: number;
+    maxFaces?: number;
+    maxCandidateFaces?: number;
+    maxNewFaces?: number;
+    maxCutterTriangles?: number;
+    maxPairs?: number;
+    maxCorners?: number;
     /** Metres. */
-    largestCutter?: number;
+    maxCutterSize?: number;
+}
+
+export interface RegionHash {
+    /** From region * 32 m to (region + 1) * 32 m along each axis. */
+    region: Vector3;
+    /** Of the faces whose lowest corner lies there. */
+    faces: bigint;
+    /** Of the solid's corners there. */
+    points: bigint;
 }
 
 /** A value: it never changes, edits make others that share with it what they did not touch. */
@@ -609,14 +642,20 @@ export interface World extends Handle {
     facts(): WorldFacts;
     /** Of everything the world holds: equal edits in equal order give equal ones on every machine. */
     hash(): bigint;
+    /** Of the solid's set of points alone: equal for equal solids, however they came about. */
+    hashSolid(): bigint;
+    /** Of each cube of 32 m with anything in it: so two machines can find where their worlds differ. */
+    hashRegions(): RegionHash[];
     /** @throws {FirmaError} BROKEN when an invariant of faces, trees or the exact solid does not hold */
     check(): void;
     /** The solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and area. */
     measure(): { volume: number; area: number };
     /** Bytes. */
     memory(): number;
-    /** Copies of all faces, in order of id. */
-    faces(): Faces;
+    /** Copies of all faces, in order of id; of some by a filter, in no particular order. @throws {FirmaError} INVALID for a room that is not there */
+    faces(filter?: FaceFilter): Faces;
+    /** The face of a hit, or another; null when this world has no such face: cut since, or of another world. Costs a walk through the index. */
+    face(ref: FaceRef): Face | null;
     /** Copies of faces as triangles, for a renderer or another engine's collider. @throws {FirmaError} INVALID for a room that is not there */
     triangles(options?: TriangleOptions): Triangles;
     /**
@@ -636,10 +675,18 @@ export interface World extends Handle {
      * @throws {FirmaError} INVALID for a miss, and where this world has no such face or portal: cut since, or of another world
      */
     hitInfo(hit: Hit): HitInfo;
-    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     castAny(input: CastInput, options?: CastOptions): boolean;
     /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
     castAll(input: CastInput, options?: CastOptions): Hit[];
+    /**
+     * Every face and closed portal that the sphere would meet along the path, as if alone, in no particular order: to
+     * filter, to stop early, to collect. What `visit` throws ends the cast and is thrown.
+     * @param visit returns the fraction up to which to look on: hit.fraction asks for nothing later than this hit; true
+     *     or nothing: on as before; false or 0: enough
+     * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE as castAny()
+     */
+    castEach(input: CastInput, visit: (hit: Hit) => number | boolean | void, options?: CastOptions): boolean;
     /**
      * Many casts: answer k is what cast() gives for input k.
      * @param inputs seven numbers a cast: centre, radius, path; fastest as a Float64Array
@@ -647,15 +694,17 @@ export interface World extends Handle {
      *     call that fails leaves the answers of before
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
-    /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
+    /** The same one by one, in no particular order, until visit returns false. @returns whether there were any */
+    overlapEach(centre: Vector, radius: number, visit: (found: Overlap) => boolean | void, options?: NearOptions): boolean;
     /**
      * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are no good
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range
      */
     closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 
-    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are no good */
+    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     locate(point: Vector): Location;
     /** @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below */
     room(room: number): Room;
@@ -729,7 +778,7 @@ export interface Store extends Handle {
      * @throws {FirmaError} INVALID, and nothing changed, when `before` (which it was made from) is not the current one
      */
     publish(before: World, after: World): void;
-    /** The world gone back to. @throws {FirmaError} INVALID when there is none */
+    /** The world that is current then. @throws {FirmaError} INVALID when there is none */
     undo(): World;
     redo(): World;
     /** @throws {FirmaError} INVALID for a version that is not held */

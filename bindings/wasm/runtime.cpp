@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the C and C++ libraries would ask the host for, answered here, so that the module needs one thing of it: the
-// time, for edits in slices and for reports.
+// What the C and C++ libraries would ask the host for, answered here, so that the module needs two things of it: the
+// time, for edits in slices and for reports, and what its visitors answer.
 //
 // A failed allocation or assertion ends in a trap: JavaScript sees an exception, and the module must not be used again.
 #include <cstdarg>
@@ -11,10 +11,13 @@
 #include <new>
 
 #include "bindings/wasm/print_number.h"
+#include "firma/firma_c.h"
 
 extern "C" {
 /// Microseconds since whenever.
 __attribute__((import_module("firma"), import_name("now"))) double firma_host_now();
+/// Shows an answer to the question under way; returns what the visitor answers.
+__attribute__((import_module("firma"), import_name("visit"))) double firma_host_visit(const void* answer);
 }
 
 namespace {
@@ -69,6 +72,19 @@ _LIBCPP_BEGIN_NAMESPACE_STD
 _LIBCPP_END_NAMESPACE_STD
 
 extern "C" {
+
+firma_code firma_wasm_cast_each(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
+                                uint32_t* status) {
+    return firma_cast_each(
+        world, input, options, [](const firma_hit* hit, void*) { return firma_host_visit(hit); }, nullptr, status);
+}
+
+firma_code firma_wasm_overlap_each(firma_world world, const double centre[3], double radius,
+                                   const firma_near_options* options, uint32_t* found) {
+    return firma_overlap_each(
+        world, centre, radius, options,
+        [](const firma_near* near, void*) { return uint32_t(firma_host_visit(near) != 0); }, nullptr, found);
+}
 
 int clock_gettime(clockid_t, timespec* time) {
     const double us = firma_host_now();

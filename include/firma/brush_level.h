@@ -19,7 +19,7 @@
 
 namespace firma {
 
-/// What a brush is made of, and so what it stops (masks.h).
+/// What a brush is made of, and so what it stops (level.h).
 enum class BrushKind : std::uint8_t {
     kSolid,       ///< joined into the one solid, which can be carved: stops everything but liquid's casts
     kSky,         ///< likewise, and painted with the sky
@@ -93,7 +93,7 @@ struct BrushLevel {
     double metres_a_unit = 1.0 / 32;  ///< for numbers in the entities' values, > 0
     /// Metres by which a plane was moved onto the grid, at that corner of its faces where it is most; of a .bsp also by
     /// how much a brush grew when a plane that only touches it was left out. Above 0.001 there is a note.
-    double greatest_shift = 0;
+    double max_shift = 0;
 };
 
 /// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks
@@ -108,16 +108,18 @@ struct BrushLevel {
 /// @return the level, or the first error with file and line: broken syntax, a number too large, a point outside the
 ///         world, a brush of more than 1024 sides, no entity at all. Parts it does not know are kept or noted, never an
 ///         error.
-FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name,
+                                                       const ReadOptions& options = {});
 
 /// Reads the brushes and patches of a Quake 3 .bsp (version 46), of all its models; of the drawn surfaces only patches,
 /// those of the first model. Float planes are made exact once each, a plane and its negative together.
 ///
 /// @return the level, or the first error with file, lump and entry.
-FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
-                                                 const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
+                                                               const ReadOptions& options = {});
 
 /// Reads a file by its ending (.map, .bsp): of a .bsp the brushes.
-FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path,
+                                                               const ReadOptions& options = {});
 
 }  // namespace firma

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// From a level of brushes to a World: brushes joined into one solid, the air divided into rooms.
+// From a level of brushes to a World: brushes joined into one solid, the air divided into rooms; portals for levels
+// whose author placed none; where a level leaks.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "firma/brush_level.h"
 #include "firma/export.h"
+#include "firma/level.h"
+#include "firma/result.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -38,7 +42,8 @@ struct BrushWorldReport {
     std::size_t solid_brushes = 0;         ///< joined
     std::size_t solid_faces = 0;           ///< exact faces of the solid
     std::size_t planes_moved = 0;  ///< by about half a millimetre at most, as faces were too thin for the surface grid
-    std::size_t lost_shells = 0;   ///< closed surfaces whose room no ray told: rooms of their own
+    std::size_t lost_shells =
+        0;  ///< unclassified: closed surfaces of which no ray found out the room they are in; rooms of their own
 };
 
 /// Joins the brushes exactly: of faces that lie against each other, or in another brush, nothing is left; of faces of
@@ -56,9 +61,54 @@ struct BrushWorldReport {
 ///
 /// @param report  filled, when given
 /// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
-///         together (see BrushLevel), and for a skin that is no length; kMalformed where no face is left that a cast
-///         could meet, with what was left out
-FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
-                                      BrushWorldReport* report = nullptr);
+///         together (see BrushLevel), and for a contact offset that is no length; kMalformed where no face is left that
+///         a cast could meet, with what was left out
+[[nodiscard]] FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
+                                                    BrushWorldReport* report = nullptr);
+
+struct DivideOptions {
+    /// An opening divides two rooms when its area is less than so many times that of a square wall of the smaller one,
+    /// were that a cube. 0: none does.
+    double narrow = 0.4;
+    double min_room_volume = 8;         ///< cubic metres of air
+    std::size_t max_cells = 6'000'000;  ///< tested: 14 bytes each; where these are too few, small doors are missed
+};
+
+/// What dividing a level came to.
+struct DivideReport {
+    std::size_t cells = 0;    ///< tested; 0 where the level has no solid brush, or too many and too large ones
+    std::size_t narrows = 0;  ///< sections of the air that were narrower than what lies beyond
+    std::size_t untried = 0;  ///< of these, the widest of more than 20,000: what they would divide is left undivided
+    std::size_t idle = 0;     ///< of these, chosen in vain: the air goes around by a way that the cells do not show
+    std::size_t portals = 0;  ///< added
+};
+
+/// Adds portals where the air of the level narrows: rectangles square to an axis, each a brush of BrushKind::kPortal at
+/// the end of `brushes`, of entity 0 and material 0, with its portal as its first side. Each divides two rooms in the
+/// world that make_world() makes of the level; none is idle. All else stays as it is, the author's portals too: what
+/// these leave undivided is divided further. (Sources of BrushLevel::surfaces count on from the sides that there are
+/// then.)
+///
+/// The air is divided into cells, a sixteenth of a metre wide or more, as many as max_cells allow; a doorway at least
+/// as deep as they are is found. What divides the cells is then put to the exact test. What lies outside of a closed
+/// hull is not divided, if a player begins inside of it (entities `info_player...`).
+///
+/// @param report  filled, when given
+/// @return the level with the portals, the same on every machine; as it was where nothing is narrow. kTooLarge and
+///         kInvalid as of make_world(); kInvalid for an option that is no number or negative
+/// Takes about as long as making the level's world, and a second or so for the cells: the brushes are joined once,
+/// however many narrows are chosen in vain.
+[[nodiscard]] FIRMA_EXPORT Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options = {},
+                                                           DivideReport* report = nullptr);
+
+/// A way through the air from a point to beyond all faces, for an author to see where a level leaks.
+///
+/// @param from  metres, in the air
+/// @param mask  faces that share a bit stop the way; kStopsSight: walls alone, as glass and clips close nothing
+/// @return the points of a line, `from` first, the last one outside the world's bounds; each sees the next. Empty where
+///         there is no way, or none wide enough to be found: ways narrower than an eighth of a metre may not be
+/// Tests a lattice of points, ever finer; takes up to some seconds for a large level.
+[[nodiscard]] FIRMA_EXPORT std::vector<Vec3> find_leak(const World& world, const Vec3& from,
+                                                       std::uint32_t mask = kStopsSight);
 
 }  // namespace firma

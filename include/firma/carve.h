@@ -9,18 +9,18 @@
 #include "firma/cutter.h"
 #include "firma/export.h"
 #include "firma/result.h"
-#include "firma/solid_cut.h"
+#include "firma/solid.h"
 #include "firma/world.h"
 
 namespace firma {
 
-struct CarveResult {
+struct [[nodiscard]] CarveResult {
     CarveStatus status = CarveStatus::kRefused;
     World world;  ///< after the edit; the one before unless kDone
     Error error;  ///< for kRefused
     CarveReport report;
     /// For a refusal that should not be possible (cuts or labels that contradict each other): what it takes to see it
-    /// again, an .obj with the faces looked at and the cutter. Empty otherwise.
+    /// again, an .obj with the candidate faces and the cutter. Empty otherwise.
     std::string reproduction;
 
     bool done() const { return status == CarveStatus::kDone; }

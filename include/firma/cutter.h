@@ -24,7 +24,7 @@ struct CutterData;
 using CutterTriangle = std::array<std::uint32_t, 3>;
 
 /// A cutter of more triangles is refused.
-inline constexpr std::size_t kMostCutterTriangles = 4'000'000;
+inline constexpr std::size_t kMaxCutterTriangles = 4'000'000;
 
 /// Crater shapes that are made from a seed.
 enum class CutterShape : std::uint8_t {
@@ -36,8 +36,8 @@ enum class CutterShape : std::uint8_t {
 };
 
 /// The shape of a name ("rocky", "spiky", "drill", "wedge", "box"); nothing for any other.
-FIRMA_EXPORT std::optional<CutterShape> cutter_shape(std::string_view name);
-FIRMA_EXPORT std::string_view cutter_shape_name(CutterShape shape);
+[[nodiscard]] FIRMA_EXPORT std::optional<CutterShape> cutter_shape(std::string_view name);
+[[nodiscard]] FIRMA_EXPORT std::string_view cutter_shape_name(CutterShape shape);
 
 /// A closed mesh in units of its own (metres at scale 1), immutable: copies share it. The default one holds nothing and
 /// cannot be placed.
@@ -62,12 +62,12 @@ private:
 
 /// A crater shape of mean radius about 1 around the origin, which sees every point of its surface. The same numbers
 /// from the same seed on every machine.
-FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
+[[nodiscard]] FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 
 /// A cutter from a mesh. An inside-out one is turned over; vertices that no triangle uses are left out.
 ///
 /// @param vertices   any unit
-/// @param triangles  indices of vertices [4 <= count <= kMostCutterTriangles], all wound the same way
+/// @param triangles  indices of vertices [4 <= count <= kMaxCutterTriangles], all wound the same way
 /// @param name       for messages
 /// @return the cutter, or the first fault, with the vertex, triangle or edge:
 ///         kTooLarge, too many triangles; kOutOfRange, a number that is not finite or beyond 2^200;
@@ -75,14 +75,14 @@ FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 ///         triangles use, one each way (open, or more than two in one place, or wound against each other), fewer than 4
 ///         triangles, no volume.
 /// Whether it crosses itself is judged where it is placed, on the grid.
-FIRMA_EXPORT Result<Cutter> make_cutter(std::span<const Vec3> vertices, std::span<const CutterTriangle> triangles,
-                                        std::string name = "");
+[[nodiscard]] FIRMA_EXPORT Result<Cutter> make_cutter(std::span<const Vec3> vertices,
+                                                      std::span<const CutterTriangle> triangles, std::string name = "");
 
 /// A cutter from a level file: vertices at one position are one, faces are divided into triangles. Metres, as snapped.
 /// Whether faces are two-sided, and materials and groups, are ignored.
 ///
 /// @return as make_cutter(); an edge that a face does not share corner by corner (a T-joint) is open
-FIRMA_EXPORT Result<Cutter> cutter_from_level(const Level& level);
+[[nodiscard]] FIRMA_EXPORT Result<Cutter> cutter_from_level(const Level& level);
 
 /// A turn: x, y, z, w, of any length but zero; it is normalised when used.
 using Quaternion = std::array<double, 4>;
@@ -96,6 +96,6 @@ struct Pose {
 
 /// A random turn, evenly distributed, of length 1; without sine or cosine, so the same on every machine.
 /// Source: G. Marsaglia, Choosing a Point from the Surface of a Sphere, 1972 (by rejection, in four dimensions).
-FIRMA_EXPORT Quaternion random_turn(std::uint64_t seed);
+[[nodiscard]] FIRMA_EXPORT Quaternion random_turn(std::uint64_t seed);
 
 }  // namespace firma

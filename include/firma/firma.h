@@ -2,16 +2,14 @@
 // Everything: levels in, worlds out, casts through them, craters into them.
 #pragma once
 
+#include "firma/brush_level.h"
+#include "firma/brush_world.h"
 #include "firma/carve.h"
-#include "firma/carve_rules.h"
-#include "firma/check_mesh.h"
 #include "firma/cutter.h"
-#include "firma/diff_worlds.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"
-#include "firma/level_portals.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
 #include "firma/polygon.h"
@@ -20,12 +18,13 @@
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
-#include "firma/solid_cut.h"
 #include "firma/texture.h"
-#include "firma/tolerance.h"
 #include "firma/tree_options.h"
 #include "firma/triangles.h"
 #include "firma/vec.h"
+#include "firma/versions.h"
 #include "firma/world.h"
-#include "firma/world_store.h"
-#include "firma/write_obj.h"
+
+#if __has_include("firma/read_gltf.h")  // of firma::gltf, a library of its own
+#include "firma/read_gltf.h"
+#endif

@@ -8,8 +8,12 @@
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
- * be null say so; any other null, a count without its array, or a struct whose `size` is not that of this header gives
+ * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
+ *
+ * Structs. Those that begin with `size` may grow in later versions: set it to the struct's sizeof, also in structs that
+ * a call fills (`firma_room room = {.size = sizeof room};`). A caller that was compiled with an older, shorter struct
+ * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs and
  * edits are for one thread at a time. A handle must not be released while another thread is using it.
@@ -55,7 +59,7 @@ typedef enum firma_code {
     FIRMA_ERROR_INVALID = 6,      /* arguments that make no sense */
     FIRMA_ERROR_CANNOT_WRITE = 7, /* the file cannot be made or written */
     FIRMA_ERROR_BAD_HANDLE = 8,   /* released, never made, or of another kind */
-    FIRMA_ERROR_BAD_CALL = 9,     /* a null that may not be, a wrong `size`, a call out of order */
+    FIRMA_ERROR_BAD_CALL = 9,     /* a null that may not be, a `size` that cannot be, a call out of order */
     FIRMA_ERROR_NO_MEMORY = 10,
     FIRMA_ERROR_BROKEN = 11,  /* firma_world_check() found something that does not hold */
     FIRMA_ERROR_INTERNAL = 12 /* a mistake of Firma's own: please report it */
@@ -134,13 +138,13 @@ typedef struct firma_bytes {
 
 /* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
 typedef struct firma_world_options {
-    uint32_t size;         /* sizeof(firma_world_options) */
-    uint32_t surface_area; /* 0: bins are split in half across their longest axis; 1: by surface area */
-    int32_t max_depth;     /* 0..64 */
-    int32_t faces_per_bin; /* >= 1 */
-    double min_bin_volume; /* cubic metres */
-    double skin;           /* metres: how far movers stay from surfaces */
-    double scale;          /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
+    uint32_t size;          /* sizeof(firma_world_options) */
+    uint32_t surface_area;  /* 0: nodes are split in half across their longest axis; 1: by surface area */
+    int32_t max_depth;      /* 0..64 */
+    int32_t faces_per_leaf; /* >= 1 */
+    double min_node_volume; /* cubic metres */
+    double contact_offset;  /* metres: how far movers stay from surfaces */
+    double scale;           /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
 } firma_world_options;
 
 FIRMA_API void firma_world_options_defaults(firma_world_options* options);
@@ -196,7 +200,7 @@ FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const
                                           firma_level* level);
 FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
                                           firma_level* level);
-/* The world that firma_world_from_map() would make; the scale of the options is not looked at. */
+/* The world that firma_world_from_map() would make; the scale of the options is ignored. */
 FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
 
 typedef struct firma_entity {
@@ -210,6 +214,7 @@ typedef struct firma_entity {
 } firma_entity;
 
 typedef struct firma_level_view {
+    uint32_t size;                /* sizeof(firma_level_view) */
     const firma_entity* entities; /* the first is the world */
     size_t entity_count;
     const char* const* notes; /* for people: what was dropped, replaced or not understood, with its place */
@@ -226,19 +231,36 @@ FIRMA_API firma_code firma_world_copy(firma_world world, firma_world* copy);
 FIRMA_API firma_code firma_world_release(firma_world world);
 
 typedef struct firma_world_facts {
+    uint32_t size;    /* sizeof(firma_world_facts) */
+    uint32_t edits;   /* cuts and fills so far */
     uint64_t version; /* 0 as read; every edit adds one */
     uint64_t face_count;
     uint64_t room_count;    /* those that edits joined to others counted */
     uint64_t portal_count;  /* those without polygons counted */
     double low[3], high[3]; /* bounds of all faces; low > high when there are none */
-    double skin;
+    double contact_offset;
     uint32_t material_count;
-    uint32_t edits; /* cuts and fills so far */
+    uint32_t reserved;
 } firma_world_facts;
 
 FIRMA_API firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts);
 /* Of everything the world holds: equal edits in equal order give equal ones on every machine. */
 FIRMA_API firma_code firma_world_hash(firma_world world, uint64_t* hash);
+/* Of the solid's set of points alone: equal for equal solids, however they came about. */
+FIRMA_API firma_code firma_world_hash_solid(firma_world world, uint64_t* hash);
+
+/* Of a cube of 32 m: from region * 32 m to (region + 1) * 32 m along each axis. */
+typedef struct firma_region_hash {
+    int32_t region[3];
+    uint32_t reserved;
+    uint64_t faces;  /* of all that faces are whose lowest corner lies there */
+    uint64_t points; /* of the solid's set of points: of its corners there */
+} firma_region_hash;
+
+/* Of each region with anything in it, in an order that is the same everywhere: so two machines can find where their
+ * worlds differ. `count` gets how many; the first `capacity` are written (`hashes` may be null when that is 0). */
+FIRMA_API firma_code firma_world_hash_regions(firma_world world, firma_region_hash* hashes, size_t capacity,
+                                              size_t* count);
 /* FIRMA_ERROR_BROKEN when an invariant of faces, trees or the exact solid does not hold: the message names it. */
 FIRMA_API firma_code firma_world_check(firma_world world);
 /* The exact solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and its area, square
@@ -265,14 +287,22 @@ typedef struct firma_rules {
     size_t zone_count;
     const double* hardness; /* by number of the material in the world; missing ones are 0 */
     size_t hardness_count;
-    uint64_t most_faces, most_faces_looked_at, most_new_faces, most_cutter_triangles, most_pairs, most_corners;
-    double largest_cutter; /* metres */
+    uint64_t max_faces, max_candidate_faces, max_new_faces, max_cutter_triangles, max_pairs, max_corners;
+    double max_cutter_size; /* metres */
 } firma_rules;
 
 /* The same world under other rules for carving. */
 FIRMA_API firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, firma_world* with_rules);
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
+
+/* What faces stop: bits of their masks, and of casts'. Faces of formats that know no contents have all bits. */
+#define FIRMA_STOPS_WALK 1u   /* bodies that walk: walls, glass, clip brushes */
+#define FIRMA_STOPS_SHOTS 2u  /* walls, glass */
+#define FIRMA_STOPS_SIGHT 4u  /* walls, but no glass */
+#define FIRMA_STOPS_LIQUID 8u /* the surface of water, slime, lava */
+#define FIRMA_IS_SKY 16u      /* in addition to what a wall stops: the sky is painted on it */
+#define FIRMA_STOPS_SOLID (FIRMA_STOPS_WALK | FIRMA_STOPS_SHOTS | FIRMA_STOPS_SIGHT)
 
 #define FIRMA_FACE_TWO_SIDED 1u
 #define FIRMA_FACE_SOLID 2u /* bounds a closed solid, which can be carved */
@@ -288,17 +318,43 @@ typedef struct firma_face {
     uint32_t room;         /* that it looks into */
     uint32_t first_corner; /* in firma_faces_view.corners, counted in points */
     uint32_t corner_count;
+    int32_t corner[3]; /* its first, in steps of 1/262144 m: where to look for it */
 } firma_face;
 
 typedef struct firma_faces_view {
+    uint32_t size; /* sizeof(firma_faces_view) */
     const firma_face* faces;
     size_t face_count;
     const double* corners; /* three for each */
     size_t corner_count;
 } firma_faces_view;
 
+/* Which faces; a null pointer takes all. At most one of room, box and region. */
+typedef struct firma_face_filter {
+    uint32_t size;         /* sizeof(firma_face_filter) */
+    uint32_t room;         /* those that look into it, or into the one that it became part of; or FIRMA_ANY_ROOM */
+    const double* box;     /* six: low, high. Those whose own box shares a point with it; may be null */
+    const int32_t* region; /* three: those whose lowest corner lies in the cube of 32 m from region * 32 m on; may be
+                              null */
+} firma_face_filter;
+
+FIRMA_API void firma_face_filter_defaults(firma_face_filter* filter);
+
+/* Gets a face and its corners, three doubles for each; both are good until it returns. Returns 1 to go on, 0 to stop.
+ */
+typedef uint32_t (*firma_face_visitor)(const firma_face* face, const double* corners, void* user);
+
 /* All faces, in order of id. */
 FIRMA_API firma_code firma_world_faces(firma_world world, firma_faces* faces);
+/* Some, in no particular order. Costs the walk through the index down to them. */
+FIRMA_API firma_code firma_world_faces_in(firma_world world, const firma_face_filter* filter, firma_faces* faces);
+/* The same one by one, without taking memory. `completed` gets 0 when the visitor stopped it, else 1; it may be null.
+ */
+FIRMA_API firma_code firma_world_each_face(firma_world world, const firma_face_filter* filter, firma_face_visitor visit,
+                                           void* user, uint32_t* completed);
+/* The face of a hit, a firma_near or a firma_face by its id and first corner; none in the list when the world has no
+ * such face: cut since, or of another world. Costs a walk through the index. */
+FIRMA_API firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner[3], firma_faces* faces);
 /* One face by its id; none in the list when the world has no such face. Searches all faces. */
 FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma_faces* faces);
 /* Views are good until the handle is released. */
@@ -316,10 +372,10 @@ typedef enum firma_texture_unit {
 
 /* u = u_axis . p + u_offset of a point p of the face, in metres; v likewise. */
 typedef struct firma_texture {
+    uint32_t size; /* sizeof(firma_texture) */
+    uint32_t unit; /* firma_texture_unit */
     double u_axis[3], u_offset;
     double v_axis[3], v_offset;
-    uint32_t unit; /* firma_texture_unit */
-    uint32_t reserved;
 } firma_texture;
 
 /* How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an edit
@@ -352,6 +408,7 @@ typedef struct firma_triangle_source {
 } firma_triangle_source;
 
 typedef struct firma_triangles_view {
+    uint32_t size;          /* sizeof(firma_triangles_view) */
     const float* positions; /* three for each vertex: metres from the origin of the options */
     const float* normals;   /* three for each vertex, unit */
     size_t vertex_count;
@@ -408,26 +465,30 @@ FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3]
 
 /* What pointers show is good as long as the handle of the world. */
 typedef struct firma_room {
+    uint32_t size;          /* sizeof(firma_room) */
+    uint32_t exterior;      /* 1: reaches to infinity */
     double low[3], high[3]; /* of its faces and portals; low > high when there are none */
     uint64_t face_count;
     const char* name;        /* UTF-8; "" where the level gives none */
     const uint32_t* portals; /* ascending */
     size_t portal_count;
-    uint32_t exterior;    /* 1: reaches to infinity */
     uint32_t merged_into; /* itself; of a room that an edit joined to another: that one, and it is empty */
+    uint32_t reserved;
 } firma_room;
 
 /* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
 FIRMA_API firma_code firma_world_room(firma_world world, uint32_t room, firma_room* info);
 
 typedef struct firma_portal {
+    uint32_t size; /* sizeof(firma_portal) */
+    uint32_t material;
     double low[3], high[3]; /* low > high when it has no polygons */
     const char* name;       /* UTF-8; "" where the level gives none */
     uint32_t rooms[2];
-    uint32_t material;
-    uint32_t mask;          /* what it stops while closed */
+    uint32_t mask;          /* what it stops while closed: FIRMA_STOPS_... */
     uint32_t open;          /* 0 or 1 */
     uint32_t polygon_count; /* 0: an edit joined its rooms, or filled it, and it leads nowhere */
+    uint32_t reserved;
 } firma_portal;
 
 FIRMA_API firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* info);
@@ -449,7 +510,7 @@ FIRMA_API firma_code firma_world_path(firma_world world, uint32_t from, uint32_t
 
 /* ---- casts ------------------------------------------------------------------------------------------------------ */
 
-typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_TOUCHING = 2, FIRMA_INVALID = 3 } firma_status;
+typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_INITIAL_OVERLAP = 2, FIRMA_INVALID = 3 } firma_status;
 typedef enum firma_feature { FIRMA_FACE = 0, FIRMA_EDGE = 1, FIRMA_VERTEX = 2 } firma_feature;
 
 /* A sphere and its path; radius 0 casts a particle. */
@@ -459,16 +520,16 @@ typedef struct firma_cast_input {
     double path[3];
 } firma_cast_input;
 
-/* A null pointer takes the defaults: all bits, one-sided, all rooms, the world's skin. */
+/* A null pointer takes the defaults: all bits, one-sided, all rooms, the world's contact offset. */
 typedef struct firma_cast_options {
-    uint32_t size;    /* sizeof(firma_cast_options) */
-    uint32_t mask;    /* faces that share a bit are met */
-    uint32_t sides;   /* 0: the front, where the face does not say both; 1: both sides of all */
-    uint32_t room;    /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
-                         FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
-    double skin;      /* metres; negative takes the world's */
-    uint32_t* passed; /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
-                         `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
+    uint32_t size;         /* sizeof(firma_cast_options) */
+    uint32_t mask;         /* faces that share a bit are met */
+    uint32_t sides;        /* 0: the front, where the face does not say both; 1: both sides of all */
+    uint32_t room;         /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
+                              FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
+    double contact_offset; /* metres; negative takes the world's */
+    uint32_t* passed;      /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
+                              `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
     size_t passed_capacity;
     uint32_t* passed_count; /* gets how many there were, the first included: 0 when all rooms of a world of several were
                                asked; may be null */
@@ -480,13 +541,14 @@ FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);
  * else there is to know of the face met tells firma_world_hit_info(). */
 typedef struct firma_hit {
     double fraction;      /* of the path, 0..1 */
-    double safe_fraction; /* how far to go so that the skin is kept */
+    double safe_fraction; /* how far to go so that the contact offset is kept */
     double centre[3];     /* of the sphere at `fraction` */
     double point[3];      /* of the surface */
     double normal[3];     /* unit, from `point` toward the centre */
     double face_normal[3];
-    uint32_t status;        /* firma_status; FIRMA_INVALID: a number of the input is no good, nothing was asked */
-    uint32_t feature;       /* firma_feature */
+    uint32_t status;  /* firma_status; FIRMA_INVALID: a number of the input is non-finite or out of range, nothing was
+                         asked */
+    uint32_t feature; /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
     uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
     int32_t corner[3];      /* the face's first, in steps of 1/262144 m: where to look for it */
@@ -510,9 +572,9 @@ typedef struct firma_hit_info {
  * or cut since. Takes no memory; costs a walk through the index, and another one at an edge. */
 FIRMA_API firma_code firma_world_hit_info(firma_world world, const firma_hit* hit, firma_hit_info* info);
 
-/* What casts looked at; added to. */
+/* What casts tested; added to. */
 typedef struct firma_cast_counts {
-    uint64_t bins, boxes, faces, precise;
+    uint64_t nodes, boxes, faces, precise;
 } firma_cast_counts;
 
 /* The first touch. Bad numbers give FIRMA_OK with status FIRMA_INVALID. `counts` may be null. */
@@ -525,6 +587,15 @@ FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* i
  * first `capacity` of them are written (`hits` may be null when that is 0). */
 FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     firma_hit* hits, size_t capacity, size_t* count);
+/* Gets one hit at a time, good until it returns. Returns the fraction up to which to look on: 1 goes on as before,
+ * hit->fraction asks for nothing later than this hit, 0 or less ends the cast. It can only bring the end nearer. */
+typedef double (*firma_hit_visitor)(const firma_hit* hit, void* user);
+/* Every face and closed portal that the sphere would meet along the path, as if alone, in no particular order: to
+ * filter, to stop early, to collect. Takes no memory. `status` gets FIRMA_MISS when the visitor was given nothing,
+ * FIRMA_INVALID as firma_cast(), else FIRMA_HIT; it may be null. */
+FIRMA_API firma_code firma_cast_each(firma_world world, const firma_cast_input* input,
+                                     const firma_cast_options* options, firma_hit_visitor visit, void* user,
+                                     uint32_t* status);
 /* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. When firma_tasks.run does not do
  * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. */
 FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
@@ -558,6 +629,12 @@ FIRMA_API void firma_near_options_defaults(firma_near_options* options);
 FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius,
                                    const firma_near_options* options, firma_near* found, size_t capacity,
                                    size_t* count);
+/* Gets one at a time, in no particular order; good until it returns. Returns 1 to go on, 0 to stop. */
+typedef uint32_t (*firma_overlap_visitor)(const firma_near* found, void* user);
+/* The same without taking memory. `found` gets 1 when the visitor was given anything, else 0; it may be null. */
+FIRMA_API firma_code firma_overlap_each(firma_world world, const double centre[3], double radius,
+                                        const firma_near_options* options, firma_overlap_visitor visit, void* user,
+                                        uint32_t* found);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
  * FIRMA_ERROR_OUT_OF_RANGE as above. */
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
@@ -604,9 +681,11 @@ typedef enum firma_carve_status {
 } firma_carve_status;
 
 typedef struct firma_carve_report {
+    uint32_t size;   /* sizeof(firma_carve_report) */
     uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
     uint32_t retries;
-    uint64_t faces_looked_at, faces_cut, faces_gone, faces_new;
+    uint32_t reserved;
+    uint64_t candidate_faces, faces_cut, faces_removed, faces_added;
     double scale;  /* what zones and materials left of the cutter's scale */
     double volume; /* cubic metres taken; negative when added */
     /* Microseconds. */
@@ -642,6 +721,8 @@ FIRMA_API firma_code firma_edit_release(firma_edit edit);
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 
 typedef struct firma_diff_view {
+    uint32_t size; /* sizeof(firma_diff_view) */
+    uint32_t too_many_tiles;
     const uint32_t* removed; /* ids, in order */
     size_t removed_count;
     const firma_face* added; /* in order of id */
@@ -660,8 +741,6 @@ typedef struct firma_diff_view {
     const uint32_t* portals_changed; /* of both, with other rooms, polygons or names */
     size_t portals_changed_count;
     double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
-    uint32_t too_many_tiles;
-    uint32_t reserved;
 } firma_diff_view;
 
 /* What changed from one world to another. `tile_size` metres, 0 for no tiles. */
@@ -674,20 +753,22 @@ FIRMA_API firma_code firma_diff_release(firma_diff diff);
 /* A store holds the newest world, which any thread may take at any time, and those before it, for undo. An editor takes
  * the current world, edits it, and publishes the result. */
 typedef struct firma_store_facts {
+    uint32_t size; /* sizeof(firma_store_facts) */
+    uint32_t reserved;
     uint64_t oldest, current, newest; /* versions */
     uint64_t versions;                /* held, undone ones included */
     uint64_t bytes;                   /* held beside the newest version */
     uint64_t waiting;                 /* dropped versions that somebody held when it was last looked */
 } firma_store_facts;
 
-/* `most_bytes` bounds what versions other than the current one hold; with 0 there is no undo. */
-FIRMA_API firma_code firma_store_open(firma_world first, uint64_t most_bytes, firma_store* store);
+/* `max_bytes` bounds what versions other than the current one hold; with 0 there is no undo. */
+FIRMA_API firma_code firma_store_open(firma_world first, uint64_t max_bytes, firma_store* store);
 /* Another handle to the current world; never waits for an edit. Take one for a frame and cast on it. */
 FIRMA_API firma_code firma_store_current(firma_store store, firma_world* world);
 /* Makes `after` the current world. `before` must be the current one, from which it was made: FIRMA_ERROR_INVALID, and
  * nothing changed, when somebody else was first. Drops what was undone, and the oldest versions beyond the bytes. */
 FIRMA_API firma_code firma_store_publish(firma_store store, firma_world before, firma_world after);
-/* The world gone back, or forward, to. FIRMA_ERROR_INVALID when there is none. */
+/* The world that is current then. FIRMA_ERROR_INVALID when there is none. */
 FIRMA_API firma_code firma_store_undo(firma_store store, firma_world* world);
 FIRMA_API firma_code firma_store_redo(firma_store store, firma_world* world);
 /* FIRMA_ERROR_INVALID for a version that is not held. */
@@ -702,6 +783,43 @@ FIRMA_API firma_code firma_store_release(firma_store store);
 
 FIRMA_API firma_code firma_bytes_get_view(firma_bytes bytes, const void** data, size_t* length);
 FIRMA_API firma_code firma_bytes_release(firma_bytes bytes);
+
+/* ---- names of version 0.1 --------------------------------------------------------------------------------------- */
+
+/* For programs of version 0.1; the next version has them no more. docs/migration.md tells what else changed. */
+#define FIRMA_INITIAL_OVERLAP FIRMA_INITIAL_OVERLAP
+#define FIRMA_ROOM FIRMA_AIR
+#define FIRMA_UNSURE FIRMA_UNKNOWN
+
+/* firma_world_locate() says more. 1 in the solid, 0 in the air, 2 on a face or where that cannot be said. */
+static inline firma_code firma_in_solid(firma_world world, const double point[3], uint32_t* where) {
+    uint32_t found = FIRMA_UNKNOWN;
+    const firma_code code = firma_world_locate(world, point, where ? &found : NULL, NULL);
+    if (code == FIRMA_OK) *where = found == FIRMA_SOLID ? 1 : found == FIRMA_AIR ? 0 : 2;
+    return code;
+}
+
+/* Members of structs, too, when the program defines this before it includes the header; they are macros then. */
+#ifdef FIRMA_NAMES_0_1
+#define contact_offset contact_offset
+#define bins nodes
+#define faces_per_leaf faces_per_leaf
+#define min_node_volume min_node_volume
+#define max_faces max_faces
+#define max_candidate_faces max_candidate_faces
+#define max_new_faces max_new_faces
+#define max_cutter_triangles max_cutter_triangles
+#define max_pairs max_pairs
+#define max_corners max_corners
+#define max_cutter_size max_cutter_size
+#define candidate_faces candidate_faces
+#define faces_removed faces_removed
+#define faces_added faces_added
+#define gone removed
+#define gone_count removed_count
+#define come added
+#define come_count added_count
+#endif
 
 #ifdef __cplusplus
 }

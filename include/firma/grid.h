@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The grids that geometry lives on: integers first, metres only for show.
+// The grids that points lie on, and the distances that are accepted.
 #pragma once
 
 #include <cstdint>
@@ -43,5 +43,11 @@ FIRMA_INLINE Vec3 to_metres(const GridPoint& p) {
 /// or lies
 ///         outside the world once rounded.
 FIRMA_EXPORT std::optional<GridPoint> snap(const Vec3& point);
+
+/// Distances in metres. Nothing in a cast depends on them but `safe_fraction`.
+struct Tolerance {
+    /// How far from a surface a mover stops, measured along the contact normal.
+    double contact_offset = 0.001;
+};
 
 }  // namespace firma

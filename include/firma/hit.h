@@ -10,11 +10,11 @@
 namespace firma {
 
 enum class Status : std::uint8_t {
-    kMiss,      ///< nothing met; also for a zero path, and for a start in overlap that does not get deeper
-    kHit,       ///< first touch at a fraction in (0, 1]
-    kTouching,  ///< starts in touch or overlap and the distance is decreasing: fraction 0
-    kInvalid,   ///< a number is not finite or too large, or the radius negative: not a miss, nothing was asked of the
-                ///< world; the fraction is 0
+    kMiss,            ///< nothing met; also for a zero path, and for a start in overlap that does not get deeper
+    kHit,             ///< first touch at a fraction in (0, 1]
+    kInitialOverlap,  ///< starts in touch or overlap and the distance is decreasing: fraction 0
+    kInvalid,  ///< a number is not finite or too large, or the radius negative: not a miss, nothing was asked of the
+               ///< world; the fraction is 0
 };
 
 enum class Feature : std::uint8_t { kFace, kEdge, kVertex };
@@ -38,7 +38,7 @@ struct PolygonHit {
     Vec3 face_normal;  ///< unit, of the polygon as wound, whichever side was met; through a World, of the exact plane
                        ///< that the face met was cut from
 
-    [[nodiscard]] bool touched() const { return status == Status::kHit || status == Status::kTouching; }
+    [[nodiscard]] bool touched() const { return status == Status::kHit || status == Status::kInitialOverlap; }
     /// Whether anything was met: false of a miss, and of what could not be asked.
     [[nodiscard]] explicit operator bool() const { return touched(); }
 };
@@ -84,18 +84,18 @@ inline constexpr RoomId kLocateRoom{~0u - 1};
 /// What a cast through a World met first. Where a face came from, its room and neighbours are a second question:
 /// World::face_info(), other_face(), room_of().
 struct Hit : PolygonHit {
-    double safe_fraction = 1;    ///< how far to go so that the skin is kept along `normal`: within 0..fraction
-    FaceRef face;                ///< the face met; of several at the same fraction the one with the lowest id; invalid
-                                 ///< when a closed portal was met, which is when no face is met at that fraction
-    PortalId portal;             ///< the closed portal met, the lowest id of several; else invalid
+    double safe_fraction = 1;  ///< how far to go so that the contact offset is kept along `normal`: within 0..fraction
+    FaceRef face;              ///< the face met; of several at the same fraction the one with the lowest id; invalid
+                               ///< when a closed portal was met, which is when no face is met at that fraction
+    PortalId portal;           ///< the closed portal met, the lowest id of several; else invalid
     std::uint32_t material = 0;  ///< index into World::material_name; of a closed portal, the portal's
 };
 
-/// What casts looked at. Add up over casts; a cast only ever adds.
+/// What casts tested. Add up over casts; a cast only ever adds.
 struct CastCounts {
-    std::uint64_t bins = 0;     ///< boxes of bins tested
+    std::uint64_t nodes = 0;    ///< boxes of the tree's nodes tested
     std::uint64_t boxes = 0;    ///< boxes of faces and of portals' polygons tested
-    std::uint64_t faces = 0;    ///< faces whose geometry was looked at
+    std::uint64_t faces = 0;    ///< candidate faces: those whose geometry was tested
     std::uint64_t precise = 0;  ///< questions that double left open and more digits decided
 };
 

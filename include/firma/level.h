@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A level as read from a file: snapped vertices, convex planar faces, and an account of what was dropped or divided.
+// A level as read from a file: snapped vertices, convex planar faces, what they stop, and an account of what was
+// dropped or divided.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,15 @@
 #include "firma/texture.h"
 
 namespace firma {
+
+inline constexpr std::uint32_t kStopsWalk = 1;    ///< bodies that walk: walls, glass, clip brushes
+inline constexpr std::uint32_t kStopsShots = 2;   ///< walls, glass
+inline constexpr std::uint32_t kStopsSight = 4;   ///< walls, but no glass
+inline constexpr std::uint32_t kStopsLiquid = 8;  ///< the surface of water, slime, lava
+inline constexpr std::uint32_t kIsSky = 16;       ///< in addition to what a wall stops: the sky is painted on it
+
+/// What a wall stops. Faces of formats that know no contents stop everything.
+inline constexpr std::uint32_t kStopsSolid = kStopsWalk | kStopsShots | kStopsSight;
 
 /// What a face was in its file.
 enum class FaceKind : std::uint8_t { kPolygon, kTriangleSoup, kPatch };
@@ -92,7 +102,8 @@ struct ReadOptions {
 /// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
 ///         that names no vertex before the face, face with fewer than 3 or more than 4096 corners, no face at all,
 ///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
-FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name,
+                                                  const ReadOptions& options = {});
 
 /// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces as the polygons that their
 /// triangles make up, triangle soups as they are, patches tessellated. Shader names become materials. Quake's units are
@@ -100,10 +111,10 @@ FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name, con
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.
-FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
-                                    const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
+                                                  const ReadOptions& options = {});
 
 /// Reads a file by its ending (.obj, .bsp).
-FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

@@ -12,7 +12,7 @@ namespace firma {
 
 /// Bytes that some versions of a world, or several worlds, hold together: what they share counts once, so one more
 /// version costs what it does not share. Edges, vertices and planes that exact faces share are counted by an estimate
-/// for each face. Visits every block; for budgets and diagnosis, not for each frame.
+/// for each face. Goes through every block; for budgets and diagnosis, not for each frame.
 FIRMA_EXPORT std::size_t memory_used(std::span<const World> worlds);
 inline std::size_t memory_used(const World& world) {
     return memory_used({&world, 1});

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A mesh that somebody has in memory, and the level it makes.
+// Meshes that a program gives, and what is wrong with the mesh of a file.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "firma/export.h"
 #include "firma/level.h"
@@ -38,6 +40,58 @@ struct Mesh {
 ///         texture coordinates that are not finite,
 ///         an index that names no vertex or material, a face with fewer than 3 or more than 4096 corners, counts that
 ///         do not add up to the corners, arrays of other lengths than said, no face at all, more than 2^31 corners.
-FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name, const ReadOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name,
+                                                         const ReadOptions& options = {});
+
+enum class MeshFault : std::uint8_t {
+    kOpenEdge,      ///< an edge that fewer faces use one way than the other
+    kReversedFace,  ///< a face wound against its neighbours; its edges are then judged as if it were turned over
+};
+
+enum class MeshNote : std::uint8_t {
+    kNoArea,   ///< the face has no area in the file itself; it is dropped, unless the snap gives it one
+    kDropped,  ///< the snap takes its area; it is dropped
+    kBent,     ///< flat in the file, not on the grid; it is divided
+    kTurned,   ///< the snap turns it over: its normals before and after point apart
+    kDivided,  ///< not flat or not convex in the file itself, or of more than 64 corners; it is divided
+};
+
+/// A place in the mesh where something is wrong. Points as the file has them, nearest doubles.
+struct MeshFaultPlace {
+    MeshFault what = MeshFault::kOpenEdge;
+    std::uint32_t source = 0;  ///< face index in the file
+    std::uint32_t line = 0;    ///< of the face, from 1; 0 where the format has none
+    Vec3 from, to;             ///< ends of the edge; for a reversed face, of the first edge that tells
+    bool t_joint = false;      ///< an open edge that another vertex of the mesh lies on, exactly
+};
+
+struct MeshNotePlace {
+    MeshNote what = MeshNote::kNoArea;
+    std::uint32_t source = 0;
+    std::uint32_t line = 0;
+    Vec3 at;  ///< its first corner
+};
+
+struct MeshCheck {
+    std::vector<MeshFaultPlace> faults;  ///< in order of face
+    std::vector<MeshNotePlace> notes;    ///< in order of face
+    std::uint32_t faces = 0;             ///< in the file
+    std::uint64_t vertices = 0;          ///< different positions used by faces
+    bool closed() const { return faults.empty(); }
+};
+
+/// Checks an .obj by the decimals it holds: vertices are the same where their decimals are equal as numbers, whatever
+/// their indices. `options.scale` only says what the notes compare with.
+/// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent
+///         beyond 400
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_obj(std::string_view text, std::string name,
+                                                       const ReadOptions& options = {});
+
+/// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name,
+                                                       const ReadOptions& options = {});
+
+/// Checks a file by its ending.
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

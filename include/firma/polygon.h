@@ -48,8 +48,8 @@ enum class PolygonFault : std::uint8_t {
 /// @param path     motion (metres); a zero path (below 2^-1000 m) is kMiss: use overlap()
 /// @param corners  the polygon, as the head of this file says; others give answers without meaning, never a crash
 /// @param sides    kFront: only when path . normal < 0 (exact sign), wherever the centre is
-/// @return kHit with fraction in (0, 1]; kTouching at fraction 0 when the distance at the start is at most the radius
-/// and
+/// @return kHit with fraction in (0, 1]; kInitialOverlap at fraction 0 when the distance at the start is at most the
+/// radius and
 ///         decreasing; kMiss otherwise, also when the sphere starts in touch and moves along or away.
 ///         An exact graze is a hit. A miss has fraction 1 and the end of the path as its centre. kInvalid, with
 ///         fraction 0 and the start as its centre, for a number that is not finite or beyond 2^200, or a negative

@@ -31,7 +31,7 @@ struct RoomTrail {
 struct CastOptions {
     std::uint32_t mask = ~0u;      ///< faces that share a bit are met
     Sides sides = Sides::kFront;   ///< kFront leaves the choice to the face; kBoth meets both sides of all
-    double skin = -1;              ///< metres for safe_fraction; negative takes the World's
+    double contact_offset = -1;    ///< metres for safe_fraction; negative takes the World's
     CastCounts* counts = nullptr;  ///< added to, when given; not shared between threads
     /// The room that the start lies in, and the cast goes on from there through portals; kLocateRoom: the cast finds
     /// out; kAnyRoom: all rooms are asked. For starts in the air, clear of all faces, the answers are the same;
@@ -46,8 +46,8 @@ struct CastOptions {
 /// @param path    motion (metres)
 /// @return as cast_polygon(), over all faces, and over closed portals as two-sided ones; of several at the smallest
 ///         fraction the one with the lowest id, faces before portals. A miss has fraction and safe_fraction 1 and the
-///         end of the path as its centre. kInvalid also for a room that is not there and a skin that is not finite:
-///         then the fractions are 0.
+///         end of the path as its centre. kInvalid also for a room that is not there and a contact offset that is not
+///         finite: then the fractions are 0.
 [[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Sphere& sphere, const Vec3& path,
                                     const CastOptions& options = {});
 /// Of a particle.
@@ -56,8 +56,8 @@ struct CastOptions {
 }
 
 /// Whether cast() would touch anything, without looking for the first. Costs less where much is met.
-/// @return kHit, kTouching, kMiss or kInvalid; kHit also stands for a touch where another face would have said
-///         kTouching
+/// @return kHit, kInitialOverlap, kMiss or kInvalid; kHit also stands for a touch where another face would have said
+///         kInitialOverlap
 [[nodiscard]] FIRMA_EXPORT Status cast_any(const World& world, const Sphere& sphere, const Vec3& path,
                                            const CastOptions& options = {});
 [[nodiscard]] inline Status cast_any(const World& world, const Ray& ray, const CastOptions& options = {}) {
@@ -141,7 +141,7 @@ using OverlapVisitor = FunctionRef<bool(const Overlap& overlap)>;
 
 /// The faces that a closed ball touches, either side, then the closed portals. No tolerance.
 /// @return kInvalid for a number that is not finite or too large, a negative radius, or a room that is not there;
-///         otherwise kTouching when anything was found, kMiss when not
+///         otherwise kInitialOverlap when anything was found, kMiss when not
 FIRMA_EXPORT Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor visit,
                                  const NearOptions& options = {});
 

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "firma/check_mesh.h"
 #include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/level.h"
-#include "firma/level_portals.h"
+#include "firma/mesh.h"
 #include "firma/result.h"
+#include "firma/rooms.h"
 #include "firma/vec.h"
 #include "firma/world.h"
 
@@ -26,7 +26,7 @@ struct GltfOptions {
     /// Axis of the level that glTF's y, which points up, becomes: 0 .. 2. What write_glb() turned to y comes back.
     int up = 2;
     /// Of all triangles of all instances; meshes may be placed many times by a small file.
-    std::uint64_t most_triangles = std::uint64_t(1) << 26;
+    std::uint64_t max_triangles = std::uint64_t(1) << 26;
 };
 
 /// A node of the scene, in the order of the file's tree: parents before children.

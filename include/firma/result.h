@@ -31,9 +31,9 @@ struct Error {
     std::string text() const { return place.empty() ? reason : place + ": " + reason; }
 };
 
-/// Either a value or an Error.
+/// Either a value or an Error: look which before you take the value.
 template <class T>
-class Result {
+class [[nodiscard]] Result {
 public:
     Result(T value) : held_(std::move(value)) {}
     Result(Error error) : held_(std::move(error)) {}

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Worlds as .firma files: whole, to the bit, and written so that nothing saved before is ever lost.
+// Worlds as files. .firma: whole, to the bit, and written so that nothing saved before is ever lost. .obj: their faces.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "firma/export.h"
@@ -17,12 +19,12 @@ namespace firma {
 
 struct SaveOptions {
     /// Whether the exact solid behind the facets is kept. Without, the file is smaller, and the world read back can be
-    /// cast against, not carved: no face of it is `solid`, in_solid() finds no rock, and a hit's `face_normal` is the
+    /// cast against, not carved: no face of it is `solid`, locate() finds no solid, and a hit's `face_normal` is the
     /// facet's own.
     bool exact = true;
     /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without, the
-    /// bytes follow from the level, the edits, rules and skin alone, whatever the TreeOptions and however often the
-    /// index was built anew, and the world read back has the default TreeOptions.
+    /// bytes follow from the level, the edits, rules and contact offset alone, whatever the TreeOptions and however
+    /// often the index was built anew, and the world read back has the default TreeOptions.
     bool index = true;
 };
 
@@ -32,7 +34,7 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees,
 /// the rules for carving and how textures lie. The same world, made the same way, gives the same bytes on every
 /// machine. docs/formats.md has the layout.
-FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its
 /// exact part), and edits of both end in the same bits.
@@ -54,12 +56,48 @@ FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 /// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
 /// file that was there is kept.
 /// @return nothing on success; kCannotWrite with the system's reason
-FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
-                                             const SaveOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
+                                                           const SaveOptions& options = {});
 
 /// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
 /// meanwhile is an error at most.
 /// @return kCannotRead with the system's reason: missing, a folder, not allowed, no memory for it, cut short meanwhile
 FIRMA_EXPORT Result<World> load_world(const std::string& path);
+
+/// What was written.
+struct ObjWritten {
+    std::size_t faces = 0;
+    std::size_t vertices = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// Which faces are written.
+enum class ObjFaces : std::uint8_t {
+    kAll,    ///< all that casts meet
+    kSolid,  ///< those that bound closed solids: what they bound is closed in the file, too
+};
+
+/// Takes the next piece of a file; false when it cannot.
+using TextSink = std::function<bool(std::string_view)>;
+
+/// Writes faces, in order of id: convex polygons, wound as they are, after a `usemtl` wherever the
+/// material changes. Vertices stand before them, each once, in metres on the surface grid (1/262144 m) with all their
+/// digits. The same world gives the same bytes on every machine.
+///
+/// The file says exactly what the world holds of them, with two exceptions: masks and two-sidedness have no place in an
+/// .obj, and characters of a material's name that an .obj cannot hold become '_'. Reading it with read_obj() snaps
+/// vertices to the input grid (1/4096 m), as any file's: where carving made vertices between its points, the world read
+/// is not the world written, and faces bent by the snap are divided. A world without faces makes a file that no reader
+/// takes.
+///
+/// @param put  gets some 64 KiB at a time
+/// @return nothing once `put` failed
+FIRMA_EXPORT std::optional<ObjWritten> write_obj(const World& world, const TextSink& put,
+                                                 ObjFaces which = ObjFaces::kAll);
+
+/// The same into a file, which appears whole or not at all: it is written beside its place, under a name that ends in
+/// ".part", then renamed.
+/// @return kCannotWrite with the system's reason
+FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which = ObjFaces::kAll);
 
 }  // namespace firma

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The exact solid: a value of its own. Is it sound, how large is it, is it the same? And what of a level can become
-// one.
+// The exact solid: a value of its own. Is it sound, how large is it, is it the same? What of a level can become one?
+// And a closed cutter taken away from it or added to it, exactly, by rules; no World is needed. Carving in a World is
+// carve.h.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "firma/cutter.h"
 #include "firma/export.h"
 #include "firma/hit.h"
 #include "firma/result.h"
@@ -53,7 +55,7 @@ private:
 
 /// The closed pieces of a level, by the rules of level_solidity(); other faces are left out.
 /// @return errors as make_world()
-FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
+[[nodiscard]] FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
 
 /// What does not hold of a solid's exact boundary, and where.
 struct SolidFault {
@@ -66,8 +68,8 @@ struct SolidFault {
 /// way around, then holes; every edge is used twice, once each way; vertices lie exactly on the planes of their faces
 /// and edges; the facets of each face cover it, and all facets together are closed. Says nothing about where the
 /// boundary crosses itself. See check_world() for facets one by one.
-FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
-FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
 
 struct SolidMeasures {
     /// Of the exact solid, cubic metres; where rock reaches to infinity, minus the volume of its air.
@@ -81,14 +83,14 @@ struct SolidMeasures {
 };
 
 /// Measures all faces. Each number is rounded once or twice, from sums of 100 bits and more.
-FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
-FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
+[[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
 
 /// A hash of the solid's set of points: equal for equal solids, however they came about and however their surface is
 /// divided into faces; disjoint edits in any order give the same. Ids, sources, materials and blocks do not count. The
 /// same on every machine. It is kept as edits go: asking costs nothing.
-FIRMA_EXPORT std::uint64_t hash_solid(const Solid& solid);
-FIRMA_EXPORT std::uint64_t hash_solid(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_solid(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_solid(const World& world);
 
 /// A cube of 32 m: from (x, y, z) * 32 m to (x + 1, y + 1, z + 1) * 32 m.
 struct Region {
@@ -106,7 +108,7 @@ struct RegionHash {
 };
 
 /// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
-FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
+[[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
 
 /// Where a point lies.
 enum class Where : std::uint8_t {
@@ -152,6 +154,92 @@ struct LevelSolidity {
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
 /// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
 /// @param level  one that make_world() refuses has no solid face and no note
-FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
+[[nodiscard]] FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
+
+/// A region that resists cutters whose surface or inside reaches into it.
+struct CarveZone {
+    std::string name;  ///< for messages
+    Box box;           ///< metres, closed
+    double hardness =
+        1;  ///< 1 refuses the cut; below, the cutter is shrunk to (1 - hardness) of its scale; 0 does nothing
+};
+
+/// Carried by the World. An edit that breaks a rule is refused and says which; the world stays as it was.
+struct CarveRules {
+    std::vector<CarveZone> zones;
+    /// By material (index as in World::material_name); missing ones are 0. A cut that takes something of a face of
+    /// hardness 1 is refused; below, the cutter is shrunk to (1 - hardness) of its scale, by the hardest face met.
+    std::vector<double> hardness;
+
+    std::size_t max_faces = std::size_t(1) << 30;  ///< in the world after an edit
+    std::size_t max_candidate_faces = 4'000'000;   ///< by one edit
+    std::size_t max_new_faces = 4'000'000;         ///< by one edit
+    std::size_t max_cutter_triangles = 1'000'000;  ///< of one cutter
+    /// Of two triangles of the cutter, or of one and a face of the world, tested by one edit: to judge the cutter and
+    /// to cut, in all its tries together. Looking at all corners of a face counts once for every 64 of them, and moving
+    /// a cutter of more than 2,000 vertices once for each of its triangles.
+    std::size_t max_pairs = 20'000'000;
+    std::size_t max_corners = 20'000;  ///< of one new face; dividing it into facets takes their square
+    double max_cutter_size = 16384;    ///< metres along any axis, once placed
+};
+
+enum class CarveKind : std::uint8_t { kCarve, kFill };
+
+enum class CarveStatus : std::uint8_t {
+    kDone,
+    kNothing,  ///< the cutter met nothing to take away (or, filling, nothing to fill): all is as it was.
+               ///< CarveReport::faces_castable_only says whether it met faces that no edit changes
+    kRefused,  ///< `error` says why; all is as it was
+};
+
+/// What an edit did, and what it cost.
+struct CarveReport {
+    std::size_t candidate_faces = 0;      ///< exact faces near the cutter: in its box, without what is clear of it
+    std::size_t faces_cut = 0;            ///< of these, how many the cutter's surface crosses
+    std::size_t faces_removed = 0;        ///< facets that casts met before and meet no more
+    std::size_t faces_added = 0;          ///< facets that casts meet from now on
+    std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
+    int retries = 0;    ///< how often the cutter, or some of it, was moved by steps of the grid, as it touched
+    double scale = 1;   ///< what zones and materials left of the cutter's scale
+    double volume = 0;  ///< cubic metres taken from the solid; negative when it was added to
+
+    /// Where the time went, microseconds.
+    struct Times {
+        double place = 0;   ///< cutter turned, snapped, checked
+        double gather = 0;  ///< faces taken out of the tree
+        double cut = 0;     ///< faces against triangles
+        double label = 0;   ///< inside and outside
+        double trace = 0;   ///< loops of new faces
+        double facets = 0;  ///< what casts meet
+        double tree = 0;    ///< new blocks
+        FIRMA_INLINE double total() const { return place + gather + cut + label + trace + facets + tree; }
+    } times;
+};
+
+/// What became of a solid.
+struct [[nodiscard]] SolidResult {
+    CarveStatus status = CarveStatus::kRefused;
+    Solid solid;         ///< after the edit; the one before unless kDone
+    Error error;         ///< for kRefused
+    CarveReport report;  ///< as of a world
+    std::string
+        reproduction;  ///< for a refusal that should not be possible: an .obj with what it takes to see it again
+
+    bool done() const { return status == CarveStatus::kDone; }
+};
+
+struct SolidCutOptions {
+    std::uint32_t material = 0;         ///< of the faces that the cutter leaves
+    const CarveRules* rules = nullptr;  ///< null: none
+};
+
+/// Takes a placed cutter away from a solid, by the rules of carve(): the faces of the result are those that a world
+/// around the solid would have. Costs what the cut costs.
+[[nodiscard]] FIRMA_EXPORT SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose,
+                                                const SolidCutOptions& options = {});
+
+/// Adds a placed cutter to a solid, by the same rules.
+[[nodiscard]] FIRMA_EXPORT SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose,
+                                             const SolidCutOptions& options = {});
 
 }  // namespace firma

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "firma/carve_rules.h"
 #include "firma/export.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
@@ -18,7 +17,6 @@
 #include "firma/result.h"
 #include "firma/solid.h"
 #include "firma/texture.h"
-#include "firma/tolerance.h"
 #include "firma/tree_options.h"
 
 namespace firma {
@@ -84,7 +82,8 @@ public:
 
     /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of
     /// another world, of a closed portal, or of nothing. Keep it in a variable: `for (Vec3 c :
-    /// world.face(ref)->corners)` would go through corners that are gone. Costs a walk through the index to the face.
+    /// world.face(ref)->corners)` would go through corners that are no longer there. Costs a walk through the index to
+    /// the face.
     [[nodiscard]] FIRMA_EXPORT std::optional<Face> face(const FaceRef& ref) const;
     /// The same without its outline. Never allocates.
     [[nodiscard]] FIRMA_EXPORT std::optional<FaceInfo> face_info(const FaceRef& ref) const;
@@ -113,35 +112,38 @@ struct WorldOptions {
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
 /// or hash depends on an index. Takes about as long as make_world() without reading, and ten times that where faces
 /// have many corners.
-FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
+[[nodiscard]] FIRMA_EXPORT World rebuild_index(const World& world, const TreeOptions& options);
 
 /// The same world under other rules for carving.
-FIRMA_EXPORT World with_rules(const World& world, CarveRules rules);
+/// @return kInvalid, naming the zone or material: a hardness that is not within 0..1, a box that is empty or not of
+///         numbers, a max_cutter_size that is no length above zero
+[[nodiscard]] FIRMA_EXPORT Result<World> with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
 /// many as there are, are put into blocks anew. Materials keep their numbers and have no names.
-FIRMA_EXPORT World make_world(const Solid& solid, const WorldOptions& options = {});
+/// @return kInvalid when the contact offset is negative or not finite, and for rules as with_rules()
+[[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
-/// @return kTooLarge beyond 2^31 faces; kInvalid when the skin is negative or not finite, or when a face of the level
-///         is not convex, planar and of 3 to 64 corners, or has a corner, material or group that is not there (readers
-///         never make such), naming it; kMalformed for a level without a face, with what its reader left out: such a
-///         world would answer every cast with a miss (World() is one).
-FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
+/// @return kTooLarge beyond 2^31 faces; kInvalid when the contact offset is negative or not finite, for rules as
+///         with_rules(), or when a face of the level is not convex, planar and of 3 to 64 corners, or has a corner,
+///         material or group that is not there (readers never make such), naming it; kMalformed for a level without a
+///         face, with what its reader left out: such a world would answer every cast with a miss (World() is one).
+[[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:
 /// the index down to the box, the faces of the room, the index down to the region.
 /// @return whether the visitor let it come to an end
 
 /// All.
-FIRMA_EXPORT bool visit_faces(const World& world, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, FaceVisitor visit);
 /// Those whose own box shares a point with a box (metres, closed). A box that is empty or not finite has none.
-FIRMA_EXPORT bool visit_faces(const World& world, const Box& box, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, const Box& box, FaceVisitor visit);
 /// Those that look into a room, or into the one that it became part of. A room that is not there has none; kAnyRoom has
 /// all.
-FIRMA_EXPORT bool visit_faces(const World& world, RoomId room, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, RoomId room, FaceVisitor visit);
 /// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region.
-FIRMA_EXPORT bool visit_faces(const World& world, const Region& region, FaceVisitor visit);
+FIRMA_EXPORT bool each_face(const World& world, const Region& region, FaceVisitor visit);
 
 /// How the texture lies on a face, as the level's file says it: that of the file's face that it was cut from. Edits
 /// share what they do not change, and no hash sees it.
@@ -162,15 +164,15 @@ FIRMA_EXPORT bool visit_faces(const World& world, const Region& region, FaceVisi
 /// A hash of what the world holds: faces with ids, exact forms and rooms, portals, doors, counters, version; not of the
 /// rules for carving, nor of how textures lie, nor of how faces are kept and found. Worlds made by equal edits in equal
 /// order have equal ones on every machine. It is kept as edits go: asking costs a few nanoseconds a material.
-FIRMA_EXPORT std::uint64_t hash_world(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_world(const World& world);
 
 /// Of one room: its faces, name and number. Costs the same.
 /// @param room  below World::room_count(); 0 for others
-FIRMA_EXPORT std::uint64_t hash_room(const World& world, RoomId room);
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_room(const World& world, RoomId room);
 
 /// Of each cube of 32 m with anything in it, in an order that is the same everywhere: so two machines can find where
 /// their worlds differ.
-FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
 
 /// A broken invariant, named.
 struct WorldFault {
@@ -178,11 +180,11 @@ struct WorldFault {
     FaceId face;
 };
 
-/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of bins
-/// around what they hold; every face in exactly one bin of its room; ids unique; hashes those of the faces. In a world
+/// The first invariant that does not hold, or nothing: faces planar, convex, with area and in range; boxes of nodes
+/// around what they hold; every face in exactly one leaf of its room; ids unique; hashes those of the faces. In a world
 /// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
 /// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
 /// check_solid().
-FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
+[[nodiscard]] FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma

@@ -33,7 +33,7 @@ export class Game {
         this.floor = world.facts().low[2];
         this.frameMs = new Samples(kFrames);
         this.workMs = new Samples(kFrames);
-        this.moved = { counts: { bins: 0, boxes: 0, faces: 0, precise: 0 }, casts: 0 };
+        this.moved = { counts: { nodes: 0, boxes: 0, faces: 0, precise: 0 }, casts: 0 };
         this.aimed = null;
         this.spawn = findSpawn(this.player, world, levelName, start);
         this.respawn();

@@ -8,7 +8,7 @@ import { Samples } from './samples.js';
 
 const kLeastGroup = 4; // casts: fewer say little by such a clock
 
-const noCounts = () => ({ bins: 0, boxes: 0, faces: 0, precise: 0 });
+const noCounts = () => ({ nodes: 0, boxes: 0, faces: 0, precise: 0 });
 
 export class Probe {
     constructor(world) {

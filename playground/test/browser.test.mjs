@@ -83,14 +83,14 @@ test('loads and draws', async () => {
     assert.equal(s.drawnFaces, 5944);
     assert.equal(s.version, 0);
     assert.equal(await page.evaluate(() => crossOriginIsolated), true); // a clock of 5 us
-    assert.ok(s.aim.met && s.aim.counts.bins > 0 && s.aim.counts.faces > 0);
+    assert.ok(s.aim.met && s.aim.counts.nodes > 0 && s.aim.counts.faces > 0);
     assert.ok((await call(page, 'step', 0.1, { forward: true })).move.casts > 0);
     assert.deepEqual(await drawnWrong(page), []);
     await assertClear(page);
     assert.ok((await coloursDrawn(page)) > 1000); // not one colour all over
     await shoot(page, '1_loaded');
     const words = await page.textContent('#hud');
-    for (const part of [/at 4\d\.\d\d, /, /room 0/, /version 0/, /5,944 faces/, /\d+ bins, \d+ boxes, \d+ faces/, /frame /, /cast /, /cut /])
+    for (const part of [/at 4\d\.\d\d, /, /room 0/, /version 0/, /5,944 faces/, /\d+ nodes, \d+ boxes, \d+ faces/, /frame /, /cast /, /cut /])
         assert.match(words, part);
     assert.deepEqual(errors, []);
     await page.close();

@@ -170,7 +170,7 @@ void AirGrid::close_ways() {
         }
 }
 
-std::optional<AirGrid> AirGrid::make(const BrushLevel& level, std::size_t most_cells) {
+std::optional<AirGrid> AirGrid::make(const BrushLevel& level, std::size_t max_cells) {
     std::vector<Body> bodies;
     std::uint64_t pairs = 0;
     bool any_solid = false;
@@ -201,7 +201,7 @@ std::optional<AirGrid> AirGrid::make(const BrushLevel& level, std::size_t most_c
     for (int tries = 0; tries < kMostTries; ++tries, thinnest *= 2) {
         grid.set_layers(bodies, thinnest);
         const double cells = double(grid.layers(0)) * grid.layers(1) * grid.layers(2);
-        if (cells > std::min(double(most_cells), kMostNumbered) || grid.lines_through(bodies) > kMostWork) continue;
+        if (cells > std::min(double(max_cells), kMostNumbered) || grid.lines_through(bodies) > kMostWork) continue;
         grid.flags_.assign(std::size_t(cells), std::uint8_t(kAir | kWay | kWay << 1 | kWay << 2));
         for (const Body& body : bodies) grid.enter(body);
         grid.close_ways();

@@ -19,10 +19,10 @@ namespace firma {
 /// joined by free ways is joined in the level; but narrow gaps beside the centres are not seen.
 class AirGrid {
 public:
-    /// @param most_cells  layers are as many as these allow: of a sixteenth of a metre at least, half a metre at most,
+    /// @param max_cells  layers are as many as these allow: of a sixteenth of a metre at least, half a metre at most,
     ///                    or wider
     /// @return nothing where no brush is solid, or the brushes are too many and too large to be looked at
-    static std::optional<AirGrid> make(const BrushLevel& level, std::size_t most_cells);
+    static std::optional<AirGrid> make(const BrushLevel& level, std::size_t max_cells);
 
     std::size_t cells() const { return flags_.size(); }
     int layers(int axis) const { return int(layers_[axis].centres.size()); }

@@ -64,7 +64,7 @@ void BrushBuilder::add(Brush brush, std::span<const Side> sides) {
 }
 
 void BrushBuilder::shift(double metres, std::string_view place) {
-    level.greatest_shift = std::max(level.greatest_shift, metres);
+    level.max_shift = std::max(level.max_shift, metres);
     if (metres > kNotableShift) notes.add("plane moved by more than 1 mm onto the grid", place);
 }
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "firma/masks.h"
+#include "firma/level.h"
 
 namespace firma {
 namespace {

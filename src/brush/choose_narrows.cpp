@@ -56,7 +56,7 @@ public:
             if (now.width() < best.width()) offers_.push(now);
             if (now.width() != best.width()) continue;
             const bool fence = opening.narrows.size() > kMostBetweenRooms;
-            if (now.small < options_.smallest_room || now.is_wide(options_.narrow) || fence) join(a, b);
+            if (now.small < options_.min_room_volume || now.is_wide(options_.narrow) || fence) join(a, b);
         }
     }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brush/find_narrows.h"
-#include "firma/divide_rooms.h"
+#include "firma/brush_world.h"
 
 namespace firma {
 

@@ -9,7 +9,7 @@
 
 #include "brush/air_grid.h"
 #include "brush/find_narrows.h"
-#include "firma/divide_rooms.h"
+#include "firma/brush_world.h"
 #include "join/join_brushes.h"
 
 namespace firma {

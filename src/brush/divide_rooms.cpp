@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From a level to its cells, their narrows, the portals among these.
-#include "firma/divide_rooms.h"
+#include "firma/brush_world.h"
 
 #include "brush/choose_portals.h"
 #include "brush/judge_brush_level.h"
@@ -46,12 +46,12 @@ bool is_usable(double number) {
 }  // namespace
 
 Result<BrushLevel> divide_rooms(const BrushLevel& level, const DivideOptions& options, DivideReport* report) {
-    if (!is_usable(options.narrow) || !is_usable(options.smallest_room))
+    if (!is_usable(options.narrow) || !is_usable(options.min_room_volume))
         return Error{ErrorCode::kInvalid, level.name, "rooms are divided by numbers that are finite and not negative"};
     if (auto error = judge_brush_level(level)) return *std::move(error);
     DivideReport found;
     BrushLevel divided = level;
-    const std::optional<AirGrid> grid = AirGrid::make(level, options.most_cells);
+    const std::optional<AirGrid> grid = AirGrid::make(level, options.max_cells);
     if (grid) {
         found.cells = grid->cells();
         std::vector<Narrow> narrows = find_narrows(*grid, inside_of_hull(level, *grid));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a level is open to the void: a search, breadth first, over a lattice of points that see their neighbours.
-#include "firma/find_leak.h"
+#include "firma/brush_world.h"
 #include "firma/queries.h"
 
 #include <algorithm>

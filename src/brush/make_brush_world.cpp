@@ -6,11 +6,12 @@
 #include "brush/judge_brush_level.h"
 #include "brush/name_rooms.h"
 #include "firma/brush_world.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "join/join_brushes.h"
 #include "level/judge_level.h"
 #include "level/nothing_left.h"
 #include "world/assemble_world.h"
+#include "world/judge_options.h"
 
 namespace firma {
 namespace {
@@ -195,7 +196,7 @@ Error nothing_left(const BrushLevel& level, const BrushWorldReport& report) {
 
 Result<World> make_world(const BrushLevel& level, const WorldOptions& options, BrushWorldReport* report) {
     if (auto error = judge_brush_level(level)) return *std::move(error);
-    if (auto error = judge_skin(options.tolerance.skin, level.name)) return *std::move(error);
+    if (auto error = judge_options(options, level.name)) return *std::move(error);
     const Result<std::unique_ptr<JoinedLevel>> joined = join_brushes(level);
     if (!joined.ok()) return joined.error();
     if (report) *report = report_of(level, *joined.value());

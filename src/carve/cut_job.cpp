@@ -57,7 +57,7 @@ CutJob::CutJob(Solid solid, Cutter cutter, const Pose& pose, const CutTerms& ter
       pose_(pose),
       terms_(terms),
       rules_(rules_of(terms_)),
-      budget_(rules_.most_pairs),
+      budget_(rules_.max_pairs),
       input_{patch_, solid_cutter_, kind == CarveKind::kFill},
       face_cutter_(input_, budget_) {}
 
@@ -142,10 +142,10 @@ CutJob::Phase CutJob::refuse(ErrorCode code, std::string reason) {
 CutJob::Phase CutJob::place() {
     if (data().edits == std::numeric_limits<std::uint32_t>::max())
         return refuse(ErrorCode::kTooLarge, "the world has no numbers left for new edits");
-    if (cutter_.valid() && cutter_.triangles().size() > rules_.most_cutter_triangles)
+    if (cutter_.valid() && cutter_.triangles().size() > rules_.max_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
-                                                std::to_string(rules_.most_cutter_triangles));
+                                                std::to_string(rules_.max_cutter_triangles));
     Pose pose = pose_;
     pose.scale *= report_.scale;
     Result<PlacedCutter> placed = place_cutter(cutter_, pose);
@@ -157,9 +157,9 @@ CutJob::Phase CutJob::place() {
     mover_.start(std::move(placed).value());
     make_cutter_solid(mover_.placed(), solid_cutter_);
     for (int axis = 0; axis < 3; ++axis)
-        if (solid_cutter_.box.extent(axis) > rules_.largest_cutter)
+        if (solid_cutter_.box.extent(axis) > rules_.max_cutter_size)
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
-                                                    " m long; the world allows " + number(rules_.largest_cutter) +
+                                                    " m long; the world allows " + number(rules_.max_cutter_size) +
                                                     " m");
     const CarveZone* zone = zone_reached(0);
     return zone ? shrink(zone->hardness, "zone " + zone->name, Phase::kCheck) : Phase::kCheck;
@@ -205,11 +205,11 @@ CutJob::Phase CutJob::gather() {
     patch_.add(facets_);
     for (const FacetPlace& facet : others)
         if (patch_.find(facet) != SolidPatch::kNone) facets_.push_back(facet);
-    report_.faces_looked_at = patch_.faces.size();
-    if (patch_.faces.size() > rules_.most_faces_looked_at)
+    report_.candidate_faces = patch_.faces.size();
+    if (patch_.faces.size() > rules_.max_candidate_faces)
         return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
                                                 " faces; the world allows " +
-                                                std::to_string(rules_.most_faces_looked_at));
+                                                std::to_string(rules_.max_candidate_faces));
     return Phase::kTile;
 }
 
@@ -263,7 +263,7 @@ CutJob::Phase CutJob::try_move() {
 }
 
 CutJob::Phase CutJob::too_many_pairs() {
-    std::string reason = "it takes more than " + std::to_string(rules_.most_pairs) +
+    std::string reason = "it takes more than " + std::to_string(rules_.max_pairs) +
                          " pairs of its triangles with each other and with faces of the world to cut it";
     if (const int tries = report_.retries; tries > 0)
         reason += ", in " + std::to_string(tries) + (tries > 1 ? " moves" : " move") + " out of degenerate position";
@@ -348,16 +348,15 @@ CutJob::Phase CutJob::make_next_faces() {
         const bool is_new = next_ < cut;
         const std::uint32_t piece = is_new ? 0 : kept_.pieces[next_ - cut];
         const std::uint32_t corners = is_new ? loops_.faces[next_].use_count : patch_.faces[piece].use_count;
-        if (corners > rules_.most_corners)
+        if (corners > rules_.max_corners)
             return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(corners) +
-                                                    " corners; the world allows " +
-                                                    std::to_string(rules_.most_corners));
+                                                    " corners; the world allows " + std::to_string(rules_.max_corners));
         if (is_new ? face_maker_->make(loops_.faces[next_]) : face_maker_->make_kept(piece)) continue;
         if (!input_.collects) return degenerate(face_maker_->touching());
         sound_ = false;
     }
-    if (face_maker_->made().faces.size() > rules_.most_new_faces)
-        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.most_new_faces) +
+    if (face_maker_->made().faces.size() > rules_.max_new_faces)
+        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.max_new_faces) +
                                                 " new faces that the world allows");
     if (next_ < all) return Phase::kFacets;
     return sound_ ? Phase::kChange : degenerate(face_maker_->touching());
@@ -393,13 +392,13 @@ CutJob::Phase CutJob::make_change() {
     change_.removed = facets_removed();
     change_.added = face_maker_->take();
     const std::size_t removed = change_.removed.size(), added = change_.added.faces.size();
-    if (data().faces.count + terms_.other_faces - removed + added > rules_.most_faces)
+    if (data().faces.count + terms_.other_faces - removed + added > rules_.max_faces)
         return refuse(ErrorCode::kTooLarge,
-                      "the world would have more than " + std::to_string(rules_.most_faces) + " faces");
+                      "the world would have more than " + std::to_string(rules_.max_faces) + " faces");
     if (data().next_face > kMostFaceIds || added > kMostFaceIds - data().next_face)
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
-    report_.faces_gone = removed;
-    report_.faces_new = added;
+    report_.faces_removed = removed;
+    report_.faces_added = added;
     report_.volume = volume_taken(view(), loops_);
     std::uint32_t id = data().next_face;
     for (FaceSet::Entry& face : change_.added.faces) face.id = {id++};

@@ -12,7 +12,7 @@
 #include "carve/label.h"
 #include "carve/make_faces.h"
 #include "carve/tile_faces.h"
-#include "firma/solid_cut.h"
+#include "firma/solid.h"
 #include "solid/change_solid.h"
 
 namespace firma {
@@ -22,7 +22,7 @@ struct CutTerms {
     const CarveRules* rules = nullptr;                    ///< null: none
     const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
-    std::size_t other_faces = 0;                          ///< that count for CarveRules::most_faces beside the solid's
+    std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
 };
 
 /// Works in pieces of some ten microseconds. Only reads the solid; what it makes is its own.

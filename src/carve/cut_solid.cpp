@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Cuts of a solid that is no world's.
 #include "carve/cut_job.h"
-#include "firma/solid_cut.h"
+#include "carve/judge_rules.h"
+#include "firma/solid.h"
 
 namespace firma {
 namespace {
 
 SolidResult cut(const Solid& solid, const Cutter& cutter, const Pose& pose, const SolidCutOptions& options,
                 CarveKind kind) {
+    SolidResult result;
+    result.solid = solid;
+    if (options.rules)
+        if (auto error = judge_rules(*options.rules, "")) {
+            result.error = *std::move(error);
+            return result;
+        }
     CutTerms terms;
     terms.rules = options.rules;
     terms.material = options.material;
     CutJob job(solid, cutter, pose, terms, kind);
     while (job.step()) {
     }
-    SolidResult result;
     result.status = job.status();
-    result.solid = solid;
     result.error = job.error();
     result.report = job.report();
     result.reproduction = job.reproduction();

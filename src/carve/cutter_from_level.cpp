@@ -37,10 +37,10 @@ public:
                 return error(face, ErrorCode::kMalformed, "names corners that are not there, or not 3 to 64 of them");
             triangle_count += face.corner_count - 2;
         }
-        if (triangle_count > kMostCutterTriangles)
+        if (triangle_count > kMaxCutterTriangles)
             return Error{ErrorCode::kTooLarge, level_.name,
                          std::to_string(triangle_count) + " triangles; a cutter has at most " +
-                             std::to_string(kMostCutterTriangles)};
+                             std::to_string(kMaxCutterTriangles)};
         weld();
         triangles.reserve(triangle_count);
         for (const LevelFace& face : level_.faces)

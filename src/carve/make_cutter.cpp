@@ -24,10 +24,10 @@ std::string triangle_text(std::size_t t) {
 }
 
 std::optional<Error> check_numbers(std::span<const Vec3> vertices, std::span<const CutterTriangle> triangles) {
-    if (triangles.size() > kMostCutterTriangles)
+    if (triangles.size() > kMaxCutterTriangles)
         return Error{ErrorCode::kTooLarge, "",
                      std::to_string(triangles.size()) + " triangles; a cutter has at most " +
-                         std::to_string(kMostCutterTriangles)};
+                         std::to_string(kMaxCutterTriangles)};
     if (triangles.size() < 4) return Error{ErrorCode::kMalformed, "", "a closed mesh has at least 4 triangles"};
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const CutterTriangle& corners = triangles[t];

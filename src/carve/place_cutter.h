@@ -44,9 +44,10 @@ inline constexpr std::int32_t kFarthestMove = 24;
 inline constexpr std::size_t kMostMovedWhole = 2000;
 
 /// A placed cutter with every vertex moved a little at random, seeded by its hash and the count of tries: for a cutter
-/// in degenerate position. Vertices go outward, so that a cutter flush with a wall opens it rather than leave a skin,
-/// and one that is put where it was before takes a little more each time; by up to 3 steps a coordinate, and after
-/// every 16 tries by up to twice as much (where the same place is cut again and again, the first few steps fill up).
+/// in degenerate position. Vertices go outward, so that a cutter flush with a wall opens it rather than leave a contact
+/// offset, and one that is put where it was before takes a little more each time; by up to 3 steps a coordinate, and
+/// after every 16 tries by up to twice as much (where the same place is cut again and again, the first few steps fill
+/// up).
 ///
 /// @param placed  as place_cutter() gave it, never one that was moved already
 /// @param tries   1, 2, ...

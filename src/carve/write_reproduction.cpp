@@ -7,7 +7,7 @@
 namespace firma {
 
 std::string write_reproduction(const SolidPatch& patch, const CutterSolid& cutter) {
-    std::string text = "# faces that a cut looked at, and the cutter\n";
+    std::string text = "# faces that a cut tested, and the cutter\n";
     const auto vertex = [&](const GridPoint& p) {
         text += "v " + exact_decimal(p.x) + ' ' + exact_decimal(p.y) + ' ' + exact_decimal(p.z) + '\n';
     };

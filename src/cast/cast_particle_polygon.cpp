@@ -110,7 +110,7 @@ Contact cast_particle_polygon(const Sweep& sweep, const PolygonShape& polygon, i
     }
     if (side == facing) return {};  // beyond the plane, moving away
     if (!line_meets_polygon(sweep, polygon, facing)) return {};
-    if (side == 0) return {Status::kTouching, Feature::kFace, 0, 0};
+    if (side == 0) return {Status::kInitialOverlap, Feature::kFace, 0, 0};
     if (sweep.end < kTooShortToCross) return {};
     if (exact_plane_side(sweep.start, sweep.direction * sweep.end, polygon) == side) return {};
 
@@ -119,7 +119,7 @@ Contact cast_particle_polygon(const Sweep& sweep, const PolygonShape& polygon, i
     const PlaneView view = view_plane(sweep, polygon, facing);
     const Entry entry = enter_plane(particle, polygon, view);
     const double t = entry.kind == Entry::kFound ? entry.t : sweep.end;  // beyond the end by rounding only
-    return {t > 0 ? Status::kHit : Status::kTouching, Feature::kFace, 0, t};
+    return {t > 0 ? Status::kHit : Status::kInitialOverlap, Feature::kFace, 0, t};
 }
 
 }  // namespace firma

@@ -42,7 +42,7 @@ bool starts_clear(const Sweep& sweep, const PolygonShape& polygon) {
 
 void keep_earlier(Contact& best, const Entry& entry, Feature feature, std::size_t index) {
     if (entry.kind != Entry::kFound || (best.touched() && best.t <= entry.t)) return;
-    best = {entry.t > 0 ? Status::kHit : Status::kTouching, feature, std::uint32_t(index), entry.t};
+    best = {entry.t > 0 ? Status::kHit : Status::kInitialOverlap, feature, std::uint32_t(index), entry.t};
 }
 
 /// The box around the sphere's path up to the earliest touch known: edges and vertices clear of it cannot be met in
@@ -120,7 +120,7 @@ Contact cast_sweep_polygon(const Sweep& sweep, const PolygonShape& polygon, Side
         const Entry entry = enter_plane(sweep, polygon, view);
         if (entry.kind == Entry::kNone) return {};  // not even the plane is reached
         if (foot_inside(sweep, polygon, entry.t))
-            return {entry.t > 0 ? Status::kHit : Status::kTouching, Feature::kFace, 0, entry.t};
+            return {entry.t > 0 ? Status::kHit : Status::kInitialOverlap, Feature::kFace, 0, entry.t};
     }
     // The centre stands in only for a rim that is not met at all, so then the whole path is looked at.
     const bool tiny = radius_is_near_rounding(sweep, polygon);
@@ -130,7 +130,7 @@ Contact cast_sweep_polygon(const Sweep& sweep, const PolygonShape& polygon, Side
         if (best.status == Status::kHit && view.approach > 0) {
             const double earlier = best.t - sweep.radius / view.approach;
             best.t = earlier < 0 ? 0 : earlier;
-            if (best.t == 0) best.status = Status::kTouching;
+            if (best.t == 0) best.status = Status::kInitialOverlap;
         }
     }
     return best;

@@ -47,10 +47,10 @@ PolygonHit make_hit(const Sweep& sweep, const PolygonShape& polygon, const Conta
     return hit;
 }
 
-double safe_fraction(const Sweep& sweep, const PolygonHit& hit, double skin) {
+double safe_fraction(const Sweep& sweep, const PolygonHit& hit, double contact_offset) {
     const double closing = -dot(hit.normal, sweep.direction) * sweep.end;
-    if (!(closing > 0)) return skin > 0 ? 0 : hit.fraction;
-    const double safe = hit.fraction - skin / closing;
+    if (!(closing > 0)) return contact_offset > 0 ? 0 : hit.fraction;
+    const double safe = hit.fraction - contact_offset / closing;
     return safe > 0 ? safe : 0;
 }
 

@@ -10,8 +10,8 @@ namespace firma {
 
 PolygonHit make_hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact);
 
-/// How far to go so that `skin` is kept along the contact normal: fraction - skin / -(normal . path), within
-/// 0..fraction.
-double safe_fraction(const Sweep& sweep, const PolygonHit& hit, double skin);
+/// How far to go so that `contact_offset` is kept along the contact normal: fraction - contact offset / -(normal .
+/// path), within 0..fraction.
+double safe_fraction(const Sweep& sweep, const PolygonHit& hit, double contact_offset);
 
 }  // namespace firma

@@ -16,7 +16,7 @@ StartContact start_contact(const Sweep& sweep, const PolygonShape& polygon, int 
     if (!near.within) return {};
     const bool closer = near.on_it ? facing != 0 : near.change < 0;
     if (!closer) return {StartContact::kIgnored, {}};
-    return {StartContact::kTouching, {Status::kTouching, closest.feature, closest.index, 0}};
+    return {StartContact::kInitialOverlap, {Status::kInitialOverlap, closest.feature, closest.index, 0}};
 }
 
 }  // namespace firma

@@ -10,12 +10,12 @@ namespace firma {
 
 struct StartContact {
     enum Kind : unsigned char {
-        kApart,     ///< farther than the radius
-        kTouching,  ///< at most the radius away, and coming closer
-        kIgnored,   ///< at most the radius away, and never coming closer: the distance is convex along the path
+        kApart,           ///< farther than the radius
+        kInitialOverlap,  ///< at most the radius away, and coming closer
+        kIgnored,         ///< at most the radius away, and never coming closer: the distance is convex along the path
     };
     Kind kind = kApart;
-    Contact contact;  ///< of kTouching
+    Contact contact;  ///< of kInitialOverlap
 };
 
 /// @param facing  sign of direction . normal

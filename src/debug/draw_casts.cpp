@@ -13,7 +13,7 @@ constexpr double kLeastRadius = 2.5;  // pixels; smaller spheres are not drawn
 constexpr double kLargestRadius = 1500;
 
 bool touched(const DrawnCast& cast) {
-    return cast.status == Status::kHit || cast.status == Status::kTouching;
+    return cast.status == Status::kHit || cast.status == Status::kInitialOverlap;
 }
 
 Vec3 end_of(const DrawnCast& cast) {
@@ -29,7 +29,7 @@ const char* kind_of(const DrawnCast& cast) {
     switch (cast.status) {
         case Status::kHit:
             return "hit";
-        case Status::kTouching:
+        case Status::kInitialOverlap:
             return "touching";
         default:
             return "miss";

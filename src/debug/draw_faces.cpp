@@ -128,10 +128,10 @@ std::vector<Shape> collect_shapes(const View& view, const World& world, std::spa
 }
 
 /// Leaves out the smallest shapes until the rest fits.
-void keep_to_budget(std::vector<Shape>& shapes, std::size_t most_bytes, FacesDrawn& counts) {
+void keep_to_budget(std::vector<Shape>& shapes, std::size_t max_bytes, FacesDrawn& counts) {
     std::sort(shapes.begin(), shapes.end(), [](const Shape& a, const Shape& b) { return a.area > b.area; });
     std::size_t bytes = 0, kept = 0;
-    while (kept < shapes.size() && bytes < most_bytes) {
+    while (kept < shapes.size() && bytes < max_bytes) {
         bytes += shapes[kept].outline.size() * kCornerBytes;
         for (const bool edge : shapes[kept].edges) bytes += edge ? 2 * kCornerBytes : 0;
         ++kept;
@@ -208,7 +208,7 @@ FacesDrawn draw_faces(SvgText& svg, const View& view, const World& world, std::s
                       const FaceLook& look) {
     FacesDrawn counts;
     std::vector<Shape> shapes = collect_shapes(view, world, faces, look, counts);
-    keep_to_budget(shapes, look.most_bytes, counts);
+    keep_to_budget(shapes, look.max_bytes, counts);
     set_bands(shapes);
     const std::size_t kinds = kShades * look.tints.size();
     std::vector<std::vector<const Shape*>> groups(kBands * kinds);

@@ -23,7 +23,7 @@ struct FaceLook {
     std::vector<Tint> tints;             ///< at least one
     std::vector<std::uint32_t> tint_of;  ///< of each face, an index of tints
     std::optional<double> cut;           ///< metres along the view's depth axis: what lies nearer is cut away
-    std::size_t most_bytes = 1 << 20;    ///< of SVG, about; the smallest faces are left out beyond that
+    std::size_t max_bytes = 1 << 20;     ///< of SVG, about; the smallest faces are left out beyond that
 };
 
 struct FacesDrawn {

@@ -11,7 +11,7 @@
 
 #include "debug/room_colours.h"
 #include "debug/svg_text.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "firma/rooms.h"
 
 namespace firma::debug {

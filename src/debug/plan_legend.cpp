@@ -76,7 +76,7 @@ CastCount count_casts(std::span<const DrawnCast> casts) {
     for (const DrawnCast& cast : casts) {
         ++count.all;
         count.hit += cast.status == Status::kHit;
-        count.touching += cast.status == Status::kTouching;
+        count.touching += cast.status == Status::kInitialOverlap;
         count.miss += cast.status == Status::kMiss;
     }
     return count;

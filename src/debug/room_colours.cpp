@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "world/world_data.h"
 
 namespace firma::debug {

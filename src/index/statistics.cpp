@@ -23,7 +23,7 @@ class Counter {
 public:
     TreeStatistics total(const Node& root) {
         count_node(root, 0);
-        const std::size_t inner = statistics_.bins - statistics_.leaf_bins;
+        const std::size_t inner = statistics_.nodes - statistics_.leaves;
         statistics_.overlap = inner ? overlap_sum_ / double(inner) : 0;
         return statistics_;
     }
@@ -42,11 +42,11 @@ private:
     void count_bin(const Node& node, std::uint32_t index, int depth) {
         const Bin& bin = node.bins[index];
         if (bin.is_leaf() && !node.is_leaf()) return count_node(*node.children[bin.first], depth);
-        ++statistics_.bins;
+        ++statistics_.nodes;
         statistics_.depth = std::max(statistics_.depth, depth);
         if (bin.is_leaf()) {
-            ++statistics_.leaf_bins;
-            statistics_.largest_bin = std::max<std::size_t>(statistics_.largest_bin, bin.count);
+            ++statistics_.leaves;
+            statistics_.max_leaf_faces = std::max<std::size_t>(statistics_.max_leaf_faces, bin.count);
             return;
         }
         const double whole = half_area(bin.box, bin.box);

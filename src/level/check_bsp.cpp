@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 #include "level/bsp_mesh.h"
 #include "level/check_mesh_core.h"
 

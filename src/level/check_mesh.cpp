@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks a mesh by its file's ending.
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 
 #include "level/read_file.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "firma/check_mesh.h"
 #include "firma/grid.h"
+#include "firma/mesh.h"
 #include "level/exact_number.h"
 
 namespace firma {

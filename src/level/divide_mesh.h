@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "firma/level_portals.h"
+#include "firma/rooms.h"
 #include "join/arrangement.h"
 #include "join/find_rooms.h"
 #include "join/join_facets.h"

@@ -41,7 +41,7 @@ Chords chords_of(const SpanView& span, double tolerance) {
 
 // Each span by itself; a patch's spans in one column of the net share their chords along the row, and so on.
 std::optional<std::vector<PatchDivision>> divide_alone(std::span<const Patch> patches, double tolerance,
-                                                       std::uint64_t most_cells) {
+                                                       std::uint64_t max_cells) {
     std::vector<PatchDivision> divisions;
     std::uint64_t cells = 0;
     for (const Patch& patch : patches) {
@@ -54,7 +54,7 @@ std::optional<std::vector<PatchDivision>> divide_alone(std::span<const Patch> pa
                 division.along_row[i] = std::max(division.along_row[i], n.along_row);
                 division.along_column[j] = std::max(division.along_column[j], n.along_column);
                 cells += std::uint64_t(n.along_row) * n.along_column;
-                if (cells > most_cells) return std::nullopt;
+                if (cells > max_cells) return std::nullopt;
             }
         }
         divisions.push_back(std::move(division));
@@ -118,14 +118,14 @@ void level_out(std::span<const Patch> patches, std::span<PatchDivision> division
 }  // namespace
 
 std::optional<std::vector<PatchDivision>> divide_patches(std::span<const Patch> patches, double tolerance,
-                                                         std::uint64_t most_cells) {
-    auto divisions = divide_alone(patches, tolerance, most_cells);
+                                                         std::uint64_t max_cells) {
+    auto divisions = divide_alone(patches, tolerance, max_cells);
     if (!divisions) return std::nullopt;
     level_out(patches, *divisions);
     std::uint64_t cells = 0;
     for (const PatchDivision& division : *divisions) {
         cells += division.cells();
-        if (cells > most_cells) return std::nullopt;
+        if (cells > max_cells) return std::nullopt;
     }
     return divisions;
 }

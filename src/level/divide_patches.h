@@ -15,7 +15,7 @@ namespace firma {
 inline constexpr std::uint32_t kMostChords = 64;
 
 /// @param tolerance   > 0, in the unit of the control points
-/// @param most_cells  of all patches together
+/// @param max_cells  of all patches together
 /// @return one division a patch; nothing when they would make more cells, found before work or memory is spent on them.
 ///         Each is fine enough for its own patch (short of kMostChords): every point of the surface is within
 ///         `tolerance` of the triangles of its cells, and every point of a rim of its chord. (Measured on the cells,
@@ -24,6 +24,6 @@ inline constexpr std::uint32_t kMostChords = 64;
 ///         same number of chords. So they get the same points there: no cracks. Where a rim of one patch is only part
 ///         of a span of another, or is met by flat surfaces, nothing is promised.
 std::optional<std::vector<PatchDivision>> divide_patches(std::span<const Patch> patches, double tolerance,
-                                                         std::uint64_t most_cells);
+                                                         std::uint64_t max_cells);
 
 }  // namespace firma

@@ -61,9 +61,4 @@ std::optional<Error> judge_level(const Level& level, const std::string& name, co
     return std::nullopt;
 }
 
-std::optional<Error> judge_skin(double skin, const std::string& name) {
-    if (skin >= 0 && is_finite(skin)) return std::nullopt;
-    return Error{ErrorCode::kInvalid, name, "the skin must be a finite number, not below zero"};
-}
-
 }  // namespace firma

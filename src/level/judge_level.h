@@ -26,7 +26,4 @@ std::optional<Error> judge_level(const Level& level, const std::string& name, co
 std::optional<Error> judge_textures(std::span<const TextureProjection> textures, const std::string& name,
                                     const std::string& what = "");
 
-/// kInvalid for a skin that is not a finite length.
-std::optional<Error> judge_skin(double skin, const std::string& name);
-
 }  // namespace firma

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "firma/level_portals.h"
 #include "firma/polygon.h"
+#include "firma/rooms.h"
 #include "geometry/exact_plane.h"
 #include "geometry/polygon_shape.h"
 #include "level/divide_mesh.h"

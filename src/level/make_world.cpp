@@ -9,6 +9,7 @@
 #include "solid/append_faces.h"
 #include "solid/solid_data.h"
 #include "world/assemble_world.h"
+#include "world/judge_options.h"
 
 namespace firma {
 namespace {
@@ -52,7 +53,7 @@ Result<Solid> make_solid(const Level& level, const TreeOptions& tree) {
 
 Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (auto error = judge_level(level, level.name)) return *std::move(error);
-    if (auto error = judge_skin(options.tolerance.skin, level.name)) return *std::move(error);
+    if (auto error = judge_options(options, level.name)) return *std::move(error);
     if (level.faces.empty()) return nothing_left(level.name, "", level.omissions);
     const LevelSolids solids = find_solids(level);
     WorldParts parts;

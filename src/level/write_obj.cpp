@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two passes over the faces: vertices numbered in order of place, then corners by those numbers.
-#include "firma/write_obj.h"
+#include "firma/save.h"
 
 #include <algorithm>
 #include <span>

@@ -73,12 +73,12 @@ private:
         world_.u32((rock_outside ? kRockOutside : 0) | (exact_ ? kExactPart : 0) | (data_.rules ? kHasRules : 0) |
                    (data_.cells.known() ? kHasRoomRecords : 0) | (portals ? kHasPortals : 0));
         world_.u32(data_.cells.room_count());
-        world_.f64(data_.tolerance.skin);
+        world_.f64(data_.tolerance.contact_offset);
         world_.u32(std::uint32_t(tree_options_.split));
         world_.i32(tree_options_.max_depth);
-        world_.i32(tree_options_.faces_per_bin);
+        world_.i32(tree_options_.faces_per_leaf);
         world_.u32(0);
-        world_.f64(tree_options_.min_bin_volume);
+        world_.f64(tree_options_.min_node_volume);
     }
 
     void pack_materials() {
@@ -92,10 +92,10 @@ private:
     void pack_rules(const CarveRules& rules) {
         rules_.u32(std::uint32_t(rules.zones.size()));
         rules_.u32(std::uint32_t(rules.hardness.size()));
-        for (const std::size_t most : {rules.most_faces, rules.most_faces_looked_at, rules.most_new_faces,
-                                       rules.most_cutter_triangles, rules.most_pairs, rules.most_corners})
+        for (const std::size_t most : {rules.max_faces, rules.max_candidate_faces, rules.max_new_faces,
+                                       rules.max_cutter_triangles, rules.max_pairs, rules.max_corners})
             rules_.u64(most);
-        rules_.f64(rules.largest_cutter);
+        rules_.f64(rules.max_cutter_size);
         for (const double hardness : rules.hardness) rules_.f64(hardness);
         for (const CarveZone& zone : rules.zones) {
             for (const Vec3& corner : {zone.box.low, zone.box.high})

@@ -32,11 +32,11 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     data.edits = read_u32(at + 20);
     const std::uint32_t flags = read_u32(at + 24), split = read_u32(at + 40);
     unpacked.rooms = read_u32(at + 28);
-    data.tolerance.skin = read_f64(at + 32);
+    data.tolerance.contact_offset = read_f64(at + 32);
     data.tree_options.split = split == std::uint32_t(Split::kSurfaceArea) ? Split::kSurfaceArea : Split::kLongestAxis;
     data.tree_options.max_depth = read_i32(at + 44);
-    data.tree_options.faces_per_bin = read_i32(at + 48);
-    data.tree_options.min_bin_volume = read_f64(at + 56);
+    data.tree_options.faces_per_leaf = read_i32(at + 48);
+    data.tree_options.min_node_volume = read_f64(at + 56);
     data.rock_outside = flags & kRockOutside;
     unpacked.exact = flags & kExactPart;
     unpacked.has_records = flags & kHasRoomRecords;
@@ -49,13 +49,13 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     if (data.next_face > kMostFaceIds) return damage.report(section.type(), "has no ids left for new faces");
     if (data.version > kMostVersion || data.edits > kMostEdits)
         return damage.report(section.type(), 0, "has no numbers left for new edits");
-    // Of a skin below zero, casts would say that it is safe to go through what they meet.
-    if (!(data.tolerance.skin >= 0) || !is_finite(data.tolerance.skin))
-        return damage.report(section.type(), 0, "its skin is no length");
+    // Of a contact offset below zero, casts would say that it is safe to go through what they meet.
+    if (!(data.tolerance.contact_offset >= 0) || !is_finite(data.tolerance.contact_offset))
+        return damage.report(section.type(), 0, "its contact offset is no length");
     if (flags & ~(kRockOutside | kExactPart | kHasRules | kHasRoomRecords | kHasPortals) || read_u32(at + 52) != 0)
         return damage.report(section.type(), "has flags that mean nothing");
     if (split > std::uint32_t(Split::kSurfaceArea))
-        return damage.report(section.type(), "has no such way to divide bins");
+        return damage.report(section.type(), "has no such way to divide nodes");
     if (data.rock_outside && !unpacked.exact) return damage.report(section.type(), "has rock without its faces");
     if (unpacked.rooms == 0) return damage.report(section.type(), "has no room");
     if (!unpacked.has_records && (unpacked.rooms > 1 || unpacked.has_portals))
@@ -92,11 +92,11 @@ bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage
     const std::byte* at = section.at(0);
     const std::uint64_t zones = read_u32(at), hardness = read_u32(at + 4);
     CarveRules rules;
-    std::size_t* const limits[] = {&rules.most_faces,     &rules.most_faces_looked_at,
-                                   &rules.most_new_faces, &rules.most_cutter_triangles,
-                                   &rules.most_pairs,     &rules.most_corners};
+    std::size_t* const limits[] = {&rules.max_faces,     &rules.max_candidate_faces,
+                                   &rules.max_new_faces, &rules.max_cutter_triangles,
+                                   &rules.max_pairs,     &rules.max_corners};
     for (std::size_t k = 0; k < std::size(limits); ++k) *limits[k] = limit_of(read_u64(at + 8 + 8 * k));
-    rules.largest_cutter = read_f64(at + 56);
+    rules.max_cutter_size = read_f64(at + 56);
 
     std::uint64_t left = section.count() - kRulesBytes;
     if (hardness > left / 8) return damage.report(section.type(), "ends before the hardness of its materials");

@@ -136,7 +136,7 @@ private:
         int depth = 0;
         const std::uint32_t end = follow_bins(node, 0, 0, depth);
         if (end != count || next_item_ != items)
-            return damage_.report(nodes_.type(), entry, "its bins are not one tree over its items");
+            return damage_.report(nodes_.type(), entry, "its tree nodes are not one tree over its items");
         if (depth > kDeepestTree) return damage_.report(nodes_.type(), entry, "makes an index deeper than any is");
         node.depth = std::uint16_t(depth);
         return true;

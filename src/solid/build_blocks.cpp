@@ -12,14 +12,14 @@ namespace {
 
 TreeOptions in_range(TreeOptions options) {
     options.max_depth = std::clamp(options.max_depth, 0, 64);
-    options.faces_per_bin = std::max(options.faces_per_bin, 1);
+    options.faces_per_leaf = std::max(options.faces_per_leaf, 1);
     return options;
 }
 
 /// The stop rules.
 bool is_done(std::size_t count, const GridBox& box, int depth, const TreeOptions& options) {
-    if (count <= std::size_t(options.faces_per_bin) || depth >= options.max_depth) return true;
-    return options.min_bin_volume > 0 && box.volume() < options.min_bin_volume;
+    if (count <= std::size_t(options.faces_per_leaf) || depth >= options.max_depth) return true;
+    return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
 }
 
 /// The bins below `top` that become blocks of their own: the fullest is opened until there are 64 or all fit a leaf

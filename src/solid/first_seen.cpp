@@ -55,7 +55,7 @@ void FirstSeen::look_at(const PolygonShape& polygon, std::uint32_t number) {
 Seen FirstSeen::judge() const {
     if (!best_.touched()) return {.kind = Seen::Kind::kNothing};
     if (!block_) {
-        const bool touching = best_.status == Status::kTouching;
+        const bool touching = best_.status == Status::kInitialOverlap;
         const int side = touching ? 1 : side_met(sweep_, *polygon_, best_, kRim);
         if (side == 0) return {};
         return {.kind = Seen::Kind::kPolygon, .number = number_, .front = side > 0};

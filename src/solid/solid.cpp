@@ -54,7 +54,7 @@ bool is_first(FlatMap& seen, const void* object) {
 }  // namespace
 
 Solid::Solid() : data_(no_solid()) {}
-Solid::Solid(std::shared_ptr<const SolidData> data) : data_(std::move(data)) {}
+Solid::Solid(std::shared_ptr<const SolidData> data) : data_(data ? std::move(data) : no_solid()) {}
 Solid::Solid(Solid&& other) noexcept : data_(std::exchange(other.data_, no_solid())) {}
 Solid& Solid::operator=(Solid&& other) noexcept {
     data_ = std::exchange(other.data_, no_solid());

@@ -4,7 +4,7 @@
 // Three locks, always taken in this order. `writer`: whoever changes the store has it from beginning to end, so that
 // writers take turns; measuring and freeing happen under it alone. `history`: while versions are moved in or out of the
 // row, or one is copied from it. `current`: while the current handle is copied or swapped, and nothing else.
-#include "firma/world_store.h"
+#include "firma/versions.h"
 
 #include <algorithm>
 #include <functional>

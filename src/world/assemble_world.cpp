@@ -6,6 +6,7 @@
 
 #include "index/join_nodes.h"
 #include "solid/append_faces.h"
+#include "world/judge_options.h"
 
 namespace firma {
 namespace {
@@ -154,7 +155,8 @@ World world_of(StoredWorld stored) {
     return World(std::move(data));
 }
 
-World make_world(const Solid& given, const WorldOptions& options) {
+Result<World> make_world(const Solid& given, const WorldOptions& options) {
+    if (auto error = judge_options(options, "")) return *std::move(error);
     const Solid solid = in_one_part(given);
     StoredWorld stored;
     stored.records.resize(1);

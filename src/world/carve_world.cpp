@@ -117,7 +117,7 @@ private:
         if (!castable_) {
             const CarveRules defaults;
             const CarveRules& rules = data.rules ? *data.rules : defaults;
-            castable_.emplace(data.castable.root.get(), cut_.cutter(), rules.most_pairs);
+            castable_.emplace(data.castable.root.get(), cut_.cutter(), rules.max_pairs);
         }
         return castable_->step() ? Phase::kCastable : after_castable();
     }

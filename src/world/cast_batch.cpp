@@ -42,7 +42,7 @@ bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span
         return false;
     }
     for (const CastCounts& seen : batch.counts) {
-        options.counts->bins += seen.bins;
+        options.counts->nodes += seen.nodes;
         options.counts->boxes += seen.boxes;
         options.counts->faces += seen.faces;
         options.counts->precise += seen.precise;

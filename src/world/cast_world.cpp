@@ -67,7 +67,8 @@ Hit hit_of(const World& world, const Sweep& sweep, const CastOptions& options, c
     Hit hit;
     const auto make = [&](const PolygonShape& polygon) {
         static_cast<PolygonHit&>(hit) = make_hit(sweep, polygon, found.contact);
-        hit.safe_fraction = safe_fraction(sweep, hit, options.skin >= 0 ? options.skin : world.tolerance().skin);
+        hit.safe_fraction = safe_fraction(
+            sweep, hit, options.contact_offset >= 0 ? options.contact_offset : world.tolerance().contact_offset);
     };
     if (found.block) {
         make(FaceShape(*found.block, found.face()).polygon);
@@ -102,7 +103,7 @@ struct VisitEach {
 /// A sweep, or why there is none: kHit when it is ready to go.
 Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options, Sweep& sweep) {
     if (options.trail) options.trail->count = 0;
-    if (!(options.skin <= kLargestNumber)) return Status::kInvalid;  // also not a number
+    if (!(options.contact_offset <= kLargestNumber)) return Status::kInvalid;  // also not a number
     const bool is_room = options.room.value < world.room_count();
     if (!is_room && options.room != kAnyRoom && options.room != kLocateRoom) return Status::kInvalid;
     return make_sweep(sphere, path, sweep);

@@ -15,7 +15,7 @@
 #include "base/pool.h"
 #include "base/ref.h"
 #include "firma/hit.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "geometry/grid_box.h"
 #include "geometry/polygon_shape.h"
 #include "index/box_tree.h"

@@ -90,19 +90,21 @@ private:
 
     void check_node(const Node& node, const BoxF* around) {
         if (fault_) return;
-        if (node.bins.empty()) return report("a node has no bins", {});
-        if (node.is_leaf() != bool(node.facets)) return report("a node holds both facets and nodes, or neither", {});
+        if (node.bins.empty()) return report("an index block has no nodes", {});
+        if (node.is_leaf() != bool(node.facets))
+            return report("an index block holds both facets and blocks, or neither", {});
         const std::size_t items = node.is_leaf() ? block_of(node).faces.size() : node.children.size();
-        if (items == 0 || items > kNodeItems) return report("a node does not hold 1 to 64 items", {});
-        if (around && !contains(*around, node.bins[0].box)) return report("a node reaches out of its bin", {});
+        if (items == 0 || items > kNodeItems) return report("an index block does not hold 1 to 64 items", {});
+        if (around && !contains(*around, node.bins[0].box)) return report("an index block reaches out of its leaf", {});
         std::vector<int> held(items, 0);
         const std::size_t used = check_bin(node, 0, held);
-        if (used != node.bins.size()) report("a node has bins that no other leads to", {});
-        if (node.facets_below != facets_below(node)) report("a node's count of faces is not how many there are", {});
-        if (node.depth != depth_below(node, 0)) report("a node's depth is not how deep it is", {});
+        if (used != node.bins.size()) report("an index block has nodes that no other leads to", {});
+        if (node.facets_below != facets_below(node))
+            report("an index block's count of faces is not how many there are", {});
+        if (node.depth != depth_below(node, 0)) report("an index block's depth is not how deep it is", {});
         if (node.depth > kDeepestTree) report("an index is deeper than traversals can go", {});
         for (const int times : held)
-            if (times != 1) report("an item is not in exactly one bin", {});
+            if (times != 1) report("an item is not in exactly one leaf", {});
         if (!fault_ && node.is_leaf()) check_block(block_of(node));
     }
 
@@ -132,18 +134,18 @@ private:
     /// @return bins in this subtree
     std::size_t check_bin(const Node& node, std::size_t index, std::vector<int>& held) {
         if (fault_) return 0;
-        if (index >= node.bins.size()) return report("a bin leads out of its node", {}), 0;
+        if (index >= node.bins.size()) return report("a node leads out of its index block", {}), 0;
         const Bin& bin = node.bins[index];
         if (!bin.is_leaf()) {
-            if (bin.first <= index + 1 || bin.first >= node.bins.size()) return report("a bin leads backward", {}), 0;
+            if (bin.first <= index + 1 || bin.first >= node.bins.size()) return report("a node leads backward", {}), 0;
             if (!contains(bin.box, node.bins[index + 1].box) || !contains(bin.box, node.bins[bin.first].box))
-                report("a bin reaches out of its parent", {});
+                report("a node reaches out of its parent", {});
             const std::size_t left = check_bin(node, index + 1, held);
             return 1 + left + check_bin(node, bin.first, held);
         }
-        if (!node.is_leaf() && bin.count != 1) report("a bin holds more than one node", {});
+        if (!node.is_leaf() && bin.count != 1) report("a leaf holds more than one index block", {});
         if (std::size_t(bin.first) + bin.count > held.size())
-            return report("a bin holds items that are not there", {}), 0;
+            return report("a leaf holds items that are not there", {}), 0;
         for (std::uint32_t item = bin.first; item < bin.first + bin.count; ++item) {
             ++held[item];
             if (!node.is_leaf())
@@ -162,7 +164,7 @@ private:
             if (vertex >= block.vertices.size()) return report("a corner has no vertex", record.id);
         for (std::uint32_t k = 0; k < record.corner_count; ++k)
             if (!contains(box, to_metres(block.corner(record, k))))
-                return report("a face reaches out of its bin", record.id);
+                return report("a face reaches out of its leaf", record.id);
         if (!in_store_) return;
         if (record.owner != kNoOwner && record.owner >= block.owners.size())
             return report("a face has an owner that is not there", record.id);

@@ -60,8 +60,8 @@ bool passes_through(const Vec3 (&triangle)[3], std::span<const Vec3> polygon) {
 
 }  // namespace
 
-ReachCount::ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t most_pairs)
-    : cutter_(cutter), budget_(most_pairs) {
+ReachCount::ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t max_pairs)
+    : cutter_(cutter), budget_(max_pairs) {
     std::vector<FacetPlace> others;
     gather_facets(root, cutter.box, cutter.bevelled, 0, near_, others);
 }

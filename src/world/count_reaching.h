@@ -18,9 +18,9 @@ namespace firma {
 class ReachCount {
 public:
     /// @param root        of an index over faces; null for none
-    /// @param most_pairs  of a face and a triangle of the cutter: once they are used up, faces count that reach into
+    /// @param max_pairs  of a face and a triangle of the cutter: once they are used up, faces count that reach into
     ///                    the bevelled box
-    ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t most_pairs);
+    ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t max_pairs);
 
     /// Does one piece of work; false once there is none left.
     bool step();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What changed between two worlds: first what only one of them has of nodes, rooms and portals, then what is in those.
-#include "firma/diff_worlds.h"
+#include "firma/versions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,7 +156,7 @@ private:
         const Vec3 low = to_metres(box.low), high = to_metres(box.high);
         diff_.bounds.add(low);
         diff_.bounds.add(high);
-        if (tile_size_ >= kLeastTile && tile_size_ < INFINITY && !diff_.too_many_tiles) add_tiles(low, high);
+        if (tile_size_ >= kMinTileSize && tile_size_ < INFINITY && !diff_.too_many_tiles) add_tiles(low, high);
     }
 
     void add_tiles(const Vec3& low, const Vec3& high) {
@@ -168,7 +168,7 @@ private:
             to[axis] = std::int64_t(std::floor(high[axis] / tile_size_));
             count *= to[axis] - from[axis] + 1;  // below 2^19 an axis: the world is 2^14 m wide
         }
-        if (count > std::int64_t(kMostTiles)) return give_up_tiles();
+        if (count > std::int64_t(kMaxTiles)) return give_up_tiles();
         for (std::int64_t x = from[0]; x <= to[0]; ++x)
             for (std::int64_t y = from[1]; y <= to[1]; ++y)
                 for (std::int64_t z = from[2]; z <= to[2]; ++z)
@@ -180,7 +180,7 @@ private:
         std::sort(diff_.tiles.begin(), diff_.tiles.end());
         diff_.tiles.erase(std::unique(diff_.tiles.begin(), diff_.tiles.end()), diff_.tiles.end());
         sorted_ = diff_.tiles.size();
-        if (sorted_ > kMostTiles) give_up_tiles();
+        if (sorted_ > kMaxTiles) give_up_tiles();
     }
 
     void give_up_tiles() {

@@ -11,7 +11,7 @@ std::uint64_t hash_world(const World& world) {
     hasher.add(data.version);
     hasher.add(data.next_face(), data.edits());
     hasher.add(std::uint32_t(data.rock_outside()), std::uint32_t(data.cells.known()));
-    hasher.add(data.tolerance.skin);
+    hasher.add(data.tolerance.contact_offset);
     hasher.add(data.materials ? data.materials->size() : std::size_t(0));
     if (data.materials)
         for (const std::string& name : *data.materials) add_text(hasher, name);

@@ -161,7 +161,7 @@ Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor vis
     if (!usable(sphere.centre) || !(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
     VisitOverlaps overlaps{sphere.centre, sphere.radius, visit};
     look_near(world, sphere.centre, options, overlaps);
-    return overlaps.any ? Status::kTouching : Status::kMiss;
+    return overlaps.any ? Status::kInitialOverlap : Status::kMiss;
 }
 
 Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found, const NearOptions& options) {

@@ -70,7 +70,7 @@ public:
         : sweep_(sweep), boxes_(sweep), options_(options), found_(found) {}
 
     bool enter(const Bin& bin, double& nearest) {
-        ++counts.bins;
+        ++counts.nodes;
         return boxes_.enters(bin.box, found_.latest, nearest);
     }
     bool still(double nearest) const { return nearest <= found_.latest; }
@@ -144,7 +144,7 @@ private:
         traverse(index, visitor);
         ended_ = visitor.ended;
         if (options_.counts) {
-            options_.counts->bins += visitor.counts.bins;
+            options_.counts->nodes += visitor.counts.nodes;
             options_.counts->boxes += visitor.counts.boxes;
             options_.counts->faces += visitor.counts.faces;
             options_.counts->precise += visitor.counts.precise;

@@ -105,7 +105,7 @@ private:
 template <class... Where>
 TriangleMesh collect(const World& world, const TriangleOptions& options, const Where&... where) {
     Collector collector(world, options);
-    if (is_finite(options.origin)) visit_faces(world, where..., collector);
+    if (is_finite(options.origin)) each_face(world, where..., collector);
     return collector.take();
 }
 

@@ -57,14 +57,14 @@ FacetPlace find_facet(const WorldData& data, const FaceRef& ref) {
 }
 
 void add(TreeStatistics& sum, const TreeStatistics& more) {
-    const double inner = double(sum.bins - sum.leaf_bins), more_inner = double(more.bins - more.leaf_bins);
+    const double inner = double(sum.nodes - sum.leaves), more_inner = double(more.nodes - more.leaves);
     if (inner + more_inner > 0) sum.overlap = (sum.overlap * inner + more.overlap * more_inner) / (inner + more_inner);
     sum.faces += more.faces;
     sum.blocks += more.blocks;
-    sum.bins += more.bins;
-    sum.leaf_bins += more.leaf_bins;
+    sum.nodes += more.nodes;
+    sum.leaves += more.leaves;
     sum.depth = std::max(sum.depth, more.depth);
-    sum.largest_bin = std::max(sum.largest_bin, more.largest_bin);
+    sum.max_leaf_faces = std::max(sum.max_leaf_faces, more.max_leaf_faces);
     sum.bytes += more.bytes;
 }
 
@@ -84,7 +84,7 @@ const std::shared_ptr<const WorldData>& empty_world() {
 }  // namespace
 
 World::World() : data_(empty_world()) {}
-World::World(std::shared_ptr<const WorldData> data) : data_(std::move(data)) {}
+World::World(std::shared_ptr<const WorldData> data) : data_(data ? std::move(data) : empty_world()) {}
 World::World(World&& other) noexcept : data_(std::exchange(other.data_, empty_world())) {}
 World& World::operator=(World&& other) noexcept {
     data_ = std::exchange(other.data_, empty_world());

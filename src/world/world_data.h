@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "firma/carve_rules.h"
-#include "firma/tolerance.h"
+#include "firma/grid.h"
+#include "firma/solid.h"
 #include "firma/tree_options.h"
 #include "firma/world.h"
 #include "solid/face_store.h"

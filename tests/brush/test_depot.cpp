@@ -13,7 +13,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
@@ -63,7 +63,7 @@ TEST(Depot, JoinsWithNothingLeftOut) {
     EXPECT_TRUE(depot().level.notes.empty());
     EXPECT_TRUE(depot().report.notes.empty()) << depot().report.notes[0].reason;
     EXPECT_EQ(depot().report.lost_shells, 0u);
-    EXPECT_EQ(depot().level.greatest_shift, 0);
+    EXPECT_EQ(depot().level.max_shift, 0);
     const auto fault = check_world(depot().world);
     EXPECT_FALSE(fault) << fault->what;
     const auto solid_fault = check_solid(depot().world);

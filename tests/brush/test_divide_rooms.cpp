@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "firma/brush_world.h"
-#include "firma/divide_rooms.h"
 #include "firma/rooms.h"
 #include "scenes/brush_piles.h"
 #include "tests/brush/casts_agree.h"
@@ -182,17 +181,17 @@ TEST(DivideRooms, WhatTheOptionsSay) {
                                      "##########  ########",  //
                                      "####################"});
     const auto rooms = [&](const DivideOptions& options) { return divide(level, options).world.room_count(); };
-    EXPECT_EQ(rooms({.narrow = 0.7, .smallest_room = 10}), 3u);  // two halls and the exterior
-    EXPECT_EQ(rooms({.narrow = 0.7, .smallest_room = 1}), 4u);   // and the closet
-    EXPECT_EQ(rooms({.narrow = 0.3, .smallest_room = 1}), 3u);   // whose door is wide for its size
-    EXPECT_EQ(rooms({.smallest_room = 1000}), 2u);
+    EXPECT_EQ(rooms({.narrow = 0.7, .min_room_volume = 10}), 3u);  // two halls and the exterior
+    EXPECT_EQ(rooms({.narrow = 0.7, .min_room_volume = 1}), 4u);   // and the closet
+    EXPECT_EQ(rooms({.narrow = 0.3, .min_room_volume = 1}), 3u);   // whose door is wide for its size
+    EXPECT_EQ(rooms({.min_room_volume = 1000}), 2u);
     EXPECT_EQ(divide(level, {.narrow = 0.01}).report.portals, 0u);
     for (const double bad : {-1.0, double(NAN), double(INFINITY)}) {
         EXPECT_EQ(divide_rooms(level, {.narrow = bad}).error().code, ErrorCode::kInvalid);
-        EXPECT_EQ(divide_rooms(level, {.smallest_room = bad}).error().code, ErrorCode::kInvalid);
+        EXPECT_EQ(divide_rooms(level, {.min_room_volume = bad}).error().code, ErrorCode::kInvalid);
     }
     for (const std::size_t cells : {0, 1, 100, 1000, 10'000})
-        EXPECT_LE(divide(level, {.most_cells = cells}).report.cells, cells);
+        EXPECT_LE(divide(level, {.max_cells = cells}).report.cells, cells);
 }
 
 /// Ten gaps in a wall divide two halls, sixteen are a fence.
@@ -298,11 +297,11 @@ TEST(DivideRooms, OddLevels) {
     for (const double at : {-8191.0, 8190.0}) add_box(corners, {at, at, at}, {at + 1, at + 1, at + 1});
     const Divided large = divide(corners);
     EXPECT_GT(large.report.cells, 0u);
-    EXPECT_LE(large.report.cells, DivideOptions{}.most_cells);
+    EXPECT_LE(large.report.cells, DivideOptions{}.max_cells);
 
     BrushLevel crowd = empty_level();  // each as large as the level, on top of each other
     for (int k = 0; k < 300; ++k) add_box(crowd, {0, 0, 0}, {1000.0 + k, 1000, 1000});
-    divide(crowd, {.most_cells = 100'000});
+    divide(crowd, {.max_cells = 100'000});
 
     BrushLevel dust = empty_level();
     for (int k = 0; k < 20; ++k) {
@@ -326,7 +325,7 @@ TEST(DivideRooms, PilesOfBrushes) {
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             SCOPED_TRACE(testing::Message() << "pile " << pile << ", seed " << seed);
             BrushLevel level = scenes::brush_pile(scenes::BrushPile(pile), seed, 30);
-            const Result<BrushLevel> divided = divide_rooms(level, {.smallest_room = 0.1, .most_cells = 200'000});
+            const Result<BrushLevel> divided = divide_rooms(level, {.min_room_volume = 0.1, .max_cells = 200'000});
             ASSERT_TRUE(divided.ok());
             const World world = make_world(divided.value()).value();
             const std::optional<WorldFault> fault = check_world(world);

@@ -8,8 +8,6 @@
 #include <string>
 
 #include "firma/brush_world.h"
-#include "firma/divide_rooms.h"
-#include "firma/find_leak.h"
 #include "scenes/brush_piles.h"
 #include "scenes/rng.h"
 
@@ -41,7 +39,7 @@ std::string said(const std::function<void(BrushLevel&)>& change) {
     BrushLevel level = two_boxes();
     change(level);
     const Result<World> world = make_world(level);
-    const Result<BrushLevel> divided = divide_rooms(level, {.most_cells = 4096});
+    const Result<BrushLevel> divided = divide_rooms(level, {.max_cells = 4096});
     EXPECT_EQ(world.ok(), divided.ok());
     if (world.ok()) return "";
     EXPECT_EQ(world.error().text(), divided.error().text());
@@ -125,14 +123,14 @@ TEST(JudgeBrushLevel, NamesMayBeMissing) {
 }
 
 TEST(JudgeBrushLevel, OptionsThatAreNone) {
-    for (const double skin : {-1.0, double(NAN), double(INFINITY)}) {
+    for (const double contact_offset : {-1.0, double(NAN), double(INFINITY)}) {
         WorldOptions options;
-        options.tolerance.skin = skin;
+        options.tolerance.contact_offset = contact_offset;
         const Result<World> world = make_world(two_boxes(), options);
         ASSERT_FALSE(world.ok());
-        EXPECT_EQ(world.error().text(), "made: the skin must be a finite number, not below zero");
+        EXPECT_EQ(world.error().text(), "made: the contact offset must be a finite number, not below zero");
     }
-    EXPECT_TRUE(divide_rooms(two_boxes(), {.most_cells = 0}).ok());
+    EXPECT_TRUE(divide_rooms(two_boxes(), {.max_cells = 0}).ok());
     EXPECT_TRUE(find_leak(make_world(two_boxes()).value(), {NAN, 0, 0}).empty());
 }
 

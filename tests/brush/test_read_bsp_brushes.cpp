@@ -7,7 +7,7 @@
 
 #include "brush/brush_kinds.h"
 #include "firma/brush_level.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "geometry/exact_plane.h"
 #include "scenes/rng.h"
 #include "tests/level/bsp_writer.h"
@@ -63,7 +63,7 @@ TEST(ReadBspBrushes, BoxFacesOutwardInMetres) {
         EXPECT_FALSE(side.portal);
         EXPECT_EQ(level.materials[side.material], "textures/base/wall");
     }
-    EXPECT_EQ(level.greatest_shift, 0);
+    EXPECT_EQ(level.max_shift, 0);
     EXPECT_TRUE(level.notes.empty());
     EXPECT_EQ(level.name, "a.bsp");
     EXPECT_EQ(level.metres_a_unit, 1.0 / 32);
@@ -78,7 +78,7 @@ TEST(ReadBspBrushes, AxialPlanesSnapTheirDistance) {
     writer.box({0.1, 0, 0}, {64, 32, 96}, writer.shader("a", 0, kSolid));
     const BrushLevel level = read(writer).value();
     EXPECT_EQ(level.sides[0].points[0].x, 13 * 64);  // 12.8 steps
-    EXPECT_NEAR(level.greatest_shift, 0.2 / 4096, 1e-9);
+    EXPECT_NEAR(level.max_shift, 0.2 / 4096, 1e-9);
 }
 
 // A pyramid with corners at whole units, its planes rounded to float.
@@ -113,7 +113,7 @@ TEST(ReadBspBrushes, PlanesThroughWholeUnitsAreRestored) {
         EXPECT_TRUE(holds(plane, pyramid.corners[4]));  // all four planes still meet in the tip
         EXPECT_GT(plane.normal[2], 0);
     }
-    EXPECT_LT(level.greatest_shift, 1e-4);
+    EXPECT_LT(level.max_shift, 1e-4);
 }
 
 TEST(ReadBspBrushes, PlaneAndNegativeAreOne) {
@@ -155,8 +155,8 @@ TEST(ReadBspBrushes, PlanesOfNoLatticeAreNearest) {
         }
         writer.brush(of, writer.shader("a", 0, kSolid));
         const BrushLevel level = read(writer).value();
-        EXPECT_GT(level.greatest_shift, 1e-6);
-        EXPECT_LT(level.greatest_shift, 0.0005);
+        EXPECT_GT(level.max_shift, 1e-6);
+        EXPECT_LT(level.max_shift, 0.0005);
         // Sides keep their order; those without a face are gone.
         std::size_t next = 0;
         for (const BrushSide& side : level.sides) {
@@ -186,7 +186,7 @@ TEST(ReadBspBrushes, PlanesThatOnlyTouchAreLeftOut) {
     writer.brush(of, writer.shader("a", 0, kSolid));
     const BrushLevel level = read(writer).value();
     EXPECT_EQ(level.brushes[0].side_count, 5u);
-    EXPECT_NEAR(level.greatest_shift, 0.005 / 32, 0.001 / 32);
+    EXPECT_NEAR(level.max_shift, 0.005 / 32, 0.001 / 32);
     // One that cuts the tip off for good is kept.
     writer.planes[std::size_t(of[9])].distance = 249;
     EXPECT_EQ(read(writer).value().brushes[0].side_count, 6u);

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "firma/brush_level.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "scenes/rng.h"
 
 namespace firma {
@@ -83,7 +83,7 @@ TEST(ReadMap, BoxFacesOutwardInMetres) {
     EXPECT_EQ(level.materials, (std::vector<std::string>{"", "wall"}));
     EXPECT_EQ(level.name, "a.map");
     EXPECT_EQ(level.metres_a_unit, 1.0 / 32);
-    EXPECT_EQ(level.greatest_shift, 0);
+    EXPECT_EQ(level.max_shift, 0);
     EXPECT_TRUE(level.notes.empty());
     EXPECT_TRUE(level.surfaces.faces.empty());
 }
@@ -367,8 +367,8 @@ TEST(ReadMap, PointsOffTheGridGiveWayToCornersOfTheFace) {
     ASSERT_EQ(level.sides.size(), 6u);
     EXPECT_NEAR(height_over(level.sides[5], {0, 1, 3}), 0, 0.6 / 4096);
     EXPECT_NEAR(height_over(level.sides[5], {2, 0, 3 + 25.6 / 4096}), 0, 0.6 / 4096);
-    EXPECT_GT(level.greatest_shift, 0);
-    EXPECT_LT(level.greatest_shift, 0.6 / 4096);
+    EXPECT_GT(level.max_shift, 0);
+    EXPECT_LT(level.max_shift, 0.6 / 4096);
     EXPECT_TRUE(level.notes.empty());
     // The other sides are as in the file.
     EXPECT_EQ(to_metres(level.sides[3].points[0]).y, 1);
@@ -401,8 +401,8 @@ TEST(ReadMap, TurnedNeighboursShareAPlane) {
     EXPECT_EQ(points(1)[2], points(6)[1]);
     for (const std::size_t k : {2u, 3u, 4u, 5u})  // low and high y and z: the same plane from the same side
         for (int corner = 0; corner < 3; ++corner) EXPECT_EQ(points(k)[corner], points(k + 6)[corner]) << k;
-    EXPECT_GT(level.greatest_shift, 1e-6);
-    EXPECT_LT(level.greatest_shift, 0.0003);
+    EXPECT_GT(level.max_shift, 1e-6);
+    EXPECT_LT(level.max_shift, 0.0003);
     const Vec3 centre = Vec3{100.1 + 0.8 * 32 - 0.6 * 32, -37.7 + 0.6 * 32 + 0.8 * 32, 5.3 + 48} * (1.0 / 32);
     for (const std::size_t k : {0u, 2u, 3u, 4u, 5u, 7u}) EXPECT_LT(height_over(level.sides[k], centre), -0.9) << k;
 }
@@ -413,7 +413,7 @@ TEST(ReadMap, PlanesOnTheGridWin) {
     off += point({64.3, 0.3, 96.001}) + point({64.3, 1.3, 96.001}) + point({65.3, 0.3, 96.001}) + "wall 0 0 0 1 1\n";
     const BrushLevel level = read(world(textured_box() + "{\n" + off + "}\n")).value();
     for (int corner = 0; corner < 3; ++corner) EXPECT_EQ(level.sides[11].points[corner], level.sides[5].points[corner]);
-    EXPECT_NEAR(level.greatest_shift, 0.001 / 32, 1e-9);
+    EXPECT_NEAR(level.max_shift, 0.001 / 32, 1e-9);
 }
 
 std::string patch(const std::string& texture = "curve", const std::string& size = "3 3 0 0 0") {

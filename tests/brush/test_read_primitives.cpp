@@ -59,7 +59,7 @@ TEST(ReadPrimitives, BrushDef3IsThePlanesThemselves) {
     ASSERT_EQ(level.brushes.size(), 1u);
     EXPECT_EQ(level.materials[1], "textures/a/wall");
     EXPECT_TRUE(level.notes.empty());
-    EXPECT_EQ(level.greatest_shift, 0);
+    EXPECT_EQ(level.max_shift, 0);
     EXPECT_EQ(volume_of(level), 72 * 64 * 80.5 / 32768);
     const Vec3 middle = (low + high) * (0.5 / 32);
     for (const BrushSide& side : level.sides) {
@@ -79,7 +79,7 @@ TEST(ReadPrimitives, BrushDef3IsThePlanesThemselves) {
 
 TEST(ReadPrimitives, AxialPlanesAreSnappedAndSaidSo) {
     const BrushLevel level = read(world(plane_brush(box_planes({0, 0, 0}, {64, 32, 96.003})))).value();
-    EXPECT_NEAR(level.greatest_shift, 0.003 / 32, 1e-9);
+    EXPECT_NEAR(level.max_shift, 0.003 / 32, 1e-9);
     EXPECT_EQ(volume_of(level), 6);
 }
 
@@ -96,7 +96,7 @@ TEST(ReadPrimitives, FloatsOfSlantedPlanesComeBackExactly) {
                     planes.push_back({normal, dot(normal, middle + Vec3{128 * x, 0, 0})});
                 }
         const BrushLevel level = read(world(plane_brush(planes, "textures/a", digits))).value();
-        EXPECT_LT(level.greatest_shift, 1e-4);
+        EXPECT_LT(level.max_shift, 1e-4);
         EXPECT_EQ(volume_of(level), 4.0 / 3 * 4 * 2 * 1) << digits;
     }
 }
@@ -120,7 +120,7 @@ TEST(ReadPrimitives, NeighboursShareTheirPlane) {
     ASSERT_EQ(level.sides.size(), 12u);
     EXPECT_EQ(level.sides[1].points[0], level.sides[6].points[0]);
     EXPECT_EQ(level.sides[1].points[1], level.sides[6].points[2]);
-    EXPECT_LT(level.greatest_shift, 0.0003);
+    EXPECT_LT(level.max_shift, 0.0003);
     EXPECT_NEAR(volume_of(level), 64 * 64 * 96 / 32768.0, 0.002);
     EXPECT_EQ(make_world(level).value().face_count(), 6u);
 }

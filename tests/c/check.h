@@ -44,6 +44,8 @@ firma_world make_room(void);
 void test_library(void);
 void test_worlds(void);
 void test_casts(void);
+void test_visitors(void);
+void test_structs(void);
 void test_carving(void);
 void test_stores(void);
 void test_files(const char* folder);

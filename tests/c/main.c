@@ -74,6 +74,8 @@ int main(int argc, char** argv) {
     test_library();
     test_worlds();
     test_casts();
+    test_visitors();
+    test_structs();
     test_carving();
     test_stores();
     test_files(argc > 1 ? argv[1] : ".");

@@ -128,6 +128,7 @@ protected:
 
     void expect_unchanged(const firma_store_facts& before, long allocations) {
         firma_store_facts after{};
+        after.size = sizeof after;
         ASSERT_EQ(firma_store_get_facts(store, &after), FIRMA_OK);
         ASSERT_EQ(after.current, before.current) << allocations;
         ASSERT_EQ(after.newest, before.newest) << allocations;
@@ -145,6 +146,7 @@ protected:
 
 TEST_F(StoreWithoutMemory, PublishChangesNothing) {
     firma_store_facts before{};
+    before.size = sizeof before;
     ASSERT_EQ(firma_store_get_facts(store, &before), FIRMA_OK);
     for (long allocations = 0;; ++allocations) {
         firma_code code;
@@ -160,6 +162,7 @@ TEST_F(StoreWithoutMemory, PublishChangesNothing) {
 
 TEST_F(StoreWithoutMemory, UndoAndRedoChangeNothing) {
     firma_store_facts before{};
+    before.size = sizeof before;
     ASSERT_EQ(firma_store_get_facts(store, &before), FIRMA_OK);
     for (const auto step : {firma_store_undo, firma_store_redo}) {
         firma_code code;

@@ -30,10 +30,11 @@ static void test_cutters(void) {
 
 static void test_cut(firma_world room, firma_cutter cutter) {
     firma_world after = {0};
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     double before_volume = 0, after_volume = 0;
     CHECK_OK(firma_carve(room, cutter, &kInFloor, NULL, &after, &report));
-    CHECK(report.status == FIRMA_CARVE_DONE && report.volume > 1 && report.faces_new > 20 && report.faces_gone == 1);
+    CHECK(report.status == FIRMA_CARVE_DONE && report.volume > 1 && report.faces_added > 20 &&
+          report.faces_removed == 1);
     CHECK_OK(firma_world_check(after));
     CHECK_OK(firma_world_measure(room, &before_volume, NULL));
     CHECK_OK(firma_world_measure(after, &after_volume, NULL));
@@ -41,10 +42,10 @@ static void test_cut(firma_world room, firma_cutter cutter) {
 
     /* What changed. */
     firma_diff diff = {0};
-    firma_diff_view view;
+    firma_diff_view view = {.size = sizeof view};
     CHECK_OK(firma_world_diff(room, after, 1, &diff));
     CHECK_OK(firma_diff_get_view(diff, &view));
-    CHECK(view.removed_count == 1 && view.removed[0] == 0 && view.added_count == report.faces_new &&
+    CHECK(view.removed_count == 1 && view.removed[0] == 0 && view.added_count == report.faces_added &&
           view.tile_count > 0);
     CHECK(view.added[0].first_corner == 0 && view.corner_count >= 3 * view.added_count && view.low[2] < -1);
     CHECK_OK(firma_diff_release(diff));
@@ -77,7 +78,7 @@ static void test_cut(firma_world room, firma_cutter cutter) {
 static void test_castable_only(firma_cutter cutter) {
     const char obj[] = "v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nf 1 2 3 4\n";
     firma_world sheet = {0}, after = {0};
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     CHECK_OK(firma_world_from_obj(obj, sizeof obj - 1, "sheet.obj", NULL, &sheet));
     CHECK_OK(firma_carve(sheet, cutter, &kInFloor, NULL, &after, &report));
     CHECK(report.status == FIRMA_CARVE_NOTHING && report.faces_castable_only == 1);
@@ -97,7 +98,7 @@ static void test_job(firma_world room, firma_cutter cutter) {
     CHECK_FAILS(firma_job_run(job, NAN, &finished), FIRMA_ERROR_INVALID, "time");
     for (; !finished; ++runs) CHECK_OK(firma_job_run(job, 0, &finished));
     CHECK(runs > 5);
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     CHECK_OK(firma_job_result(job, &in_slices, &report));
     CHECK(report.status == FIRMA_CARVE_DONE && hash_of(at_once) == hash_of(in_slices));
     CHECK_OK(firma_job_release(job));
@@ -109,7 +110,7 @@ static void test_job(firma_world room, firma_cutter cutter) {
 
 static void test_edit(firma_world room, firma_cutter cutter) {
     firma_edit edit = {0};
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     firma_pose pose = kInFloor;
     CHECK_OK(firma_edit_begin(room, &edit));
     for (int k = 0; k < 3; ++k) {
@@ -119,7 +120,7 @@ static void test_edit(firma_world room, firma_cutter cutter) {
         CHECK(report.status == FIRMA_CARVE_DONE);
     }
     firma_world after = {0};
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_edit_finish(edit, &after));
     CHECK_OK(firma_world_get_facts(after, &facts));
     CHECK(facts.version == 1 && facts.edits == 3);
@@ -141,7 +142,7 @@ static void test_rules(firma_world room, firma_cutter cutter) {
     CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_BAD_CALL, "array");
     rules.zones = &zone;
     CHECK_OK(firma_world_with_rules(room, &rules, &guarded));
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     CHECK_OK(firma_carve(guarded, cutter, &kInFloor, NULL, &after, &report));
     CHECK(report.status == FIRMA_CARVE_REFUSED && strstr(firma_error_message(), "zone vault"));
     CHECK_OK(firma_world_release(after));

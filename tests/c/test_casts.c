@@ -79,7 +79,7 @@ static void test_one(firma_world room) {
     CHECK_FAILS(firma_world_hit_info(room, &hit, &info), FIRMA_ERROR_BAD_CALL, "size");
     CHECK_FAILS(firma_world_hit_info(room, NULL, &info), FIRMA_ERROR_BAD_CALL, "null");
     info.size = sizeof info;
-    CHECK(counts.bins > 0 && counts.faces > 0);
+    CHECK(counts.nodes > 0 && counts.faces > 0);
     uint32_t status = 9;
     CHECK_OK(firma_cast_any(room, &down, NULL, &status));
     CHECK(status == FIRMA_HIT);
@@ -94,7 +94,7 @@ static void test_one(firma_world room) {
 
     firma_cast_options options;
     firma_cast_options_defaults(&options);
-    options.skin = 0.5;
+    options.contact_offset = 0.5;
     CHECK_OK(firma_cast(room, &down, &options, &hit, NULL));
     CHECK(hit.safe_fraction == 0.25);
     options.mask = 0;
@@ -103,8 +103,8 @@ static void test_one(firma_world room) {
     options.sides = 7;
     CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_INVALID, "sides");
     firma_cast_options_defaults(&options);
-    options.skin = NAN;
-    CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_INVALID, "skin");
+    options.contact_offset = NAN;
+    CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_INVALID, "contact offset");
     options.size = 0;
     CHECK_FAILS(firma_cast(room, &down, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "size");
     CHECK_FAILS(firma_cast(room, NULL, NULL, &hit, NULL), FIRMA_ERROR_BAD_CALL, "null");
@@ -150,14 +150,14 @@ static void test_batch(firma_world room) {
         CHECK_OK(firma_cast(room, &inputs[k], NULL, &hit, &alone));
         CHECK(memcmp(&hit, &hits[k], sizeof hit) == 0);
     }
-    CHECK(alone.bins == batched.bins && alone.boxes == batched.boxes && alone.faces == batched.faces);
+    CHECK(alone.nodes == batched.nodes && alone.boxes == batched.boxes && alone.faces == batched.faces);
 
     int runs = 0;
     const firma_tasks tasks = {sizeof tasks, run_on_threads, &runs};
     CHECK_OK(firma_set_tasks(&tasks));
     firma_hit* again = calloc(kCasts, sizeof *again);
     CHECK_OK(firma_cast_batch(room, inputs, kCasts, NULL, again, &threaded));
-    CHECK(runs == 1 && memcmp(again, hits, kCasts * sizeof *hits) == 0 && threaded.bins == batched.bins);
+    CHECK(runs == 1 && memcmp(again, hits, kCasts * sizeof *hits) == 0 && threaded.nodes == batched.nodes);
     /* Finding 12 (F12): a callback that runs nothing gave OK with hits unwritten. */
     const firma_tasks lazy[] = {{sizeof tasks, run_nothing, NULL}, {sizeof tasks, run_too_little, NULL}};
     for (int t = 0; t < 2; ++t) {
@@ -166,7 +166,7 @@ static void test_batch(firma_world room) {
         CHECK_FAILS(firma_cast_batch(room, inputs, kCasts, NULL, again, &threaded), FIRMA_ERROR_BAD_CALL, "run");
         int written = 0;
         for (int k = 0; k < kCasts; ++k) written += again[k].status == FIRMA_INVALID && again[k].fraction == 0;
-        CHECK(written == kCasts && threaded.bins == batched.bins);
+        CHECK(written == kCasts && threaded.nodes == batched.nodes);
     }
     const firma_tasks eager = {sizeof eager, run_too_much, NULL};
     CHECK_OK(firma_set_tasks(&eager));

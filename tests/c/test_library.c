@@ -49,9 +49,9 @@ void test_handles(void) {
     const firma_faces faces = {5};
     const firma_bytes bytes = {5};
     uint32_t flag = 0;
-    firma_diff_view diff_view;
-    firma_faces_view faces_view;
-    firma_store_facts facts;
+    firma_diff_view diff_view = {.size = sizeof diff_view};
+    firma_faces_view faces_view = {.size = sizeof faces_view};
+    firma_store_facts facts = {.size = sizeof facts};
     const void* data = NULL;
     size_t length = 0;
     CHECK_FAILS(firma_job_run(job, 1, &flag), FIRMA_ERROR_BAD_HANDLE, "job");

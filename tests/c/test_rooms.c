@@ -60,7 +60,7 @@ static uint32_t room_at(firma_world world, double x) {
 
 static void test_map(void) {
     const firma_world world = make_rooms();
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(world, &facts));
     CHECK(facts.room_count == 3 && facts.portal_count == 1 && facts.low[0] == -0.5 && facts.high[0] == 8.5);
     CHECK_OK(firma_world_check(world));
@@ -110,7 +110,7 @@ static void test_locate(firma_world world) {
 
 static void test_rooms_and_portals(firma_world world) {
     const uint32_t west = room_at(world, 1), east = room_at(world, 7), outside = room_at(world, 99);
-    firma_room room;
+    firma_room room = {.size = sizeof room};
     CHECK_OK(firma_world_room(world, west, &room));
     CHECK(strcmp(room.name, "west") == 0 && room.face_count == 5 && !room.exterior && room.merged_into == west);
     CHECK(room.portal_count == 1 && room.portals[0] == 0 && room.low[0] == 0 && room.high[0] == 4);
@@ -119,7 +119,7 @@ static void test_rooms_and_portals(firma_world world) {
     CHECK_FAILS(firma_world_room(world, 3, &room), FIRMA_ERROR_INVALID, "no room 3");
     CHECK_FAILS(firma_world_room(world, west, NULL), FIRMA_ERROR_BAD_CALL, "null");
 
-    firma_portal portal;
+    firma_portal portal = {.size = sizeof portal};
     CHECK_OK(firma_world_portal(world, 0, &portal));
     CHECK(strcmp(portal.name, "gate") == 0 && portal.open == 1 && portal.polygon_count >= 1 && portal.mask != 0);
     CHECK(portal.rooms[0] + portal.rooms[1] == west + east && portal.low[0] == 4 && portal.high[2] == 4);
@@ -127,7 +127,7 @@ static void test_rooms_and_portals(firma_world world) {
     CHECK_FAILS(firma_world_portal(world, 0, NULL), FIRMA_ERROR_BAD_CALL, "null");
 
     firma_faces polygons = {0};
-    firma_faces_view view;
+    firma_faces_view view = {.size = sizeof view};
     CHECK_OK(firma_world_portal_polygons(world, 0, &polygons));
     CHECK_OK(firma_faces_get_view(polygons, &view));
     CHECK(view.face_count == portal.polygon_count && view.corner_count >= 4);
@@ -168,7 +168,7 @@ static void test_door(firma_world open) {
     const uint32_t west = room_at(open, 1), east = room_at(open, 7);
     firma_world closed = {0}, again = {0};
     CHECK_OK(firma_world_set_portal_open(open, 0, 0, &closed));
-    firma_portal portal;
+    firma_portal portal = {.size = sizeof portal};
     CHECK_OK(firma_world_portal(closed, 0, &portal));
     CHECK(portal.open == 0);
     uint32_t found = 9;
@@ -237,7 +237,7 @@ static void test_level(void) {
         "{ \"classname\" \"light\" \"origin\" \"32 0 -64\" }\n"
         "{ \"origin\" \"1 2\" }\n";
     firma_level level = {0};
-    firma_level_view view;
+    firma_level_view view = {.size = sizeof view};
     CHECK_OK(firma_level_from_map(text, sizeof text - 1, "a.map", 0, &level));
     CHECK_OK(firma_level_get_view(level, &view));
     CHECK(view.entity_count == 3 && view.metres_a_unit == 1.0 / 32);
@@ -270,7 +270,7 @@ static void test_bsp(void) {
     const size_t length = fread(bytes, 1, sizeof bytes, file);
     fclose(file);
     firma_world brushes = {0}, surfaces = {0}, loaded = {0};
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     uint64_t hash = 0, hash_loaded = 0;
     CHECK_OK(firma_world_from_bsp(bytes, length, "kaos2.bsp", NULL, &brushes));
     CHECK_OK(firma_world_get_facts(brushes, &facts));

@@ -3,7 +3,7 @@
 #include "tests/c/check.h"
 
 static uint64_t version_of(firma_world world) {
-    firma_world_facts facts = {0};
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(world, &facts));
     return facts.version;
 }
@@ -24,7 +24,7 @@ void test_stores(void) {
     firma_cutter cutter = {0};
     firma_store store = {0};
     firma_world world = {0};
-    firma_store_facts facts;
+    firma_store_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_cutter_crater(FIRMA_BOX, 1, &cutter));
     CHECK_OK(firma_store_open(room, 1u << 20, &store));
     CHECK_FAILS(firma_store_undo(store, &world), FIRMA_ERROR_INVALID, "before");

@@ -50,21 +50,21 @@ static void test_options(void) {
     firma_world_options_defaults(&options);
     firma_world world = {0};
     options.scale = 2;
-    options.skin = 0.25;
+    options.contact_offset = 0.25;
     CHECK_OK(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world));
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(world, &facts));
-    CHECK(facts.high[0] == 8 && facts.skin == 0.25);
+    CHECK(facts.high[0] == 8 && facts.contact_offset == 0.25);
     CHECK_OK(firma_world_release(world));
     options.size = 4;
     CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world),
                 FIRMA_ERROR_BAD_CALL, "size");
     firma_world_options_defaults(&options);
-    options.skin = -1;
+    options.contact_offset = -1;
     CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
-                "skin");
+                "contact offset");
     firma_world_options_defaults(&options);
-    options.faces_per_bin = 0;
+    options.faces_per_leaf = 0;
     CHECK_FAILS(firma_world_from_obj(kTetrahedron, sizeof kTetrahedron - 1, "t", &options, &world), FIRMA_ERROR_INVALID,
                 "tree");
     firma_world_options_defaults(&options);
@@ -89,10 +89,10 @@ static void test_obj(void) {
 
 static void test_room(void) {
     const firma_world room = make_room();
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(room, &facts));
     CHECK(facts.face_count == 6 && facts.room_count == 1 && facts.version == 0 && facts.edits == 0);
-    CHECK(facts.low[0] == 0 && facts.high[2] == 4 && facts.skin == 0.001);
+    CHECK(facts.low[0] == 0 && facts.high[2] == 4 && facts.contact_offset == 0.001);
     CHECK_OK(firma_world_check(room));
     double volume = 0, area = 0;
     CHECK_OK(firma_world_measure(room, &volume, &area));
@@ -112,7 +112,7 @@ static void test_room(void) {
     CHECK(alone > 0 && both >= alone && both < alone + alone / 2);
 
     firma_faces faces = {0};
-    firma_faces_view view;
+    firma_faces_view view = {.size = sizeof view};
     CHECK_OK(firma_world_faces(room, &faces));
     CHECK_OK(firma_faces_get_view(faces, &view));
     CHECK(view.face_count == 6 && view.corner_count == 24);
@@ -136,7 +136,7 @@ static void test_room(void) {
 static void test_triangles(void) {
     const firma_world room = make_room();
     firma_triangles triangles = {0};
-    firma_triangles_view view;
+    firma_triangles_view view = {.size = sizeof view};
     CHECK_OK(firma_world_triangles(room, NULL, &triangles));
     CHECK_OK(firma_triangles_get_view(triangles, &view));
     CHECK(view.vertex_count == 24 && view.triangle_count == 12 && view.source_count == 6 && view.run_count == 3);
@@ -222,10 +222,10 @@ static void test_textures(void) {
                 "face 1: has texture coordinates that are not finite");
     uvs[9] = 0;
     CHECK_OK(firma_world_from_mesh(&mesh, "m", NULL, &world));
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(world, &facts));
     CHECK(facts.face_count == 3); /* no one map gives the second's */
-    firma_texture texture;
+    firma_texture texture = {.size = sizeof texture};
     CHECK_OK(firma_world_texture(world, 0, NULL, &texture));
     CHECK(texture.unit == FIRMA_REPEATS && texture.u_axis[0] == 0.5 && texture.u_axis[2] == 0);
     CHECK(texture.v_axis[2] == -0.5 && texture.v_offset == 1 && texture.u_offset == 0);
@@ -233,18 +233,20 @@ static void test_textures(void) {
     firma_cast_input down = {{2, -1, 1}, 0, {0, 4, 0}};
     firma_hit hit;
     CHECK_OK(firma_cast(world, &down, NULL, &hit, NULL));
-    firma_texture of_hit;
+    firma_texture of_hit = {.size = sizeof of_hit};
     CHECK_OK(firma_world_texture(world, hit.face, hit.corner, &of_hit));
     CHECK(memcmp(&texture, &of_hit, sizeof texture) == 0);
     CHECK_FAILS(firma_world_texture(world, 9, NULL, &texture), FIRMA_ERROR_INVALID, "no such face");
     hit.corner[0] += 1;
     CHECK_FAILS(firma_world_texture(world, hit.face, hit.corner, &texture), FIRMA_ERROR_INVALID, "no such face");
     CHECK_FAILS(firma_world_texture(world, 0, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    texture.size = 0;
+    CHECK_FAILS(firma_world_texture(world, 0, NULL, &texture), FIRMA_ERROR_BAD_CALL, "size");
 
     firma_triangle_options options;
     firma_triangle_options_defaults(&options);
     firma_triangles triangles = {0};
-    firma_triangles_view view;
+    firma_triangles_view view = {.size = sizeof view};
     CHECK_OK(firma_world_triangles(world, &options, &triangles));
     CHECK_OK(firma_triangles_get_view(triangles, &view));
     CHECK(view.uvs == NULL && view.sources[0].uv_unit == FIRMA_METRES);

@@ -68,7 +68,7 @@ TEST(CutFamilies, LevelsBoundSolids) {
     }
 }
 
-TEST(CarvedWorlds, CastsAreWhatTheTwinSays) {
+TEST(CarvedWorlds, CastsAreWhatTheOracleSays) {
     const World world = reference::carved_world(family_of("our_level_corner"), 1, 40, our_level());
     scenes::Rng rng(1);
     reference::Tally tally;

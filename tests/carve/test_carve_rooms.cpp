@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "firma/carve.h"
-#include "firma/diff_worlds.h"
 #include "firma/memory.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
+#include "firma/versions.h"
 #include "scenes/divided_building.h"
 #include "store/bytes_alone.h"
 #include "tests/carve/expect_sound_world.h"
@@ -87,8 +87,8 @@ TEST(CarveRooms, ACutAtAPortalJoinsItsRooms) {
         const WorldDiff diff = diff_worlds(world, after);
         EXPECT_EQ(diff.rooms, (std::vector<RoomId>{{0}, {1}}));
         EXPECT_EQ(diff.portals_removed, std::vector<PortalId>{{0}});
-        EXPECT_EQ(diff.removed.size(), result.report.faces_gone);
-        EXPECT_EQ(diff.added.size(), result.report.faces_new);
+        EXPECT_EQ(diff.removed.size(), result.report.faces_removed);
+        EXPECT_EQ(diff.added.size(), result.report.faces_added);
         // And as a file.
         const World read = unpack_world(pack_world(after), "test").value();
         EXPECT_EQ(hash_world(read), hash_world(after));
@@ -122,7 +122,7 @@ TEST(CarveRooms, FillsInTheAir) {
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);
     EXPECT_EQ(result.world.room_count(), 2u);
-    EXPECT_EQ(room_info(result.world, {1})->faces, 5 + result.report.faces_new);
+    EXPECT_EQ(room_info(result.world, {1})->faces, 5 + result.report.faces_added);
     EXPECT_EQ(&result.world.data().faces_of(0), &world.data().faces_of(0));
     result = cut(result.world, CutterShape::kBox, {4, 2, 2}, 0.5, true);  // astride the portal
     ASSERT_TRUE(result.done());
@@ -192,8 +192,8 @@ TEST(CarveRooms, ManyCutsInBuildings) {
             EXPECT_EQ(result.world.face_count(), plain.world.face_count());
             expect_casts_agree(result.world, pose.position, 2, rng, 150);
             const WorldDiff diff = diff_worlds(world, result.world);
-            EXPECT_EQ(diff.removed.size(), result.report.faces_gone);
-            EXPECT_EQ(diff.added.size(), result.report.faces_new);
+            EXPECT_EQ(diff.removed.size(), result.report.faces_removed);
+            EXPECT_EQ(diff.added.size(), result.report.faces_added);
             const std::vector<World> both{world, result.world};
             EXPECT_EQ(bytes_alone(result.world, world), memory_used(both) - memory_used(world));
             const auto is_part = [](const World& it, std::uint32_t room) {

@@ -16,7 +16,7 @@ double looked_at(const World& world) {
     for (const scenes::CastRange& range : {scenes::kShortSpheres, scenes::kLongSpheres, scenes::kShortRays})
         for (const scenes::CastQuery& query : scenes::casts_in_rooms(scenes::room_grid_of(6000), range, 500, 3))
             static_cast<void>(cast(world, query.sphere, query.path, {.counts = &counts}));
-    return double(counts.bins + counts.boxes);
+    return double(counts.nodes + counts.boxes);
 }
 
 TEST(CarvedTree, CastsLookAtLittleMoreThanInATreeFromScratch) {

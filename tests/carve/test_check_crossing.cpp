@@ -22,7 +22,7 @@ using test::box_mesh;
 using test::placed_by_hand;
 using test::TriangleMesh;
 
-// The twin. What two triangles share is one of them clipped by the other: by its plane from both sides, and by the
+// The oracle. What two triangles share is one of them clipped by the other: by its plane from both sides, and by the
 // planes that stand on its sides. It may be no more than the shared vertices span.
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -62,7 +62,7 @@ bool on_segment(const Point& p, const Point& a, const Point& b) {
     return cross_product(minus(p, a), minus(b, a)) == Point{} && dot_product(minus(p, a), minus(p, b)) <= 0;
 }
 
-bool twin_cross(const std::vector<InputPoint>& vertices, const CutterTriangle& t, const CutterTriangle& u) {
+bool oracle_cross(const std::vector<InputPoint>& vertices, const CutterTriangle& t, const CutterTriangle& u) {
     std::vector<Point> shape;
     for (const std::uint32_t corner : t) shape.push_back(point_of(vertices[corner]));
     const Point a = point_of(vertices[u[0]]), b = point_of(vertices[u[1]]), c = point_of(vertices[u[2]]);
@@ -108,14 +108,14 @@ bool cross(const std::vector<InputPoint>& vertices, const CutterTriangle& t, con
     return polygons_cross(vertices, {t, polygon_normal(vertices, t)}, {u, polygon_normal(vertices, u)});
 }
 
-/// Compares with the twin; returns how many pairs crossed.
+/// Compares with the oracle; returns how many pairs crossed.
 int compare_pairs(std::uint64_t seed, int count, const std::function<InputPoint(scenes::Rng&)>& draw) {
     scenes::Rng rng(seed);
     int crossed = 0;
     for (int k = 0; k < count; ++k) {
         const auto pair = random_pair(rng, std::uint32_t(k) % 4, [&] { return draw(rng); });
         if (!pair) continue;
-        const bool expected = twin_cross(pair->vertices, pair->t, pair->u);
+        const bool expected = oracle_cross(pair->vertices, pair->t, pair->u);
         crossed += expected;
         EXPECT_EQ(cross(pair->vertices, pair->t, pair->u), expected) << "pair " << k;
         EXPECT_EQ(cross(pair->vertices, pair->u, pair->t), expected) << "pair " << k;
@@ -182,12 +182,12 @@ TEST(TrianglesCross, SoupsOfTriangles) {
         }
         bool expected = false;
         for (std::size_t t = 0; t < triangles.size(); ++t)
-            for (std::size_t u = 0; u < t; ++u) expected |= twin_cross(vertices, triangles[t], triangles[u]);
+            for (std::size_t u = 0; u < t; ++u) expected |= oracle_cross(vertices, triangles[t], triangles[u]);
         const auto found = find_crossing_pair(placed_by_hand(vertices, triangles));
         ASSERT_EQ(found.has_value(), expected);
         if (found) {
             EXPECT_LT(found->first, found->second);
-            EXPECT_TRUE(twin_cross(vertices, triangles[found->first], triangles[found->second]));
+            EXPECT_TRUE(oracle_cross(vertices, triangles[found->first], triangles[found->second]));
         }
         clean += !expected;
     }

@@ -250,7 +250,7 @@ TEST(MakeCutter, SpoiledMeshesAreRefusedOrSound) {
 }
 
 TEST(MakeCutter, RefusesTooManyTrianglesBeforeLookingAtThem) {
-    const std::vector<CutterTriangle> triangles(kMostCutterTriangles + 1);
+    const std::vector<CutterTriangle> triangles(kMaxCutterTriangles + 1);
     const Result<Cutter> cutter = make_cutter({}, triangles, "");
     ASSERT_FALSE(cutter.ok());
     EXPECT_EQ(int(cutter.error().code), int(ErrorCode::kTooLarge));

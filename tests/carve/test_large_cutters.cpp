@@ -185,7 +185,7 @@ TEST(LargeCutters, LongTrianglesThatAllTouchTakeBoundedWork) {
 TEST(LargeCutters, AllTriesShareOneBudget) {
     const Cutter cutter = ball(20).cutter().value();
     CarveRules rules;
-    rules.most_pairs = cutter.triangles().size() - 1;  // one move counts each triangle
+    rules.max_pairs = cutter.triangles().size() - 1;  // one move counts each triangle
     const World hasty = plain_room(rules);
     const CarveResult result = carve(hasty, cutter, pose_at(4, 0, 0, 1.5));
     EXPECT_EQ(result.status, CarveStatus::kRefused);

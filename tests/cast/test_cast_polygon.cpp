@@ -94,14 +94,14 @@ TEST(CastPolygon, AParticleInThePlaneMeetsTheRim) {
 }
 
 TEST(CastPolygon, TouchingAtTheStart) {
-    EXPECT_EQ(drop({0, 0, 0.5}, 0.5, {0, 0, -1}).status, Status::kTouching);
+    EXPECT_EQ(drop({0, 0, 0.5}, 0.5, {0, 0, -1}).status, Status::kInitialOverlap);
     EXPECT_EQ(drop({0, 0, 0.5}, 0.5, {0, 0, 1}).status, Status::kMiss) << "moves away";
     EXPECT_EQ(drop({0, 0, 0.5}, 0.5, {1, 0, 0}).status, Status::kMiss) << "slides";
-    EXPECT_EQ(drop({0, 0, 0.25}, 0.5, {0, 0, -1}).status, Status::kTouching) << "overlaps and sinks";
+    EXPECT_EQ(drop({0, 0, 0.25}, 0.5, {0, 0, -1}).status, Status::kInitialOverlap) << "overlaps and sinks";
     EXPECT_EQ(drop({0, 0, 0.25}, 0.5, {0, 0, 1}, Sides::kBoth).status, Status::kMiss) << "overlaps and leaves";
     EXPECT_EQ(drop({0, 0, -0.25}, 0.5, {0, 0, -1}).status, Status::kMiss) << "behind, and the distance grows";
     const PolygonHit edge = drop({1.5, 0, 0}, 0.5, {-1, 0, -1});
-    EXPECT_EQ(edge.status, Status::kTouching);
+    EXPECT_EQ(edge.status, Status::kInitialOverlap);
     EXPECT_EQ(edge.feature, Feature::kEdge);
     EXPECT_EQ(edge.normal, (Vec3{1, 0, 0}));
     EXPECT_EQ(edge.fraction, 0);
@@ -110,14 +110,14 @@ TEST(CastPolygon, TouchingAtTheStart) {
 TEST(CastPolygon, CentreOnThePolygon) {
     for (const double radius : {0.0, 0.5}) {
         const PolygonHit hit = drop({0.5, 0.5, 0}, radius, {0, 1, -1});
-        EXPECT_EQ(hit.status, Status::kTouching);
+        EXPECT_EQ(hit.status, Status::kInitialOverlap);
         EXPECT_EQ(hit.normal, (Vec3{0, 0, 1}));
         EXPECT_EQ(drop({0.5, 0.5, 0}, radius, {0, 1, 1}).status, Status::kMiss);
-        EXPECT_EQ(drop({0.5, 0.5, 0}, radius, {0, 1, 1}, Sides::kBoth).status, Status::kTouching);
+        EXPECT_EQ(drop({0.5, 0.5, 0}, radius, {0, 1, 1}, Sides::kBoth).status, Status::kInitialOverlap);
         EXPECT_EQ(drop({0.5, 0.5, 0}, radius, {0, 1, 1}, Sides::kBoth).normal, (Vec3{0, 0, -1}));
         EXPECT_EQ(drop({0.5, 0.5, 0}, radius, {0, 1, 0}, Sides::kBoth).status, Status::kMiss);
-        EXPECT_EQ(drop({1, 1, 0}, radius, {0, 1, -1}).status, Status::kTouching) << "on a corner";
-        EXPECT_EQ(drop({1, 0.5, 0}, radius, {0, 1, -1}).status, Status::kTouching) << "on an edge";
+        EXPECT_EQ(drop({1, 1, 0}, radius, {0, 1, -1}).status, Status::kInitialOverlap) << "on a corner";
+        EXPECT_EQ(drop({1, 0.5, 0}, radius, {0, 1, -1}).status, Status::kInitialOverlap) << "on an edge";
     }
 }
 
@@ -151,7 +151,7 @@ TEST(CastPolygon, StartsOutsideTheWorldAreAnsweredLikeAnyOther) {
 
 TEST(CastPolygon, TinyAndHugePathsAndRadii) {
     EXPECT_EQ(drop({0, 0, 0x1p-200}, 0, {0, 0, -0x1p-199}).fraction, 0.5);
-    EXPECT_EQ(drop({0, 0, 0.25}, 0.5, {0, 0, -1e-300}).status, Status::kTouching)
+    EXPECT_EQ(drop({0, 0, 0.25}, 0.5, {0, 0, -1e-300}).status, Status::kInitialOverlap)
         << "the shortest path has a direction";
     EXPECT_EQ(drop({0, 0, 0x1p-240}, 0, {0, 0, -1e-300}).status, Status::kMiss);
     EXPECT_EQ(drop({0, 0, 1}, 0x1p-60, {0, 0, -2}).status, Status::kHit) << "a radius lost in rounding never leaks";

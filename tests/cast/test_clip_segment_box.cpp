@@ -10,7 +10,7 @@
 namespace firma {
 namespace {
 
-/// The twin: clip the parameter range by each axis in long double, with slack to either side.
+/// The oracle: clip the parameter range by each axis in long double, with slack to either side.
 bool meets(const Vec3& start, const Vec3& path, const Box& box, long double slack) {
     long double from = 0, to = 1;
     for (int axis = 0; axis < 3; ++axis) {

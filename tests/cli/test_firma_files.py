@@ -64,7 +64,7 @@ class FirmaFile(CliTest):
         self.assertGreaterEqual(info['faces']['solid'], info['faces']['exact'])
         self.assertEqual(info['tree']['faces'], info['faces']['total'])
         text = self.firma('info', 'one.firma')
-        for words in ['one.firma', 'after 1 edits', 'bound solids', 'bins', 'bounds', 'to read and check']:
+        for words in ['one.firma', 'after 1 edits', 'bound solids', 'nodes', 'bounds', 'to read and check']:
             self.assertIn(words, text)
 
     def test_check(self):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Casts and rays through worlds that were cut a thousand times: judged by the exact twin, and none may escape
+// Casts and rays through worlds that were cut a thousand times: judged by the exact oracle, and none may escape
 // or get behind a face. Prints one claim.
 //
 //   full_carved_casts --what casts|rays --count 1000000 --seed 1 [--threads 2] [--cuts 1000] [--show 3]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A million casts and more of every family against the exact twin. Prints a claim a family and one in total.
+// A million casts and more of every family against the exact oracle. Prints a claim a family and one in total.
 //
 //   full_casts --count 1000000 --seed 1 [--threads 2] [--from 0] [--to N] [--family NAME] [--show 3 (of each family)]
 //

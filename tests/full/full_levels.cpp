@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "firma/brush_world.h"
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/brush_piles.h"

@@ -105,7 +105,7 @@ double looked_at(const World& world, const std::vector<scenes::CastQuery>& casts
     CastCounts counts;
     for (const scenes::CastQuery& query : casts)
         static_cast<void>(cast(world, query.sphere, query.path, {.counts = &counts}));
-    return double(counts.bins + counts.boxes);
+    return double(counts.nodes + counts.boxes);
 }
 
 double seconds(const World& world, const std::vector<scenes::CastQuery>& casts) {

@@ -77,7 +77,7 @@ static void mix_hit(firma_world world, const firma_hit* hit) {
     mix(hit->face);
     for (int axis = 0; axis < 3; ++axis) mix((uint32_t)hit->corner[axis]);
     mix(hit->material);
-    if (hit->status != FIRMA_HIT && hit->status != FIRMA_TOUCHING) return;
+    if (hit->status != FIRMA_HIT && hit->status != FIRMA_INITIAL_OVERLAP) return;
     firma_hit_info info = {.size = sizeof info};
     must(firma_world_hit_info(world, hit, &info));
     mix(info.room);
@@ -100,10 +100,10 @@ static void mix_near(const firma_near* near) {
 static void mix_report(const firma_carve_report* report) {
     mix(report->status);
     mix(report->retries);
-    mix_long(report->faces_looked_at);
+    mix_long(report->candidate_faces);
     mix_long(report->faces_cut);
-    mix_long(report->faces_gone);
-    mix_long(report->faces_new);
+    mix_long(report->faces_removed);
+    mix_long(report->faces_added);
     mix_double(report->scale);
     mix_double(report->volume);
 }
@@ -188,7 +188,7 @@ static void carve_three(firma_world world, firma_cutter cutter, firma_pose* pose
 static firma_world cut_once(firma_world world) {
     firma_cutter cutter;
     firma_pose pose;
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     firma_world after;
     draw_cutter(&cutter);
     draw_pose(&pose);
@@ -224,7 +224,7 @@ static void draw_cast(firma_cast_input* input) {
 static void draw_options(firma_cast_options* options) {
     firma_cast_options_defaults(options);
     options->sides = below(4) == 0;
-    if (below(8) == 0) options->skin = 0.0625;
+    if (below(8) == 0) options->contact_offset = 0.0625;
 }
 
 static void ask_more(firma_world world, const firma_cast_input* input, const firma_cast_options* options) {
@@ -233,7 +233,7 @@ static void ask_more(firma_world world, const firma_cast_input* input, const fir
     size_t count;
     uint32_t status, found, where;
     must(firma_cast_any(world, input, options, &status));
-    mix(status == FIRMA_HIT || status == FIRMA_TOUCHING);
+    mix(status == FIRMA_HIT || status == FIRMA_INITIAL_OVERLAP);
     must(firma_cast_all(world, input, options, hits, kMost, &count));
     mix((uint32_t)count);
     for (size_t k = 0; k < count && k < kMost; ++k) mix_hit(world, &hits[k]);
@@ -258,7 +258,7 @@ static void one_batch(firma_world world, uint32_t count) {
     must(firma_cast_batch(world, inputs, count, &options, hits, NULL));
     for (uint32_t k = 0; k < count; ++k) {
         mix_hit(world, &hits[k]);
-        hit_count += hits[k].status == FIRMA_HIT || hits[k].status == FIRMA_TOUCHING;
+        hit_count += hits[k].status == FIRMA_HIT || hits[k].status == FIRMA_INITIAL_OVERLAP;
     }
 }
 
@@ -271,7 +271,7 @@ static void one_by_one(firma_world world, uint32_t count) {
         draw_options(&options);
         must(firma_cast(world, &input, &options, &hit, NULL));
         mix_hit(world, &hit);
-        hit_count += hit.status == FIRMA_HIT || hit.status == FIRMA_TOUCHING;
+        hit_count += hit.status == FIRMA_HIT || hit.status == FIRMA_INITIAL_OVERLAP;
         if (k % 8 == 0) ask_more(world, &input, &options);
     }
 }
@@ -315,7 +315,7 @@ static firma_world read_level(const char* path) {
 }
 
 static void say(firma_world world, unsigned cuts, unsigned casts) {
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     uint64_t hash;
     must(firma_world_get_facts(world, &facts));
     must(firma_world_hash(world, &hash));
@@ -328,8 +328,8 @@ static void say(firma_world world, unsigned cuts, unsigned casts) {
 // The world's faces as a mesh, and a world of that.
 static void say_mesh(firma_world world) {
     firma_faces faces;
-    firma_faces_view view;
-    firma_world_facts facts;
+    firma_faces_view view = {.size = sizeof view};
+    firma_world_facts facts = {.size = sizeof facts};
     must(firma_world_faces(world, &faces));
     must(firma_faces_get_view(faces, &view));
     must(firma_world_get_facts(world, &facts));
@@ -382,7 +382,7 @@ static void say_rest(firma_world first, firma_world last) {
     mix_double(volume);
     mix_double(area);
     firma_diff diff;
-    firma_diff_view view;
+    firma_diff_view view = {.size = sizeof view};
     must(firma_world_diff(first, last, 4, &diff));
     must(firma_diff_get_view(diff, &view));
     for (size_t k = 0; k < view.removed_count; ++k) mix(view.removed[k]);
@@ -414,7 +414,7 @@ int main(int count, char** words) {
     if (count != 4) return fputs("usage: same_everywhere LEVEL CUTS CASTS\n", stderr), 2;
     const unsigned cuts = (unsigned)atoi(words[2]), casts = (unsigned)atoi(words[3]);
     const firma_world first = read_level(words[1]);
-    firma_world_facts facts;
+    firma_world_facts facts = {.size = sizeof facts};
     must(firma_world_get_facts(first, &facts));
     memcpy(low, facts.low, sizeof low);
     memcpy(high, facts.high, sizeof high);

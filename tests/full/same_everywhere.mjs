@@ -98,10 +98,10 @@ function mixNear(near) {
 function mixReport(report) {
     mixName(['done', 'nothing', 'refused'], report.status);
     mix(report.retries);
-    mixLong(report.facesLookedAt);
+    mixLong(report.candidateFaces);
     mixLong(report.facesCut);
-    mixLong(report.facesGone);
-    mixLong(report.facesNew);
+    mixLong(report.facesRemoved);
+    mixLong(report.facesAdded);
     mixDouble(report.scale);
     mixDouble(report.volume);
 }
@@ -202,7 +202,7 @@ function drawCast() {
 
 function drawOptions() {
     const options = { mask: 0xffffffff, bothSides: below(4) === 0 };
-    if (below(8) === 0) options.skin = 0.0625;
+    if (below(8) === 0) options.contactOffset = 0.0625;
     return options;
 }
 

@@ -33,7 +33,7 @@ inline void expect_sound(const BrushLevel& level) {
     for (const TextureProjection& lies : level.textures) expect(is_usable(lies), "projections that can be used");
     for (const std::string& note : level.notes) expect(note.size() < 400, "notes are short");
     expect(level.notes.size() <= 257, "notes are few");
-    expect(level.greatest_shift >= 0 && level.greatest_shift < 1e9, "a shift is a length");
+    expect(level.max_shift >= 0 && level.max_shift < 1e9, "a shift is a length");
     for (const LevelFace& face : level.surfaces.faces) {
         expect(face.source >= level.sides.size(), "sources of surfaces count on from the sides");
         expect(face.mask != 0, "surfaces are met by something");

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 #include "tests/fuzz/expect_sound_level.h"
 
 namespace firma::fuzz {

@@ -151,7 +151,7 @@ void judge(const World& before, const CarveResult& result) {
     const std::optional<WorldFault> fault = check_world(result.world);
     expect(!fault, fault ? fault->what.c_str() : "");
     expect(closed(result.world), "an open edge");
-    expect(result.world.face_count() + result.report.faces_gone == before.face_count() + result.report.faces_new,
+    expect(result.world.face_count() + result.report.faces_removed == before.face_count() + result.report.faces_added,
            "the count of faces");
     expect(result.report.volume == result.report.volume, "the volume is no number");
 }

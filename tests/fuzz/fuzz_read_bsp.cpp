@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a .bsp: an error with a place, or a sound level; and what the check says of it holds for the level.
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 #include "tests/fuzz/expect_sound_level.h"
 
 using namespace firma;

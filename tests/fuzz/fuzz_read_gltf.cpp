@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto bytes = std::as_bytes(std::span(file));
     // Few triangles: what a file of a kilobyte may place over and over is no find.
     GltfOptions options;
-    options.most_triangles = 1 << 14;
+    options.max_triangles = 1 << 14;
     for (const int up : {2, 0}) {
         options.up = up;
         options.scale = up == 2 ? 1 : 0.3;
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
         const GltfLevel& gltf = read.value();
         fuzz::expect_sound(gltf.level);
-        fuzz::expect(gltf.level.source_faces <= options.most_triangles, "no more triangles than asked for");
+        fuzz::expect(gltf.level.source_faces <= options.max_triangles, "no more triangles than asked for");
         fuzz::expect(gltf.note_places.size() == gltf.level.notes.size(), "a place for each note");
         for (const GltfPortal& portal : gltf.portals) {
             fuzz::expect(!portal.polygons.empty(), "portals have polygons");

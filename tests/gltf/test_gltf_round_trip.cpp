@@ -10,8 +10,8 @@
 #include "cli/write_glb.h"
 #include "firma/carve.h"
 #include "firma/mesh.h"
+#include "firma/save.h"
 #include "firma/solid.h"
-#include "firma/write_obj.h"
 #include "tests/gltf/read_text.h"
 
 namespace firma::gltf {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "firma/masks.h"
+#include "firma/level.h"
 #include "tests/gltf/read_text.h"
 #include "tests/gltf/small_gltf.h"
 
@@ -205,8 +205,8 @@ TEST(ReadGltf, InstancesAndScenes) {
     file.more = "";
     file.scenes = "";
     EXPECT_EQ(read_good(file.text()).level.faces.size(), 36u);  // none at all: every root
-    EXPECT_NE(error_of(file.text(), {.most_triangles = 35}).find("more than 35 triangles"), std::string::npos);
-    EXPECT_EQ(error_of(file.text(), {.most_triangles = 36}), "none");
+    EXPECT_NE(error_of(file.text(), {.max_triangles = 35}).find("more than 35 triangles"), std::string::npos);
+    EXPECT_EQ(error_of(file.text(), {.max_triangles = 36}), "none");
 }
 
 TEST(ReadGltf, Materials) {

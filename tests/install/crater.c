@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     firma_cutter cutter = {0};
     if (firma_cutter_crater(FIRMA_ROCKY, 1, &cutter) != FIRMA_OK) return fail();
     const firma_pose pose = {{hit.point[0], hit.point[1], hit.point[2]}, {0, 0, 0, 1}, 1.5};
-    firma_carve_report report;
+    firma_carve_report report = {.size = sizeof report};
     if (firma_carve(world, cutter, &pose, NULL, &after, &report) != FIRMA_OK) return fail();
     if (report.status != FIRMA_CARVE_DONE) return fail();
 

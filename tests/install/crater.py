@@ -23,6 +23,7 @@ def struct(name):
 
 
 Handle, Input, Hit, Pose = (struct(name) for name in ('firma_world', 'firma_cast_input', 'firma_hit', 'firma_pose'))
+Report = struct('firma_carve_report')
 
 firma = c.CDLL(sys.argv[2])
 firma.firma_error_message.restype = c.c_char_p
@@ -40,8 +41,8 @@ call('firma_cast', world, c.byref(Input((35, 29, 2), 0.5, (0, 0, 10))), None, c.
 material = c.c_char_p()
 call('firma_world_material', world, c.c_uint32(hit.material), c.byref(material))
 call('firma_cutter_crater', c.c_uint32(0), c.c_uint64(1), c.byref(cutter))
-report = (c.c_uint64 * 64)()
-call('firma_carve', world, cutter, c.byref(Pose(hit.point, (0, 0, 0, 1), 1.5)), None, c.byref(after), report)
+report = Report(size=c.sizeof(Report))
+call('firma_carve', world, cutter, c.byref(Pose(hit.point, (0, 0, 0, 1), 1.5)), None, c.byref(after), c.byref(report))
 hashed = c.c_uint64()
 call('firma_world_hash', after, c.byref(hashed))
 print(f'met {material.value.decode()} after {hit.fraction:.17g}, hash {hashed.value:016x}')

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 #include "tests/level/bsp_writer.h"
 
 namespace firma {

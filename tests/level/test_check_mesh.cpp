@@ -12,7 +12,7 @@
 #include <map>
 #include <sstream>
 
-#include "firma/check_mesh.h"
+#include "firma/mesh.h"
 #include "level/exact_number.h"
 #include "scenes/rng.h"
 

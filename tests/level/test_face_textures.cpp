@@ -8,9 +8,9 @@
 
 #include "firma/carve.h"
 #include "firma/level.h"
-#include "firma/level_portals.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
+#include "firma/rooms.h"
 #include "firma/triangles.h"
 #include "firma/world.h"
 #include "level/fit_texture.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "firma/carve.h"
-#include "firma/level_portals.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"

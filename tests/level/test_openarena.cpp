@@ -149,7 +149,7 @@ TEST(OpenArena, EveryMapsBrushesAreRead) {
         for (const LevelFace& face : level.value().surfaces.faces) {
             ASSERT_EQ(check_polygon(test::corners_of(level.value().surfaces, face)), PolygonFault::kNone) << map.name;
         }
-        greatest = std::max(greatest, level.value().greatest_shift);
+        greatest = std::max(greatest, level.value().max_shift);
     }
     EXPECT_LT(greatest, 0.0005);
     const bool all = maps.size() == openarena_maps().size();

@@ -12,7 +12,7 @@
 
 #include "firma/carve.h"
 #include "firma/level.h"
-#include "firma/write_obj.h"
+#include "firma/save.h"
 
 namespace firma {
 namespace {

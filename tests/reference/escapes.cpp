@@ -34,7 +34,7 @@ EscapeTally try_escapes(std::uint64_t seed, std::uint64_t chunk) {
     }
     std::vector<std::vector<Vec3>> polygons;
     for (const scenes::GridPolygon& face : mesh.faces) polygons.push_back(scenes::to_metres(face));
-    const ExactTwin twin(polygons);
+    const ExactOracle oracle(polygons);
     for (std::uint64_t k = 0; k < kEscapesAChunk; ++k) {
         const scenes::CastQuery query = scenes::escaping_cast(mesh, k % 4 == 3, rng);
         const Hit hit = cast(world.value(), query.sphere, query.path);
@@ -44,14 +44,14 @@ EscapeTally try_escapes(std::uint64_t seed, std::uint64_t chunk) {
         const Cast asked{query.sphere, query.path};
         Answer answer{hit, hit.touched() ? source_of(world.value(), hit) : 0, hit.touched() ? hit.safe_fraction : NAN,
                       0.001, true};
-        const Verdict verdict = judge(twin, asked, answer);
+        const Verdict verdict = judge(oracle, asked, answer);
         ++tally.judged;
         tally.wrong += !verdict.ok();
         if (!verdict.ok() && tally.first_failure.empty()) {
-            std::vector<std::uint32_t> faces = twin.expect(asked).faces;
+            std::vector<std::uint32_t> faces = oracle.expect(asked).faces;
             if (hit.touched()) faces.push_back(answer.face);
             tally.first_failure = std::string(scenes::name_of(mesh.kind)) + ", " + name_of(verdict.fault) + ": " +
-                                  verdict.text + "\n" + describe(twin, asked, faces);
+                                  verdict.text + "\n" + describe(oracle, asked, faces);
         }
     }
     return tally;

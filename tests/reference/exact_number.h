@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole numbers of any size, ratios of them, and roots of quadratics: what the twin decides with. No rounding anywhere.
+// Whole numbers of any size, ratios of them, and roots of quadratics: what the oracle decides with. No rounding
+// anywhere.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -51,8 +51,8 @@ struct Heading {
 
 class Judge {
 public:
-    Judge(const ExactTwin& twin, const Cast& cast, const Answer& answer, bool one_face)
-        : twin_(twin),
+    Judge(const ExactOracle& oracle, const Cast& cast, const Answer& answer, bool one_face)
+        : oracle_(oracle),
           cast_(cast),
           answer_(answer),
           hit_(answer.hit),
@@ -91,14 +91,14 @@ private:
     double tolerance(const std::vector<std::uint32_t>& faces) const {
         double most = std::max(largest(cast_.sphere.centre), largest(cast_.sphere.centre + cast_.path));
         for (const std::uint32_t f : faces)
-            for (const Vec3& v : twin_.faces()[f].hull.corners) most = std::max(most, largest(v));
+            for (const Vec3& v : oracle_.faces()[f].hull.corners) most = std::max(most, largest(v));
         return kDistance * std::max(1.0, most / 1000);
     }
     double normal_tolerance(const Nearest& at) const { return kNormal + 4 * tolerance_ / at.distance; }
     double slope(const Vec3& unit) const { return dot(heading_.unit, unit); }
-    SeenPolygon see(std::uint32_t f) const { return {twin_.faces()[f].exact, exact_}; }
+    SeenPolygon see(std::uint32_t f) const { return {oracle_.faces()[f].exact, exact_}; }
     Vec3 unit_normal(std::uint32_t f) const {  // from exact numbers: a sliver's double normal would be noise
-        const IntegerVec& n = twin_.faces()[f].exact.normal;
+        const IntegerVec& n = oracle_.faces()[f].exact.normal;
         const Integer most = std::max({Integer(abs(n.x)), Integer(abs(n.y)), Integer(abs(n.z))});
         const Vec3 v{nearest({n.x, most}), nearest({n.y, most}), nearest({n.z, most})};
         return v * (1 / length(v));
@@ -110,12 +110,12 @@ private:
     }
 
     Expected expect(const Cast& cast) const {
-        return one_face_ ? twin_.expect(cast, answer_.face) : twin_.expect(cast);
+        return one_face_ ? oracle_.expect(cast, answer_.face) : oracle_.expect(cast);
     }
 
     /// One-sided, so near to parallel that another sign of path . normal is forgiven.
     bool nearly_parallel(std::uint32_t f) const {
-        const bool both = cast_.sides == Sides::kBoth || twin_.faces()[f].two_sided;
+        const bool both = cast_.sides == Sides::kBoth || oracle_.faces()[f].two_sided;
         return !both && std::fabs(slope(unit_normal(f))) <= kParallel;
     }
 
@@ -147,15 +147,15 @@ private:
         if (largest(cast_.path) < 0x1p-1000) return;  // what the contract takes for a zero path
         tolerance_ = tolerance(expected_.faces);
         if (answer_.must_hit) return fail(Fault::kMissed, "the way out of a closed room");
-        const std::uint32_t count = std::uint32_t(twin_.faces().size());
+        const std::uint32_t count = std::uint32_t(oracle_.faces().size());
         for (std::uint32_t f = one_face_ ? answer_.face : 0; f < (one_face_ ? answer_.face + 1 : count); ++f) {
-            if (is_clear(twin_, cast_, f)) return fail(Fault::kMissed, numbered("face ", f, " is clear"));
+            if (is_clear(oracle_, cast_, f)) return fail(Fault::kMissed, numbered("face ", f, " is clear"));
         }
         if (surely_met_by(1)) fail(Fault::kMissed, "nearby casts all meet something");
     }
 
     void judge_hit() {
-        if (!(hit_.fraction >= 0 && hit_.fraction <= 1) || answer_.face >= twin_.faces().size())
+        if (!(hit_.fraction >= 0 && hit_.fraction <= 1) || answer_.face >= oracle_.faces().size())
             return fail(Fault::kFields, "fraction or face out of range");
         std::vector<std::uint32_t> faces = expected_.faces;
         faces.push_back(answer_.face);
@@ -174,7 +174,7 @@ private:
 
     /// Why no sphere should have stopped at this face, or nothing.
     std::string problem_with(const SeenPolygon& seen, const Nearest& contact) const {
-        const bool both = cast_.sides == Sides::kBoth || twin_.faces()[answer_.face].two_sided;
+        const bool both = cast_.sides == Sides::kBoth || oracle_.faces()[answer_.face].two_sided;
         if (!both && slope(unit_normal(answer_.face)) > kParallel) return "hit from behind";
         if (contact.gap > tolerance_) return print("%.3g m short of it", {contact.gap});
         if (hit_.fraction == 0 && contact.distance > tolerance_ && slope(contact.direction) > normal_tolerance(contact))
@@ -214,12 +214,12 @@ private:
     /// How deep the sphere has been by now in any face that it should have met earlier.
     void judge_late(double late_by) {
         verdict_.excused = true;
-        const std::uint32_t count = std::uint32_t(twin_.faces().size());
+        const std::uint32_t count = std::uint32_t(oracle_.faces().size());
         for (std::uint32_t f = one_face_ ? answer_.face : 0; f < (one_face_ ? answer_.face + 1 : count); ++f) {
-            if (surely_apart(twin_.faces()[f].hull, cast_.sphere.centre, cast_.path, hit_.fraction,
+            if (surely_apart(oracle_.faces()[f].hull, cast_.sphere.centre, cast_.path, hit_.fraction,
                              cast_.sphere.radius))
                 continue;
-            const Expected alone = twin_.expect(cast_, f);
+            const Expected alone = oracle_.expect(cast_, f);
             if (!alone.touched()) continue;
             const SeenPolygon seen = see(f);
             if (nearly_parallel(f)) continue;
@@ -247,7 +247,7 @@ private:
     }
 
     void judge_fields(const SeenPolygon& seen, const Nearest& contact) {
-        const Face& face = twin_.faces()[answer_.face];
+        const Face& face = oracle_.faces()[answer_.face];
         const Vec3 normal = unit_normal(answer_.face);
         check("centre", length(hit_.centre - contact.centre), tolerance_);
         const bool has_direction = !contact.on_polygon();
@@ -261,7 +261,7 @@ private:
         check("face normal", length(hit_.face_normal - normal), kFaceNormal);
         judge_normal(seen, contact, normal);
         judge_feature(face, contact, normal);
-        if ((hit_.status == Status::kTouching) != (hit_.fraction == 0))
+        if ((hit_.status == Status::kInitialOverlap) != (hit_.fraction == 0))
             fail(Fault::kFields, "touching means a fraction of 0, hit one above");
         if (hit_.status == Status::kHit && seen.nearest_at(Ratio{0, 1}).gap < -tolerance_)
             fail(Fault::kFields, "should say touching");
@@ -271,7 +271,7 @@ private:
     double distance_of(const Vec3& point) const {
         if (!is_finite(point)) return INFINITY;
         const ExactCast there({point, 0}, {});
-        return SeenPolygon(twin_.faces()[answer_.face].exact, there).nearest_at(Ratio{0, 1}).distance;
+        return SeenPolygon(oracle_.faces()[answer_.face].exact, there).nearest_at(Ratio{0, 1}).distance;
     }
 
     void judge_normal(const SeenPolygon& seen, const Nearest& contact, const Vec3& normal) {
@@ -316,12 +316,12 @@ private:
             return fail(Fault::kFields, print("safe_fraction %.17g not within [0, fraction]", {safe}));
         const double steep = -slope(hit_.normal);
         if (steep <= kGrazing) return;
-        const double ideal = std::max(0.0, hit_.fraction - answer_.skin / (steep * heading_.length));
+        const double ideal = std::max(0.0, hit_.fraction - answer_.contact_offset / (steep * heading_.length));
         check("safe_fraction, metres along the path,", std::fabs(safe - ideal) * heading_.length,
-              tolerance_ + 1e-9 * answer_.skin / (steep * steep));
+              tolerance_ + 1e-9 * answer_.contact_offset / (steep * steep));
     }
 
-    const ExactTwin& twin_;
+    const ExactOracle& oracle_;
     const Cast& cast_;
     const Answer& answer_;
     const PolygonHit& hit_;
@@ -340,10 +340,10 @@ const char* name_of(Fault fault) {
     return kNames[int(fault)];
 }
 
-bool is_clear(const ExactTwin& twin, const Cast& cast, std::uint32_t face) {
-    const Expected alone = twin.expect(cast, face);
+bool is_clear(const ExactOracle& oracle, const Cast& cast, std::uint32_t face) {
+    const Expected alone = oracle.expect(cast, face);
     if (!alone.touched()) return false;
-    const Face& f = twin.faces()[face];
+    const Face& f = oracle.faces()[face];
     const ExactCast exact(cast.sphere, cast.path);
     const SeenPolygon seen(f.exact, exact);
     const Heading heading(cast.path);
@@ -353,19 +353,19 @@ bool is_clear(const ExactTwin& twin, const Cast& cast, std::uint32_t face) {
     for (const Vec3& v : f.hull.corners) most = std::max(most, largest(v));
     const double tolerance = kDistance * std::max(1.0, most / 1000);
     if (seen.margin() > tolerance) return true;
-    if (alone.status != Status::kTouching) return false;
+    if (alone.status != Status::kInitialOverlap) return false;
     // A short path out of a firm overlap is clear all the same.
     const Nearest start = seen.nearest_at(Ratio{0, 1});
     if (start.gap >= -tolerance || start.on_polygon()) return false;
     return -dot(heading.unit, start.direction) > kNormal + 4 * tolerance / start.distance;
 }
 
-Verdict judge(const ExactTwin& twin, const Cast& cast, const Answer& answer) {
-    return Judge(twin, cast, answer, false).run();
+Verdict judge(const ExactOracle& oracle, const Cast& cast, const Answer& answer) {
+    return Judge(oracle, cast, answer, false).run();
 }
 
-Verdict judge_face(const ExactTwin& twin, const Cast& cast, const Answer& answer) {
-    return Judge(twin, cast, answer, true).run();
+Verdict judge_face(const ExactOracle& oracle, const Cast& cast, const Answer& answer) {
+    return Judge(oracle, cast, answer, true).run();
 }
 
 }  // namespace firma::reference

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Judges the answer of a cast against the exact twin: what is an error, what lies within the tolerances.
+// Judges the answer of a cast against the exact oracle: what is an error, what lies within the tolerances.
 //
 // The tolerances are those of ../shared/casts/score.py, measured at start + fraction * path exactly. Stricter than
 // there: a late answer is looked for at every face, not only at those met first; the face normal must point as wound;
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "firma/hit.h"
-#include "tests/reference/exact_twin.h"
+#include "tests/reference/exact_oracle.h"
 
 namespace firma::reference {
 
@@ -36,18 +36,18 @@ struct Verdict {
 /// What was answered.
 struct Answer {
     PolygonHit hit;
-    std::uint32_t face = 0;      ///< index into the twin's polygons
+    std::uint32_t face = 0;      ///< index into the oracle's polygons
     double safe_fraction = NAN;  ///< NaN is not judged
-    double skin = 0.001;
+    double contact_offset = 0.001;
     bool must_hit = false;  ///< from inside a closed room to outside: no margin excuses a miss
 };
 
 /// Over all faces.
-Verdict judge(const ExactTwin& twin, const Cast& cast, const Answer& answer);
+Verdict judge(const ExactOracle& oracle, const Cast& cast, const Answer& answer);
 /// Among this face alone.
-Verdict judge_face(const ExactTwin& twin, const Cast& cast, const Answer& answer);
+Verdict judge_face(const ExactOracle& oracle, const Cast& cast, const Answer& answer);
 
 /// Whether reporting a miss of `face` is beyond excuse.
-bool is_clear(const ExactTwin& twin, const Cast& cast, std::uint32_t face);
+bool is_clear(const ExactOracle& oracle, const Cast& cast, std::uint32_t face);
 
 }  // namespace firma::reference

@@ -38,7 +38,7 @@ Vec3 point_of(const std::vector<Vec3>& corners, Rng& rng) {
     return which < 0.8 ? on_edge : on_edge + (corners[(k + 2) % n] - on_edge) * v;
 }
 
-/// What the twin knows of a face is its own plane; a World says that of the exact face it was cut from.
+/// What the oracle knows of a face is its own plane; a World says that of the exact face it was cut from.
 PolygonHit with_own_normal(const Hit& hit, const std::vector<Vec3>& polygon) {
     PolygonHit own = hit;
     const PolygonShape shape = make_shape({polygon.data(), polygon.size()});
@@ -89,7 +89,7 @@ Tally judge_casts_at(const World& world, Rng& rng, int casts, double size) {
         polygons.push_back(corners);
         two_sided.push_back(place.record().two_sided);
     }
-    const ExactTwin twin(polygons, two_sided);
+    const ExactOracle oracle(polygons, two_sided);
 
     Tally tally;
     for (int k = 0; k < casts; ++k) {
@@ -110,24 +110,24 @@ Tally judge_casts_at(const World& world, Rng& rng, int casts, double size) {
         asked.path = end - asked.sphere.centre;
         asked.sides = rng.chance(0.7) ? Sides::kFront : Sides::kBoth;
         const Hit hit = cast(world, asked.sphere, asked.path, {.sides = asked.sides});
-        Answer answer{hit, 0, NAN, world.tolerance().skin, false};
+        Answer answer{hit, 0, NAN, world.tolerance().contact_offset, false};
         if (hit.touched()) {
             const auto found = index.find(hit.face.id);
             if (found == index.end()) {
-                tally.add({Fault::kFalse, false, "a face that is nowhere near"}, true, describe(twin, asked, {}));
+                tally.add({Fault::kFalse, false, "a face that is nowhere near"}, true, describe(oracle, asked, {}));
                 continue;
             }
             answer.face = found->second;
             answer.safe_fraction = hit.safe_fraction;
             answer.hit = with_own_normal(hit, polygons[answer.face]);
         }
-        const Verdict verdict = judge(twin, asked, answer);
+        const Verdict verdict = judge(oracle, asked, answer);
         std::vector<std::uint32_t> faces;
         if (!verdict.ok() && tally.wants_more()) {
-            faces = twin.expect(asked).faces;
+            faces = oracle.expect(asked).faces;
             if (hit.touched()) faces.push_back(answer.face);
         }
-        tally.add(verdict, hit.touched(), verdict.ok() ? "" : describe(twin, asked, faces));
+        tally.add(verdict, hit.touched(), verdict.ok() ? "" : describe(oracle, asked, faces));
     }
     return tally;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Casts through a carved world against the exact twin, place by place; and rays that must not get out of it.
+// Casts through a carved world against the exact oracle, place by place; and rays that must not get out of it.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace firma::reference {
 
-/// Casts in a box of `size` metres somewhere on the surface, judged by a twin of all faces that reach into that box:
+/// Casts in a box of `size` metres somewhere on the surface, judged by an oracle of all faces that reach into that box:
 /// every sweep stays within it.
 Tally judge_casts_at(const World& world, scenes::Rng& rng, int casts, double size);
 

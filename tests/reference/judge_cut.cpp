@@ -139,8 +139,8 @@ private:
 
     void judge_faces() {
         if (!change_.untouched_kept) fail("a face that kept its id is another one");
-        if (result_.report.faces_gone != change_.gone.size()) fail("report.faces_gone");
-        if (result_.report.faces_new != change_.come.size()) fail("report.faces_new");
+        if (result_.report.faces_removed != change_.gone.size()) fail("report.faces_removed");
+        if (result_.report.faces_added != change_.come.size()) fail("report.faces_added");
         if (after_.face_count() != before_.face_count() - change_.gone.size() + change_.come.size())
             fail("face_count is not before - gone + new");
         if (after_.version() != before_.version() + 1) fail("version");

@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "firma/diff_worlds.h"
 #include "firma/save.h"
 #include "firma/solid.h"
+#include "firma/versions.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/world_facets.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kCutsAFile = 16, kMostFailures = 8;
 
 const std::array<TreeOptions, 3> kKinds{TreeOptions{}, TreeOptions{.split = Split::kSurfaceArea},
-                                        TreeOptions{.max_depth = 0, .faces_per_bin = 64}};
+                                        TreeOptions{.max_depth = 0, .faces_per_leaf = 64}};
 
 std::vector<std::uint32_t> ids_of(const World& world) {
     std::vector<std::uint32_t> ids;
@@ -55,8 +55,8 @@ std::string difference(const Answers& one, const Answers& two) {
 bool same_ending(const CarveResult& one, const CarveResult& two) {
     const CarveReport &a = one.report, &b = two.report;
     return one.status == two.status && one.error.text() == two.error.text() && one.reproduction == two.reproduction &&
-           a.faces_looked_at == b.faces_looked_at && a.faces_cut == b.faces_cut && a.faces_gone == b.faces_gone &&
-           a.faces_new == b.faces_new && a.faces_castable_only == b.faces_castable_only && a.retries == b.retries &&
+           a.candidate_faces == b.candidate_faces && a.faces_cut == b.faces_cut && a.faces_removed == b.faces_removed &&
+           a.faces_added == b.faces_added && a.faces_castable_only == b.faces_castable_only && a.retries == b.retries &&
            a.scale == b.scale && a.volume == b.volume;
 }
 

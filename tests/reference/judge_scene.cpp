@@ -37,7 +37,7 @@ void Tally::add(const Verdict& verdict, bool touch, const std::string& repeat) {
     if (wants_more()) failures.push_back(std::string(name_of(verdict.fault)) + ": " + verdict.text + "\n" + repeat);
 }
 
-std::string describe(const ExactTwin& twin, const Cast& cast, const std::vector<std::uint32_t>& faces) {
+std::string describe(const ExactOracle& oracle, const Cast& cast, const std::vector<std::uint32_t>& faces) {
     const auto vec = [](const Vec3& v) {
         char text[100];
         std::snprintf(text, sizeof text, "{%.17g, %.17g, %.17g}", v.x, v.y, v.z);
@@ -50,8 +50,8 @@ std::string describe(const ExactTwin& twin, const Cast& cast, const std::vector<
     for (const std::uint32_t f : faces) {
         text += "  face ";
         text += std::to_string(f);
-        text += twin.faces()[f].two_sided ? " (two-sided): {" : ": {";
-        for (const Vec3& v : twin.faces()[f].hull.corners) text += vec(v) + ", ";
+        text += oracle.faces()[f].two_sided ? " (two-sided): {" : ": {";
+        for (const Vec3& v : oracle.faces()[f].hull.corners) text += vec(v) + ", ";
         text += "}\n";
     }
     return text;
@@ -62,10 +62,10 @@ namespace {
 class SceneJudge {
 public:
     SceneJudge(const scenes::CastScene& scene, std::uint64_t seed)
-        : scene_(scene), polygons_(in_metres(scene)), twin_(polygons_, scene.two_sided), rng_(seed) {
+        : scene_(scene), polygons_(in_metres(scene)), oracle_(polygons_, scene.two_sided), rng_(seed) {
         WorldOptions options;
         options.tree.split = rng_.chance(0.5) ? Split::kLongestAxis : Split::kSurfaceArea;
-        options.tree.faces_per_bin = 1 + int(rng_.below(6));
+        options.tree.faces_per_leaf = 1 + int(rng_.below(6));
         Result<World> made = make_world(scenes::level_of(scene.polygons, scene.two_sided), options);
         if (made.ok()) {
             world_ = made.value();
@@ -107,12 +107,12 @@ private:
     Hit judge_world(const Cast& cast) {
         CastOptions options;
         options.sides = cast.sides;
-        if (rng_.chance(0.3)) options.skin = rng_.chance(0.5) ? 0.02 : 0;
+        if (rng_.chance(0.3)) options.contact_offset = rng_.chance(0.5) ? 0.02 : 0;
         const Hit hit = firma::cast(world_, cast.sphere, cast.path, options);
         Answer answer{hit, hit.touched() ? source_of(world_, hit) : 0, hit.safe_fraction,
-                      options.skin < 0 ? world_.tolerance().skin : options.skin, false};
+                      options.contact_offset < 0 ? world_.tolerance().contact_offset : options.contact_offset, false};
         if (!hit.touched()) answer.safe_fraction = NAN;
-        count("World", judge(twin_, cast, answer), cast, hit, answer.face);
+        count("World", judge(oracle_, cast, answer), cast, hit, answer.face);
         judge_names(cast, hit);
         judge_any(cast, options, hit);
         if (rng_.chance(0.25)) judge_all(cast, options, hit);
@@ -125,14 +125,14 @@ private:
         std::string repeat;
         if (!verdict.ok() && tally_.wants_more()) {
             std::vector<std::uint32_t> faces{face};
-            for (const std::uint32_t f : twin_.expect(cast).faces)
+            for (const std::uint32_t f : oracle_.expect(cast).faces)
                 if (f != face) faces.push_back(f);
             repeat = std::string("  by ") + way + ", answered " +
-                     (hit.status == Status::kMiss       ? "miss"
-                      : hit.status == Status::kHit      ? "hit"
-                      : hit.status == Status::kTouching ? "touching"
-                                                        : "invalid") +
-                     "\n" + describe(twin_, cast, faces);
+                     (hit.status == Status::kMiss             ? "miss"
+                      : hit.status == Status::kHit            ? "hit"
+                      : hit.status == Status::kInitialOverlap ? "touching"
+                                                              : "invalid") +
+                     "\n" + describe(oracle_, cast, faces);
         }
         tally_.add(verdict, hit.touched(), repeat);
     }
@@ -151,7 +151,7 @@ private:
 
     void judge_any(const Cast& cast, const CastOptions& options, const Hit& hit) {
         const Status any = cast_any(world_, cast.sphere, cast.path, options);
-        const bool touched = any == Status::kHit || any == Status::kTouching;
+        const bool touched = any == Status::kHit || any == Status::kInitialOverlap;
         if (touched != hit.touched() || (any == Status::kInvalid) != (hit.status == Status::kInvalid))
             broken("cast_any differs from cast", cast, hit);
     }
@@ -176,20 +176,20 @@ private:
         for (std::uint32_t f = 0; f < of_face.size(); ++f) {
             Answer answer{{}, f, NAN, 0, false};
             if (of_face[f]) answer.hit = *of_face[f];
-            count("cast_all", judge_face(twin_, cast, answer), cast, answer.hit, f);
+            count("cast_all", judge_face(oracle_, cast, answer), cast, answer.hit, f);
         }
     }
 
     void judge_pair(const Cast& cast, std::uint32_t face) {
-        const Sides sides = twin_.faces()[face].two_sided ? Sides::kBoth : cast.sides;
+        const Sides sides = oracle_.faces()[face].two_sided ? Sides::kBoth : cast.sides;
         const PolygonHit hit = cast_polygon(cast.sphere, cast.path, polygons_[face], sides);
-        count("cast_polygon", judge_face(twin_, cast, {hit, face, NAN, 0, false}), cast, hit, face);
+        count("cast_polygon", judge_face(oracle_, cast, {hit, face, NAN, 0, false}), cast, hit, face);
     }
 
     using Face_ = firma::Face;
     const scenes::CastScene& scene_;
     const std::vector<std::vector<Vec3>> polygons_;
-    const ExactTwin twin_;
+    const ExactOracle oracle_;
     scenes::Rng rng_;
     World world_;
     Tally tally_;

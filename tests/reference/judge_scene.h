@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the casts of a seeded scene through Firma, every way there is, and has the twin judge each answer.
+// Runs the casts of a seeded scene through Firma, every way there is, and has the oracle judge each answer.
 #pragma once
 
 #include <array>
@@ -36,6 +36,6 @@ Tally judge_scene(const scenes::CastScene& scene, std::uint64_t seed);
 Tally judge_family(const scenes::CastFamily& family, std::uint64_t seed, std::uint64_t index);
 
 /// Polygons and cast with 17 digits, as C++.
-std::string describe(const ExactTwin& twin, const Cast& cast, const std::vector<std::uint32_t>& faces);
+std::string describe(const ExactOracle& oracle, const Cast& cast, const std::vector<std::uint32_t>& faces);
 
 }  // namespace firma::reference

@@ -125,7 +125,7 @@ TEST(UnpackDamage, ErrorsOfTheIndexNameTheirPlace) {
     EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 1u << 20); }),
               "a.firma: section IFAC, entry 1: names a face that is not there");
     EXPECT_EQ(text_of(kIndexFacesSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 4, 0); }),
-              "a.firma: face 0: the world is broken: a face reaches out of its bin");
+              "a.firma: face 0: the world is broken: a face reaches out of its leaf");
     EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first, 1u << 20); }),
               "a.firma: section IROO, entry 0: names a node that is not there");
     EXPECT_EQ(text_of(kIndexRootsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 8, ~0u); }),
@@ -138,7 +138,7 @@ TEST(UnpackDamage, ErrorsOfTheIndexNameTheirPlace) {
     EXPECT_EQ(text_of(kIndexNodesSection, [](Bytes& b, const SectionPlace& p) { b[p.first + 2] = std::byte(2); }),
               "a.firma: section INOD, entry 0: holds both faces and nodes, or neither");
     EXPECT_EQ(text_of(kIndexBinsSection, [](Bytes& b, const SectionPlace& p) { put_u32(b, p.first + 24, 7); }),
-              "a.firma: section INOD, entry 0: its bins are not one tree over its items");
+              "a.firma: section INOD, entry 0: its tree nodes are not one tree over its items");
 }
 
 TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
@@ -239,18 +239,19 @@ TEST(UnpackDamage, ErrorsOfTexturesNameTheirPlace) {
     EXPECT_EQ(without(kTextureOutlinesSection), "a.firma: section TCOR: is missing");
 }
 
-TEST(UnpackDamage, SkinAndCountersAreOnesToGoOnWith) {
+TEST(UnpackDamage, ContactOffsetAndCountersAreOnesToGoOnWith) {
     const auto with_u64 = [](std::size_t at, std::uint64_t value) {
         return text_of(kWorldSection, [&](std::vector<std::byte>& b, const SectionPlace& p) {
             put_u32(b, p.first + at, std::uint32_t(value));
             put_u32(b, p.first + at + 4, std::uint32_t(value >> 32));
         });
     };
-    for (const double skin : {-1.0, -1e-300, double(NAN), double(INFINITY)})
-        EXPECT_EQ(with_u64(32, std::bit_cast<std::uint64_t>(skin)),
-                  "a.firma: section WRLD, entry 0: its skin is no length")
-            << skin;
-    for (const double skin : {0.0, 0.5, 1e300}) EXPECT_EQ(with_u64(32, std::bit_cast<std::uint64_t>(skin)), "read");
+    for (const double contact_offset : {-1.0, -1e-300, double(NAN), double(INFINITY)})
+        EXPECT_EQ(with_u64(32, std::bit_cast<std::uint64_t>(contact_offset)),
+                  "a.firma: section WRLD, entry 0: its contact offset is no length")
+            << contact_offset;
+    for (const double contact_offset : {0.0, 0.5, 1e300})
+        EXPECT_EQ(with_u64(32, std::bit_cast<std::uint64_t>(contact_offset)), "read");
     for (const std::uint64_t version : {~std::uint64_t(0), (std::uint64_t(1) << 52) + 1})
         EXPECT_EQ(with_u64(0, version), "a.firma: section WRLD, entry 0: has no numbers left for new edits");
     EXPECT_EQ(with_u64(0, std::uint64_t(1) << 52), "read");

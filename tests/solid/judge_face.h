@@ -22,7 +22,7 @@ struct Flat {
     friend bool operator==(const Flat&, const Flat&) = default;
 };
 
-enum class Verdict { kSound, kTouching, kWrong };
+enum class Verdict { kSound, kInitialOverlap, kWrong };
 
 inline std::vector<Flat> flatten(const SampleFace& face) {
     const int u = (face.axis + (face.flip ? 2 : 1)) % 3, v = (face.axis + (face.flip ? 1 : 2)) % 3;
@@ -64,7 +64,7 @@ inline bool inside(const Flat& p, std::span<const Flat> loop) {
     return odd;
 }
 
-/// kWrong when edges cross properly or a loop runs or lies wrongly; kTouching when edges share a point otherwise.
+/// kWrong when edges cross properly or a loop runs or lies wrongly; kInitialOverlap when edges share a point otherwise.
 inline Verdict judge(const SampleFace& face) {
     const std::vector<Flat> flat = flatten(face);
     struct Edge {
@@ -98,7 +98,7 @@ inline Verdict judge(const SampleFace& face) {
                 touching = true;
         }
     }
-    if (touching) return Verdict::kTouching;
+    if (touching) return Verdict::kInitialOverlap;
     for (std::size_t l = 0; l < loops.size(); ++l) {
         if (l == 0 ? area(loops[l]) <= 0 : area(loops[l]) >= 0) return Verdict::kWrong;
         for (std::size_t m = 0; m < loops.size(); ++m)

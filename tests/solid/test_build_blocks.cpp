@@ -66,7 +66,7 @@ TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
             EXPECT_EQ(count_faces(*root), count);
             const TreeStatistics statistics = tree_statistics(*root);
             EXPECT_EQ(statistics.faces, count);
-            EXPECT_LE(statistics.largest_bin, 4u);
+            EXPECT_LE(statistics.max_leaf_faces, 4u);
             EXPECT_LE(statistics.depth, 40);
             EXPECT_GE(statistics.blocks, (count + 63) / 64);
         }
@@ -74,19 +74,19 @@ TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
 
 TEST(BuildBlocks, StopRules) {
     const FaceSet faces = random_faces(5000, 100000, 2000);
-    EXPECT_LE(tree_statistics(*index_over(faces, {.faces_per_bin = 16})).largest_bin, 16u);
-    EXPECT_EQ(tree_statistics(*index_over(faces, {.faces_per_bin = 1})).leaf_bins, 5000u);
-    EXPECT_LE(tree_statistics(*index_over(faces, {.max_depth = 8, .faces_per_bin = 1})).depth, 8);
-    const std::size_t all = tree_statistics(*index_over(faces, {})).bins;
-    const std::size_t coarse = tree_statistics(*index_over(faces, {.min_bin_volume = 1000})).bins;
+    EXPECT_LE(tree_statistics(*index_over(faces, {.faces_per_leaf = 16})).max_leaf_faces, 16u);
+    EXPECT_EQ(tree_statistics(*index_over(faces, {.faces_per_leaf = 1})).leaves, 5000u);
+    EXPECT_LE(tree_statistics(*index_over(faces, {.max_depth = 8, .faces_per_leaf = 1})).depth, 8);
+    const std::size_t all = tree_statistics(*index_over(faces, {})).nodes;
+    const std::size_t coarse = tree_statistics(*index_over(faces, {.min_node_volume = 1000})).nodes;
     EXPECT_LT(coarse, all / 4);
-    EXPECT_EQ(count_faces(*index_over(faces, {.max_depth = -5, .faces_per_bin = -5})), 5000u)
+    EXPECT_EQ(count_faces(*index_over(faces, {.max_depth = -5, .faces_per_leaf = -5})), 5000u)
         << "nonsense counts as the nearest end";
 }
 
 TEST(BuildBlocks, TooFullABinIsHalvedByCountUntilItFitsABlock) {
     const TreeStatistics statistics = tree_statistics(*index_over(random_faces(5000, 100000, 2000), {.max_depth = 0}));
-    EXPECT_LE(statistics.largest_bin, 64u);
+    EXPECT_LE(statistics.max_leaf_faces, 64u);
     EXPECT_LE(statistics.depth, 7);
 }
 

@@ -131,7 +131,7 @@ TEST(EditBlocks, NothingChangedIsTheSameTree) {
 
 TEST(EditBlocks, RandomEditsAgreeWithAPlainList) {
     for (const TreeOptions& options :
-         {TreeOptions{}, TreeOptions{.split = Split::kSurfaceArea, .faces_per_bin = 1}, TreeOptions{.max_depth = 3}}) {
+         {TreeOptions{}, TreeOptions{.split = Split::kSurfaceArea, .faces_per_leaf = 1}, TreeOptions{.max_depth = 3}}) {
         EditedTree edited = rooms(options);
         scenes::Rng rng(4);
         const Box bounds = edited.world().bounds();
@@ -374,7 +374,7 @@ double looked_at(const World& world) {
     for (const scenes::CastRange& range : {scenes::kShortSpheres, scenes::kLongSpheres, scenes::kShortRays})
         for (const scenes::CastQuery& query : scenes::casts_in_rooms(scenes::room_grid_of(6000), range, 500, 3))
             static_cast<void>(cast(world, query.sphere, query.path, {.counts = &counts}));
-    return double(counts.bins + counts.boxes);
+    return double(counts.nodes + counts.boxes);
 }
 
 TEST(EditBlocks, CastsLookAtLittleMoreThanInATreeFromScratch) {

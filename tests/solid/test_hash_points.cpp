@@ -521,7 +521,7 @@ TEST(HashSolid, IdsSourcesMaterialsAndBlocksDoNotCount) {
     const Solid plain = solid_from(polygons);
     Level level = level_of({polygons.rbegin(), polygons.rend()});
     for (LevelFace& face : level.faces) face.material = 1;
-    EXPECT_EQ(hash_solid(make_solid(level, {.faces_per_bin = 1}).value()), hash_solid(plain));
+    EXPECT_EQ(hash_solid(make_solid(level, {.faces_per_leaf = 1}).value()), hash_solid(plain));
     SolidResult stone = subtract(plain, make_crater(CutterShape::kRocky, 1), {.position = {0, 0, 4}}, {.material = 1});
     SolidResult air = subtract(plain, make_crater(CutterShape::kRocky, 1), {.position = {0, 0, 4}});
     ASSERT_TRUE(stone.done() && air.done());

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "firma/carve_rules.h"
 #include "firma/level.h"
 #include "firma/memory.h"
+#include "firma/solid.h"
 #include "tests/store/cratered.h"
 #include "world/world_data.h"
 
@@ -58,7 +58,7 @@ TEST(BytesAlone, CountsWhatIsCastableOnly) {
 TEST(BytesAlone, OfOneVersionIsNothing) {
     const World world = test::building(), same = world;
     EXPECT_EQ(bytes_alone(world, same), 0u);
-    expect_the_difference(world, with_rules(world, {}));
+    expect_the_difference(world, with_rules(world, {}).value());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Publishing, undoing, forgetting: by one thread. (tests/threads has several.)
-#include "firma/world_store.h"
+#include "firma/versions.h"
 
 #include <gtest/gtest.h>
 
@@ -242,13 +242,13 @@ TEST(WorldStore, DroppedVersionsEndWithTheEditorNotWithTheReader) {
 TEST(WorldStore, AVersionDroppedTwiceEndsOnce) {
     Ends ends;
     WorldStore store(ends.world(1));
-    store.publish(store.current(), ends.world(2));
+    EXPECT_EQ(store.publish(store.current(), ends.world(2)), PublishStatus::kDone);
     std::optional<World> second = store.current();
     store.undo();
     EXPECT_EQ(store.publish(store.current(), *second), PublishStatus::kDone) << "once more";
     EXPECT_EQ(store.current().version(), 2u);
     store.undo();
-    store.publish(store.current(), ends.world(5));
+    EXPECT_EQ(store.publish(store.current(), ends.world(5)), PublishStatus::kDone);
     EXPECT_EQ(store.collect(), 1u);
     EXPECT_TRUE(ends.threads.empty());
     second.reset();
@@ -260,8 +260,8 @@ TEST(WorldStore, ResetBeginsAnew) {
     Ends ends;
     {
         WorldStore store(ends.world(7));
-        store.publish(store.current(), ends.world(8));
-        store.publish(store.current(), ends.world(9));
+        EXPECT_EQ(store.publish(store.current(), ends.world(8)), PublishStatus::kDone);
+        EXPECT_EQ(store.publish(store.current(), ends.world(9)), PublishStatus::kDone);
         store.undo();
         store.reset(ends.world(1));
         EXPECT_EQ(ends.threads.size(), 3u);

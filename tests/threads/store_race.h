@@ -12,7 +12,7 @@
 #include "base/hasher.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
-#include "firma/world_store.h"
+#include "firma/versions.h"
 #include "tests/store/cratered.h"
 
 namespace firma::test {

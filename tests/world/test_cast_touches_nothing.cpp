@@ -182,7 +182,7 @@ Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>
         if (hit.feature == Feature::kEdge && hit.touched())
             asked.edges += other_face(world, hit.face, hit.feature_index).valid();
         const Status any = cast_any(world, it.sphere, it.path);
-        asked.any += any == Status::kHit || any == Status::kTouching;
+        asked.any += any == Status::kHit || any == Status::kInitialOverlap;
         if (k % 8 != 0) continue;
         cast_all(world, it.sphere, it.path, hits);
         asked.all += hits.size();

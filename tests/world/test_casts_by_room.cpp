@@ -191,7 +191,7 @@ TEST(CastsByRoom, ThroughAThinWall) {
     // Into the wall: the overlap gets deeper at once, whoever is asked.
     for (const RoomId room : {RoomId{0}, kLocateRoom, kAnyRoom}) {
         const Hit hit = cast(world, ball, {1, 0, 0}, {.room = room});
-        EXPECT_EQ(hit.status, Status::kTouching);
+        EXPECT_EQ(hit.status, Status::kInitialOverlap);
         EXPECT_EQ(hit.face.id, FaceId{5});
     }
     // From within the wall nothing says which room is meant: all are asked.

@@ -53,12 +53,12 @@ TEST(CheckIndex, BoxesOfARoomHoldItsFaces) {
             const auto points = [](BoxF& box) {
                 for (int axis = 0; axis < 3; ++axis) box.high[axis] = box.low[axis] = 0;
             };
-            expect_found_and_refused(with_index(world, room, points), "a face reaches out of its bin");
+            expect_found_and_refused(with_index(world, room, points), "a face reaches out of its leaf");
             const auto higher = [](BoxF& box) {
                 box.low[2] += 1;
                 box.high[2] += 1;
             };
-            expect_found_and_refused(with_index(world, room, higher), "a face reaches out of its bin");
+            expect_found_and_refused(with_index(world, room, higher), "a face reaches out of its leaf");
         }
     }
 }

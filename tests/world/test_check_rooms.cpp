@@ -5,9 +5,9 @@
 #include <functional>
 #include <set>
 
-#include "firma/diff_worlds.h"
 #include "firma/memory.h"
 #include "firma/rooms.h"
+#include "firma/versions.h"
 #include "scenes/divided_building.h"
 #include "store/bytes_alone.h"
 #include "tests/world/two_halves.h"

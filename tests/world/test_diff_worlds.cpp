@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Diffs between versions against plain comparison of all faces.
-#include "firma/diff_worlds.h"
+#include "firma/versions.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ TEST(DiffWorlds, OtherBlocksAndBinsAreNoDifference) {
     scenes::Rng rng(4);
     for (int k = 0; k < 10; ++k) edited.crater({rng.uniform(0, 18), rng.uniform(0, 18), 2}, 1.2, 5, rng);
     const World world = edited.world();
-    for (const TreeOptions& options : {TreeOptions{}, TreeOptions{.faces_per_bin = 1}, TreeOptions{.max_depth = 2},
+    for (const TreeOptions& options : {TreeOptions{}, TreeOptions{.faces_per_leaf = 1}, TreeOptions{.max_depth = 2},
                                        TreeOptions{.split = Split::kSurfaceArea}}) {
         EXPECT_TRUE(diff_worlds(world, rebuild_index(world, options), 1).empty());
         EXPECT_TRUE(diff_worlds(rebuild_index(world, options), world, 1).empty());
@@ -148,15 +148,15 @@ TEST(DiffWorlds, TilesTooSmallOrNoNumberAreNone) {
         EXPECT_FALSE(diff.too_many_tiles) << size;
     }
     const World plain = rooms().world();
-    const WorldDiff least = diff_worlds(World(), plain, kLeastTile);
+    const WorldDiff least = diff_worlds(World(), plain, kMinTileSize);
     EXPECT_FALSE(least.too_many_tiles);
-    const std::set<Tile> tiles = tiles_of(plain, least.added, kLeastTile);
+    const std::set<Tile> tiles = tiles_of(plain, least.added, kMinTileSize);
     EXPECT_EQ(least.tiles, std::vector<Tile>(tiles.begin(), tiles.end()));
 }
 
 TEST(DiffWorlds, TooManyTilesAreSaidSo) {
     constexpr std::size_t kOfOne = 101 * 101 * 101;
-    static_assert(4 * kOfOne <= kMostTiles && 5 * kOfOne > kMostTiles);
+    static_assert(4 * kOfOne <= kMaxTiles && 5 * kOfOne > kMaxTiles);
     const WorldDiff four = diff_worlds(World(), slanted_triangles(4), 1);
     EXPECT_EQ(four.tiles.size(), 4 * kOfOne);
     EXPECT_FALSE(four.too_many_tiles);
@@ -164,7 +164,7 @@ TEST(DiffWorlds, TooManyTilesAreSaidSo) {
     EXPECT_TRUE(five.tiles.empty());
     EXPECT_TRUE(five.too_many_tiles);
     EXPECT_EQ(five.added.size(), 5u);
-    const WorldDiff fine = diff_worlds(slanted_triangles(1), World(), kLeastTile);
+    const WorldDiff fine = diff_worlds(slanted_triangles(1), World(), kMinTileSize);
     EXPECT_TRUE(fine.tiles.empty()) << "one face alone";
     EXPECT_TRUE(fine.too_many_tiles);
     EXPECT_FALSE(diff_worlds(World(), slanted_triangles(5), 50).too_many_tiles);

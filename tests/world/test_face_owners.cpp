@@ -66,7 +66,7 @@ TEST(FaceOwners, LiveAsLongAsABlockHoldsAFacetOfTheirs) {
         const World copy = world;
         world = World();
         EXPECT_EQ(alive, 1);
-        world = rebuild_index(copy, {.faces_per_bin = 1});
+        world = rebuild_index(copy, {.faces_per_leaf = 1});
         EXPECT_EQ(world.face_count(), 200u);
         EXPECT_EQ(alive, 1) << "new blocks keep the same one";
     }

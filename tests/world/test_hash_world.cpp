@@ -114,7 +114,7 @@ TEST(HashWorld, EverythingCounts) {
     differs([](Parts& p) { ++p.rest.edits; });
     differs([](Parts& p) { p.rest.rock_outside = true; });
     differs([](Parts& p) { p.rest.known = false; });
-    differs([](Parts& p) { p.rest.tolerance.skin = 0.002; });
+    differs([](Parts& p) { p.rest.tolerance.contact_offset = 0.002; });
     for (const std::vector<std::string>& names : {std::vector<std::string>{""},
                                                   {"", ""},
                                                   {"a"},
@@ -206,8 +206,8 @@ TEST(HashWorld, OrderBlocksBinsAndTreeOptionsDoNotCount) {
     std::reverse(turned.solid.faces.begin(), turned.solid.faces.end());
     std::reverse(turned.castable.faces.begin(), turned.castable.faces.end());
     EXPECT_EQ(hash_world(turned.world()), hash);
-    for (const TreeOptions& options : {TreeOptions{}, TreeOptions{.faces_per_bin = 1}, TreeOptions{.max_depth = 0},
-                                       TreeOptions{.min_bin_volume = 1}, TreeOptions{.split = Split::kSurfaceArea}}) {
+    for (const TreeOptions& options : {TreeOptions{}, TreeOptions{.faces_per_leaf = 1}, TreeOptions{.max_depth = 0},
+                                       TreeOptions{.min_node_volume = 1}, TreeOptions{.split = Split::kSurfaceArea}}) {
         for (const World& other : {Parts().world(options), rebuild_index(world, options)}) {
             EXPECT_EQ(hash_world(other), hash);
             EXPECT_EQ(hash_solid(other), hash_solid(world));
@@ -226,7 +226,7 @@ TEST(HashWorld, OfEditedStoresIsThatOfStoresFromScratch) {
         edited.crater({rng.uniform(0, 18), 4, 1}, 1.2, 1 + int(rng.below(6)), rng);
         ASSERT_EQ(hash_world(edited.world()), hash_world(edited.world_from_scratch()));
         ASSERT_EQ(hash_regions(edited.world()), hash_regions(edited.world_from_scratch()));
-        ASSERT_EQ(hash_world(rebuild_index(edited.world(), {.faces_per_bin = 2})), hash_world(edited.world()));
+        ASSERT_EQ(hash_world(rebuild_index(edited.world(), {.faces_per_leaf = 2})), hash_world(edited.world()));
     }
 }
 

@@ -56,7 +56,7 @@ TEST(IndexIsFree, TwoHundredCutsInTheDepotWithItsRooms) {
 TEST(IndexIsFree, AFileWithoutItHasNothingOfTheTreesOptions) {
     const Level ours = read_level(FIRMA_ROOT "/levels/first.obj").value();
     const World one = make_world(ours).value();
-    const World other = make_world(ours, {.tree = {.split = Split::kSurfaceArea, .faces_per_bin = 9}}).value();
+    const World other = make_world(ours, {.tree = {.split = Split::kSurfaceArea, .faces_per_leaf = 9}}).value();
     const std::vector<std::byte> bytes = pack_world(one, {.index = false});
     EXPECT_EQ(bytes, pack_world(other, {.index = false}));
     EXPECT_NE(pack_world(one), pack_world(other));

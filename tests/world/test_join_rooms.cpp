@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "firma/carve.h"
-#include "firma/diff_worlds.h"
 #include "firma/memory.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/save.h"
+#include "firma/versions.h"
 #include "scenes/hub.h"
 #include "scenes/rng.h"
 #include "store/bytes_alone.h"

@@ -190,9 +190,9 @@ std::set<std::uint32_t> seen(const auto& where) {
         return true;
     };
     if constexpr (std::is_same_v<decltype(where), const World&>)
-        EXPECT_TRUE(visit_faces(building(), add));
+        EXPECT_TRUE(each_face(building(), add));
     else
-        EXPECT_TRUE(visit_faces(building(), where, add));
+        EXPECT_TRUE(each_face(building(), where, add));
     return ids;
 }
 
@@ -232,13 +232,13 @@ TEST(Queries, FacesOfABoxARoomARegion) {
     const World wide = make_world(scenes::room_grid({8, 6, 2})).value();
     std::size_t sum = 0;
     for (const RegionHash& region : hash_regions(wide))
-        visit_faces(wide, region.region, [&](const FaceView&) { return ++sum > 0; });
+        each_face(wide, region.region, [&](const FaceView&) { return ++sum > 0; });
     EXPECT_EQ(sum, wide.face_count()) << "each face is in one region";
     EXPECT_GT(hash_regions(wide).size(), 2u);
-    visit_faces(wide, Region{1 << 20, 0, 0}, [&](const FaceView&) { return ++sum > 0; });
+    each_face(wide, Region{1 << 20, 0, 0}, [&](const FaceView&) { return ++sum > 0; });
     EXPECT_EQ(sum, wide.face_count());
     int calls = 0;
-    EXPECT_FALSE(visit_faces(wide, [&](const FaceView&) { return ++calls < 3; }));
+    EXPECT_FALSE(each_face(wide, [&](const FaceView&) { return ++calls < 3; }));
     EXPECT_EQ(calls, 3);
 }
 

@@ -100,7 +100,7 @@ TEST(Rooms, AClosedDoorIsAWall) {
     EXPECT_EQ(back.portal, PortalId{0});
     EXPECT_EQ(back.normal, (Vec3{1, 0, 0}));
     EXPECT_EQ(room_of(closed, back), RoomId{1});
-    EXPECT_EQ(cast(closed, {{4.25, 2, 2}, 0.5}, {-1, 0, 0}, from_right).status, Status::kTouching);
+    EXPECT_EQ(cast(closed, {{4.25, 2, 2}, 0.5}, {-1, 0, 0}, from_right).status, Status::kInitialOverlap);
     EXPECT_EQ(cast(closed, {{4.25, 2, 2}, 0.5}, {1, 0, 0}, from_right).status, Status::kMiss);
 }
 
@@ -130,7 +130,7 @@ TEST(Rooms, NearAClosedDoor) {
     EXPECT_EQ(closest(closed, {1, 2, 2}, INFINITY, {.room = {1}}).portal, PortalId{0});
     EXPECT_EQ(closest(open, {1, 2, 2}, INFINITY, {.room = {1}}).distance, std::sqrt(13));
     std::vector<Overlap> found;
-    EXPECT_EQ(overlap(closed, {{3.5, 2, 2}, 2.1}, found), Status::kTouching);
+    EXPECT_EQ(overlap(closed, {{3.5, 2, 2}, 2.1}, found), Status::kInitialOverlap);
     EXPECT_EQ(found.size(), 9u);  // four walls of either room, then the door
     EXPECT_EQ(found.back().portal, PortalId{0});
     overlap(closed, {{3.5, 2, 2}, 2.1}, found, {.room = {0}});

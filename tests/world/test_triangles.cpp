@@ -170,7 +170,7 @@ TEST(Triangles, OfAWorldARoomARegion) {
 TEST(Triangles, DoNotDependOnTheIndexAndKeepToTheOptions) {
     const World world = carved_building();
     const TriangleMesh one = triangles_of(world);
-    const TriangleMesh two = triangles_of(rebuild_index(world, {.split = Split::kSurfaceArea, .faces_per_bin = 1}));
+    const TriangleMesh two = triangles_of(rebuild_index(world, {.split = Split::kSurfaceArea, .faces_per_leaf = 1}));
     EXPECT_EQ(one.positions, two.positions);
     EXPECT_EQ(one.corners, two.corners);
     EXPECT_EQ(one.faces, two.faces);

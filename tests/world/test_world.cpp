@@ -75,7 +75,7 @@ TEST(World, AnEmptyOneAnswersToo) {
 
 TEST(World, AHitSaysWhatItMet) {
     const World world = room();
-    const Hit hit = cast(world, {{1, 1, 1.5}, 0.5}, {0, 0, -2}, {.skin = 0.25});
+    const Hit hit = cast(world, {{1, 1, 1.5}, 0.5}, {0, 0, -2}, {.contact_offset = 0.25});
     EXPECT_EQ(hit.status, Status::kHit);
     EXPECT_EQ(hit.fraction, 0.5);
     EXPECT_EQ(hit.safe_fraction, 0.375);
@@ -110,7 +110,7 @@ TEST(World, SafeFractionKeepsTheSkinWhateverTheSpeed) {
         const Vec3 path{speed, 0, -speed};
         const Hit hit = cast(world, {{0.5, 2, 2}, 0.25}, path);
         const Vec3 stop = Vec3{0.5, 2, 2} + path * hit.safe_fraction;
-        EXPECT_NEAR(stop.z - 0.25, world.tolerance().skin, 1e-9) << speed;
+        EXPECT_NEAR(stop.z - 0.25, world.tolerance().contact_offset, 1e-9) << speed;
     }
     const Hit close = cast(world, {{1, 1, 0.5005}, 0.5}, {0, 0, -1});
     EXPECT_EQ(close.safe_fraction, 0) << "never negative";
@@ -153,7 +153,7 @@ TEST(World, OverlapAndClosest) {
     const World world = room();
     std::vector<Overlap> found;
     EXPECT_EQ(overlap(world, {{1, 1, 1}, 0.5}, found), Status::kMiss);
-    EXPECT_EQ(overlap(world, {{1, 1, 1}, 1}, found), Status::kTouching);
+    EXPECT_EQ(overlap(world, {{1, 1, 1}, 1}, found), Status::kInitialOverlap);
     ASSERT_EQ(found.size(), 3u) << "touch counts: floor and two walls";
     EXPECT_EQ(found[0].face.id, (FaceId{0}));
     EXPECT_EQ(overlap(world, {{1, 1, 1}, -1}, found), Status::kInvalid);
@@ -185,18 +185,18 @@ TEST(World, RefusesALevelThatNoReaderMakes) {
     EXPECT_EQ(make_solid(level).error().code, ErrorCode::kMalformed);
 }
 
-TEST(World, RefusesASkinThatIsNoLength) {
+TEST(World, RefusesAContactOffsetThatIsNoLength) {
     WorldOptions options;
-    for (const double skin : {-0.001, -4.9e-324, -double(INFINITY), double(INFINITY), double(NAN)}) {
-        options.tolerance.skin = skin;
+    for (const double contact_offset : {-0.001, -4.9e-324, -double(INFINITY), double(INFINITY), double(NAN)}) {
+        options.tolerance.contact_offset = contact_offset;
         const auto refused = make_world(box_room(), options);
-        ASSERT_FALSE(refused) << skin;
+        ASSERT_FALSE(refused) << contact_offset;
         EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
-        EXPECT_EQ(refused.error().text(), "box room: the skin must be a finite number, not below zero");
+        EXPECT_EQ(refused.error().text(), "box room: the contact offset must be a finite number, not below zero");
     }
-    for (const double skin : {0.0, -0.0, 0.5}) {
-        options.tolerance.skin = skin;
-        EXPECT_TRUE(make_world(box_room(), options)) << skin;
+    for (const double contact_offset : {0.0, -0.0, 0.5}) {
+        options.tolerance.contact_offset = contact_offset;
+        EXPECT_TRUE(make_world(box_room(), options)) << contact_offset;
     }
 }
 
@@ -249,13 +249,14 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].solid = false; }), "a face of the solid does not say so");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.part = 1; }), "a block lies in a room that its faces are not part of");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].material = 7; }), "a room's hash is not that of its faces");
-    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins[0].box.high[0] = 1; }), "a bin reaches out of its parent");
-    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.back().count = 60; }), "a bin holds items that are not there");
-    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.clear(); }), "a node has no bins");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins[0].box.high[0] = 1; }), "a node reaches out of its parent");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.back().count = 60; }), "a leaf holds items that are not there");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.clear(); }), "an index block has no nodes");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.corner_vertices[2] = 99; }), "a corner has no vertex");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[0].owner = 3; }), "a face has an owner that is not there");
-    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }), "a node's count of faces is not how many there are");
-    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.depth; }), "a node's depth is not how deep it is");
+    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }),
+              "an index block's count of faces is not how many there are");
+    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.depth; }), "an index block's depth is not how deep it is");
     EXPECT_EQ(broken([](Spoilt& s) { s.solid.faces.count = 7; }), "the count of faces is not how many there are");
     const auto spoil = [](PersistentMap<std::uint64_t>& regions) {
         std::uint32_t first = ~0u;

@@ -119,3 +119,11 @@ export function bytes(value, place, what, strings = false) {
     }
     throw badCall(place, `${what} must be ${strings ? 'a string, ' : ''}a Uint8Array or an ArrayBuffer`);
 }
+
+/** A cube of 32 m: three integers. */
+export function region(value, place) {
+    const three = Array.from(vector(value, 3, place, 'region'));
+    if (!three.every((k) => Number.isInteger(k) && Math.abs(k) < 2 ** 31))
+        throw badCall(place, 'region must be three integers');
+    return three;
+}

@@ -9,30 +9,36 @@ const encoder = new TextEncoder();
 /** Casts that a batch hands over at a time: their structs fit into a processor's second cache. */
 export const CASTS_AT_ONCE = 1024;
 
+/** Structs that a single call fills; the caller says how large his is. */
+const FILLED = {
+    hitInfo: layout.HIT_INFO,
+    worldFacts: layout.WORLD_FACTS,
+    room: layout.ROOM,
+    portal: layout.PORTAL,
+    levelView: layout.LEVEL_VIEW,
+    facesView: layout.FACES_VIEW,
+    texture: layout.TEXTURE,
+    trianglesView: layout.TRIANGLES_VIEW,
+    diffView: layout.DIFF_VIEW,
+    report: layout.CARVE_REPORT,
+    storeFacts: layout.STORE_FACTS,
+};
+
 /** Structs that a single call needs one of; they lie at fixed places, made once. */
 const FIXED = {
+    ...Object.fromEntries(Object.entries(FILLED).map(([name, { sizeof }]) => [name, sizeof])),
     input: layout.CAST_INPUT.sizeof,
     castOptions: layout.CAST_OPTIONS.sizeof,
     hit: layout.HIT.sizeof,
     counts: layout.CAST_COUNTS.sizeof,
-    hitInfo: layout.HIT_INFO.sizeof,
     near: layout.NEAR.sizeof,
+    faceFilter: layout.FACE_FILTER.sizeof,
     nearOptions: layout.NEAR_OPTIONS.sizeof,
     worldOptions: layout.WORLD_OPTIONS.sizeof,
-    worldFacts: layout.WORLD_FACTS.sizeof,
-    room: layout.ROOM.sizeof,
-    portal: layout.PORTAL.sizeof,
-    levelView: layout.LEVEL_VIEW.sizeof,
     mesh: layout.MESH.sizeof,
     rules: layout.RULES.sizeof,
-    facesView: layout.FACES_VIEW.sizeof,
-    texture: layout.TEXTURE.sizeof,
-    trianglesView: layout.TRIANGLES_VIEW.sizeof,
-    diffView: layout.DIFF_VIEW.sizeof,
     pose: layout.POSE.sizeof,
     carveOptions: layout.CARVE_OPTIONS.sizeof,
-    report: layout.CARVE_REPORT.sizeof,
-    storeFacts: layout.STORE_FACTS.sizeof,
     /** Answers that are no struct: a handle, two pointers, two doubles, a count. */
     out: 32,
 };
@@ -51,6 +57,8 @@ export class Core {
     at = {};
     /** Why the module stopped; null while it runs. */
     stopped = null;
+    /** Of the questions under way that go one by one: what is called for each answer, the innermost last. */
+    #visitors = [];
     #batch = 0;
 
     constructor(exports) {
@@ -66,6 +74,7 @@ export class Core {
         const start = this.take(total);
         for (const name of Object.keys(FIXED)) this.at[name] += start;
         Object.freeze(this.at);
+        for (const [name, { size, sizeof }] of Object.entries(FILLED)) this.setU32(this.at[name] + size, sizeof);
     }
 
     /** After every call that may take memory: when memory grows, the views of before have length 0. */
@@ -95,6 +104,34 @@ export class Core {
     run(name, ...args) {
         const code = this.call(name, ...args);
         if (code !== 0) throw this.failure(code);
+    }
+
+    /**
+     * Calls a function of the module that asks visit(address) for each answer, by way of visited(). What visit() throws
+     * ends the question and is thrown here.
+     */
+    runVisited(visit, name, ...args) {
+        const visitor = { visit, thrown: null };
+        this.#visitors.push(visitor);
+        try {
+            this.run(name, ...args);
+        } finally {
+            this.#visitors.pop();
+        }
+        if (visitor.thrown) throw visitor.thrown.error;
+    }
+
+    /** For the module: what the innermost visitor answers, 0 once it has thrown. */
+    visited(at) {
+        const visitor = this.#visitors.at(-1);
+        if (visitor.thrown) return 0;
+        this.refresh();
+        try {
+            return visitor.visit(at);
+        } catch (error) {
+            visitor.thrown = { error };
+            return 0;
+        }
     }
 
     /** What the C API says about the call that just returned `code`. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Faces as arrays: copies of what the module shows.
-import { DIFF_VIEW, FACE, FACES_VIEW } from './layout.js';
+import { DIFF_VIEW, FACE, FACE_FILTER, FACES_VIEW } from './layout.js';
+import { object, region, vector, word } from './arguments.js';
 
 /** @param faces, corners addresses; @param count, cornerCount how many there are */
 function getFaces(core, faces, count, corners, cornerCount) {
@@ -14,6 +15,11 @@ function getFaces(core, faces, count, corners, cornerCount) {
         const at = (faces + k * FACE.sizeof + FACE.normal) >>> 3;
         for (let axis = 0; axis < 3; ++axis) normals[3 * k + axis] = core.f64[at + axis];
     }
+    const points = new Int32Array(3 * count);
+    for (let k = 0; k < count; ++k) {
+        const at = (faces + k * FACE.sizeof + FACE.corner) >>> 2;
+        for (let axis = 0; axis < 3; ++axis) points[3 * k + axis] = core.i32[at + axis];
+    }
     return {
         ids: words(FACE.id),
         normals,
@@ -25,7 +31,43 @@ function getFaces(core, faces, count, corners, cornerCount) {
         rooms: words(FACE.room),
         firstCorners: words(FACE.firstCorner),
         cornerCounts: words(FACE.cornerCount),
+        firstPoints: points,
         corners: core.f64.slice(corners >>> 3, (corners >>> 3) + 3 * cornerCount),
+    };
+}
+
+/** { room }, { box: { low, high } } or { region } as the C API has it. @returns the address of the struct */
+export function putFaceFilter(core, lent, filter, place) {
+    object(filter, place, 'the filter', ['room', 'box', 'region']);
+    const room = filter.room === undefined ? 0xffffffff : word(filter.room, place, 'room');
+    let [box, cube] = [0, 0];
+    if (filter.box !== undefined) {
+        const { low, high } = object(filter.box, place, 'box', ['low', 'high']);
+        box = lent.doubles([...vector(low, 3, place, 'low'), ...vector(high, 3, place, 'high')]);
+    }
+    if (filter.region !== undefined) cube = lent.words(region(filter.region, place));
+    const at = core.at.faceFilter;
+    core.setU32(at + FACE_FILTER.size, FACE_FILTER.sizeof);
+    core.setU32(at + FACE_FILTER.room, room);
+    core.setU32(at + FACE_FILTER.box, box);
+    core.setU32(at + FACE_FILTER.region, cube);
+    return at;
+}
+
+/** The first of faces as an object; null where there is none. */
+export function onlyFace(found) {
+    if (found.ids.length === 0) return null;
+    return {
+        id: found.ids[0],
+        normal: Array.from(found.normals),
+        material: found.materials[0],
+        source: found.sources[0],
+        sourceEdit: found.sourceEdits[0],
+        mask: found.masks[0],
+        flags: found.flags[0],
+        room: found.rooms[0],
+        corner: Array.from(found.firstPoints),
+        corners: found.corners,
     };
 }
 

@@ -9,7 +9,7 @@ import { Level } from './level.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
 
-const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerBin', 'minBinVolume', 'skin', 'scale'];
+const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerLeaf', 'minNodeVolume', 'contactOffset', 'scale'];
 const MESH_NAMES = ['positions', 'corners', 'cornerCounts', 'materials', 'materialNames', 'masks', 'twoSided', 'uvs'];
 
 function nameOf(lent, options, place) {
@@ -24,9 +24,9 @@ function putWorldOptions(core, options, place) {
     const set = [];
     if (given('surfaceArea'))
         set.push(['u32', WORLD_OPTIONS.surfaceArea, flag(options.surfaceArea, place, 'surfaceArea')]);
-    for (const name of ['maxDepth', 'facesPerBin'])
+    for (const name of ['maxDepth', 'facesPerLeaf'])
         if (given(name)) set.push(['u32', WORLD_OPTIONS[name], word(options[name], place, name)]);
-    for (const name of ['minBinVolume', 'skin', 'scale'])
+    for (const name of ['minNodeVolume', 'contactOffset', 'scale'])
         if (given(name)) set.push(['f64', WORLD_OPTIONS[name], number(options[name], place, name)]);
     core.call('firma_world_options_defaults', at);
     for (const [view, offset, value] of set) core[view][(at + offset) / core[view].BYTES_PER_ELEMENT] = value;
@@ -220,7 +220,7 @@ export class Firma {
         return Array.from(core.f64.subarray(core.at.out >>> 3, (core.at.out >>> 3) + 4));
     }
 
-    openStore(world, mostBytes) {
-        return Store.open(this.#core, world, mostBytes);
+    openStore(world, maxBytes) {
+        return Store.open(this.#core, world, maxBytes);
     }
 }

@@ -31,9 +31,9 @@ const ROOMS = new Map([
     ['locate', 0xfffffffe],
 ]);
 
-const OPTION_NAMES = ['mask', 'bothSides', 'skin', 'room'];
+const OPTION_NAMES = ['mask', 'bothSides', 'contactOffset', 'room'];
 const NEAR_OPTION_NAMES = ['mask', 'room'];
-const COUNT_NAMES = ['bins', 'boxes', 'faces', 'precise'];
+const COUNT_NAMES = ['nodes', 'boxes', 'faces', 'precise'];
 
 /** { centre, radius, path } to the fixed input. */
 export function putInput(core, input, place) {
@@ -60,14 +60,14 @@ export function putCastOptions(core, options, place, more = []) {
     object(options, place, 'the options', [...OPTION_NAMES, ...more]);
     const bits = options.mask === undefined ? 0xffffffff : mask(options.mask, place);
     const sides = flag(options.bothSides, place, 'bothSides');
-    const skin = options.skin === undefined ? -1 : number(options.skin, place, 'skin');
+    const contactOffset = options.contactOffset === undefined ? -1 : number(options.contactOffset, place, 'contactOffset');
     const room = ROOMS.get(options.room) ?? word(options.room, place, "room, where not 'any' or 'locate',");
     const at = core.at.castOptions;
     core.setU32(at + CAST_OPTIONS.size, CAST_OPTIONS.sizeof);
     core.setU32(at + CAST_OPTIONS.mask, bits);
     core.setU32(at + CAST_OPTIONS.sides, sides);
     core.setU32(at + CAST_OPTIONS.room, room);
-    core.setF64(at + CAST_OPTIONS.skin, skin);
+    core.setF64(at + CAST_OPTIONS.contactOffset, contactOffset);
     core.setU32(at + CAST_OPTIONS.passed, 0);
     core.setU32(at + CAST_OPTIONS.passedCapacity, 0);
     core.setU32(at + CAST_OPTIONS.passedCount, 0);

@@ -3,6 +3,11 @@
 
 export const VERSION = '0.1.0';
 
+export const STOPS_WALK = 1;
+export const STOPS_SHOTS = 2;
+export const STOPS_SIGHT = 4;
+export const STOPS_LIQUID = 8;
+export const IS_SKY = 16;
 export const FACE_TWO_SIDED = 1;
 export const FACE_SOLID = 2;
 
@@ -92,9 +97,9 @@ export const WORLD_OPTIONS = Object.freeze({
     size: 0,
     surfaceArea: 4,
     maxDepth: 8,
-    facesPerBin: 12,
-    minBinVolume: 16,
-    skin: 24,
+    facesPerLeaf: 12,
+    minNodeVolume: 16,
+    contactOffset: 24,
     scale: 32,
 });
 
@@ -129,26 +134,38 @@ export const ENTITY = Object.freeze({
 
 /** firma_level_view */
 export const LEVEL_VIEW = Object.freeze({
-    sizeof: 24,
-    entities: 0,
-    entityCount: 4,
-    notes: 8,
-    noteCount: 12,
-    metresAUnit: 16,
+    sizeof: 32,
+    size: 0,
+    entities: 4,
+    entityCount: 8,
+    notes: 12,
+    noteCount: 16,
+    metresAUnit: 24,
 });
 
 /** firma_world_facts */
 export const WORLD_FACTS = Object.freeze({
-    sizeof: 96,
-    version: 0,
-    faceCount: 8,
-    roomCount: 16,
-    portalCount: 24,
-    low: 32,
-    high: 56,
-    skin: 80,
-    materialCount: 88,
-    edits: 92,
+    sizeof: 104,
+    size: 0,
+    edits: 4,
+    version: 8,
+    faceCount: 16,
+    roomCount: 24,
+    portalCount: 32,
+    low: 40,
+    high: 64,
+    contactOffset: 88,
+    materialCount: 96,
+    reserved: 100,
+});
+
+/** firma_region_hash */
+export const REGION_HASH = Object.freeze({
+    sizeof: 32,
+    region: 0,
+    reserved: 12,
+    faces: 16,
+    points: 24,
 });
 
 /** firma_zone */
@@ -169,18 +186,18 @@ export const RULES = Object.freeze({
     zoneCount: 12,
     hardness: 16,
     hardnessCount: 20,
-    mostFaces: 24,
-    mostFacesLookedAt: 32,
-    mostNewFaces: 40,
-    mostCutterTriangles: 48,
-    mostPairs: 56,
-    mostCorners: 64,
-    largestCutter: 72,
+    maxFaces: 24,
+    maxCandidateFaces: 32,
+    maxNewFaces: 40,
+    maxCutterTriangles: 48,
+    maxPairs: 56,
+    maxCorners: 64,
+    maxCutterSize: 72,
 });
 
 /** firma_face */
 export const FACE = Object.freeze({
-    sizeof: 64,
+    sizeof: 72,
     normal: 0,
     id: 24,
     source: 28,
@@ -191,26 +208,37 @@ export const FACE = Object.freeze({
     room: 48,
     firstCorner: 52,
     cornerCount: 56,
+    corner: 60,
 });
 
 /** firma_faces_view */
 export const FACES_VIEW = Object.freeze({
+    sizeof: 20,
+    size: 0,
+    faces: 4,
+    faceCount: 8,
+    corners: 12,
+    cornerCount: 16,
+});
+
+/** firma_face_filter */
+export const FACE_FILTER = Object.freeze({
     sizeof: 16,
-    faces: 0,
-    faceCount: 4,
-    corners: 8,
-    cornerCount: 12,
+    size: 0,
+    room: 4,
+    box: 8,
+    region: 12,
 });
 
 /** firma_texture */
 export const TEXTURE = Object.freeze({
     sizeof: 72,
-    uAxis: 0,
-    uOffset: 24,
-    vAxis: 32,
-    vOffset: 56,
-    unit: 64,
-    reserved: 68,
+    size: 0,
+    unit: 4,
+    uAxis: 8,
+    uOffset: 32,
+    vAxis: 40,
+    vOffset: 64,
 });
 
 /** firma_triangle_run */
@@ -243,18 +271,19 @@ export const TRIANGLE_SOURCE = Object.freeze({
 
 /** firma_triangles_view */
 export const TRIANGLES_VIEW = Object.freeze({
-    sizeof: 44,
-    positions: 0,
-    normals: 4,
-    vertexCount: 8,
-    corners: 12,
-    faces: 16,
-    triangleCount: 20,
-    runs: 24,
-    runCount: 28,
-    sources: 32,
-    sourceCount: 36,
-    uvs: 40,
+    sizeof: 48,
+    size: 0,
+    positions: 4,
+    normals: 8,
+    vertexCount: 12,
+    corners: 16,
+    faces: 20,
+    triangleCount: 24,
+    runs: 28,
+    runCount: 32,
+    sources: 36,
+    sourceCount: 40,
+    uvs: 44,
 });
 
 /** firma_triangle_options */
@@ -274,28 +303,32 @@ export const TRIANGLE_OPTIONS = Object.freeze({
 
 /** firma_room */
 export const ROOM = Object.freeze({
-    sizeof: 80,
-    low: 0,
-    high: 24,
-    faceCount: 48,
-    name: 56,
-    portals: 60,
-    portalCount: 64,
-    exterior: 68,
-    mergedInto: 72,
+    sizeof: 88,
+    size: 0,
+    exterior: 4,
+    low: 8,
+    high: 32,
+    faceCount: 56,
+    name: 64,
+    portals: 68,
+    portalCount: 72,
+    mergedInto: 76,
+    reserved: 80,
 });
 
 /** firma_portal */
 export const PORTAL = Object.freeze({
-    sizeof: 80,
-    low: 0,
-    high: 24,
-    name: 48,
-    rooms: 52,
-    material: 60,
-    mask: 64,
-    open: 68,
-    polygonCount: 72,
+    sizeof: 88,
+    size: 0,
+    material: 4,
+    low: 8,
+    high: 32,
+    name: 56,
+    rooms: 60,
+    mask: 68,
+    open: 72,
+    polygonCount: 76,
+    reserved: 80,
 });
 
 /** firma_cast_input */
@@ -313,7 +346,7 @@ export const CAST_OPTIONS = Object.freeze({
     mask: 4,
     sides: 8,
     room: 12,
-    skin: 16,
+    contactOffset: 16,
     passed: 24,
     passedCapacity: 28,
     passedCount: 32,
@@ -354,7 +387,7 @@ export const HIT_INFO = Object.freeze({
 /** firma_cast_counts */
 export const CAST_COUNTS = Object.freeze({
     sizeof: 32,
-    bins: 0,
+    nodes: 0,
     boxes: 8,
     faces: 16,
     precise: 24,
@@ -402,61 +435,65 @@ export const CARVE_OPTIONS = Object.freeze({
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 120,
-    status: 0,
-    retries: 4,
-    facesLookedAt: 8,
-    facesCut: 16,
-    facesGone: 24,
-    facesNew: 32,
-    scale: 40,
-    volume: 48,
-    placeUs: 56,
-    gatherUs: 64,
-    cutUs: 72,
-    labelUs: 80,
-    traceUs: 88,
-    facetsUs: 96,
-    treeUs: 104,
-    facesCastableOnly: 112,
+    sizeof: 128,
+    size: 0,
+    status: 4,
+    retries: 8,
+    reserved: 12,
+    candidateFaces: 16,
+    facesCut: 24,
+    facesRemoved: 32,
+    facesAdded: 40,
+    scale: 48,
+    volume: 56,
+    placeUs: 64,
+    gatherUs: 72,
+    cutUs: 80,
+    labelUs: 88,
+    traceUs: 96,
+    facetsUs: 104,
+    treeUs: 112,
+    facesCastableOnly: 120,
 });
 
 /** firma_diff_view */
 export const DIFF_VIEW = Object.freeze({
     sizeof: 136,
-    removed: 0,
-    removedCount: 4,
-    added: 8,
-    addedCount: 12,
-    corners: 16,
-    cornerCount: 20,
-    tiles: 24,
-    tileCount: 28,
-    rooms: 32,
-    roomCount: 36,
-    opened: 40,
-    closed: 44,
-    openedCount: 48,
-    closedCount: 52,
-    portalsAdded: 56,
-    portalsRemoved: 60,
-    portalsAddedCount: 64,
-    portalsRemovedCount: 68,
-    portalsChanged: 72,
-    portalsChangedCount: 76,
-    low: 80,
-    high: 104,
-    tooManyTiles: 128,
-    reserved: 132,
+    size: 0,
+    tooManyTiles: 4,
+    removed: 8,
+    removedCount: 12,
+    added: 16,
+    addedCount: 20,
+    corners: 24,
+    cornerCount: 28,
+    tiles: 32,
+    tileCount: 36,
+    rooms: 40,
+    roomCount: 44,
+    opened: 48,
+    closed: 52,
+    openedCount: 56,
+    closedCount: 60,
+    portalsAdded: 64,
+    portalsRemoved: 68,
+    portalsAddedCount: 72,
+    portalsRemovedCount: 76,
+    portalsChanged: 80,
+    portalsChangedCount: 84,
+    low: 88,
+    high: 112,
 });
 
 /** firma_store_facts */
 export const STORE_FACTS = Object.freeze({
-    sizeof: 48,
-    oldest: 0,
-    current: 8,
-    newest: 16,
-    versions: 24,
-    bytes: 32,
-    waiting: 40,
+    sizeof: 56,
+    size: 0,
+    reserved: 4,
+    oldest: 8,
+    current: 16,
+    newest: 24,
+    versions: 32,
+    bytes: 40,
+    waiting: 48,
 });

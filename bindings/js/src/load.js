@@ -66,7 +66,8 @@ async function moduleOf(source) {
 }
 
 async function start(module) {
-    const imports = { firma: { now: () => performance.now() * 1000 } };
+    let core = null;
+    const imports = { firma: { now: () => performance.now() * 1000, visit: (at) => core.visited(at) } };
     let exports;
     try {
         ({ exports } = await WebAssembly.instantiate(module, imports));
@@ -81,7 +82,7 @@ async function start(module) {
     const [major, minor] = VERSION.split('.').map(Number);
     if (version >>> 8 !== (major << 8) + minor)
         throw new FirmaError('UNSUPPORTED', `${PLACE}: the module is not of version ${major}.${minor}`);
-    const core = new Core(exports);
+    core = new Core(exports);
     return new Firma(core);
 }
 

@@ -6,8 +6,8 @@ import { doubles, longWord, number, object, text, vector } from './arguments.js'
 
 const PLACE = 'withRules';
 const ZONE_NAMES = ['name', 'low', 'high', 'hardness'];
-const LIMITS = ['mostFaces', 'mostFacesLookedAt', 'mostNewFaces', 'mostCutterTriangles', 'mostPairs', 'mostCorners'];
-const NAMES = ['zones', 'hardness', ...LIMITS, 'largestCutter'];
+const LIMITS = ['maxFaces', 'maxCandidateFaces', 'maxNewFaces', 'maxCutterTriangles', 'maxPairs', 'maxCorners'];
+const NAMES = ['zones', 'hardness', ...LIMITS, 'maxCutterSize'];
 
 function putZones(core, lent, zones) {
     const at = lent.take(zones.length * ZONE.sizeof);
@@ -30,11 +30,11 @@ function putZones(core, lent, zones) {
 /** @returns the address of the struct */
 export function putRules(core, lent, rules) {
     const given = object(rules, PLACE, 'the rules', NAMES);
-    const { zones = [], hardness = [], largestCutter = 0 } = given;
+    const { zones = [], hardness = [], maxCutterSize = 0 } = given;
     if (!Array.isArray(zones)) throw badCall(PLACE, 'zones must be an array');
     doubles(hardness, 1, PLACE, 'hardness');
     const limits = LIMITS.map((name) => longWord(given[name] === undefined ? 0 : given[name], PLACE, name));
-    number(largestCutter, PLACE, 'largestCutter');
+    number(maxCutterSize, PLACE, 'maxCutterSize');
     const zonesAt = putZones(core, lent, zones);
     const hardnessAt = lent.doubles(hardness);
     const at = core.at.rules;
@@ -45,6 +45,6 @@ export function putRules(core, lent, rules) {
     core.setU32(at + RULES.hardness, hardnessAt);
     core.setU32(at + RULES.hardnessCount, hardness.length);
     LIMITS.forEach((name, k) => core.setU64(at + RULES[name], limits[k]));
-    core.setF64(at + RULES.largestCutter, largestCutter);
+    core.setF64(at + RULES.maxCutterSize, maxCutterSize);
     return at;
 }

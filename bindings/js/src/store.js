@@ -10,9 +10,9 @@ export class Store extends Handle {
         super(core, id, 'firma_store_release');
     }
 
-    static open(core, world, mostBytes) {
+    static open(core, world, maxBytes) {
         const first = idOf(world, core, 'openStore', 'world');
-        const most = mostBytes === Infinity ? 2n ** 64n - 1n : longWord(mostBytes, 'openStore', 'mostBytes');
+        const most = maxBytes === Infinity ? 2n ** 64n - 1n : longWord(maxBytes, 'openStore', 'maxBytes');
         return new Store(core, makeHandle(core, 'firma_store_open', first, most));
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Faces as triangles, and how textures lie on them: copies of what the module shows.
-import { doubles, flag, mask, object, vector, word } from './arguments.js';
+import { doubles, flag, mask, object, region as regionOf, vector, word } from './arguments.js';
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
 import { TEXTURE, TEXTURE_UNIT_NAMES, TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
@@ -17,15 +17,7 @@ function putOptions(core, lent, options) {
     core.setU32(at + TRIANGLE_OPTIONS.solidOnly, flag(given.solidOnly, 'triangles', 'solidOnly'));
     core.setU32(at + TRIANGLE_OPTIONS.room, room === undefined ? 0xffffffff : word(room, 'triangles', 'room'));
     core.setVector(at + TRIANGLE_OPTIONS.origin, vector(origin, 3, 'triangles', 'origin'));
-    let place = 0;
-    if (region !== undefined) {
-        vector(region, 3, 'triangles', 'region');
-        if (!Array.from(region).every((k) => Number.isInteger(k) && Math.abs(k) < 2 ** 31))
-            throw badCall('triangles', 'region must be three integers');
-        place = lent.take(16);
-        core.i32.set(region, place >>> 2);
-    }
-    core.setU32(at + TRIANGLE_OPTIONS.region, place);
+    core.setU32(at + TRIANGLE_OPTIONS.region, region === undefined ? 0 : lent.words(regionOf(region, 'triangles')));
     core.setU32(at + TRIANGLE_OPTIONS.uvs, flag(given.uvs, 'triangles', 'uvs'));
     core.setU32(at + TRIANGLE_OPTIONS.reserved, 0);
     const sizes = given.textureSizes ?? [];
@@ -69,24 +61,22 @@ export function takeTriangles(core, id, options) {
     }
 }
 
-/** @param face  an id, or a hit: then nothing is searched */
+/** @param face  an id, or what names a face and its place: then nothing is searched */
 export function takeTexture(core, id, face) {
-    const isHit = typeof face === 'object';
-    const number = word(isHit ? face?.face : face, 'texture', 'the face');
-    return core.borrow((lent) => {
-        let corner = 0;
-        if (isHit) {
-            corner = lent.take(16);
-            core.i32.set(vector(face.corner, 3, 'texture', 'corner'), corner >>> 2);
-        }
-        const at = core.at.texture;
-        core.run('firma_world_texture', id, number, corner, at);
-        return {
-            uAxis: core.getVector(at + TEXTURE.uAxis),
-            uOffset: core.getF64(at + TEXTURE.uOffset),
-            vAxis: core.getVector(at + TEXTURE.vAxis),
-            vOffset: core.getF64(at + TEXTURE.vOffset),
-            unit: TEXTURE_UNIT_NAMES[core.getU32(at + TEXTURE.unit)],
-        };
-    });
+    let number = face;
+    let corner = 0;
+    if (typeof face === 'object' && face !== null) {
+        number = face.face === undefined ? face.id : face.face;
+        corner = core.at.out;
+        core.i32.set(vector(face.corner, 3, 'texture', 'its corner'), corner >>> 2);
+    }
+    const at = core.at.texture;
+    core.run('firma_world_texture', id, word(number, 'texture', 'the face'), corner, at);
+    return {
+        uAxis: core.getVector(at + TEXTURE.uAxis),
+        uOffset: core.getF64(at + TEXTURE.uOffset),
+        vAxis: core.getVector(at + TEXTURE.vAxis),
+        vOffset: core.getF64(at + TEXTURE.vOffset),
+        unit: TEXTURE_UNIT_NAMES[core.getU32(at + TEXTURE.unit)],
+    };
 }

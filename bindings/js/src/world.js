@@ -3,7 +3,7 @@
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
 import { badCall, FirmaError } from './errors.js';
 import { CASTS_AT_ONCE } from './core.js';
-import { CAST_INPUT, HIT, HIT_INFO, NEAR, WORLD_FACTS } from './layout.js';
+import { CAST_INPUT, HIT, NEAR, REGION_HASH, WORLD_FACTS } from './layout.js';
 import { doubles, flag, number, object, vector, word } from './arguments.js';
 import {
     addCounts,
@@ -22,7 +22,7 @@ import {
     withPassed,
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
-import { takeDiff, takeFaces } from './faces.js';
+import { onlyFace, putFaceFilter, takeDiff, takeFaces } from './faces.js';
 import { getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
 import { putRules } from './rules.js';
 import { takeTexture, takeTriangles } from './triangles.js';
@@ -40,6 +40,8 @@ function getList(core, ask, bytes, get) {
         return read(at);
     });
 }
+
+const BAD_SPHERE = 'a number is not finite or too large, the radius negative, or there is no such room';
 
 export class World extends Handle {
     constructor(core, id) {
@@ -62,7 +64,7 @@ export class World extends Handle {
             portalCount: core.getCount(at + WORLD_FACTS.portalCount),
             low: core.getVector(at + WORLD_FACTS.low),
             high: core.getVector(at + WORLD_FACTS.high),
-            skin: core.getF64(at + WORLD_FACTS.skin),
+            contactOffset: core.getF64(at + WORLD_FACTS.contactOffset),
             materials: [],
             edits: core.getU32(at + WORLD_FACTS.edits),
         };
@@ -80,6 +82,25 @@ export class World extends Handle {
         return core.u64[core.at.out >>> 3];
     }
 
+    hashSolid() {
+        const core = this[CORE];
+        core.run('firma_world_hash_solid', this[ID], core.at.out);
+        return core.u64[core.at.out >>> 3];
+    }
+
+    hashRegions() {
+        const core = this[CORE];
+        const ask = (at, room) => {
+            core.run('firma_world_hash_regions', this[ID], at, room, core.at.out);
+            return core.getU32(core.at.out);
+        };
+        return getList(core, ask, REGION_HASH.sizeof, (_, at) => ({
+            region: Array.from(core.i32.subarray(at >>> 2, (at >>> 2) + 3)),
+            faces: core.u64[(at + REGION_HASH.faces) >>> 3],
+            points: core.u64[(at + REGION_HASH.points) >>> 3],
+        }));
+    }
+
     check() {
         this[CORE].run('firma_world_check', this[ID]);
     }
@@ -95,9 +116,13 @@ export class World extends Handle {
         return memoryOf(this[CORE], [this]);
     }
 
-    faces() {
+    faces(filter) {
         const core = this[CORE];
-        return takeFaces(core, makeHandle(core, 'firma_world_faces', this[ID]));
+        if (filter === undefined) return takeFaces(core, makeHandle(core, 'firma_world_faces', this[ID]));
+        return core.borrow((lent) => {
+            const at = putFaceFilter(core, lent, filter, 'faces');
+            return takeFaces(core, makeHandle(core, 'firma_world_faces_in', this[ID], at));
+        });
     }
 
     triangles(options) {
@@ -111,19 +136,19 @@ export class World extends Handle {
     findFace(id) {
         const core = this[CORE];
         word(id, 'findFace', 'the id');
-        const found = takeFaces(core, makeHandle(core, 'firma_world_find_face', this[ID], id));
-        if (found.ids.length === 0) return null;
-        return {
-            id: found.ids[0],
-            normal: Array.from(found.normals),
-            material: found.materials[0],
-            source: found.sources[0],
-            sourceEdit: found.sourceEdits[0],
-            mask: found.masks[0],
-            flags: found.flags[0],
-            room: found.rooms[0],
-            corners: found.corners,
-        };
+        return onlyFace(takeFaces(core, makeHandle(core, 'firma_world_find_face', this[ID], id)));
+    }
+
+    face(ref) {
+        const core = this[CORE];
+        if (ref === undefined || ref === null) throw badCall('face', 'the face must be one of a hit, or of faces');
+        const { id, face = id, corner } = object(ref, 'face', 'the face');
+        if (face === null) return null;
+        word(face, 'face', 'its id');
+        vector(corner, 3, 'face', 'its corner');
+        const at = core.at.out;
+        core.i32.set(corner, at >>> 2);
+        return onlyFace(takeFaces(core, makeHandle(core, 'firma_world_face', this[ID], face, at)));
     }
 
     cast(input, options) {
@@ -148,7 +173,6 @@ export class World extends Handle {
     hitInfo(hit) {
         const core = this[CORE];
         const at = core.at.hitInfo;
-        core.setU32(at + HIT_INFO.size, HIT_INFO.sizeof);
         core.run('firma_world_hit_info', this[ID], putHit(core, hit, 'hitInfo'), at);
         return getHitInfo(core, at);
     }
@@ -167,10 +191,7 @@ export class World extends Handle {
         if (code !== 0) throw core.failure(code);
         const status = core.getU32(core.at.out);
         if (status === 3)
-            throw new FirmaError(
-                'OUT_OF_RANGE',
-                'castAny: a number is not finite or too large, the radius negative, or there is no such room',
-            );
+            throw new FirmaError('OUT_OF_RANGE', `castAny: ${BAD_SPHERE}`);
         return status !== 0;
     }
 
@@ -183,6 +204,23 @@ export class World extends Handle {
             return core.getU32(core.at.out);
         };
         return getList(core, ask, HIT.sizeof, getHit);
+    }
+
+    castEach(input, visit, options) {
+        const core = this[CORE];
+        if (typeof visit !== 'function') throw badCall('castEach', 'visit must be a function');
+        const given = putInput(core, input, 'castEach');
+        const chosen = putCastOptions(core, options, 'castEach');
+        const ask = (at) => {
+            const answer = visit(getHit(core, at));
+            if (answer === undefined || answer === true) return 1;
+            if (answer === false) return 0;
+            return number(answer, 'castEach', 'what visit returns');
+        };
+        core.runVisited(ask, 'firma_wasm_cast_each', this[ID], given, chosen, core.at.out);
+        const status = core.getU32(core.at.out);
+        if (status === 3) throw new FirmaError('OUT_OF_RANGE', `castEach: ${BAD_SPHERE}`);
+        return status !== 0;
     }
 
     castBatch(inputs, options, out = new HitBatch()) {
@@ -220,6 +258,18 @@ export class World extends Handle {
             return core.getU32(core.at.out);
         };
         return getList(core, ask, NEAR.sizeof, getOverlap);
+    }
+
+    overlapEach(centre, radius, visit, options) {
+        const core = this[CORE];
+        vector(centre, 3, 'overlapEach', 'centre');
+        number(radius, 'overlapEach', 'radius');
+        if (typeof visit !== 'function') throw badCall('overlapEach', 'visit must be a function');
+        core.setVector(core.at.input, centre);
+        const chosen = putNearOptions(core, options, 'overlapEach');
+        const ask = (at) => (visit(getOverlap(core, at)) === false ? 0 : 1);
+        core.runVisited(ask, 'firma_wasm_overlap_each', this[ID], core.at.input, radius, chosen, core.at.out);
+        return core.getU32(core.at.out) !== 0;
     }
 
     closest(point, reach = Infinity, options = undefined) {

@@ -92,7 +92,7 @@ test('a cut, its report, and the world before', () => {
         assert.equal(world.hash(), before);
         assert.equal(report.status, 'done');
         assert.equal(report.reason, '');
-        assert.ok(report.facesNew > 50 && report.facesCut >= 1 && report.facesGone >= 1 && report.facesLookedAt >= 1);
+        assert.ok(report.facesAdded > 50 && report.facesCut >= 1 && report.facesRemoved >= 1 && report.candidateFaces >= 1);
         assert.equal(report.scale, 1);
         assert.ok(Math.abs(world.measure().volume - after.measure().volume - report.volume) < 1e-6);
         const { total, ...phases } = report.times;
@@ -158,11 +158,11 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
         keep(shrunk.world);
         assert.ok(shrunk.report.status === 'done' && shrunk.report.scale < 1);
         for (const rules of [
-            { mostFaces: 10 },
-            { mostNewFaces: 3 },
-            { mostCutterTriangles: 20 },
-            { largestCutter: 0.5 },
-            { mostFacesLookedAt: 1, mostPairs: 1, mostCorners: 1 },
+            { maxFaces: 10 },
+            { maxNewFaces: 3 },
+            { maxCutterTriangles: 20 },
+            { maxCutterSize: 0.5 },
+            { maxCandidateFaces: 1, maxPairs: 1, maxCorners: 1 },
         ]) {
             const limited = keep(world.withRules(rules));
             const tried = limited.carve(cutter, atWall);
@@ -170,7 +170,7 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
             assert.equal(tried.report.status, 'refused', JSON.stringify(rules));
         }
         // Larger than what the module can count is no limit, not a small one.
-        const all = ['mostFaces', 'mostFacesLookedAt', 'mostNewFaces', 'mostCutterTriangles', 'mostPairs', 'mostCorners'];
+        const all = ['maxFaces', 'maxCandidateFaces', 'maxNewFaces', 'maxCutterTriangles', 'maxPairs', 'maxCorners'];
         const free = keep(world.withRules(Object.fromEntries(all.map((name) => [name, 2 ** 32]))));
         const cut = free.carve(cutter, atWall);
         keep(cut.world);
@@ -180,7 +180,7 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
         throwsCode('INVALID', () => world.withRules({ zones: [zone, { ...zone, low: [10, 0, 0] }] }), /zone 1/);
         throwsCode('INVALID', () => world.withRules({ zones: [{ ...zone, low: [NaN, 0, 0] }] }));
         throwsCode('INVALID', () => world.withRules({ hardness: [0, NaN] }), /material 1/);
-        throwsCode('INVALID', () => world.withRules({ largestCutter: -1 }));
+        throwsCode('INVALID', () => world.withRules({ maxCutterSize: -1 }));
         const wrong = [
             null,
             5,
@@ -191,9 +191,9 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
         ];
         wrong.push(
             { hardness: 0.5 },
-            { mostFaces: -1 },
-            { mostFaces: 1.5 },
-            { largestCutter: '1' },
+            { maxFaces: -1 },
+            { maxFaces: 1.5 },
+            { maxCutterSize: '1' },
             { zones: [{ ...zone, name: 7 }] },
         );
         for (const rules of wrong) throwsCode('BAD_CALL', () => world.withRules(rules), /^withRules: /);

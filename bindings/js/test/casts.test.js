@@ -64,7 +64,87 @@ test('a hit has all that the C API says', () => {
     });
 });
 
-test('options: mask, sides, skin, counts', () => {
+test('hits one by one: filtered, shortened, ended', () => {
+    inBox({}, (world) => {
+        const through = { centre: [4, 4, 12], radius: 0.5, path: [0, 0, -16] };
+        const both = { bothSides: true };
+        const seen = [];
+        assert.equal(world.castEach(through, (hit) => void seen.push(hit), both), true);
+        assert.deepEqual(
+            seen.sort((a, b) => a.fraction - b.fraction),
+            world.castAll(through, both),
+        );
+        assert.equal(seen.length, 2);
+        let nearest = 1;
+        world.castEach(through, (hit) => (nearest = Math.min(nearest, hit.fraction)), both);
+        assert.equal(nearest, seen[0].fraction);
+        for (const enough of [false, 0, -1]) {
+            let calls = 0;
+            assert.equal(world.castEach(through, () => (++calls, enough), both), true);
+            assert.equal(calls, 1);
+        }
+        assert.equal(world.castEach({ ...through, path: [0, 0, 16] }, () => assert.fail()), false);
+        // A visitor may ask, too; what it throws is thrown, and the world goes on.
+        world.castEach(through, (hit) => {
+            assert.equal(world.cast(toWall).status, 'hit');
+            assert.equal(world.castEach(toWall, () => true), true);
+            assert.equal(world.faces().ids.length, 6);
+            return hit.fraction;
+        });
+        let calls = 0;
+        const wrong = new Error('of the visitor');
+        assert.throws(() => world.castEach(through, () => { ++calls; throw wrong; }, both), (error) => error === wrong);
+        assert.equal(calls, 1);
+        assert.throws(() => world.castEach(through, () => 'x', both), { code: 'BAD_CALL' });
+        assert.throws(() => world.castEach(through), { code: 'BAD_CALL' });
+        assert.throws(() => world.castEach({ ...through, radius: -1 }, () => 1), { code: 'OUT_OF_RANGE' });
+        assert.equal(world.cast(toWall).status, 'hit');
+
+        const inCorner = [0.2, 0.2, 0.2];
+        const found = [];
+        assert.equal(world.overlapEach(inCorner, 0.5, (one) => void found.push(one)), true);
+        assert.deepEqual(found.sort((a, b) => a.face - b.face), world.overlap(inCorner, 0.5));
+        assert.equal(found.length, 3);
+        let some = 0;
+        world.overlapEach(inCorner, 0.5, () => ++some < 2);
+        assert.equal(some, 2);
+        assert.equal(world.overlapEach([4, 4, 4], 0.5, () => true), false);
+        assert.throws(() => world.overlapEach([4, 4, NaN], 0.5, () => true), { code: 'OUT_OF_RANGE' });
+    });
+});
+
+test('faces by filter and by hit; hashes', () => {
+    inBox({}, (world) => {
+        const all = world.faces();
+        assert.deepEqual(world.faces({}).ids.sort(), all.ids);
+        assert.deepEqual(world.faces({ room: 0 }).ids.sort(), all.ids);
+        assert.equal(world.faces({ box: { low: [1, 1, -1], high: [2, 2, 1] } }).ids.length, 1);
+        assert.equal(world.faces({ region: [0, 0, 0] }).ids.length, 6);
+        assert.equal(world.faces({ region: [-1, 0, 0] }).ids.length, 0);
+        assert.throws(() => world.faces({ room: 7 }), { code: 'INVALID' });
+        assert.throws(() => world.faces({ room: 0, region: [0, 0, 0] }), { code: 'INVALID' });
+        assert.throws(() => world.faces({ rooms: 0 }), { code: 'BAD_CALL' });
+        assert.throws(() => world.faces({ region: [0.5, 0, 0] }), { code: 'BAD_CALL' });
+        assert.throws(() => world.faces({ box: { low: [0, 0, 0], high: [0, 0, NaN] } }), { code: 'OUT_OF_RANGE' });
+
+        const hit = world.cast(toWall);
+        const face = world.face(hit);
+        assert.deepEqual(face, world.findFace(hit.face));
+        assert.deepEqual(face, world.face(face));
+        assert.deepEqual(face, world.face({ face: hit.face, corner: hit.corner }));
+        assert.equal(world.face({ ...hit, corner: [1, 2, 3] }), null);
+        assert.equal(world.face(world.cast({ ...toWall, path: [-1e-3, 0, 0] })), null); // a miss
+        assert.throws(() => world.face(), { code: 'BAD_CALL' });
+        assert.throws(() => world.face({ id: 0 }), { code: 'BAD_CALL' });
+
+        assert.equal(typeof world.hashSolid(), 'bigint');
+        const regions = world.hashRegions();
+        assert.deepEqual(regions.map((one) => one.region), [[0, 0, 0]]);
+        assert.ok(regions[0].faces !== 0n && regions[0].points !== 0n);
+    });
+});
+
+test('options: mask, sides, contactOffset, counts', () => {
     inBox({ masks: [1, 2, 4, 8, 16, 32] }, (world) => {
         const wall = world.findFace(world.cast(toWall).face);
         assert.equal(world.cast(toWall, { mask: wall.mask }).status, 'hit');
@@ -75,12 +155,12 @@ test('options: mask, sides, skin, counts', () => {
         const fromRock = { centre: [12, 4, 4], radius: 1, path: [-6, 0, 0] };
         assert.notEqual(world.cast(fromRock).point[0], 8);
         assert.equal(world.cast(fromRock, { bothSides: true }).point[0], 8);
-        assert.equal(world.cast(toWall, { skin: 0.6 }).safeFraction, 0.4);
-        assert.equal(world.cast(toWall, { skin: 0 }).safeFraction, 0.5);
+        assert.equal(world.cast(toWall, { contactOffset: 0.6 }).safeFraction, 0.4);
+        assert.equal(world.cast(toWall, { contactOffset: 0 }).safeFraction, 0.5);
         const counts = { faces: 100 };
         world.cast(toWall, { counts });
         const once = { ...counts };
-        assert.ok(once.faces > 100 && once.boxes > 0 && once.bins > 0, JSON.stringify(once));
+        assert.ok(once.faces > 100 && once.boxes > 0 && once.nodes > 0, JSON.stringify(once));
         assert.equal(typeof once.precise, 'number');
         world.castBatch([4, 4, 4, 1, 6, 0, 0], { counts });
         assert.equal(counts.faces - once.faces, once.faces - 100);
@@ -89,7 +169,7 @@ test('options: mask, sides, skin, counts', () => {
             { mask: 2 ** 32 },
             { mask: 'all' },
             { bothSides: 1 },
-            { skin: '1' },
+            { contactOffset: '1' },
             { counts: 5 },
             null,
             5,
@@ -100,8 +180,8 @@ test('options: mask, sides, skin, counts', () => {
                     () => world[ask](ask === 'cast' ? toWall : [], options),
                     new RegExp(`^${ask}: `),
                 );
-        throwsCode('INVALID', () => world.cast(toWall, { skin: NaN }), /skin/);
-        throwsCode('INVALID', () => world.castBatch([], { skin: Infinity }), /skin/);
+        throwsCode('INVALID', () => world.cast(toWall, { contactOffset: NaN }), /contact offset/);
+        throwsCode('INVALID', () => world.castBatch([], { contactOffset: Infinity }), /contact offset/);
     });
 });
 
@@ -164,7 +244,7 @@ test('a batch takes any numbers, and memory that it had', () => {
             throwsCode('BAD_CALL', () => world.castBatch(wrong), /^castBatch: /);
         throwsCode('BAD_CALL', () => world.castBatch(inputs, {}, {}), /out/);
         world.castBatch(inputs, {}, out);
-        throwsCode('INVALID', () => world.castBatch(inputs.subarray(0, 7), { skin: NaN }, out));
+        throwsCode('INVALID', () => world.castBatch(inputs.subarray(0, 7), { contactOffset: NaN }, out));
         assert.deepEqual([out.count, out.hit(49)], [50, expected.hit(49)]);
     });
 });

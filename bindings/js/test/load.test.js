@@ -96,7 +96,10 @@ test('what is not the module is refused', async () => {
 
 test('the module asks its host for the time alone', async () => {
     const imports = WebAssembly.Module.imports(await WebAssembly.compile(bytes));
-    assert.deepEqual(imports, [{ module: 'firma', name: 'now', kind: 'function' }]);
+    assert.deepEqual(imports, [
+        { module: 'firma', name: 'now', kind: 'function' },
+        { module: 'firma', name: 'visit', kind: 'function' },
+    ]);
 });
 
 test('the module is small', () => {

@@ -62,14 +62,14 @@ const makers = [
     () => ({
         mask: pick(oddNumbers),
         bothSides: pick([true, false, 2]),
-        skin: pick(oddNumbers),
+        contactOffset: pick(oddNumbers),
         room: pick([undefined, 'any', 'locate', 0, 5, ...oddNumbers]),
         counts: pick([{}, 5, undefined]),
     }),
     () => ({
         zones: [{ low: vectorOf(3), high: vectorOf(3), hardness: next() }],
         hardness: vectorOf(2),
-        mostFaces: pick(numbers),
+        maxFaces: pick(numbers),
     }),
     () => ({
         ...boxMesh(vectorOf(3), vectorOf(3)),
@@ -77,7 +77,7 @@ const makers = [
         masks: pick([undefined, [1]]),
     }),
     () => ({ positions: vectorOf(12), corners: Array.from({ length: 6 }, () => below(5)) }),
-    () => ({ maxDepth: pick(numbers), facesPerBin: pick(numbers), skin: pick(oddNumbers), scale: pick(oddNumbers) }),
+    () => ({ maxDepth: pick(numbers), facesPerLeaf: pick(numbers), contactOffset: pick(oddNumbers), scale: pick(oddNumbers) }),
     () => new HitBatch(),
     () => [{}, null],
     () => () => 1,
@@ -175,12 +175,12 @@ test('a value of a wrong type is refused', () => {
     refused(() => firma.worldFromMesh({ ...mesh, twoSided: mesh.cornerCounts.map(() => 2) }), /must be true, false, 1 or 0/);
     refused(() => firma.worldFromMesh({ ...mesh, materialNames: null }), /materialNames must be an array/);
     refused(() => world.cast(ball, { room: null }), /room/);
-    refused(() => world.cast(ball, { counts: { bins: '0' } }), /bins must be a number/);
+    refused(() => world.cast(ball, { counts: { nodes: '0' } }), /nodes must be a number/);
     refused(() => world.carve(cutter, { ...at, scale: null }), /scale must be a number/);
     refused(() => world.carve(cutter, { ...at, rotation: null }), /rotation must be an array/);
     refused(() => world.carve(cutter, at, { material: 5 }), /material must be a string/);
     refused(() => world.withRules({ zones: null }), /zones must be an array/);
-    refused(() => world.withRules({ mostFaces: null }), /mostFaces must be an integer/);
+    refused(() => world.withRules({ maxFaces: null }), /maxFaces must be an integer/);
     refused(() => world.withRules({ hardness: null }), /hardness must be an array/);
     refused(() => world.pack({ exact: 1 }), /exact must be true or false/);
     for (const one of [cutter, world]) one.release();

@@ -189,7 +189,7 @@ test('entities of a level, and its world', () => {
         assert.ok(start.line > 1 && start.keys.some(([key, value]) => key === 'classname' && value === start.classname));
         assert.ok(entities.filter((entity) => entity.classname === 'firma_room').length > 12);
         assert.ok(Array.isArray(level.notes()));
-        releasing([level.world({ skin: 0.01 }), firma.worldFromMap(depot, { skin: 0.01 })], (world, other) => {
+        releasing([level.world({ contactOffset: 0.01 }), firma.worldFromMap(depot, { contactOffset: 0.01 })], (world, other) => {
             assert.equal(world.hash(), other.hash());
             assert.equal(world.locate(start.origin).where, 'air');
         });

@@ -78,7 +78,7 @@ test('memory that grows within any call', async () => {
     const cutter = firma.crater('rocky', 1);
     const { world: after, report } = world.carve(cutter, { position: [8, 4, 4] }, { material: 'x' });
     assert.equal(report.status, 'done');
-    assert.equal(world.diff(after, 1).removed.length, report.facesGone);
+    assert.equal(world.diff(after, 1).removed.length, report.facesRemoved);
     assert.ok(after.facts().materials.includes('x'));
     const copy = firma.unpackWorld(after.pack());
     assert.equal(copy.hash(), after.hash());

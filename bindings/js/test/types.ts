@@ -8,6 +8,8 @@ import {
     loadFirma,
     NO_FACE,
     NO_PORTAL,
+    STOPS_SIGHT,
+    STOPS_WALK,
     type CarveReport,
     type CastCounts,
     type Diff,
@@ -44,12 +46,12 @@ const live: number = firma.liveHandles();
 
 const world: World = firma.worldFromObj('v 0 0 0', {
     name: 'a',
-    skin: 0.001,
+    contactOffset: 0.001,
     scale: 1,
     surfaceArea: true,
     maxDepth: 9,
-    facesPerBin: 4,
-    minBinVolume: 1,
+    facesPerLeaf: 4,
+    minNodeVolume: 1,
 });
 firma.worldFromObj(new Uint8Array(1));
 firma.worldFromBsp(new ArrayBuffer(1), {});
@@ -63,7 +65,7 @@ const mesh: Mesh = {
     masks: [1],
     twoSided: [false],
 };
-firma.worldFromMesh(mesh, { skin: 1 });
+firma.worldFromMesh(mesh, { contactOffset: 1 });
 firma.unpackWorld(world.pack({ exact: true }), 'name');
 // @ts-expect-error text is no .bsp
 firma.worldFromBsp('text');
@@ -73,7 +75,7 @@ firma.worldFromObj('', { skn: 1 });
 const level: Level = firma.levelFromMap('{}', { name: 'a', scale: 1 });
 const entity: Entity | undefined = level.entities()[0];
 const spawn: number = (entity?.origin?.[0] ?? 0) + level.metresPerUnit + level.notes().length;
-level.world({ skin: 0.1 }).release();
+level.world({ contactOffset: 0.1 }).release();
 
 const facts: WorldFacts = world.facts();
 const [x, y, z]: [number, number, number] = facts.low;
@@ -84,7 +86,9 @@ const volume: number = world.measure().volume + world.measure().area;
 const memory: number = world.memory() + firma.memory([world, world.copy()]);
 const faces: Faces = world.faces();
 const flags: number = faces.flags[0]! & (FACE_SOLID | FACE_TWO_SIDED);
-const face: Face | null = world.findFace(0);
+const face: Face | null = world.findFace(0) ?? world.face({ id: 0, corner: [0, 0, 0] });
+const some: Faces = world.faces({ box: { low: [0, 0, 0], high: [1, 1, 1] } });
+const regions: number = world.hashRegions()[0]!.region[0] + Number(world.hashSolid()) + some.firstPoints[0]!;
 const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
 const run: TriangleRun | undefined = triangles.runs[0];
 const units: TextureUnit[] = world.triangles({ uvs: true, textureSizes: [64, 64] }).sources.map((source) => source.uvUnit);
@@ -93,13 +97,16 @@ const laid: number = lies.uAxis[0] + lies.uOffset + triangles.uvs[0]! + units.le
 const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
-const counts: CastCounts = { bins: 0, boxes: 0, faces: 0, precise: 0 };
-const hit: Hit = world.cast(input, { mask: 1, bothSides: true, skin: 0.1, counts });
+const counts: CastCounts = { nodes: 0, boxes: 0, faces: 0, precise: 0 };
+const hit: Hit = world.cast(input, { mask: 1, bothSides: true, contactOffset: 0.1, counts });
 if (hit.status === 'hit' && hit.face !== null) world.findFace(hit.face);
 // @ts-expect-error a name that no status has
 if (hit.status === 'nothing') throw new Error();
 const any: boolean = world.castAny(input);
 const all: Hit[] = world.castAll(input, { mask: 1 });
+const met: boolean = world.castEach(input, (h) => (h.material === STOPS_WALK ? 1 : h.fraction), { mask: STOPS_SIGHT });
+const touched: boolean = world.overlapEach([1, 2, 3], 1, (o) => o.depth < 1) || met;
+const again: Face | null = world.face(hit);
 const batch: HitBatch = world.castBatch(new Float64Array(7), { counts: {} }, new HitBatch());
 const one: Hit | null = batch.hit(0);
 const where: number = batch.point[0]! + batch.status[0]! + batch.count;
@@ -147,8 +154,8 @@ const corners: Float64Array = diff.added.corners;
 world.withRules({
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],
-    mostFaces: 5,
-    largestCutter: 3,
+    maxFaces: 5,
+    maxCutterSize: 3,
 });
 // @ts-expect-error a world is no cutter for carving
 world.carve(world, { position: 5 });

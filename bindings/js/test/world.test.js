@@ -33,7 +33,7 @@ test('facts, check, measure, memory', () => {
             portalCount: 0,
                 low: [2, -10, -1.285888671875],
                 high: [79, 48, 9.5],
-                skin: 0.001,
+                contactOffset: 0.001,
                 materials: 10,
                 edits: 0,
             },
@@ -55,12 +55,12 @@ test('facts, check, measure, memory', () => {
 });
 
 test('options are taken', () => {
-    const scaled = firma.worldFromObj(triangle, { scale: 0.5, skin: 0.25, name: 'a triangle' });
+    const scaled = firma.worldFromObj(triangle, { scale: 0.5, contactOffset: 0.25, name: 'a triangle' });
     releasing([scaled], (world) => {
         assert.deepEqual(world.facts().high, [2, 2, 0]);
-        assert.equal(world.facts().skin, 0.25);
+        assert.equal(world.facts().contactOffset, 0.25);
     });
-    const options = { surfaceArea: true, maxDepth: 3, facesPerBin: 2, minBinVolume: 0.5 };
+    const options = { surfaceArea: true, maxDepth: 3, facesPerLeaf: 2, minNodeVolume: 0.5 };
     releasing([firma.worldFromObj(levelBytes, options), firma.worldFromObj(levelBytes)], (chosen, usual) => {
         const [shallow, deep] = [chosen, usual].map((world) => {
             const counts = {};
@@ -71,17 +71,17 @@ test('options are taken', () => {
     });
     const wrong = [
         { maxDepth: 65 },
-        { facesPerBin: 0 },
-        { skin: -1 },
-        { skin: NaN },
+        { facesPerLeaf: 0 },
+        { contactOffset: -1 },
+        { contactOffset: NaN },
         { scale: Infinity },
         { scale: -1 },
     ];
     for (const one of wrong) throwsCode('INVALID', () => firma.worldFromObj(triangle, one));
     const bad = [
         { maxDepth: 1.5 },
-        { facesPerBin: '2' },
-        { skin: '1' },
+        { facesPerLeaf: '2' },
+        { contactOffset: '1' },
         { surfaceArea: 2 },
         { name: 5 },
         { name: 'a\0b' },
@@ -106,9 +106,9 @@ test('a mesh, with all its arrays and with few', () => {
         masks: Uint32Array.of(1, 2, 4, 8, 16, 0xffffffff),
         twoSided: [false, false, true, false, false, false],
     };
-    releasing([firma.worldFromMesh(box), firma.worldFromMesh({ ...box, ...extras }, { skin: 0.01 })], (plain, full) => {
+    releasing([firma.worldFromMesh(box), firma.worldFromMesh({ ...box, ...extras }, { contactOffset: 0.01 })], (plain, full) => {
         assert.deepEqual(full.facts().materials.filter(Boolean), extras.materialNames);
-        assert.equal(full.facts().skin, 0.01);
+        assert.equal(full.facts().contactOffset, 0.01);
         assert.deepEqual(full.facts().low, [0, 0, 0]);
         assert.deepEqual(full.facts().high, [8, 8, 8]);
         assert.deepEqual([...full.faces().masks], [...extras.masks]);
@@ -194,6 +194,7 @@ test('faces are copies, each found by its id', () => {
             mask: 0xffffffff,
             flags: FACE_SOLID,
             room: 0,
+            corner: [...faces.corners.subarray(begin, begin + 3)].map((x) => x * 262144),
             corners: faces.corners.slice(begin, begin + 3 * faces.cornerCounts[k]),
         });
         assert.equal(world.findFace(4_000_000), null);

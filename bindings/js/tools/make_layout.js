@@ -13,6 +13,8 @@ const include = join(here, '../../../include');
 const target = join(here, '../src/layout.js');
 
 const camel = (name) => name.replace(/_+([a-z0-9])/g, (_, letter) => letter.toUpperCase());
+// Words of 0.1 that programs compare with.
+const STATUS_WORDS = { INITIAL_OVERLAP: 'touching' };
 const constant = (name) => name.toUpperCase();
 
 /** What clang says of every complete struct: name -> { size, fields: [[name, offset]] }. */
@@ -57,7 +59,7 @@ function write() {
         (part) => new RegExp(`FIRMA_VERSION_${part} (\\d+)`).exec(header)[1],
     );
     lines.push(`export const VERSION = '${version.join('.')}';`, '');
-    for (const [, name, value] of header.matchAll(/#define FIRMA_(FACE_\w+) (\d+)u/g))
+    for (const [, name, value] of header.matchAll(/#define FIRMA_(FACE_\w+|STOPS_\w+|IS_\w+) (\d+)u/g))
         lines.push(`export const ${name} = ${value};`);
     lines.push('');
     for (const [name, entries] of readEnumerations(header)) {
@@ -67,7 +69,7 @@ function write() {
         entries.forEach(([entry, value], k) => {
             if (value !== k) throw new Error(`${name}: ${entry} is not ${k}`);
             const text = entry.startsWith(start) ? entry.slice(start.length) : entry.slice('FIRMA_'.length);
-            lines.push(`    '${name === 'firma_code' ? text : text.toLowerCase()}',`);
+            lines.push(`    '${name === 'firma_code' ? text : STATUS_WORDS[text] ?? text.toLowerCase()}',`);
         });
         lines.push(']);', '');
     }

@@ -50,7 +50,7 @@ inline Outcome hit_exactly(double fraction, const Vec3& normal, std::optional<Fe
 }
 
 inline Outcome touching(const Vec3& normal, std::optional<Feature> feature = {}) {
-    return {Status::kTouching, 0, normal, feature, Digits::kAll};
+    return {Status::kInitialOverlap, 0, normal, feature, Digits::kAll};
 }
 
 /// A level with one face a polygon, in order; all corners on the surface grid.
@@ -99,10 +99,10 @@ struct Guise {
 };
 
 inline std::vector<Guise> all_guises(const std::vector<Corners>& polygons) {
-    std::size_t most_corners = 0;
-    for (const Corners& polygon : polygons) most_corners = std::max(most_corners, polygon.size());
+    std::size_t max_corners = 0;
+    for (const Corners& polygon : polygons) max_corners = std::max(max_corners, polygon.size());
     std::vector<Guise> guises;
-    for (std::size_t first = 0; first < most_corners; ++first) {
+    for (std::size_t first = 0; first < max_corners; ++first) {
         for (const bool backward : {false, true}) {
             if (backward && polygons.size() == 1) continue;
             Guise guise;
@@ -114,7 +114,7 @@ inline std::vector<Guise> all_guises(const std::vector<Corners>& polygons) {
             guise.two_sided = make_world(level_of(guise.polygons, true)).value();
             guise.deep =
                 make_world(level_of(guise.polygons),
-                           {.tree = {.split = Split::kSurfaceArea, .faces_per_bin = 1}, .tolerance = {}, .rules = {}})
+                           {.tree = {.split = Split::kSurfaceArea, .faces_per_leaf = 1}, .tolerance = {}, .rules = {}})
                     .value();
             guises.push_back(std::move(guise));
         }

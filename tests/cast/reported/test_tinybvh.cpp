@@ -108,7 +108,7 @@ TEST(Tinybvh168, RaysFromTheTopOfTheBox) {
             for (int i = 0; i <= 4; ++i) {
                 for (int j = 0; j <= 4; ++j) {
                     const Hit hit = cast(*world, {{double(i), 3, double(j)}, 0}, down);
-                    EXPECT_EQ(hit.status, height(i, j) == 3 ? Status::kTouching : Status::kHit);
+                    EXPECT_EQ(hit.status, height(i, j) == 3 ? Status::kInitialOverlap : Status::kHit);
                     EXPECT_DOUBLE_EQ(hit.fraction, (3 - height(i, j)) / 4.0);
                 }
             }

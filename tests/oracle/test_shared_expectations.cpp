@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The twin against the exact expectations that came with the project (../shared/casts), where they are at hand.
+// The oracle against the exact expectations that came with the project (../shared/casts), where they are at hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/reference/exact_twin.h"
+#include "tests/reference/exact_oracle.h"
 
 namespace {
 
@@ -69,17 +69,17 @@ Cast read_cast(std::map<std::string, std::string>& row, Sides sides) {
 }
 
 const char* status_name(Status status) {
-    return status == Status::kMiss       ? "miss"
-           : status == Status::kHit      ? "hit"
-           : status == Status::kTouching ? "touching"
-                                         : "invalid";
+    return status == Status::kMiss             ? "miss"
+           : status == Status::kHit            ? "hit"
+           : status == Status::kInitialOverlap ? "touching"
+                                               : "invalid";
 }
 int rank(const std::string& feature) {
     return feature == "face" ? 0 : feature == "edge" ? 1 : 2;
 }
 
-void compare_row(const ExactTwin& twin, const Cast& cast, std::map<std::string, std::string>& row) {
-    const Expected expected = twin.expect(cast);
+void compare_row(const ExactOracle& oracle, const Cast& cast, std::map<std::string, std::string>& row) {
+    const Expected expected = oracle.expect(cast);
     ASSERT_EQ(status_name(expected.status), row["status"]);
     if (!expected.touched()) return;
     const std::string fraction = expected.fraction_text(20);
@@ -102,7 +102,7 @@ void compare_row(const ExactTwin& twin, const Cast& cast, std::map<std::string, 
     const ExactCast exact(cast.sphere, cast.path);
     double margin = -INFINITY;
     for (const std::uint32_t f : expected.faces) {
-        const SeenPolygon seen(twin.faces()[f].exact, exact);
+        const SeenPolygon seen(oracle.faces()[f].exact, exact);
         if (seen.passes_through()) return;
         margin = std::max(margin, seen.margin());
     }
@@ -110,7 +110,7 @@ void compare_row(const ExactTwin& twin, const Cast& cast, std::map<std::string, 
     EXPECT_NEAR(margin, theirs_of, 1e-3 * std::fabs(theirs_of) + 1e-14);
 }
 
-TEST(SharedExpectations, TheTwinAgreesWithAllOfThem) {
+TEST(SharedExpectations, TheOracleAgreesWithAllOfThem) {
     const fs::path folder = fs::path(FIRMA_ROOT) / "../shared/casts/cases";
     if (!fs::exists(folder)) GTEST_SKIP() << "no " << folder;
     std::size_t casts = 0;
@@ -120,13 +120,13 @@ TEST(SharedExpectations, TheTwinAgreesWithAllOfThem) {
         if (at == std::string::npos || file.substr(file.size() - 4) != ".csv") continue;
         const Sides sides = file.find(".expected2") != std::string::npos ? Sides::kBoth : Sides::kFront;
         const std::string base = file.substr(0, at);
-        const ExactTwin twin(read_polygons(folder / (base + ".obj")));
+        const ExactOracle oracle(read_polygons(folder / (base + ".obj")));
         auto queries = read_rows(folder / (base + ".queries.csv"));
         auto rows = read_rows(entry.path());
         ASSERT_EQ(queries.size(), rows.size()) << file;
         for (std::size_t k = 0; k < rows.size(); ++k, ++casts) {
             SCOPED_TRACE(file + " row " + std::to_string(k));
-            compare_row(twin, read_cast(queries[k], sides), rows[k]);
+            compare_row(oracle, read_cast(queries[k], sides), rows[k]);
         }
     }
     RecordProperty("casts", int(casts));

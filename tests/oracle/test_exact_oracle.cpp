@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The twin by hand: examples small enough to work out on paper.
-#include "tests/reference/exact_twin.h"
+// The oracle by hand: examples small enough to work out on paper.
+#include "tests/reference/exact_oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using namespace firma::reference;
 const std::vector<Vec3> kSquare{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};  // front up
 
 Expected expect(const Vec3& start, double radius, const Vec3& path, Sides sides = Sides::kFront) {
-    return ExactTwin({kSquare}).expect({{start, radius}, path, sides});
+    return ExactOracle({kSquare}).expect({{start, radius}, path, sides});
 }
 
 TEST(ExactNumber, RootsAreWhole) {
@@ -60,7 +60,7 @@ TEST(ExactNumber, DoublesAreTakenWhole) {
     EXPECT_NEAR(root_minus({Integer(1) << 200, 1}, Integer(1) << 100, -100), 0, 1e-40);
 }
 
-TEST(ExactTwin, FaceHitFromAbove) {
+TEST(ExactOracle, FaceHitFromAbove) {
     const Expected e = expect({2, 2, 10}, 2, {0, 0, -16});
     EXPECT_EQ(e.status, Status::kHit);
     EXPECT_EQ(e.fraction_text(10), "0.5000000000");
@@ -68,7 +68,7 @@ TEST(ExactTwin, FaceHitFromAbove) {
     EXPECT_EQ(e.faces, std::vector<std::uint32_t>{0});
 }
 
-TEST(ExactTwin, OneSidedIgnoresTheBackAndTheParallel) {
+TEST(ExactOracle, OneSidedIgnoresTheBackAndTheParallel) {
     EXPECT_EQ(expect({2, 2, -10}, 2, {0, 0, 16}).status, Status::kMiss);
     EXPECT_EQ(expect({2, 2, -10}, 2, {0, 0, 16}, Sides::kBoth).status, Status::kHit);
     EXPECT_EQ(expect({-8, 2, 1}, 2, {16, 0, 0}).status, Status::kMiss);
@@ -77,7 +77,7 @@ TEST(ExactTwin, OneSidedIgnoresTheBackAndTheParallel) {
 }
 
 // The centre is behind the plane all the time; the edge x = 0 is met.
-TEST(ExactTwin, AnEdgeIsMetFromBehindThePlane) {
+TEST(ExactOracle, AnEdgeIsMetFromBehindThePlane) {
     const Expected e = expect({-10, 2, -0.5}, 1, {16, 0, -0.125});
     EXPECT_EQ(e.status, Status::kHit);
     EXPECT_EQ(e.feature, Feature::kEdge);
@@ -85,7 +85,7 @@ TEST(ExactTwin, AnEdgeIsMetFromBehindThePlane) {
 }
 
 // |(-8, -8, 0) + t (8, 8, 0)| = 1 at t = 1 - 1/sqrt 128.
-TEST(ExactTwin, VertexHitIsARoot) {
+TEST(ExactOracle, VertexHitIsARoot) {
     const Expected e = expect({-8, -8, 0}, 1, {8, 8, 0}, Sides::kBoth);
     EXPECT_EQ(e.status, Status::kHit);
     EXPECT_EQ(e.feature, Feature::kVertex);
@@ -93,7 +93,7 @@ TEST(ExactTwin, VertexHitIsARoot) {
     EXPECT_EQ(e.fraction_text(25), "0.9116116523516815594498944");
 }
 
-TEST(ExactTwin, AnExactGrazeIsAHitAndAnUlpLessIsNot) {
+TEST(ExactOracle, AnExactGrazeIsAHitAndAnUlpLessIsNot) {
     const Vec3 start{-3, -10, 4}, path{0, 20, 0};  // 3, 4, 5 away from the edge x = 0
     EXPECT_EQ(expect(start, 5, path, Sides::kBoth).status, Status::kHit);
     EXPECT_EQ(expect(start, std::nextafter(5, 0), path, Sides::kBoth).status, Status::kMiss);
@@ -101,26 +101,26 @@ TEST(ExactTwin, AnExactGrazeIsAHitAndAnUlpLessIsNot) {
     EXPECT_EQ(expect({2, 2, 5}, 1, {0, 0, -3.9999999999999996}).status, Status::kMiss);
 }
 
-TEST(ExactTwin, TouchingNeedsADecreasingDistance) {
-    EXPECT_EQ(expect({2, 2, 1}, 1, {0, 0, -1}).status, Status::kTouching);
+TEST(ExactOracle, TouchingNeedsADecreasingDistance) {
+    EXPECT_EQ(expect({2, 2, 1}, 1, {0, 0, -1}).status, Status::kInitialOverlap);
     EXPECT_EQ(expect({2, 2, 1}, 1, {1, 0, 0}, Sides::kBoth).status, Status::kMiss);
     EXPECT_EQ(expect({2, 2, 1}, 1, {1, 0, 1e-300}, Sides::kBoth).status, Status::kMiss);
-    EXPECT_EQ(expect({2, 2, 1}, 1, {1, 0, -1e-300}, Sides::kBoth).status, Status::kTouching);
+    EXPECT_EQ(expect({2, 2, 1}, 1, {1, 0, -1e-300}, Sides::kBoth).status, Status::kInitialOverlap);
     EXPECT_EQ(expect({2, 2, 0.5}, 1, {0, 0, 1}, Sides::kBoth).status, Status::kMiss);
     EXPECT_EQ(expect({2, 2, 0.5}, 1, {0, 0, -1}).fraction_text(2), "0.00");
 }
 
-TEST(ExactTwin, ACentreOnThePolygonIsDecidedByThePathsSide) {
+TEST(ExactOracle, ACentreOnThePolygonIsDecidedByThePathsSide) {
     for (const double radius : {0.0, 1.0}) {
-        EXPECT_EQ(expect({2, 2, 0}, radius, {0, 0, -1}).status, Status::kTouching);
-        EXPECT_EQ(expect({0, 2, 0}, radius, {-1, 0, -1}).status, Status::kTouching);
+        EXPECT_EQ(expect({2, 2, 0}, radius, {0, 0, -1}).status, Status::kInitialOverlap);
+        EXPECT_EQ(expect({0, 2, 0}, radius, {-1, 0, -1}).status, Status::kInitialOverlap);
         EXPECT_EQ(expect({2, 2, 0}, radius, {0, 0, 1}).status, Status::kMiss);
-        EXPECT_EQ(expect({2, 2, 0}, radius, {0, 0, 1}, Sides::kBoth).status, Status::kTouching);
+        EXPECT_EQ(expect({2, 2, 0}, radius, {0, 0, 1}, Sides::kBoth).status, Status::kInitialOverlap);
         EXPECT_EQ(expect({2, 2, 0}, radius, {1, 1, 0}, Sides::kBoth).status, Status::kMiss);
     }
 }
 
-TEST(ExactTwin, AParticleInThePlaneMeetsTheRim) {
+TEST(ExactOracle, AParticleInThePlaneMeetsTheRim) {
     const Expected e = expect({-4, 2, 0}, 0, {16, 0, 0}, Sides::kBoth);
     EXPECT_EQ(e.status, Status::kHit);
     EXPECT_EQ(e.fraction_text(4), "0.2500");
@@ -130,37 +130,38 @@ TEST(ExactTwin, AParticleInThePlaneMeetsTheRim) {
     EXPECT_EQ(expect({-4, 4.0000000000000009, 0}, 0, {16, 0, 0}, Sides::kBoth).status, Status::kMiss);
 }
 
-TEST(ExactTwin, TiesNameAllFaces) {
-    const ExactTwin twin({kSquare, {{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}}, {{0, 0, -1}, {4, 0, -1}, {4, 4, -1}}});
-    const Expected e = twin.expect({{{4, 2, 3}, 1}, {0, 0, -8}});
+TEST(ExactOracle, TiesNameAllFaces) {
+    const ExactOracle oracle(
+        {kSquare, {{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}}, {{0, 0, -1}, {4, 0, -1}, {4, 4, -1}}});
+    const Expected e = oracle.expect({{{4, 2, 3}, 1}, {0, 0, -8}});
     EXPECT_EQ(e.faces, (std::vector<std::uint32_t>{0, 1}));
     EXPECT_EQ(e.feature, Feature::kEdge);
     EXPECT_EQ(e.fraction_text(4), "0.2500");
 }
 
-TEST(ExactTwin, BadNumbersAreInvalidAndZeroPathsMiss) {
+TEST(ExactOracle, BadNumbersAreInvalidAndZeroPathsMiss) {
     EXPECT_EQ(expect({NAN, 0, 0}, 0, {1, 0, 0}).status, Status::kInvalid);
     EXPECT_EQ(expect({0, 0, 1}, -1, {1, 0, 0}).status, Status::kInvalid);
     EXPECT_EQ(expect({0, 0, 1}, 1, {0, 0x1.8p200, 0}).status, Status::kInvalid);
     EXPECT_EQ(expect({2, 2, 0}, 1, {0, -0.0, 0}).status, Status::kMiss);
 }
 
-TEST(ExactTwin, MarginsAndOverlaps) {
-    const ExactTwin twin({kSquare});
+TEST(ExactOracle, MarginsAndOverlaps) {
+    const ExactOracle oracle({kSquare});
     const auto margin = [&](const Vec3& start, double radius, const Vec3& path) {
         const ExactCast cast({start, radius}, path);
-        return SeenPolygon(twin.faces()[0].exact, cast).margin();
+        return SeenPolygon(oracle.faces()[0].exact, cast).margin();
     };
     EXPECT_DOUBLE_EQ(margin({2, 2, 5}, 1, {0, 0, -4.5}), 0.5);
     EXPECT_DOUBLE_EQ(margin({2, 2, 5}, 1, {0, 0, -3}), -1);
     EXPECT_DOUBLE_EQ(margin({1, 2, 5}, 0, {0, 0, -20}), 1);     // a metre from the rim
     EXPECT_DOUBLE_EQ(margin({1, 2, 5}, 0, {0, 0, -5.5}), 0.5);  // ends half a metre behind
     EXPECT_DOUBLE_EQ(margin({2, 2, 0.75}, 1, {0, 0, -0.5}), 0.5);
-    EXPECT_TRUE(twin.overlaps({{-3, 2, 4}, 5}, 0));
-    EXPECT_FALSE(twin.overlaps({{-3, 2, 4}, std::nextafter(5, 0)}, 0));
+    EXPECT_TRUE(oracle.overlaps({{-3, 2, 4}, 5}, 0));
+    EXPECT_FALSE(oracle.overlaps({{-3, 2, 4}, std::nextafter(5, 0)}, 0));
 }
 
-// The filter may only reject what is apart; that it rejects most is what makes the twin quick.
+// The filter may only reject what is apart; that it rejects most is what makes the oracle quick.
 TEST(SurelyApart, IsSureOnlyWhenItIs) {
     const Hull hull(kSquare);
     EXPECT_TRUE(surely_apart(hull, {2, 2, 5}, {0, 0, -3}, 1, 1.9));
@@ -174,7 +175,7 @@ TEST(SurelyApart, IsSureOnlyWhenItIs) {
 // ---- the judge
 
 struct Case {
-    ExactTwin twin{{kSquare}};
+    ExactOracle oracle{{kSquare}};
     Cast cast{{{2, 2, 5}, 1}, {0, 0, -8}, Sides::kFront};  // hit at 0.5
     Answer answer;
 
@@ -182,12 +183,12 @@ struct Case {
         answer.hit = {Status::kHit, Feature::kFace, 0, 0.5, {2, 2, 1}, {2, 2, 0}, {0, 0, 1}, {0, 0, 1}};
         answer.safe_fraction = 0.5 - 0.001 / 8;
     }
-    Fault fault() const { return judge(twin, cast, answer).fault; }
+    Fault fault() const { return judge(oracle, cast, answer).fault; }
 };
 
 TEST(Judge, TakesTheRightAnswer) {
     const Case c;
-    const Verdict verdict = judge(c.twin, c.cast, c.answer);
+    const Verdict verdict = judge(c.oracle, c.cast, c.answer);
     EXPECT_EQ(verdict.fault, Fault::kNone) << verdict.text;
     EXPECT_FALSE(verdict.excused);
 }
@@ -231,7 +232,7 @@ TEST(Judge, LooksAtEveryField) {
     EXPECT_EQ(changed([](Answer& a) { a.hit.face_normal = {0, 0, -1}; }), Fault::kFields);
     EXPECT_EQ(changed([](Answer& a) { a.hit.face_normal.x = NAN; }), Fault::kFields);
     EXPECT_EQ(changed([](Answer& a) { a.hit.feature = Feature::kEdge; }), Fault::kFields);
-    EXPECT_EQ(changed([](Answer& a) { a.hit.status = Status::kTouching; }), Fault::kFields);
+    EXPECT_EQ(changed([](Answer& a) { a.hit.status = Status::kInitialOverlap; }), Fault::kFields);
     EXPECT_EQ(changed([](Answer& a) { a.safe_fraction = 0.5; }), Fault::kFields);
     EXPECT_EQ(changed([](Answer& a) { a.safe_fraction = -1e-9; }), Fault::kFields);
     EXPECT_EQ(changed([](Answer& a) { a.face = 7; }), Fault::kFields);
@@ -243,7 +244,7 @@ TEST(Judge, ForgivesWhatLiesWithinTheTolerances) {
     graze.cast = {{{-3, -10, 4}, 5 + 1e-10}, {0, 20, -1e-3}, Sides::kBoth};
     graze.cast.path = {0, 20, 0};
     graze.answer.hit = {};
-    Verdict verdict = judge(graze.twin, graze.cast, graze.answer);
+    Verdict verdict = judge(graze.oracle, graze.cast, graze.answer);
     EXPECT_TRUE(verdict.ok()) << verdict.text;
     EXPECT_TRUE(verdict.excused);
     graze.cast.sphere.radius = 5 + 1e-8;
@@ -252,26 +253,26 @@ TEST(Judge, ForgivesWhatLiesWithinTheTolerances) {
 
 // Through the corner of four squares no face has a margin by itself; to pass is an error all the same.
 TEST(Judge, ForgivesNoLeakAtASharedCorner) {
-    const ExactTwin twin({kSquare,
-                          {{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}},
-                          {{0, 4, 0}, {4, 4, 0}, {4, 8, 0}, {0, 8, 0}},
-                          {{4, 4, 0}, {8, 4, 0}, {8, 8, 0}, {4, 8, 0}},
-                          {{-8, -8, -2}, {16, -8, -2}, {16, 16, -2}, {-8, 16, -2}}});
+    const ExactOracle oracle({kSquare,
+                              {{4, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4, 4, 0}},
+                              {{0, 4, 0}, {4, 4, 0}, {4, 8, 0}, {0, 8, 0}},
+                              {{4, 4, 0}, {8, 4, 0}, {8, 8, 0}, {4, 8, 0}},
+                              {{-8, -8, -2}, {16, -8, -2}, {16, 16, -2}, {-8, 16, -2}}});
     Answer answer;
     const Cast short_cast{{{4, 4, 5}, 0}, {0, 0, -6}, Sides::kFront};
-    EXPECT_EQ(judge(twin, short_cast, answer).fault, Fault::kMissed);
+    EXPECT_EQ(judge(oracle, short_cast, answer).fault, Fault::kMissed);
     const Cast cast{{{4, 4, 5}, 0}, {0, 0, -10}, Sides::kFront};
     answer.hit = {Status::kHit, Feature::kFace, 0, 0.7, {4, 4, -2}, {4, 4, -2}, {0, 0, 1}, {0, 0, 1}};
     answer.face = 4;
     answer.safe_fraction = 0.6999;
-    EXPECT_EQ(judge(twin, cast, answer).fault, Fault::kLate);
+    EXPECT_EQ(judge(oracle, cast, answer).fault, Fault::kLate);
 }
 
 // A graze of the first face is forgiven; the second is not.
 TEST(Judge, LooksForLatenessAtEveryFace) {
-    const ExactTwin twin({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
-                          {{-9, -9, -2}, {9, -9, -2}, {9, 9, -2}, {-9, 9, -2}},
-                          {{-9, -9, -3}, {9, -9, -3}, {9, 9, -3}, {-9, 9, -3}}});
+    const ExactOracle oracle({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
+                              {{-9, -9, -2}, {9, -9, -2}, {9, 9, -2}, {-9, 9, -2}},
+                              {{-9, -9, -3}, {9, -9, -3}, {9, 9, -3}, {-9, 9, -3}}});
     const Cast cast{{{-1, 2, 5}, 1 + 1e-11}, {0, 0, -10}, Sides::kFront};
     Answer answer;
     answer.hit = {Status::kHit, Feature::kFace, 0, 0, {}, {}, {0, 0, 1}, {0, 0, 1}};
@@ -281,7 +282,7 @@ TEST(Judge, LooksForLatenessAtEveryFace) {
         answer.hit.centre = {-1, 2, height + 1 + 1e-11};
         answer.hit.point = {-1, 2, height};
         answer.safe_fraction = answer.hit.fraction - 0.0001;
-        return judge(twin, cast, answer);
+        return judge(oracle, cast, answer);
     };
     EXPECT_EQ(stop_above(1, -2).text, "");
     EXPECT_EQ(stop_above(2, -3).fault, Fault::kLate);

@@ -1,17 +1,62 @@
 // SPDX-License-Identifier: MIT
-// A place for the newest version of a world: readers take it while an editor works on the next, and old versions are
-// kept for as long as their bytes allow.
+// Versions of a world: what changed from one to another, for meshes to draw, maps to walk, caches to drop; and a place
+// for the newest, which readers take while an editor works on the next.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "firma/export.h"
+#include "firma/hit.h"
+#include "firma/vec.h"
 #include "firma/world.h"
 
 namespace firma {
+
+/// A cell of a grid over space: from coordinate * size to (coordinate + 1) * size along each axis.
+using Tile = std::array<std::int32_t, 3>;
+
+/// Tiles of a smaller size are none.
+inline constexpr double kMinTileSize = 1.0 / 16;  // metres
+/// More of them are not listed.
+inline constexpr std::size_t kMaxTiles = std::size_t(1) << 22;
+
+struct WorldDiff {
+    std::vector<FaceInfo> removed;  ///< faces of `before` only, in order of id, then room
+    std::vector<FaceInfo> added;    ///< of `after` only, likewise; World::face() has their outlines
+
+    // All ascending.
+    std::vector<RoomId> rooms;  ///< that a face left or came to, that became part of another or ceased to be, or that
+                                ///< only one of the worlds has
+    std::vector<PortalId> opened, closed;   ///< doors, of portals in both worlds
+    std::vector<PortalId> portals_removed;  ///< with polygons in `before` only
+    std::vector<PortalId> portals_added;    ///< in `after` only
+    std::vector<PortalId> portals_changed;  ///< in both, and yet not the same: other rooms (as edits joined some),
+                                            ///< polygons or names
+
+    Box bounds;                   ///< of all those faces and portals; empty when nothing changed
+    std::vector<Tile> tiles;      ///< those that the box of such a face or portal touches, each once, in order
+    bool too_many_tiles = false;  ///< there are more than kMaxTiles: `tiles` is empty; go by `bounds`
+
+    bool empty() const {
+        return removed.empty() && added.empty() && rooms.empty() && opened.empty() && closed.empty() &&
+               portals_removed.empty() && portals_added.empty() && portals_changed.empty();
+    }
+};
+
+/// Compares two worlds. A face is the same when it has the same id and is alike in everything but its room: what an
+/// edit only put into another room, as it joined two, did not change. Rooms and portals are compared by their ids. What
+/// the worlds share is not compared, so for versions a few edits apart the cost follows the edits.
+///
+/// @param tile_size  metres, for `tiles`, at least kMinTileSize; anything smaller (0, say) or not finite leaves them
+/// out.
+///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
+///                   makes a long list; one of more than kMaxTiles is left out, and too_many_tiles is set.
+[[nodiscard]] FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
 
 struct WorldStoreOptions {
     std::size_t history_bytes = std::size_t(64) << 20;  ///< see WorldStore::set_history_bytes
@@ -53,8 +98,8 @@ public:
     WorldStore& operator=(const WorldStore&) = delete;
 
     /// The version that was published last, or that undo() or redo() went to.
-    FIRMA_EXPORT World current() const;
-    /// A version of the history, undone ones included; nothing when it is not kept (any more). Numbers name versions of
+    [[nodiscard]] FIRMA_EXPORT World current() const;
+    /// A version of the history, undone ones included; nothing when it is not kept. Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
     FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
     FIRMA_EXPORT StoreHistory history() const;
@@ -68,10 +113,10 @@ public:
     /// @param after   of a greater version number. That it came from `before` by edits cannot be seen: another world
     ///                will do, and only counts and costs more.
     /// The cost follows what the two do not share, and what is dropped.
-    FIRMA_EXPORT PublishStatus publish(const World& before, World after);
+    [[nodiscard]] FIRMA_EXPORT PublishStatus publish(const World& before, World after);
 
     /// Goes back to the version before, or forward to the one that was undone.
-    /// @return the version gone to, whatever other threads do meanwhile; nothing when there is none
+    /// @return the version that is current then, whatever other threads do meanwhile; nothing when there is none
     FIRMA_EXPORT std::optional<World> undo();
     FIRMA_EXPORT std::optional<World> redo();
 

@@ -72,12 +72,12 @@ bool steps_of(double low, double high, std::int32_t& first, std::int32_t& last) 
 
 }  // namespace
 
-bool visit_faces(const World& world, FaceVisitor visit) {
+bool each_face(const World& world, FaceVisitor visit) {
     const auto any = [](const Block&, const FaceRecord&) { return true; };
     return show_faces(world.data(), all_faces(world.data()), kWholeWorld, any, visit);
 }
 
-bool visit_faces(const World& world, const Box& box, FaceVisitor visit) {
+bool each_face(const World& world, const Box& box, FaceVisitor visit) {
     GridBox steps;
     if (!is_finite(box.low) || !is_finite(box.high)) return true;
     for (int axis = 0; axis < 3; ++axis)
@@ -88,8 +88,8 @@ bool visit_faces(const World& world, const Box& box, FaceVisitor visit) {
     return show_faces(world.data(), all_faces(world.data()), steps, meets, visit);
 }
 
-bool visit_faces(const World& world, RoomId room, FaceVisitor visit) {
-    if (room == kAnyRoom) return visit_faces(world, visit);
+bool each_face(const World& world, RoomId room, FaceVisitor visit) {
+    if (room == kAnyRoom) return each_face(world, visit);
     const WorldData& data = world.data();
     if (room.value >= data.cells.room_count()) return true;
     const auto any = [](const Block&, const FaceRecord&) { return true; };
@@ -97,7 +97,7 @@ bool visit_faces(const World& world, RoomId room, FaceVisitor visit) {
     return show_faces(data, roots, kWholeWorld, any, visit);
 }
 
-bool visit_faces(const World& world, const Region& region, FaceVisitor visit) {
+bool each_face(const World& world, const Region& region, FaceVisitor visit) {
     const std::int32_t at[] = {region.x, region.y, region.z};
     constexpr std::int32_t kRim = 1 << (kRegionAxisBits - 1);
     GridBox cube;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A seeded sample of every family of casts, all ways of asking, judged by the exact twin: no error at all.
+// A seeded sample of every family of casts, all ways of asking, judged by the exact oracle: no error at all.
 // (A million and more: tests/full/full_casts.cpp.)
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ namespace {
 using namespace firma;
 using namespace firma::reference;
 
-class TwinSample : public testing::TestWithParam<std::size_t> {};
+class OracleSample : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(TwinSample, EveryAnswerIsRight) {
+TEST_P(OracleSample, EveryAnswerIsRight) {
     const scenes::CastFamily& family = scenes::cast_families()[GetParam()];
     Tally total;
     for (std::uint64_t index = 0; total.casts < 4000; ++index) total.add(judge_family(family, 20, index));
@@ -24,7 +24,7 @@ TEST_P(TwinSample, EveryAnswerIsRight) {
     EXPECT_GT(total.touched, 40u) << "the family no longer meets anything";
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, TwinSample, testing::Range(std::size_t(0), scenes::cast_families().size()),
+INSTANTIATE_TEST_SUITE_P(Families, OracleSample, testing::Range(std::size_t(0), scenes::cast_families().size()),
                          [](const auto& of) { return std::string(scenes::cast_families()[of.param].name); });
 
 // Every polygon of every family is one that the contract allows.
@@ -46,18 +46,18 @@ TEST(CastFamilies, AreTheSameForTheSameSeed) {
 }
 
 // overlap() has no tolerance.
-TEST(TwinSample, OverlapIsExact) {
+TEST(OracleSample, OverlapIsExact) {
     std::uint64_t asked = 0;
     for (const scenes::CastFamily& family : scenes::cast_families()) {
         const scenes::CastScene scene = scenes::make_cast_scene(family, 9, 0);
         std::vector<std::vector<Vec3>> polygons;
         for (const scenes::GridPolygon& polygon : scene.polygons) polygons.push_back(scenes::to_metres(polygon));
-        const ExactTwin twin(polygons);
+        const ExactOracle oracle(polygons);
         for (const scenes::CastQuery& query : scene.casts)
             for (std::uint32_t f = 0; f < polygons.size(); ++f, ++asked)
-                ASSERT_EQ(overlap(query.sphere, polygons[f]), twin.overlaps(query.sphere, f))
+                ASSERT_EQ(overlap(query.sphere, polygons[f]), oracle.overlaps(query.sphere, f))
                     << family.name << "\n"
-                    << describe(twin, {query.sphere, query.path}, {f});
+                    << describe(oracle, {query.sphere, query.path}, {f});
     }
     RecordProperty("asked", int(asked));
 }

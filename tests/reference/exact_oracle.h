@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The slow, obviously right twin of the casts: what the contract demands of a cast among polygons, over all faces,
+// The slow, obviously right oracle of the casts: what the contract demands of a cast among polygons, over all faces,
 // exactly.
 #pragma once
 
@@ -28,7 +28,7 @@ struct Expected {
     Feature feature = Feature::kFace;  ///< where the first of them is met: the lowest that holds the point
     std::uint32_t feature_index = 0;
 
-    bool touched() const { return status == Status::kHit || status == Status::kTouching; }
+    bool touched() const { return status == Status::kHit || status == Status::kInitialOverlap; }
     /// Rounded down.
     std::string fraction_text(int digits = 25) const { return decimals(at, digits); }
 };
@@ -37,7 +37,7 @@ struct Expected {
 enum class Meeting : std::uint8_t {
     kNot,  ///< never within the radius, or not to be met from this side
     kHit,
-    kTouching,
+    kInitialOverlap,
     kIgnored,  ///< touched or overlapped from the start, and not getting deeper
 };
 
@@ -47,11 +47,11 @@ struct Face {
     bool two_sided = false;
 };
 
-class ExactTwin {
+class ExactOracle {
 public:
     /// @param polygons   as cast_polygon() takes them
     /// @param two_sided  a flag a polygon, or empty
-    explicit ExactTwin(const std::vector<std::vector<Vec3>>& polygons, const std::vector<bool>& two_sided = {});
+    explicit ExactOracle(const std::vector<std::vector<Vec3>>& polygons, const std::vector<bool>& two_sided = {});
 
     /// Over all faces.
     Expected expect(const Cast& cast) const;

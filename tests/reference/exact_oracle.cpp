@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The twin: every face, exactly, and the earliest.
-#include "tests/reference/exact_twin.h"
+// The oracle: every face, exactly, and the earliest.
+#include "tests/reference/exact_oracle.h"
 
 #include <algorithm>
 
 namespace firma::reference {
 
-ExactTwin::ExactTwin(const std::vector<std::vector<Vec3>>& polygons, const std::vector<bool>& two_sided) {
+ExactOracle::ExactOracle(const std::vector<std::vector<Vec3>>& polygons, const std::vector<bool>& two_sided) {
     faces_.reserve(polygons.size());
     for (std::size_t f = 0; f < polygons.size(); ++f)
         faces_.push_back({ExactPolygon(polygons[f]), Hull(polygons[f]), f < two_sided.size() && two_sided[f]});
@@ -17,7 +17,7 @@ bool is_valid(const Cast& cast) {
     return is_finite(cast.sphere.centre) && is_finite(cast.path) && most <= 0x1p200 && cast.sphere.radius >= 0;
 }
 
-bool ExactTwin::considers(const Cast& cast, std::uint32_t face, const SeenPolygon& seen) const {
+bool ExactOracle::considers(const Cast& cast, std::uint32_t face, const SeenPolygon& seen) const {
     return cast.sides == Sides::kBoth || faces_[face].two_sided || seen.facing() < 0;
 }
 
@@ -50,12 +50,12 @@ Met meet(const SeenPolygon& seen) {
     if (!touch->at.is_zero()) return {Meeting::kHit, *touch};
     const Nearest start = seen.nearest_at(Ratio{0, 1});
     const bool closer = start.on_polygon() ? seen.facing() != 0 : start.closing < 0;
-    return {closer ? Meeting::kTouching : Meeting::kIgnored, {Root(), start.feature, start.index}};
+    return {closer ? Meeting::kInitialOverlap : Meeting::kIgnored, {Root(), start.feature, start.index}};
 }
 
 }  // namespace
 
-Expected ExactTwin::expect_among(const Cast& cast, std::uint32_t first, std::uint32_t last) const {
+Expected ExactOracle::expect_among(const Cast& cast, std::uint32_t first, std::uint32_t last) const {
     Expected expected;
     if (!is_valid(cast)) {
         expected.status = Status::kInvalid;
@@ -72,10 +72,10 @@ Expected ExactTwin::expect_among(const Cast& cast, std::uint32_t first, std::uin
         const SeenPolygon seen(face.exact, exact);
         if (!considers(cast, f, seen)) continue;
         const Met met = meet(seen);
-        if (met.meeting != Meeting::kHit && met.meeting != Meeting::kTouching) continue;
+        if (met.meeting != Meeting::kHit && met.meeting != Meeting::kInitialOverlap) continue;
         const int order = expected.touched() ? compare(met.touch.at, expected.at) : -1;
         if (order < 0) {
-            expected = {met.meeting == Meeting::kHit ? Status::kHit : Status::kTouching,
+            expected = {met.meeting == Meeting::kHit ? Status::kHit : Status::kInitialOverlap,
                         met.touch.at,
                         {f},
                         met.touch.feature,
@@ -88,15 +88,15 @@ Expected ExactTwin::expect_among(const Cast& cast, std::uint32_t first, std::uin
     return expected;
 }
 
-Expected ExactTwin::expect(const Cast& cast) const {
+Expected ExactOracle::expect(const Cast& cast) const {
     return expect_among(cast, 0, std::uint32_t(faces_.size()));
 }
 
-Expected ExactTwin::expect(const Cast& cast, std::uint32_t face) const {
+Expected ExactOracle::expect(const Cast& cast, std::uint32_t face) const {
     return expect_among(cast, face, face + 1);
 }
 
-bool ExactTwin::overlaps(const Sphere& sphere, std::uint32_t face) const {
+bool ExactOracle::overlaps(const Sphere& sphere, std::uint32_t face) const {
     const ExactCast exact(sphere, {});
     const Ratio distance_square = SeenPolygon(faces_[face].exact, exact).nearest_at(Ratio{0, 1}).square;
     return compare(distance_square, {square(exact.radius), 1}) <= 0;
