@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "firma/queries.h"
-#include "scenes/cast_range.h"
+#include "scenes/cast_families.h"
 #include "support/craters.h"
 #include "support/race.h"
 #include "support/settings.h"

@@ -178,7 +178,7 @@ void race_changes(const OfLevel& of, const Settings& settings, Table& table) {
         Pose pose;
         pose.position = hit.point;
         pose.scale = 0.5;
-        if (carve(of.world, cutter, pose).done()) shots.push_back({pose, hit.room.value});
+        if (carve(of.world, cutter, pose).done()) shots.push_back({pose, room_of(of.world, hit).value});
     }
     const auto cuts = [&](const World& world) {
         return [&shots, &cutter, &world] {

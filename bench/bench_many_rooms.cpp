@@ -76,7 +76,7 @@ public:
         const double carve_us = timed([&] { cut = carve(first_, cutter_, poses_[k % poses_.size()]); });
         const double hash_us = timed([&] { keep(hash_world(cut.world) + hash_solid(cut.world)); });
         if (!cut.done()) return;
-        const double diff_us = timed([&] { keep(diff_worlds(first_, cut.world).come.size()); });
+        const double diff_us = timed([&] { keep(diff_worlds(first_, cut.world).added.size()); });
         const double publish_us = timed([&] { keep(store.publish(first_, cut.world)); });
         World door;
         const bool open = !portal_info(cut.world, portal)->open;

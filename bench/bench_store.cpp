@@ -10,7 +10,7 @@
 
 #include "firma/queries.h"
 #include "firma/versions.h"
-#include "scenes/cast_range.h"
+#include "scenes/cast_families.h"
 #include "support/craters.h"
 #include "support/race.h"
 #include "support/settings.h"

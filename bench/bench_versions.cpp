@@ -50,7 +50,7 @@ void measure_level(int rooms, const Settings& settings, Table& table) {
         for (const auto& [apart, into] :
              {std::pair{1, &of.diff_1}, std::pair{10, &of.diff_10}, std::pair{100, &of.diff_100}})
             into->push_back(timed(
-                [&, step = apart] { keep(diff_worlds(versions[k], versions[k + std::size_t(step)]).gone.size()); }));
+                [&, step = apart] { keep(diff_worlds(versions[k], versions[k + std::size_t(step)]).removed.size()); }));
     // Undo: the newest version goes. History that is forgotten: the oldest.
     const std::size_t half = versions.size() / 2;
     while (versions.size() > half) of.drop_new.push_back(timed([&] { versions.pop_back(); }));

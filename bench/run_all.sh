@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 # All benchmarks, one after the other, and their tables into docs/benchmarks.md. About half an hour.
 #
-#   bench/run_all.sh [name ...]        only these: article_formulas boxes edges first_level inside pieces stop_distance
-#                                      subdivision tree carve carve_allocations carve_cgal carve_rebuild carved_casts
-#                                      versions levels save store peers openarena node
+#   bench/run_all.sh [name ...]        only these: the article's questions (formulas inside boxes edges tree subdivision
+#                                      stop_distance), first_level pieces carve carve_allocations carve_cgal
+#                                      carve_rebuild carved_casts versions levels save store peers openarena node
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -26,11 +26,13 @@ pieces() {
     cat "$results/pieces.csv"
 }
 
-[ $# -gt 0 ] || set -- article_formulas inside boxes edges tree subdivision stop_distance first_level pieces \
+[ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
     carve carve_allocations carve_cgal carve_rebuild carved_casts versions levels save store openarena peers node
 for name in "$@"; do
     echo "--- $name"
     case $name in
+        formulas | inside | boxes | edges | tree | subdivision | stop_distance)
+            build/bench/bin/bench_article "$name" --csv "$results" ;;
         pieces) pieces ;;
         openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
         levels) tools/unpack_openarena.sh && build/bench/bin/bench_levels --csv "$results" ;;

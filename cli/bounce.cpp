@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cli/failure.h"
-#include "cli/point_text.h"
+#include "cli/numbers.h"
 
 namespace firma::cli {
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cli/atomic_file.h"
@@ -55,53 +56,43 @@ std::vector<std::string> material_names(const BrushLevel& level) {
     return names;
 }
 
-void add_divided(JsonWriter& json, const std::optional<DivideReport>& divided) {
+void add_divided(Json& json, const std::optional<DivideReport>& divided) {
     if (!divided) {
-        json.add_null("divided");
+        json["divided"] = nullptr;
         return;
     }
-    json.open_object("divided");
-    json.add("cells", divided->cells);
-    json.add("narrows", divided->narrows);
-    json.add("untried", divided->untried);
-    json.add("idle", divided->idle);
-    json.add("portals", divided->portals);
-    json.close();
+    json["divided"] = {{"cells", divided->cells},
+                       {"narrows", divided->narrows},
+                       {"untried", divided->untried},
+                       {"idle", divided->idle},
+                       {"portals", divided->portals}};
 }
 
-std::string info_json(const LoadedLevel& loaded) {
+Json info_json(const LoadedLevel& loaded) {
     const auto& [level, report, divided] = *loaded.brushes;
     const std::size_t solid = measure_solid(loaded.world).facets, total = loaded.world.face_count();
-    JsonWriter json;
-    json.open_object();
-    json.add("level", level.name);
-    json.add("entities", level.entities.size());
-    json.open_object("brushes");
+    Json json;
+    json["level"] = level.name;
+    json["entities"] = level.entities.size();
     const std::span<const Brush> brushes = brushes_of_file(*loaded.brushes);
-    json.add("total", brushes.size());
+    Json counts;
+    counts["total"] = brushes.size();
     const auto kinds = count_kinds(brushes);
-    for (std::size_t k = 0; k < kinds.size(); ++k) json.add(kKinds[k], kinds[k]);
-    json.add("not_joined", count_notes(report, BrushNote::What::kNotJoined));
-    json.add("no_volume", count_notes(report, BrushNote::What::kNoVolume));
-    json.close();
-    json.open_object("faces");
-    json.add("total", total);
-    json.add("solid", solid);
-    json.add("other", total - solid);
-    json.close();
-    json.open_array("materials");
-    for (const std::string& name : material_names(level)) json.add({}, name);
-    json.close();
-    json.add("planes_moved", report.planes_moved);
-    json.add("max_shift", level.max_shift);
-    json.add("idle_portals", count_notes(report, BrushNote::What::kIdlePortal));
+    for (std::size_t k = 0; k < kinds.size(); ++k) counts[kKinds[k]] = kinds[k];
+    counts["not_joined"] = count_notes(report, BrushNote::What::kNotJoined);
+    counts["no_volume"] = count_notes(report, BrushNote::What::kNoVolume);
+    json["brushes"] = std::move(counts);
+    json["faces"] = {{"total", total}, {"solid", solid}, {"other", total - solid}};
+    json["materials"] = material_names(level);
+    json["planes_moved"] = report.planes_moved;
+    json["greatest_shift"] = level.max_shift;
+    json["idle_portals"] = count_notes(report, BrushNote::What::kIdlePortal);
     add_divided(json, divided);
     add_left_out(json, left_out(loaded));
     add_world(json, loaded.world);
-    json.add("read_seconds", loaded.read_seconds);
-    json.add("build_seconds", loaded.build_seconds);
-    json.close();
-    return json.text();
+    json["read_seconds"] = loaded.read_seconds;
+    json["build_seconds"] = loaded.build_seconds;
+    return json;
 }
 
 std::string kinds_text(std::span<const Brush> brushes) {
@@ -270,71 +261,44 @@ std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool a
                               counted(portal_count(loaded.world), "portal"), counted(notes.size(), "note"));
 }
 
-std::string check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
+Json check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
     const BrushLevel& level = loaded.brushes->level;
     const BrushWorldReport& report = loaded.brushes->report;
-    JsonWriter json;
-    const auto add = [&](const char* key, const auto& fault) {
-        if (fault)
-            json.add(key, fault->what);
-        else
-            json.add_null(key);
+    const auto shown = [&](const auto& notes) {
+        return std::span(notes).first(all ? notes.size() : std::min(notes.size(), kShown));
     };
-    json.open_object();
-    json.add("level", level.name);
-    json.add("sound", found.sound());
-    json.add("brushes", brushes_of_file(*loaded.brushes).size());
-    json.add("faces", loaded.world.face_count());
-    json.add("rooms", loaded.world.room_count());
-    json.add("portals", portal_count(loaded.world));
-    add("world_fault", found.world);
-    add("solid_fault", found.solid);
-    if (found.leak) {
-        json.open_object("leak");
-        json.add("entity", found.leak->entity);
-        json.open_array("points");
-        for (const Vec3& point : found.leak->points) json.add({}, point);
-        json.close();
-        json.close();
-    } else {
-        json.add_null("leak");
-    }
+    const auto reason = [](const auto& fault) { return fault ? Json(fault->what) : Json(); };
+    Json json;
+    json["level"] = level.name;
+    json["sound"] = found.sound();
+    json["brushes"] = brushes_of_file(*loaded.brushes).size();
+    json["faces"] = loaded.world.face_count();
+    json["rooms"] = loaded.world.room_count();
+    json["portals"] = portal_count(loaded.world);
+    json["world_fault"] = reason(found.world);
+    json["solid_fault"] = reason(found.solid);
+    json["leak"] = nullptr;
+    if (found.leak) json["leak"] = {{"entity", found.leak->entity}, {"points", found.leak->points}};
     add_left_out(json, left_out(loaded));
-    json.add("note_count", report.notes.size() + report.entity_notes.size() + level.notes.size());
-    json.open_array("notes");
-    for (std::size_t k = 0; k < (all ? report.notes.size() : std::min(report.notes.size(), kShown)); ++k) {
-        const BrushNote& note = report.notes[k];
-        json.open_object();
-        json.add("what", note_name(note.what));
-        json.add("brush", note.brush);
-        json.add("line", level.brushes[note.brush].line);
-        json.add("reason", note.reason);
-        json.close();
-    }
-    json.close();
-    json.open_array("entity_notes");
-    for (std::size_t k = 0; k < (all ? report.entity_notes.size() : std::min(report.entity_notes.size(), kShown));
-         ++k) {
-        const EntityNote& note = report.entity_notes[k];
-        json.open_object();
-        json.add("entity", note.entity);
-        json.add("line", level.entities[note.entity].line);
-        json.add("reason", note.reason);
-        json.close();
-    }
-    json.close();
-    json.open_array("reader_notes");
-    for (std::size_t k = 0; k < (all ? level.notes.size() : std::min(level.notes.size(), kShown)); ++k)
-        json.add({}, level.notes[k]);
-    json.close();
-    json.close();
-    return json.text();
+    json["note_count"] = report.notes.size() + report.entity_notes.size() + level.notes.size();
+    json["notes"] = Json::array();
+    for (const BrushNote& note : shown(report.notes))
+        json["notes"].push_back({{"what", note_name(note.what)},
+                                 {"brush", note.brush},
+                                 {"line", level.brushes[note.brush].line},
+                                 {"reason", note.reason}});
+    json["entity_notes"] = Json::array();
+    for (const EntityNote& note : shown(report.entity_notes))
+        json["entity_notes"].push_back(
+            {{"entity", note.entity}, {"line", level.entities[note.entity].line}, {"reason", note.reason}});
+    json["reader_notes"] = shown(level.notes);
+    return json;
 }
 
 }  // namespace
 
 int tell_brushes(const LoadedLevel& loaded, bool json) {
-    print(json ? info_json(loaded) : info_text(loaded));
+    print(json ? json_text(info_json(loaded)) : info_text(loaded));
     return 0;
 }
 
@@ -346,7 +310,7 @@ int check_brushes(const LoadedLevel& loaded, const CheckBrushes& how) {
         else
             write_pts(how.pts, loaded.brushes->level, {});
     }
-    print(how.json ? check_json(loaded, found, how.all) : check_text(loaded, found, how.all));
+    print(how.json ? json_text(check_json(loaded, found, how.all)) : check_text(loaded, found, how.all));
     return found.sound() ? 0 : 1;
 }
 

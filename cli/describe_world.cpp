@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "cli/numbers.h"
 #include "firma/rooms.h"
@@ -14,73 +15,53 @@ namespace firma::cli {
 
 namespace {
 
-void add_bounds(JsonWriter& json, const Box& bounds) {
-    if (bounds.empty()) {
-        json.add_null("bounds");
-        return;
-    }
-    json.open_object("bounds");
-    json.add("low", bounds.low);
-    json.add("high", bounds.high);
-    json.close();
+Json bounds_json(const Box& bounds) {
+    if (bounds.empty()) return nullptr;
+    return {{"low", bounds.low}, {"high", bounds.high}};
 }
 
-void add_rooms(JsonWriter& json, const World& world) {
-    json.open_array("rooms");
+Json rooms_json(const World& world) {
+    Json rooms = Json::array();
     for (std::uint32_t k = 0; k < world.room_count(); ++k) {
         const RoomInfo room = *room_info(world, RoomId{k});
-        json.open_object();
-        json.add("id", k);
-        json.add("name", room.name);
-        json.add("exterior", room.exterior);
-        json.add("faces", room.faces);
-        add_bounds(json, room.bounds);
-        json.open_array("portals");
-        for (const PortalId portal : room.portals) json.add({}, portal.value);
-        json.close();
-        json.close();
+        Json portals = Json::array();
+        for (const PortalId portal : room.portals) portals.push_back(portal.value);
+        rooms.push_back({{"id", k},
+                         {"name", room.name},
+                         {"exterior", room.exterior},
+                         {"faces", room.faces},
+                         {"bounds", bounds_json(room.bounds)},
+                         {"portals", std::move(portals)}});
     }
-    json.close();
-    json.open_array("portals");
+    return rooms;
+}
+
+Json portals_json(const World& world) {
+    Json portals = Json::array();
     for (std::uint32_t k = 0; k < portal_count(world); ++k) {
         const PortalInfo portal = *portal_info(world, PortalId{k});
-        json.open_object();
-        json.add("id", k);
-        json.add("name", portal.name);
-        json.open_array("rooms");
-        for (const RoomId room : portal.rooms) json.add({}, room.value);
-        json.close();
-        json.add("open", portal.open);
-        json.add("polygons", portal.polygons);
-        add_bounds(json, portal.bounds);
-        json.close();
+        portals.push_back({{"id", k},
+                           {"name", portal.name},
+                           {"rooms", {portal.rooms[0].value, portal.rooms[1].value}},
+                           {"open", portal.open},
+                           {"polygons", portal.polygons},
+                           {"bounds", bounds_json(portal.bounds)}});
     }
-    json.close();
+    return portals;
 }
 
 }  // namespace
 
-void add_world(JsonWriter& json, const World& world) {
-    add_bounds(json, world.bounds());
-    add_rooms(json, world);
+void add_world(Json& json, const World& world) {
+    json["bounds"] = bounds_json(world.bounds());
+    json["rooms"] = rooms_json(world);
+    json["portals"] = portals_json(world);
     const TreeStatistics tree = world.statistics();
-    json.open_object("tree");
-    json.add("faces", tree.faces);
-    json.add("blocks", tree.blocks);
-    json.add("bins", tree.nodes);
-    json.add("leaf_bins", tree.leaves);
-    json.add("depth", tree.depth);
-    json.add("largest_bin", tree.max_leaf_faces);
-    json.add("overlap", tree.overlap);
-    json.add("bytes", tree.bytes);
-    json.add("bytes_per_face", tree.bytes_per_face());
-    json.close();
+    json["tree"] = {{"faces", tree.faces},      {"blocks", tree.blocks}, {"bins", tree.nodes},
+                    {"leaf_bins", tree.leaves}, {"depth", tree.depth},   {"largest_bin", tree.max_leaf_faces},
+                    {"overlap", tree.overlap},  {"bytes", tree.bytes},   {"bytes_per_face", tree.bytes_per_face()}};
     const SolidMeasures solid = measure_solid(world);
-    json.open_object("solid");
-    json.add("faces", solid.facets);
-    json.add("volume", solid.volume);
-    json.add("area", solid.area);
-    json.close();
+    json["solid"] = {{"faces", solid.facets}, {"volume", solid.volume}, {"area", solid.area}};
 }
 
 std::string info_row(const char* what, const std::string& value) {

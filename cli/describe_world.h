@@ -10,7 +10,7 @@
 namespace firma::cli {
 
 /// Adds bounds, rooms, tree and solid.
-void add_world(JsonWriter& json, const World& world);
+void add_world(Json& json, const World& world);
 
 /// A line of `firma info`.
 std::string info_row(const char* what, const std::string& value);

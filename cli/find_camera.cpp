@@ -45,11 +45,11 @@ bool sees(const World& world, const Vec3& eye, const Vec3& target) {
 
 }  // namespace
 
-std::optional<debug::Camera> find_camera(const World& before, const World& after, const debug::Camera& size) {
+std::optional<draw::Camera> find_camera(const World& before, const World& after, const draw::Camera& size) {
     const std::vector<Face> faces = after.faces();
     const std::vector<Vec3> targets = targets_of(faces);
     if (targets.empty()) return std::nullopt;
-    std::optional<debug::Camera> best;
+    std::optional<draw::Camera> best;
     double most = -INFINITY;
     int trials = 0;
     for (const Query& query : make_demo_casts(before, kEyes, kSeed)) {
@@ -60,12 +60,12 @@ std::optional<debug::Camera> find_camera(const World& before, const World& after
             if (distance < kNearest || distance > kFarthest) continue;
             if (std::fabs(path[size.up]) > kSteepest * distance || !sees(after, query.sphere.centre, target)) continue;
             ++trials;
-            debug::Camera camera = size;
+            draw::Camera camera = size;
             camera.eye = query.sphere.centre;
             camera.target = target;
             camera.width = kTrialWidth;
             camera.height = std::max(1, kTrialWidth * size.height / size.width);
-            const double share = debug::share_of_new_faces(faces, camera);
+            const double share = draw::share_of_new_faces(faces, camera);
             const double worth = -std::fabs(share - kBestShare);
             if (worth <= most) continue;
             most = worth;

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "debug/draw_view.h"
+#include "draw/draw_view.h"
 #include "firma/world.h"
 
 namespace firma::cli {
@@ -13,6 +13,6 @@ namespace firma::cli {
 /// best: on a third of the picture, or as near to that as there is. Nothing where an edit made none.
 ///
 /// @param size  its width, height, zoom and up are kept
-std::optional<debug::Camera> find_camera(const World& before, const World& after, const debug::Camera& size);
+std::optional<draw::Camera> find_camera(const World& before, const World& after, const draw::Camera& size);
 
 }  // namespace firma::cli

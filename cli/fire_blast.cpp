@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The shape is made before the clock starts: a game has its craters ready.
 #include "cli/fire_blast.h"
-#include "cli/seconds_since.h"
+#include "cli/numbers.h"
 
 #include <algorithm>
 #include <chrono>

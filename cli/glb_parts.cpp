@@ -9,7 +9,7 @@
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
-#include "debug/utf8.h"
+#include "draw/utf8.h"
 
 namespace firma::cli {
 
@@ -73,7 +73,7 @@ void judge_glb_size(std::uint64_t bytes, const std::string& path) {
 std::string glb_name(std::string_view name) {
     std::string good;
     while (!name.empty()) {
-        const std::size_t length = name[0] == '\0' ? 0 : debug::utf8_length(name);
+        const std::size_t length = name[0] == '\0' ? 0 : draw::utf8_length(name);
         if (length == 0) {
             good += "\xEF\xBF\xBD";
         } else {

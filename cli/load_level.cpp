@@ -12,7 +12,6 @@
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
-#include "cli/seconds_since.h"
 #include "firma/save.h"
 #include "level/read_file.h"
 
@@ -136,16 +135,10 @@ std::string left_out_text(const std::vector<Omission>& omissions) {
     return text.empty() ? "nothing" : text;
 }
 
-void add_left_out(JsonWriter& json, const std::vector<Omission>& omissions) {
-    json.open_array("left_out");
-    for (const Omission& omission : omissions) {
-        json.open_object();
-        json.add("what", omission.what);
-        json.add("count", omission.count);
-        json.add("first", omission.first);
-        json.close();
-    }
-    json.close();
+void add_left_out(Json& json, const std::vector<Omission>& omissions) {
+    json["left_out"] = Json::array();
+    for (const Omission& omission : omissions)
+        json["left_out"].push_back({{"what", omission.what}, {"count", omission.count}, {"first", omission.first}});
 }
 
 namespace {

@@ -74,7 +74,7 @@ std::vector<Omission> left_out(const LoadedLevel& loaded);
 /// "lines (l): 3; faces without area: 2"; "nothing".
 std::string left_out_text(const std::vector<Omission>& omissions);
 /// left_out [{what, count, first}]
-void add_left_out(JsonWriter& json, const std::vector<Omission>& omissions);
+void add_left_out(Json& json, const std::vector<Omission>& omissions);
 
 /// Says on stderr what was left out, in one line, unless the verb tells it.
 ///

@@ -19,14 +19,7 @@
 #include "cli/atomic_file.h"
 #include "cli/failure.h"
 #include "cli/verb.h"
-#include "cli/verb_carve.h"
-#include "cli/verb_cast.h"
-#include "cli/verb_check.h"
-#include "cli/verb_demo.h"
-#include "cli/verb_draw.h"
-#include "cli/verb_info.h"
-#include "cli/verb_serve.h"
-#include "cli/verb_walk.h"
+#include "cli/verbs.h"
 
 namespace firma::cli {
 

@@ -87,8 +87,16 @@ std::string bytes_text(std::uint64_t bytes) {
     return fmt::format("{:.1f} MB", double(bytes) / 1e6);
 }
 
+std::string point_text(const Vec3& p) {
+    return fmt::format("({}, {}, {})", p.x, p.y, p.z);
+}
+
 std::string seconds_text(double seconds) {
     return seconds < 1 ? fmt::format("{:.2f} ms", 1e3 * seconds) : fmt::format("{:.2f} s", seconds);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace firma::cli

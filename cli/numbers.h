@@ -2,6 +2,7 @@
 // Numbers as people and files write them, in and out, whatever the locale.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,7 +34,10 @@ std::string grouped(std::uint64_t value);
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many = {});
 /// 1536000 -> "1.5 MB"
 std::string bytes_text(std::uint64_t bytes);
+/// (1, 2.5, -3) -> "(1, 2.5, -3)"
+std::string point_text(const Vec3& p);
 /// 0.00123 -> "1.23 ms"
 std::string seconds_text(double seconds);
+double seconds_since(std::chrono::steady_clock::time_point start);
 
 }  // namespace firma::cli

@@ -33,14 +33,14 @@ Vec3 point_at(const CsvReader& csv, std::size_t column) {
 
 }  // namespace
 
-debug::DrawnCast drawn(const Query& query, const PolygonHit& hit) {
+draw::DrawnCast drawn(const Query& query, const PolygonHit& hit) {
     return {query.sphere.centre, query.path, query.sphere.radius, hit.status, hit.centre, hit.point, hit.normal};
 }
 
-std::vector<debug::DrawnCast> read_hits(const std::string& path, std::span<const Query> queries) {
+std::vector<draw::DrawnCast> read_hits(const std::string& path, std::span<const Query> queries) {
     const std::string text = read_file(path);
     CsvReader csv(text, path, kHitColumns);
-    std::vector<debug::DrawnCast> casts;
+    std::vector<draw::DrawnCast> casts;
     while (csv.next()) {
         const std::size_t row = casts.size();
         if (row >= queries.size()) csv.fail(fmt::format("there are only {} queries", queries.size()));

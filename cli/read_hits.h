@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "cli/read_queries.h"
-#include "debug/draw_casts.h"
+#include "draw/draw_casts.h"
 #include "firma/hit.h"
 
 namespace firma::cli {
 
 /// A cast as a picture wants it.
-debug::DrawnCast drawn(const Query& query, const PolygonHit& hit);
+draw::DrawnCast drawn(const Query& query, const PolygonHit& hit);
 
 /// The hits of these queries, row by row.
 /// @throws Failure naming file and line where a row is malformed, or is not the next query's
-std::vector<debug::DrawnCast> read_hits(const std::string& path, std::span<const Query> queries);
+std::vector<draw::DrawnCast> read_hits(const std::string& path, std::span<const Query> queries);
 
 }  // namespace firma::cli

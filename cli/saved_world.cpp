@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cli/describe_world.h"
@@ -59,32 +60,21 @@ std::uintmax_t file_bytes(const LoadedLevel& loaded) {
     return none ? 0 : bytes;
 }
 
-std::string saved_info_json(const LoadedLevel& loaded) {
+Json saved_info_json(const LoadedLevel& loaded) {
     const WorldData& data = loaded.world.data();
     const FaceCounts counts = count_faces(loaded.world);
-    JsonWriter json;
-    json.open_object();
-    json.add("level", loaded.level.name);
-    json.add("bytes", file_bytes(loaded));
-    json.add("version", data.version);
-    json.add("edits", data.edits());
-    json.add("exact", counts.solid > 0);
-    json.open_object("faces");
-    json.add("total", counts.total);
-    json.add("solid", counts.solid);
-    json.add("exact", counts.exact);
-    json.close();
-    json.open_array("materials");
-    for (const std::string& name : material_names(loaded.world)) json.add({}, name);
-    json.close();
+    Json json;
+    json["level"] = loaded.level.name;
+    json["bytes"] = file_bytes(loaded);
+    json["version"] = data.version;
+    json["edits"] = data.edits();
+    json["exact"] = counts.solid > 0;
+    json["faces"] = {{"total", counts.total}, {"solid", counts.solid}, {"exact", counts.exact}};
+    json["materials"] = material_names(loaded.world);
     add_world(json, loaded.world);
-    json.open_object("rules");
-    json.add("zones", data.rules ? data.rules->zones.size() : 0);
-    json.add("hard_materials", hard_materials(data));
-    json.close();
-    json.add("read_seconds", loaded.read_seconds);
-    json.close();
-    return json.text();
+    json["rules"] = {{"zones", data.rules ? data.rules->zones.size() : 0}, {"hard_materials", hard_materials(data)}};
+    json["read_seconds"] = loaded.read_seconds;
+    return json;
 }
 
 std::string saved_info_text(const LoadedLevel& loaded) {
@@ -110,7 +100,7 @@ std::string saved_info_text(const LoadedLevel& loaded) {
 }  // namespace
 
 int tell_saved_world(const LoadedLevel& loaded, bool json) {
-    print(json ? saved_info_json(loaded) : saved_info_text(loaded));
+    print(json ? json_text(saved_info_json(loaded)) : saved_info_text(loaded));
     return 0;
 }
 
@@ -130,28 +120,21 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
                                  world.data().rock_outside() ? ", rock outside" : ""));
         return fault || solid ? 1 : 0;
     }
-    JsonWriter json;
-    const auto add = [&](const char* key, const auto& found) {
-        if (found)
-            json.add(key, found->what);
-        else
-            json.add_null(key);
-    };
-    json.open_object();
-    json.add("level", loaded.level.name);
-    json.add("sound", !fault && !solid);
-    json.add("faces", counts.total);
-    json.add("rooms", world.room_count());
-    json.add("portals", portal_count(world));
-    add("world_fault", fault);
-    add("solid_fault", solid);
-    json.add("solid_faces", counts.solid);
-    json.add("exact_faces", counts.exact);
-    json.add("rock_outside", world.data().rock_outside());
-    json.add("version", world.data().version);
-    json.add("edits", world.data().edits());
-    json.close();
-    print(json.text());
+    const auto reason = [](const auto& found) { return found ? Json(found->what) : Json(); };
+    Json json;
+    json["level"] = loaded.level.name;
+    json["sound"] = !fault && !solid;
+    json["faces"] = counts.total;
+    json["rooms"] = world.room_count();
+    json["portals"] = portal_count(world);
+    json["world_fault"] = reason(fault);
+    json["solid_fault"] = reason(solid);
+    json["solid_faces"] = counts.solid;
+    json["exact_faces"] = counts.exact;
+    json["rock_outside"] = world.data().rock_outside();
+    json["version"] = world.data().version;
+    json["edits"] = world.data().edits();
+    print(json_text(std::move(json)));
     return fault || solid ? 1 : 0;
 }
 

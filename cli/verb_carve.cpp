@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires blasts one after the other, keeps account of each, writes the world after the last.
-#include "cli/verb_carve.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 
@@ -224,35 +224,29 @@ void write_level(const World& world, const LoadedLevel& loaded, const CarveArgum
     write_obj(world, put, leaves_out(loaded, arguments) ? ObjFaces::kSolid : ObjFaces::kAll);
 }
 
-std::string json_text(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally, const World& world) {
-    JsonWriter json;
-    json.open_object();
-    json.add("level", arguments.level.path);
-    json.add("blasts", tally.done + tally.nothing + tally.refused);
-    json.add("done", tally.done);
-    json.add("nothing", tally.nothing);
-    json.add("nothing_castable_only", tally.nothing_castable_only);
-    json.add("refused", tally.refused);
-    json.add("faces_before", tally.faces_before);
-    json.add("faces_after", tally.faces_after);
-    json.add("castable_only", castable_only(world));
-    json.add("median_ms", 1e3 * percentile(tally.seconds, 0.5));
-    json.add("p99_ms", 1e3 * percentile(tally.seconds, 0.99));
-    json.add("longest_ms", 1e3 * tally.longest);
-    json.add("longest_slice_ms", 1e3 * tally.longest_slice);
-    json.add("retries", tally.retries);
-    json.add("volume", tally.volume);
-    json.add("hash", hash_text(world));
-    json.add("read_seconds", loaded.read_seconds);
-    json.add("build_seconds", loaded.build_seconds);
-    json.add("out", arguments.out);
-    if (arguments.report.empty()) {
-        json.add_null("report");
-    } else {
-        json.add("report", arguments.report);
-    }
-    json.close();
-    return json.text();
+Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally, const World& world) {
+    Json json;
+    json["level"] = arguments.level.path;
+    json["blasts"] = tally.done + tally.nothing + tally.refused;
+    json["done"] = tally.done;
+    json["nothing"] = tally.nothing;
+    json["nothing_castable_only"] = tally.nothing_castable_only;
+    json["refused"] = tally.refused;
+    json["faces_before"] = tally.faces_before;
+    json["faces_after"] = tally.faces_after;
+    json["castable_only"] = castable_only(world);
+    json["median_ms"] = 1e3 * percentile(tally.seconds, 0.5);
+    json["p99_ms"] = 1e3 * percentile(tally.seconds, 0.99);
+    json["longest_ms"] = 1e3 * tally.longest;
+    json["longest_slice_ms"] = 1e3 * tally.longest_slice;
+    json["retries"] = tally.retries;
+    json["volume"] = tally.volume;
+    json["hash"] = hash_text(world);
+    json["read_seconds"] = loaded.read_seconds;
+    json["build_seconds"] = loaded.build_seconds;
+    json["out"] = arguments.out;
+    json["report"] = arguments.report.empty() ? Json() : Json(arguments.report);
+    return json;
 }
 
 std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally,
@@ -333,7 +327,7 @@ int run(const CarveArguments& arguments) {
     out.commit();
     tell_if_empty(arguments, world);
     if (arguments.json) {
-        print(json_text(arguments, loaded, tally, world));
+        print(json_text(json_of(arguments, loaded, tally, world)));
     } else if (may_print_beside(arguments.out) && may_print_beside(arguments.report)) {
         print(text_for_people(arguments, loaded, tally, world));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads all queries, casts them in chunks on all cores, writes rows in order.
-#include "cli/verb_cast.h"
+#include "cli/verbs.h"
 #include "firma/queries.h"
 
 #include <oneapi/tbb/global_control.h>
@@ -25,7 +25,6 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_queries.h"
-#include "cli/seconds_since.h"
 #include "cli/write_hits.h"
 #include "firma/level.h"
 
@@ -168,23 +167,21 @@ struct Times {
     double queries = 0, casting = 0;
 };
 
-std::string json_text(const CastArguments& arguments, const LoadedLevel& loaded, const CastTally& tally, int threads,
-                      const Times& times) {
-    JsonWriter json;
-    json.open_object();
-    json.add("level", arguments.level.path);
-    json.add("queries", tally.hit + tally.touching + tally.miss);
-    json.add("hit", tally.hit);
-    json.add("touching", tally.touching);
-    json.add("miss", tally.miss);
-    json.add("threads", threads);
-    json.add("read_seconds", loaded.read_seconds);
-    json.add("build_seconds", loaded.build_seconds);
-    json.add("queries_seconds", times.queries);
-    json.add("cast_seconds", times.casting);
-    json.add("out", arguments.out);
-    json.close();
-    return json.text();
+Json json_of(const CastArguments& arguments, const LoadedLevel& loaded, const CastTally& tally, int threads,
+             const Times& times) {
+    Json json;
+    json["level"] = arguments.level.path;
+    json["queries"] = tally.hit + tally.touching + tally.miss;
+    json["hit"] = tally.hit;
+    json["touching"] = tally.touching;
+    json["miss"] = tally.miss;
+    json["threads"] = threads;
+    json["read_seconds"] = loaded.read_seconds;
+    json["build_seconds"] = loaded.build_seconds;
+    json["queries_seconds"] = times.queries;
+    json["cast_seconds"] = times.casting;
+    json["out"] = arguments.out;
+    return json;
 }
 
 int run(const CastArguments& arguments) {
@@ -212,7 +209,7 @@ int run(const CastArguments& arguments) {
     times.casting = seconds_since(ready);
 
     if (arguments.json) {
-        print(json_text(arguments, loaded, tally, threads, times));
+        print(json_text(json_of(arguments, loaded, tally, threads, times)));
     } else if (may_print_beside(arguments.out)) {
         print(fmt::format("{}: {} casts in {}: {} hit, {} touching, {} miss\n", arguments.out, grouped(queries.size()),
                           seconds_text(times.casting), grouped(tally.hit), grouped(tally.touching),

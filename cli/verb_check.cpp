@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Judges the file by its own numbers, then the world that is made of it.
-#include "cli/verb_check.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,6 @@
 #include "cli/json.h"
 #include "cli/load_level.h"
 #include "cli/numbers.h"
-#include "cli/point_text.h"
 #include "cli/saved_world.h"
 #include "firma/mesh.h"
 #include "firma/rooms.h"
@@ -242,99 +242,68 @@ std::string text_for_people(const std::string& path, const Findings& found, bool
     return text;
 }
 
-void add_texts(JsonWriter& json, const char* key, const std::vector<std::string>& texts, bool all) {
-    json.open_array(key);
-    for (std::size_t k = 0; k < shown(texts.size(), all); ++k) json.add({}, texts[k]);
-    json.close();
+Json texts_json(const std::vector<std::string>& texts, bool all) {
+    return std::span(texts).first(shown(texts.size(), all));
 }
 
-void add_rooms(JsonWriter& json, const Findings& found, bool all) {
+Json line_json(std::uint32_t line) {
+    return line > 0 ? Json(line) : Json();
+}
+
+void add_rooms(Json& json, const Findings& found, bool all) {
     if (!found.is_gltf) return;
-    json.add("rooms", found.rooms);
-    json.add("portals", found.portals);
-    add_texts(json, "idle_portals", found.idle, all);
-    if (found.undivided.empty()) {
-        json.add_null("undivided");
-    } else {
-        json.add("undivided", found.undivided);
-    }
-    add_texts(json, "reader_notes", found.reader_notes, all);
+    json["rooms"] = found.rooms;
+    json["portals"] = found.portals;
+    json["idle_portals"] = texts_json(found.idle, all);
+    json["undivided"] = found.undivided.empty() ? Json() : Json(found.undivided);
+    json["reader_notes"] = texts_json(found.reader_notes, all);
 }
 
-void add_line(JsonWriter& json, std::uint32_t line) {
-    if (line > 0) {
-        json.add("line", line);
-    } else {
-        json.add_null("line");
-    }
-}
-
-void add_solidity(JsonWriter& json, const LevelSolidity& solidity, bool all) {
-    json.add("solid_faces", solidity.solid_faces);
-    json.add("rock_outside", solidity.rock_outside);
-    json.add("castable_only_count", solidity.notes.size());
-    json.open_array("castable_only");
+void add_solidity(Json& json, const LevelSolidity& solidity, bool all) {
+    json["solid_faces"] = solidity.solid_faces;
+    json["rock_outside"] = solidity.rock_outside;
+    json["castable_only_count"] = solidity.notes.size();
+    json["castable_only"] = Json::array();
     for (std::size_t k = 0; k < shown(solidity.notes.size(), all); ++k) {
         const SolidNote& note = solidity.notes[k];
-        json.open_object();
-        json.add("what", solid_note_name(note.what));
-        json.add("faces", note.faces);
-        json.add("face", note.source);
-        if (note.what == SolidNoteKind::kCrossing) {
-            json.add("other", note.other);
-        } else {
-            json.add_null("other");
-        }
-        json.add("at", note.at);
-        json.add("to", note.to);
-        json.close();
+        json["castable_only"].push_back({{"what", solid_note_name(note.what)},
+                                         {"faces", note.faces},
+                                         {"face", note.source},
+                                         {"other", note.what == SolidNoteKind::kCrossing ? Json(note.other) : Json()},
+                                         {"at", note.at},
+                                         {"to", note.to}});
     }
-    json.close();
 }
 
-std::string json_text(const std::string& path, const Findings& found, bool all) {
-    JsonWriter json;
-    json.open_object();
-    json.add("level", path);
-    json.add("sound", found.sound());
-    json.add("faces", found.mesh.faces);
-    json.add("vertices", found.mesh.vertices);
-    json.add("fault_count", found.mesh.faults.size() + (found.world_fault ? 1 : 0));
-    json.open_array("faults");
+Json json_of(const std::string& path, const Findings& found, bool all) {
+    Json json;
+    json["level"] = path;
+    json["sound"] = found.sound();
+    json["faces"] = found.mesh.faces;
+    json["vertices"] = found.mesh.vertices;
+    json["fault_count"] = found.mesh.faults.size() + (found.world_fault ? 1 : 0);
+    json["faults"] = Json::array();
     for (std::size_t k = 0; k < shown(found.mesh.faults.size(), all); ++k) {
         const MeshFaultPlace& fault = found.mesh.faults[k];
-        json.open_object();
-        json.add("what", fault_name(fault.what));
-        json.add("face", fault.source);
-        add_line(json, fault.line);
-        json.add("from", fault.from);
-        json.add("to", fault.to);
-        json.add("t_joint", fault.t_joint);
-        json.close();
+        json["faults"].push_back({{"what", fault_name(fault.what)},
+                                  {"face", fault.source},
+                                  {"line", line_json(fault.line)},
+                                  {"from", fault.from},
+                                  {"to", fault.to},
+                                  {"t_joint", fault.t_joint}});
     }
-    json.close();
-    json.add("note_count", found.notes());
-    json.open_array("notes");
+    json["note_count"] = found.notes();
+    json["notes"] = Json::array();
     for (std::size_t k = 0; k < shown(found.mesh.notes.size(), all); ++k) {
         const MeshNotePlace& note = found.mesh.notes[k];
-        json.open_object();
-        json.add("what", note_name(note.what));
-        json.add("face", note.source);
-        add_line(json, note.line);
-        json.add("at", note.at);
-        json.close();
+        json["notes"].push_back(
+            {{"what", note_name(note.what)}, {"face", note.source}, {"line", line_json(note.line)}, {"at", note.at}});
     }
-    json.close();
-    if (found.world_fault) {
-        json.add("world_fault", found.world_fault->what);
-    } else {
-        json.add_null("world_fault");
-    }
+    json["world_fault"] = found.world_fault ? Json(found.world_fault->what) : Json();
     add_solidity(json, found.solidity, all);
     add_left_out(json, found.left_out);
     add_rooms(json, found, all);
-    json.close();
-    return json.text();
+    return json;
 }
 
 MeshCheck mesh_check(const LevelArguments& level) {
@@ -375,7 +344,8 @@ int run(CheckArguments& arguments) {
     found.portals = portal_count(loaded.world);
     if (loaded.gltf) add_gltf(*loaded.gltf, found);
     const std::string& path = arguments.level.path;
-    print(arguments.json ? json_text(path, found, arguments.all) : text_for_people(path, found, arguments.all));
+    print(arguments.json ? json_text(json_of(path, found, arguments.all))
+                         : text_for_people(path, found, arguments.all));
     return found.sound() ? 0 : 1;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires casts and craters, asks an oracle without a tree whether casts are right, prints a table, draws pictures.
-#include "cli/verb_demo.h"
+#include "cli/verbs.h"
 #include "firma/queries.h"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -29,10 +29,9 @@
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_hits.h"
-#include "cli/seconds_since.h"
-#include "debug/draw_plan.h"
-#include "debug/draw_view.h"
-#include "debug/picture.h"
+#include "draw/draw_plan.h"
+#include "draw/draw_view.h"
+#include "draw/picture.h"
 #include "firma/polygon.h"
 
 namespace firma::cli {
@@ -165,13 +164,13 @@ Checked check_sample(const World& world, const std::vector<Query>& queries) {
     return checked;
 }
 
-debug::Plan draw(const World& world, const std::vector<Query>& queries, const std::string& title) {
-    std::vector<debug::DrawnCast> casts;
+draw::Plan draw(const World& world, const std::vector<Query>& queries, const std::string& title) {
+    std::vector<draw::DrawnCast> casts;
     for (const Query& query : queries) casts.push_back(drawn(query, cast(world, query.sphere, query.path)));
-    debug::PlanOptions options;
+    draw::PlanOptions options;
     options.title = title;
     options.most_casts = kDrawn;
-    return debug::draw_plan(world, casts, options);
+    return draw::draw_plan(world, casts, options);
 }
 
 double per_cast(const Results& results) {
@@ -246,60 +245,54 @@ std::string text_for_people(const LoadedLevel& loaded, const Results& results, c
     return text;
 }
 
-void add_craters(JsonWriter& json, const Results& results) {
+Json craters_json(const Results& results) {
     const DemoCraters& craters = results.craters;
     std::vector<double> seconds = craters.seconds;
-    json.open_object("craters");
-    json.add("count", craters.fired);
-    json.add("done", craters.done);
-    json.add("nothing", craters.nothing);
-    json.add("nothing_castable_only", craters.nothing_castable_only);
-    json.add("refused", craters.refused);
-    json.add("median_ms", 1e3 * percentile(seconds, 0.5));
-    json.add("p99_ms", 1e3 * percentile(seconds, 0.99));
-    json.add("volume", craters.volume);
-    json.add("faces_after", craters.after.face_count());
-    json.add("casts", craters.casts);
-    json.add("casts_per_second", rate(craters.casts, craters.cast_seconds));
-    json.add("rays", craters.rays);
-    json.add("escaped_before", craters.escaped_before);
-    json.add("escaped", craters.escaped);
-    json.add("checked", results.checked_after.casts);
-    json.add("disagreements", results.checked_after.disagreements);
-    if (results.checked_after.disagreements > 0) json.add("first_disagreement", results.checked_after.first);
-    json.add("hash", fmt::format("{:016x}", hash_world(craters.after)));
-    json.close();
+    Json json;
+    json["count"] = craters.fired;
+    json["done"] = craters.done;
+    json["nothing"] = craters.nothing;
+    json["nothing_castable_only"] = craters.nothing_castable_only;
+    json["refused"] = craters.refused;
+    json["median_ms"] = 1e3 * percentile(seconds, 0.5);
+    json["p99_ms"] = 1e3 * percentile(seconds, 0.99);
+    json["volume"] = craters.volume;
+    json["faces_after"] = craters.after.face_count();
+    json["casts"] = craters.casts;
+    json["casts_per_second"] = rate(craters.casts, craters.cast_seconds);
+    json["rays"] = craters.rays;
+    json["escaped_before"] = craters.escaped_before;
+    json["escaped"] = craters.escaped;
+    json["checked"] = results.checked_after.casts;
+    json["disagreements"] = results.checked_after.disagreements;
+    if (results.checked_after.disagreements > 0) json["first_disagreement"] = results.checked_after.first;
+    json["hash"] = fmt::format("{:016x}", hash_world(craters.after));
+    return json;
 }
 
-std::string json_text(const LoadedLevel& loaded, const Results& results, const std::string& out) {
+Json json_of(const LoadedLevel& loaded, const Results& results, const std::string& out) {
     const std::size_t faces = loaded.world.face_count();
-    JsonWriter json;
-    json.open_object();
-    json.add("level", loaded.level.name);
-    json.add("faces", faces);
-    json.add("read_seconds", loaded.read_seconds);
-    json.add("build_seconds", loaded.build_seconds);
-    json.add("casts", results.hits.size());
-    json.add("hit", results.hit);
-    json.add("touching", results.touching);
-    json.add("miss", results.miss);
-    json.add("casts_per_second", rate(results.hits.size(), results.seconds));
-    json.add("casts_per_second_all_threads", rate(results.hits.size(), results.parallel_seconds));
-    json.add("threads", results.threads);
-    json.add("faces_per_cast", per_cast(results));
-    json.add("share_of_faces", faces > 0 ? per_cast(results) / double(faces) : 0);
-    json.add("checked", results.checked.casts);
-    json.add("disagreements", results.checked.disagreements);
-    if (results.checked.disagreements > 0) json.add("first_disagreement", results.checked.first);
-    add_craters(json, results);
-    if (results.view.empty()) {
-        json.add_null("view");
-    } else {
-        json.add("view", results.view);
-    }
-    json.add("out", out);
-    json.close();
-    return json.text();
+    Json json;
+    json["level"] = loaded.level.name;
+    json["faces"] = faces;
+    json["read_seconds"] = loaded.read_seconds;
+    json["build_seconds"] = loaded.build_seconds;
+    json["casts"] = results.hits.size();
+    json["hit"] = results.hit;
+    json["touching"] = results.touching;
+    json["miss"] = results.miss;
+    json["casts_per_second"] = rate(results.hits.size(), results.seconds);
+    json["casts_per_second_all_threads"] = rate(results.hits.size(), results.parallel_seconds);
+    json["threads"] = results.threads;
+    json["faces_per_cast"] = per_cast(results);
+    json["share_of_faces"] = faces > 0 ? per_cast(results) / double(faces) : 0;
+    json["checked"] = results.checked.casts;
+    json["disagreements"] = results.checked.disagreements;
+    if (results.checked.disagreements > 0) json["first_disagreement"] = results.checked.first;
+    json["craters"] = craters_json(results);
+    json["view"] = results.view.empty() ? Json() : Json(results.view);
+    json["out"] = out;
+    return json;
 }
 
 std::string default_level() {
@@ -332,13 +325,13 @@ std::string view_path(const std::string& out) {
 void draw_craters(const World& before, const std::string& out, Results& results) {
     std::error_code none;
     if (!std::filesystem::is_regular_file(out, none)) return;
-    debug::Camera size;
-    const std::optional<debug::Camera> camera = find_camera(before, results.craters.after, size);
+    draw::Camera size;
+    const std::optional<draw::Camera> camera = find_camera(before, results.craters.after, size);
     if (!camera) return;
     results.view = view_path(out);
     AtomicFile file(results.view);
     file.write(
-        png_bytes(side_by_side(debug::draw_view(before, *camera), debug::draw_view(results.craters.after, *camera))));
+        png_bytes(side_by_side(draw::draw_view(before, *camera), draw::draw_view(results.craters.after, *camera))));
     file.commit();
 }
 
@@ -368,7 +361,7 @@ int run(const DemoArguments& given) {
     out.commit();
     draw_craters(loaded.world, arguments.out, results);
     if (arguments.json) {
-        print(json_text(loaded, results, arguments.out));
+        print(json_text(json_of(loaded, results, arguments.out)));
     } else if (may_print_beside(arguments.out)) {
         print(text_for_people(loaded, results, arguments.out));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gathers level, blasts and casts; src/debug/draw_plan.h and draw_view.h draw.
-#include "cli/verb_draw.h"
+// Gathers level, blasts and casts; draw/draw_plan.h and draw_view.h draw them.
+#include "cli/verbs.h"
 #include "firma/queries.h"
 
 #include <fmt/format.h>
@@ -21,9 +21,9 @@
 #include "cli/read_blasts.h"
 #include "cli/read_hits.h"
 #include "cli/read_queries.h"
-#include "debug/draw_plan.h"
-#include "debug/draw_view.h"
-#include "debug/picture.h"
+#include "draw/draw_plan.h"
+#include "draw/draw_view.h"
+#include "draw/picture.h"
 
 namespace firma::cli {
 
@@ -69,11 +69,11 @@ new_faces, bytes, out.
 
 constexpr int kViewWidth = 640, kViewHeight = 480;
 
-std::vector<debug::DrawnCast> gather_casts(const DrawArguments& arguments, const World& world) {
+std::vector<draw::DrawnCast> gather_casts(const DrawArguments& arguments, const World& world) {
     if (arguments.queries.empty()) return {};
     const std::vector<Query> queries = read_queries(arguments.queries);
     if (!arguments.casts.empty()) return read_hits(arguments.casts, queries);
-    std::vector<debug::DrawnCast> casts;
+    std::vector<draw::DrawnCast> casts;
     for (const Query& query : queries) casts.push_back(drawn(query, cast(world, query.sphere, query.path)));
     return casts;
 }
@@ -90,8 +90,8 @@ std::size_t new_faces(const World& world) {
     return count;
 }
 
-debug::Camera camera_of(const DrawArguments& arguments, const World& before, const World& after) {
-    debug::Camera camera;
+draw::Camera camera_of(const DrawArguments& arguments, const World& before, const World& after) {
+    draw::Camera camera;
     camera.up = axis_option("--up", arguments.up);
     camera.width = kViewWidth;
     camera.height = kViewHeight;
@@ -103,33 +103,31 @@ debug::Camera camera_of(const DrawArguments& arguments, const World& before, con
         if (camera.eye == camera.target) throw Failure("--look", "is where the eye is");
         return camera;
     }
-    const std::optional<debug::Camera> found = find_camera(before, after, camera);
+    const std::optional<draw::Camera> found = find_camera(before, after, camera);
     if (!found) throw Failure("--view", "needs --eye and --look where no blast made anything to see");
     return *found;
 }
 
 /// A PNG in perspective.
 void draw_view(const DrawArguments& arguments, const World& before, const World& after, std::size_t blasts) {
-    const debug::Camera camera = camera_of(arguments, before, after);
+    const draw::Camera camera = camera_of(arguments, before, after);
     AtomicFile out(arguments.out);
     const bool rooms = arguments.shows_rooms();
-    debug::Picture picture = debug::draw_view(after, camera, rooms);
-    if (arguments.before_after) picture = side_by_side(debug::draw_view(before, camera, rooms), picture);
+    draw::Picture picture = draw::draw_view(after, camera, rooms);
+    if (arguments.before_after) picture = side_by_side(draw::draw_view(before, camera, rooms), picture);
     const std::string bytes = png_bytes(picture);
     out.write(bytes);
     out.commit();
     if (arguments.json) {
-        JsonWriter json;
-        json.open_object();
-        json.add("level", arguments.level.path);
-        json.add("eye", camera.eye);
-        json.add("look", camera.target);
-        json.add("blasts", blasts);
-        json.add("new_faces", new_faces(after));
-        json.add("bytes", bytes.size());
-        json.add("out", arguments.out);
-        json.close();
-        print(json.text());
+        Json json;
+        json["level"] = arguments.level.path;
+        json["eye"] = camera.eye;
+        json["look"] = camera.target;
+        json["blasts"] = blasts;
+        json["new_faces"] = new_faces(after);
+        json["bytes"] = bytes.size();
+        json["out"] = arguments.out;
+        print(json_text(std::move(json)));
     } else if (may_print_beside(arguments.out)) {
         const Vec3 &eye = camera.eye, &look = camera.target;
         print(fmt::format("{}: from ({:.2f}, {:.2f}, {:.2f}) toward ({:.2f}, {:.2f}, {:.2f}); {}\n", arguments.out,
@@ -139,7 +137,7 @@ void draw_view(const DrawArguments& arguments, const World& before, const World&
 
 /// An SVG with plan and section.
 void draw_plan(const DrawArguments& arguments, const World& world, std::size_t blasts) {
-    debug::PlanOptions options;
+    draw::PlanOptions options;
     options.title = short_name(arguments.level.path);
     options.up = axis_option("--up", arguments.up);
     if (!arguments.at.empty()) options.at = number_option("--at", arguments.at);
@@ -147,33 +145,31 @@ void draw_plan(const DrawArguments& arguments, const World& world, std::size_t b
     if (!arguments.most_casts.empty())
         options.most_casts = count_option("--most-casts", arguments.most_casts, 0, 100000);
     if (arguments.shows_rooms() || arguments.plain) options.rooms = arguments.shows_rooms();
-    const std::vector<debug::DrawnCast> casts = gather_casts(arguments, world);
+    const std::vector<draw::DrawnCast> casts = gather_casts(arguments, world);
 
     AtomicFile out(arguments.out);
-    const debug::Plan plan = debug::draw_plan(world, casts, options);
+    const draw::Plan plan = draw::draw_plan(world, casts, options);
     out.write(plan.svg);
     out.commit();
     if (arguments.json) {
-        JsonWriter json;
-        json.open_object();
-        json.add("level", arguments.level.path);
-        json.add("cut_axis", plan.cut_axis == 0 ? "x" : plan.cut_axis == 1 ? "y" : "z");
-        json.add("cut_at", plan.at);
-        json.add("faces_in_plan", plan.faces_in_plan);
-        json.add("faces_in_section", plan.faces_in_section);
-        json.add("faces_cut", plan.faces_cut);
-        json.add("faces_left_out", plan.faces_left_out);
-        json.add("casts", casts.size());
-        json.add("casts_drawn", plan.casts_drawn);
-        json.add("blasts", blasts);
-        json.add("new_faces", plan.new_faces);
-        json.add("shows_rooms", plan.shows_rooms);
-        json.add("rooms_labelled", plan.rooms_labelled);
-        json.add("portals_drawn", plan.portals_drawn);
-        json.add("bytes", plan.svg.size());
-        json.add("out", arguments.out);
-        json.close();
-        print(json.text());
+        Json json;
+        json["level"] = arguments.level.path;
+        json["cut_axis"] = plan.cut_axis == 0 ? "x" : plan.cut_axis == 1 ? "y" : "z";
+        json["cut_at"] = plan.at;
+        json["faces_in_plan"] = plan.faces_in_plan;
+        json["faces_in_section"] = plan.faces_in_section;
+        json["faces_cut"] = plan.faces_cut;
+        json["faces_left_out"] = plan.faces_left_out;
+        json["casts"] = casts.size();
+        json["casts_drawn"] = plan.casts_drawn;
+        json["blasts"] = blasts;
+        json["new_faces"] = plan.new_faces;
+        json["shows_rooms"] = plan.shows_rooms;
+        json["rooms_labelled"] = plan.rooms_labelled;
+        json["portals_drawn"] = plan.portals_drawn;
+        json["bytes"] = plan.svg.size();
+        json["out"] = arguments.out;
+        print(json_text(std::move(json)));
     } else if (may_print_beside(arguments.out)) {
         const std::string rooms = plan.shows_rooms
                                       ? fmt::format(", {} labelled, {} drawn", counted(plan.rooms_labelled, "room"),

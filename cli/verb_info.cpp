@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a level, builds its tree, and tells about both.
-#include "cli/verb_info.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/brush_level.h"
 #include "cli/describe_world.h"
@@ -113,64 +114,43 @@ std::vector<std::string> material_names(const Level& level) {
     return names;
 }
 
-void add_gltf(JsonWriter& json, const LoadedGltf& gltf) {
-    json.open_object("gltf");
-    json.add("nodes", gltf.nodes);
-    json.open_array("portals");
-    for (std::uint32_t k = 0; k < gltf.portals.size(); ++k) {
-        const std::vector<std::uint32_t>& idle = gltf.rooms.idle;
-        json.open_object();
-        json.add("name", gltf.portals[k].name);
-        json.add("polygons", gltf.portals[k].polygons.size());
-        json.add("idle", std::find(idle.begin(), idle.end(), k) != idle.end());
-        json.close();
-    }
-    json.close();
-    if (gltf.rooms.undivided.empty()) {
-        json.add_null("undivided");
-    } else {
-        json.add("undivided", gltf.rooms.undivided);
-    }
-    json.open_array("notes");
-    for (const std::string& note : gltf.notes) json.add({}, note);
-    json.close();
-    json.close();
+Json gltf_json(const LoadedGltf& gltf) {
+    const std::vector<std::uint32_t>& idle = gltf.rooms.idle;
+    Json portals = Json::array();
+    for (std::uint32_t k = 0; k < gltf.portals.size(); ++k)
+        portals.push_back({{"name", gltf.portals[k].name},
+                           {"polygons", gltf.portals[k].polygons.size()},
+                           {"idle", std::find(idle.begin(), idle.end(), k) != idle.end()}});
+    return {{"nodes", gltf.nodes},
+            {"portals", std::move(portals)},
+            {"undivided", gltf.rooms.undivided.empty() ? Json() : Json(gltf.rooms.undivided)},
+            {"notes", gltf.notes}};
 }
 
 std::size_t divided_faces(const Level& level) {
     return level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing) + level.count(FaceNote::kTexture);
 }
 
-std::string json_text(const LoadedLevel& loaded) {
+Json json_of(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     const KindCounts kinds = count_kinds(level);
-    JsonWriter json;
-    json.open_object();
-    json.add("level", level.name);
-    json.open_object("faces");
-    json.add("total", level.faces.size());
-    json.add("in_file", level.source_faces);
-    json.add("polygon", kinds.polygons);
-    json.add("triangle_soup", kinds.soup);
-    json.add("patch", kinds.patches);
-    json.add("dropped", level.count(FaceNote::kNoArea));
-    json.add("divided", divided_faces(level));
-    json.add("crossing", level.count(FaceNote::kCrossing));
-    json.close();
-    json.add("vertices", level.vertices.size());
-    json.add("corners", level.corners.size());
-    json.open_array("materials");
-    for (const std::string& name : material_names(level)) json.add({}, name);
-    json.close();
-    json.add("groups", level.groups.size());
-    json.add("ignored_entries", level.ignored_entries);
+    Json json;
+    json["level"] = level.name;
+    json["faces"] = {{"total", level.faces.size()},     {"in_file", level.source_faces},
+                     {"polygon", kinds.polygons},       {"triangle_soup", kinds.soup},
+                     {"patch", kinds.patches},          {"dropped", level.count(FaceNote::kNoArea)},
+                     {"divided", divided_faces(level)}, {"crossing", level.count(FaceNote::kCrossing)}};
+    json["vertices"] = level.vertices.size();
+    json["corners"] = level.corners.size();
+    json["materials"] = material_names(level);
+    json["groups"] = level.groups.size();
+    json["ignored_entries"] = level.ignored_entries;
     add_left_out(json, left_out(loaded));
-    if (loaded.gltf) add_gltf(json, *loaded.gltf);
+    if (loaded.gltf) json["gltf"] = gltf_json(*loaded.gltf);
     add_world(json, loaded.world);
-    json.add("read_seconds", loaded.read_seconds);
-    json.add("build_seconds", loaded.build_seconds);
-    json.close();
-    return json.text();
+    json["read_seconds"] = loaded.read_seconds;
+    json["build_seconds"] = loaded.build_seconds;
+    return json;
 }
 
 std::string kinds_text(const KindCounts& kinds) {
@@ -227,7 +207,7 @@ int run(InfoArguments& arguments) {
     }
     const LoadedLevel loaded = load_level(arguments.level, options);
     if (loaded.brushes) return tell_brushes(loaded, arguments.json);
-    print(arguments.json ? json_text(loaded) : text_for_people(loaded));
+    print(arguments.json ? json_text(json_of(loaded)) : text_for_people(loaded));
     return 0;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Arguments and words; file_server.h holds the server.
-#include "cli/verb_serve.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/file_server.h"
 #include "cli/json.h"
@@ -34,13 +35,11 @@ int run(const ServeArguments& arguments) {
     FileServer server(arguments.folder, port);
     const std::string url = fmt::format("http://127.0.0.1:{}", server.port());
     if (arguments.json) {
-        JsonWriter json;
-        json.open_object();
-        json.add("url", url);
-        json.add("folder", arguments.folder);
-        json.add("port", server.port());
-        json.close();
-        print(json.text());
+        Json json;
+        json["url"] = url;
+        json["folder"] = arguments.folder;
+        json["port"] = server.port();
+        print(json_text(std::move(json)));
     } else {
         print(fmt::format("serving {} on {} (Ctrl-C ends)\n", arguments.folder, url));
     }

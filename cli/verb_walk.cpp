@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arguments, frames, rows; bounce.h holds the walk itself.
-#include "cli/verb_walk.h"
+#include "cli/verbs.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/atomic_file.h"
 #include "cli/bounce.h"
@@ -99,21 +100,19 @@ int run(const WalkArguments& arguments) {
     const Summary summary = walk(bouncer, frames, out);
     out.commit();
     if (arguments.json) {
-        JsonWriter json;
-        json.open_object();
-        json.add("level", arguments.level.path);
-        json.add("frames", frames);
-        json.add("seed", seed);
-        json.add("radius", sphere.radius);
-        json.add("start", sphere.centre);
-        json.add("end", summary.end);
-        json.add("length", summary.length);
-        json.add("low", summary.bounds.low);
-        json.add("high", summary.bounds.high);
-        json.add("still", summary.still);
-        json.add("out", arguments.out);
-        json.close();
-        print(json.text());
+        Json json;
+        json["level"] = arguments.level.path;
+        json["frames"] = frames;
+        json["seed"] = seed;
+        json["radius"] = sphere.radius;
+        json["start"] = sphere.centre;
+        json["end"] = summary.end;
+        json["length"] = summary.length;
+        json["low"] = summary.bounds.low;
+        json["high"] = summary.bounds.high;
+        json["still"] = summary.still;
+        json["out"] = arguments.out;
+        print(json_text(std::move(json)));
     } else if (may_print_beside(arguments.out)) {
         print(fmt::format("{}: {} frames, {:.1f} m flown; {} without a move\n", arguments.out, grouped(frames),
                           summary.length, grouped(summary.still)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a level of the meshes that stand in a glTF file's scene.
+// Makes a level of the meshes that stand in a glTF file's scene, and a world of that, in rooms.
 #include "firma/read_gltf.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "firma/level.h"
+#include "firma/rooms.h"
 #include "gltf/accessor.h"
 #include "gltf/gltf_file.h"
 #include "gltf/node_meaning.h"
@@ -303,6 +304,12 @@ Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options)
     const std::size_t slash = path.rfind('/');
     return read_gltf(std::as_bytes(std::span(bytes.value())), path, options,
                      slash == path.npos ? "./" : path.substr(0, slash + 1));
+}
+
+Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options, GltfRooms* report) {
+    std::vector<LevelPortal> portals;
+    for (const GltfPortal& portal : gltf.portals) portals.push_back({portal.name, portal.polygons});
+    return make_divided_world(gltf.level, portals, options, report);
 }
 
 }  // namespace firma

@@ -33,4 +33,15 @@ const std::vector<CastFamily>& cast_families();
 /// Scene number `index` of a family: some 6 to 130 polygons and 40 to 60 casts.
 CastScene make_cast_scene(const CastFamily& family, std::uint64_t seed, std::uint64_t index);
 
+/// Radius and length of the path evenly from their ranges (metres), directions evenly over the sphere.
+struct CastRange {
+    double radius_low = 0, radius_high = 0;
+    double length_low = 0, length_high = 0;
+};
+
+inline constexpr CastRange kShortSpheres{0.3, 0.5, 0.1, 2};
+inline constexpr CastRange kLongSpheres{0.3, 0.5, 50, 50};
+inline constexpr CastRange kShortRays{0, 0, 1, 2};
+inline constexpr CastRange kLongRays{0, 0, 5, 100};
+
 }  // namespace firma::scenes

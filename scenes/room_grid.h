@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "firma/level.h"
-#include "scenes/cast_range.h"
+#include "scenes/cast_families.h"
 #include "scenes/rng.h"
 
 namespace firma::scenes {

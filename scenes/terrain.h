@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firma/level.h"
-#include "scenes/cast_range.h"
+#include "scenes/cast_families.h"
 
 namespace firma::scenes {
 

@@ -20,13 +20,12 @@ LAYERS = [
     ['src/world'],
     ['src/level', 'src/save', 'src/store'],
     ['src/brush'],
-    ['src/debug'],
     ['scenes'],
-    ['gltf'],
+    ['gltf', 'draw'],
     ['bindings', 'cli', 'bench', 'playground', 'tests'],
 ]
-# A layer that may not include all that stands below it: gltf reads a file and leaves the rest to level.
-ONLY = {'gltf': ['include/firma', 'src/level']}
+# Layers that may not include all that stands below them: gltf reads a file and leaves the rest to level, pictures show what every user can ask for.
+ONLY = {'gltf': ['include/firma', 'src/level'], 'draw': ['include/firma']}
 # Public headers that speak of worlds: nothing below src/world includes them.
 OF_WORLDS = ['brush_world.h', 'carve.h', 'rooms.h', 'save.h', 'versions.h', 'world.h']
 WORLD = next(height for height, layers in enumerate(LAYERS) if 'src/world' in layers)

@@ -31,7 +31,7 @@ need() {
 # What it takes to build the library and the command line.
 need_build() {
     need g++ cmake ninja-build libcli11-dev libfmt-dev libtbb-dev libfast-float-dev libboost-dev libtinygltf-dev nlohmann-json3-dev \
-        libcpp-httplib-dev
+        libcpp-httplib-dev libpng-dev
 }
 
 # What it takes to build the module for browsers and node, and to run what is around it. binaryen: clang has its wasm-opt

@@ -10,7 +10,7 @@
 
 #include "firma/hit.h"
 #include "firma/level.h"
-#include "scenes/cast_range.h"
+#include "scenes/cast_families.h"
 
 namespace firma::bench {
 

@@ -9,6 +9,7 @@
 #include "scenes/cast_families.h"
 #include "scenes/room_grid.h"
 #include "scenes/terrain.h"
+#include "tests/source_of.h"
 
 namespace firma::bench {
 namespace {
@@ -37,8 +38,9 @@ ExactCase judged(std::string name, const scenes::CastScene& scene) {
         expected.status = hit.status;
         expected.fraction = hit.fraction;
         if (hit.touched()) {
-            expected.faces = {hit.source};
-            expected.margin = expected.first_margin = margin_of(move, exact.faces[hit.source]);
+            const std::uint32_t face = source_of(world, hit);
+            expected.faces = {face};
+            expected.margin = expected.first_margin = margin_of(move, exact.faces[face]);
         }
         exact.expected.push_back(expected);
     }

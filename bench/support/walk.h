@@ -7,7 +7,7 @@
 #include "firma/world.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
-#include "scenes/cast_range.h"
+#include "scenes/cast_families.h"
 #include "world/block_faces.h"
 #include "world/world_data.h"
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/file_aside.h"
-#include "base/wide_path_windows.h"
+#include "base/open_file.h"
 
 namespace firma {
 namespace {

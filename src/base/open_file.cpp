@@ -4,12 +4,20 @@
 #include <fcntl.h>
 
 #ifdef _WIN32
-#include "base/wide_path_windows.h"
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
 #endif
 
 namespace firma {
 
 #ifdef _WIN32
+
+std::wstring wide_path(const std::string& path) {
+    const int units = MultiByteToWideChar(CP_UTF8, 0, path.data(), int(path.size()), nullptr, 0);
+    std::wstring wide(std::size_t(units), L'\0');
+    MultiByteToWideChar(CP_UTF8, 0, path.data(), int(path.size()), wide.data(), units);
+    return wide;
+}
 
 std::FILE* open_stream(const std::string& path) {
     return _wfopen(wide_path(path).c_str(), L"rb");

@@ -9,7 +9,7 @@
 #include "firma/level.h"
 #include "join/join_brushes.h"
 #include "level/judge_level.h"
-#include "level/nothing_left.h"
+#include "level/message.h"
 #include "world/assemble_world.h"
 #include "world/judge_options.h"
 

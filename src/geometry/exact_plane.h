@@ -7,7 +7,7 @@
 #include "firma/grid.h"
 #include "firma/vec.h"
 #include "geometry/exact_integer.h"
-#include "geometry/flat_view.h"
+#include "geometry/flat_point.h"
 
 namespace firma {
 

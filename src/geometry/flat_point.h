@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Corners of a face projected along an axis: exact turns and areas in whole numbers.
+// An axis that a plane is seen along, and corners projected along it: exact turns and areas in whole numbers.
 #pragma once
 
 #include <cstdint>
 
 #include "firma/grid.h"
 #include "geometry/exact_integer.h"
-#include "geometry/flat_view.h"
 
 namespace firma {
+
+/// Where a plane is seen from: what is counter-clockwise about the axis, or about its negative when flipped, comes out
+/// counter-clockwise.
+struct FlatView {
+    int axis = 2;
+    bool flip = false;
+
+    /// The axes that become u and v.
+    int u() const { return (axis + (flip ? 2 : 1)) % 3; }
+    int v() const { return (axis + (flip ? 1 : 2)) % 3; }
+};
 
 /// Surface steps; 64 bits wide so that differences (33 bits) never overflow.
 struct FlatPoint {

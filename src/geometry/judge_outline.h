@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include "geometry/convex_loop.h"
-#include "geometry/flat_view.h"
+#include "geometry/flat_point.h"
 
 namespace firma {
 

@@ -474,4 +474,12 @@ bool BrushJoin::are_one(std::uint32_t a, std::uint32_t b) const {
     return entity != 0 && entity == level_.brushes[brush_of_side_[b]].entity && mover_.of_side(a) == mover_.of_side(b);
 }
 
+Result<std::unique_ptr<JoinedLevel>> join_brushes(const BrushLevel& level) {
+    if (!BrushJoin::fits(level))
+        return Error{ErrorCode::kTooLarge, level.name, "a level has fewer than 2^20 brush sides"};
+    BrushJoin join(level);
+    join.update();
+    return join.finish();
+}
+
 }  // namespace firma

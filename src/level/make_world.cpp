@@ -5,7 +5,7 @@
 #include "level/find_solids.h"
 #include "level/judge_level.h"
 #include "level/level_textures.h"
-#include "level/nothing_left.h"
+#include "level/message.h"
 #include "solid/append_faces.h"
 #include "solid/solid_data.h"
 #include "world/assemble_world.h"

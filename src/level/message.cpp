@@ -47,4 +47,14 @@ Error error_at_line(ErrorCode code, std::string_view name, std::uint32_t line, s
     return {code, std::string(name) + ":" + std::to_string(line), std::move(reason)};
 }
 
+Error nothing_left(const std::string& name, const std::string& detail, std::span<const Omission> left_out) {
+    std::string reason = "no face is left that a cast could meet";
+    if (!detail.empty()) reason += "; " + detail;
+    reason += "; left out: ";
+    for (std::size_t k = 0; k < left_out.size(); ++k)
+        reason += (k > 0 ? "; " : "") + left_out[k].what + ": " + std::to_string(left_out[k].count);
+    if (left_out.empty()) reason += "nothing";
+    return {ErrorCode::kMalformed, name, reason};
+}
+
 }  // namespace firma

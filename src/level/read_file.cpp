@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a file. By <cstdio>, as it says why something failed and exists wherever C does.
+// The bytes of a file, and what reads or checks them by its ending. By <cstdio>, as it says why something failed and
+// exists wherever C does.
 #include "level/read_file.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "base/open_file.h"
+#include "firma/level.h"
+#include "firma/mesh.h"
 
 namespace firma {
 namespace {
@@ -66,6 +70,28 @@ std::string level_endings() {
     std::string list;
     for (const Ending& known : kEndings) list.append(list.empty() ? "" : ", ").append(known.text);
     return list;
+}
+
+Result<Level> read_level(const std::string& path, const ReadOptions& options) {
+    const Result<LevelFormat> format = level_format(path);
+    if (!format) return format.error();
+    if (format.value() == LevelFormat::kMap)
+        return Error{ErrorCode::kUnsupported, path, "a .map is a level of brushes: read_brush_level() reads it"};
+    const Result<std::string> bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    if (format.value() == LevelFormat::kBsp) return read_bsp(std::as_bytes(std::span(bytes.value())), path, options);
+    return read_obj(bytes.value(), path, options);
+}
+
+Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options) {
+    const Result<LevelFormat> format = level_format(path);
+    if (!format) return format.error();
+    if (format.value() == LevelFormat::kMap)
+        return Error{ErrorCode::kUnsupported, path, "a .map has brushes, which are joined, rather than a mesh"};
+    const Result<std::string> bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    if (format.value() == LevelFormat::kBsp) return check_bsp(std::as_bytes(std::span(bytes.value())), path, options);
+    return check_obj(bytes.value(), path, options);
 }
 
 }  // namespace firma

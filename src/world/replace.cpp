@@ -2,6 +2,8 @@
 // Parts of a world replaced.
 #include "world/replace.h"
 
+#include "carve/judge_rules.h"
+
 #include <utility>
 
 namespace firma {
@@ -31,6 +33,13 @@ World with_cells(const World& world, const Cells& cells) {
     std::shared_ptr<WorldData> next = next_version(world.data());
     next->cells = cells;
     return with_faces_by_room(std::move(next));
+}
+
+Result<World> with_rules(const World& world, CarveRules rules) {
+    if (auto error = judge_rules(rules, "")) return *std::move(error);
+    auto data = std::make_shared<WorldData>(world.data());
+    data->rules = std::make_shared<const CarveRules>(std::move(rules));
+    return World(std::move(data));
 }
 
 }  // namespace firma

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Meshes for the tests of cutters: boxes side by side in one mesh, and cutters placed by hand.
+// Meshes for the tests of cutters: boxes side by side in one mesh, and cutters placed by hand; what holds after any
+// cut.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "carve/cutter_topology.h"
 #include "carve/place_cutter.h"
+#include "firma/carve.h"
 #include "firma/cutter.h"
 
 namespace firma::test {
@@ -75,6 +80,14 @@ inline TriangleMesh ring_mesh(int around, int across) {
             mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
         }
     return mesh;
+}
+
+/// What must hold of a world after any edit.
+inline void expect_sound_world(const World& world) {
+    const std::optional<WorldFault> fault = check_world(world);
+    EXPECT_FALSE(fault) << fault->what << ", face " << fault->face.value;
+    const auto solid = check_solid(world);
+    EXPECT_FALSE(solid) << solid->what;
 }
 
 }  // namespace firma::test

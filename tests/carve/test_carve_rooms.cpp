@@ -11,7 +11,7 @@
 #include "firma/versions.h"
 #include "scenes/divided_building.h"
 #include "store/bytes_alone.h"
-#include "tests/carve/expect_sound_world.h"
+#include "tests/carve/cutters.h"
 #include "tests/reference/judge_rooms.h"
 #include "tests/world/two_halves.h"
 #include "world/world_data.h"

@@ -16,7 +16,6 @@
 #include "firma/level.h"
 #include "firma/solid.h"
 #include "tests/carve/cutters.h"
-#include "tests/carve/expect_sound_world.h"
 
 namespace firma {
 namespace {

@@ -316,14 +316,26 @@ class Draw(CarveTest):
         chunks, at = {}, 8
         while at < len(png):
             size, kind = int.from_bytes(png[at:at + 4], 'big'), png[at + 4:at + 8]
-            chunks[kind] = png[at + 8:at + 8 + size]
-            self.assertEqual(zlib.crc32(kind + chunks[kind]), int.from_bytes(png[at + 8 + size:at + 12 + size], 'big'))
+            data = png[at + 8:at + 8 + size]
+            chunks[kind] = chunks.get(kind, b'') + data
+            self.assertEqual(zlib.crc32(kind + data), int.from_bytes(png[at + 8 + size:at + 12 + size], 'big'))
             at += size + 12
         width, height = (int.from_bytes(chunks[b'IHDR'][k:k + 4], 'big') for k in (0, 4))
+        self.assertEqual(chunks[b'IHDR'][8:], b'\x08\x02\0\0\0')                # 8 bits of red, green and blue
         raw, row = zlib.decompress(chunks[b'IDAT']), 1 + 3 * width
         self.assertEqual(len(raw), height * row)
-        self.assertEqual(set(raw[::row]), {0})
-        return width, b''.join(raw[k + 1:k + row] for k in range(0, len(raw), row))
+        rows = [bytes(3 * width)]
+        for k in range(0, len(raw), row): rows.append(self.without_filter(raw[k], raw[k + 1:k + row], rows[-1]))
+        return width, b''.join(rows[1:])
+
+    def without_filter(self, kind, row, above):
+        """A row as it was, by the row above it. Source: W3C, Portable Network Graphics, 2003, section 9."""
+        def paeth(a, b, c): return min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+        predicted = [lambda a, b, c: 0, lambda a, b, c: a, lambda a, b, c: b, lambda a, b, c: (a + b) // 2, paeth][kind]
+        out = bytearray(3) + row                                               # three bytes of zeros before the first
+        above = bytes(3) + above
+        for k in range(3, len(out)): out[k] = out[k] + predicted(out[k - 3], above[k], above[k - 3]) & 255
+        return bytes(out[3:])
 
     def test_bad_calls(self):
         view = ['draw', 'box.obj', '-o', 'x.png', '--view']

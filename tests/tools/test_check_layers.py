@@ -56,6 +56,16 @@ class LayersTest(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertIn(f'gltf includes src/{layer}/b.h; it may include include/firma, src/level alone', done.stdout)
 
+    def test_pictures_include_public_headers_alone_and_stand_beside_gltf(self):
+        self.assertEqual(check(self.house(draw__a='#include "firma/b.h"', include__firma__b='')).returncode, 0)
+        self.assertEqual(check(self.house(cli__a='#include "draw/b.h"', draw__b='')).returncode, 0)
+        for layer in ('geometry', 'world', 'brush'):
+            done = check(self.house(**{'draw__a': f'#include "{layer}/b.h"', f'src__{layer}__b': ''}))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f'draw includes src/{layer}/b.h; it may include include/firma alone', done.stdout)
+        self.assertEqual(check(self.house(draw__a='#include "gltf/b.h"', gltf__b='')).returncode, 1)
+        self.assertEqual(check(self.house(src__world__a='#include "draw/b.h"', draw__b='')).returncode, 1)
+
     def test_a_folder_in_no_layer_fails(self):
         done = check(self.house(src__base__a='', src__attic__b=''))
         self.assertEqual(done.returncode, 1)
