@@ -79,7 +79,7 @@ firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, 
 firma_code firma_cutter_from_obj(const char* text, size_t length, const char* name, firma_cutter* cutter) {
     return guarded(__func__, [&, function = __func__] {
         if (!cutter || (length && !text)) return bad_call(function, kNull);
-        const Result<Level> level = read_obj({text, length}, text_of(name));
+        const Result<Level> level = read_obj({text, length}, name_or(name, "obj"));
         if (!level) return fail(level.error());
         return give_cutter(cutter_from_level(level.value()), cutter, function);
     });

@@ -77,6 +77,9 @@ firma_code firma_cast(firma_world world, const firma_cast_input* input, const fi
         if (const firma_code code = read_options(options, chosen, whole, function)) return code;
         static_assert(sizeof(RoomId) == sizeof(std::uint32_t));
         RoomTrail trail{{reinterpret_cast<RoomId*>(whole.passed), whole.passed_capacity}};
+        static_assert(sizeof(PortalId) == sizeof(std::uint32_t));
+        if (whole.passed_portals)
+            trail.portals = {reinterpret_cast<PortalId*>(whole.passed_portals), whole.passed_capacity};
         if (whole.passed || whole.passed_count) chosen.trail = &trail;
         CastCounts seen;
         if (counts) chosen.counts = &seen;

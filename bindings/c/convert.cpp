@@ -54,7 +54,8 @@ firma_code read_options(const firma_cast_options* options, CastOptions& cast, fi
     if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
     if (!is_finite(given->contact_offset))
         return fail(FIRMA_ERROR_INVALID, function, "the contact offset is not finite");
-    if (!given->passed && given->passed_capacity) return bad_call(function, "a count without its array");
+    if (!given->passed && (given->passed_capacity || given->passed_portals))
+        return bad_call(function, "a count without its array");
     cast.mask = given->mask;
     cast.room = {given->room};
     cast.sides = given->sides ? Sides::kBoth : Sides::kFront;

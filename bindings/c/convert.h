@@ -27,6 +27,11 @@ inline std::string text_of(const char* text) {
     return text ? text : "";
 }
 
+/// For messages: what the caller named, or what it is.
+inline std::string name_or(const char* name, const char* otherwise) {
+    return name && *name ? name : otherwise;
+}
+
 inline Sphere sphere_of(const firma_cast_input& input) {
     return {vec(input.centre), input.radius};
 }

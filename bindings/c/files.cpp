@@ -7,7 +7,6 @@
 #include "bindings/c/objects.h"
 #include "firma/brush_world.h"
 #include "firma/save.h"
-#include "level/read_file.h"
 
 namespace firma::c {
 namespace {
@@ -40,15 +39,7 @@ firma_code load(const char* path, const firma_world_options* options, firma_worl
     WorldOptions made;
     ReadOptions read;
     if (const firma_code code = read_options(options, made, read, function)) return code;
-    const Result<LevelFormat> format = level_format(path);
-    if (format && format.value() != LevelFormat::kObj) {
-        const Result<BrushLevel> brushes = read_brush_level(path, read);
-        if (!brushes) return fail(brushes.error());
-        return give_world(make_world(brushes.value(), made), world, function);
-    }
-    const Result<Level> level = read_level(path, read);
-    if (!level) return fail(level.error());
-    return give_world(make_world(level.value(), made), world, function);
+    return give_world(read_world(path, made, read), world, function);
 }
 
 firma_code save(const World& world, const char* path, const SaveOptions& options, const char*) {
@@ -96,7 +87,8 @@ firma_code firma_world_pack(firma_world world, uint32_t exact, firma_bytes* byte
 firma_code firma_world_unpack(const void* data, size_t length, const char* name, firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
         if ((!data && length) || !world) return bad_call(function, kNull);
-        return give_world(unpack_world({static_cast<const std::byte*>(data), length}, text_of(name)), world, function);
+        return give_world(unpack_world({static_cast<const std::byte*>(data), length}, name_or(name, "firma")), world,
+                          function);
     });
 }
 

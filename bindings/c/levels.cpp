@@ -19,6 +19,7 @@ struct LevelObject final : Object {
     std::vector<firma_entity> entities;
     std::vector<std::vector<const char*>> keys, values;
     std::vector<const char*> notes;
+    std::vector<firma_omission> omissions;
 
     explicit LevelObject(BrushLevel from) : level(std::move(from)) {
         keys.resize(level.entities.size());
@@ -26,6 +27,8 @@ struct LevelObject final : Object {
         entities.reserve(level.entities.size());
         for (std::size_t k = 0; k < level.entities.size(); ++k) add(level.entities[k], keys[k], values[k]);
         for (const std::string& note : level.notes) notes.push_back(note.c_str());
+        for (const auto* list : {&level.omissions, &level.surfaces.omissions})
+            for (const Omission& one : *list) omissions.push_back({one.what.c_str(), one.first.c_str(), one.count});
     }
 
 private:
@@ -69,18 +72,30 @@ using namespace firma::c;
 
 firma_code firma_level_from_map(const char* text, size_t length, const char* name, double scale, firma_level* level) {
     return guarded(__func__, [&, function = __func__] {
-        return give_level(text, length, scale, level, function,
-                          [&](const ReadOptions& read) { return read_map({text, length}, text_of(name), read); });
+        return give_level(text, length, scale, level, function, [&](const ReadOptions& read) {
+            return read_map({text, length}, name_or(name, "map"), read);
+        });
     });
 }
 
 firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale, firma_level* level) {
     return guarded(__func__, [&, function = __func__] {
         return give_level(data, length, scale, level, function, [&](const ReadOptions& read) {
-            return read_bsp_brushes({static_cast<const std::byte*>(data), length}, text_of(name), read);
+            return read_bsp_brushes({static_cast<const std::byte*>(data), length}, name_or(name, "bsp"), read);
         });
     });
 }
+
+#if !defined(__wasm__)
+
+firma_code firma_level_load(const char* path, double scale, firma_level* level) {
+    return guarded(__func__, [&, function = __func__] {
+        return give_level(path, 1, scale, level, function,
+                          [&](const ReadOptions& read) { return read_brush_level(path, read); });
+    });
+}
+
+#endif
 
 firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
@@ -103,7 +118,7 @@ firma_code firma_level_get_view(firma_level level, firma_level_view* view) {
         const LevelObject* object = find<LevelObject>(level.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         put_sized({0, object->entities.data(), object->entities.size(), object->notes.data(), object->notes.size(),
-                   object->level.metres_a_unit},
+                   object->omissions.data(), object->omissions.size(), object->level.metres_a_unit},
                   view);
         return FIRMA_OK;
     });

@@ -96,6 +96,26 @@ firma_code firma_world_room(firma_world world, uint32_t room, firma_room* to) {
     });
 }
 
+firma_code firma_world_find_room(firma_world world, const char* name, uint32_t* room) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!name || !room) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        *room = find_room(object->world, name).value_or(RoomId{}).value;
+        return FIRMA_OK;
+    });
+}
+
+firma_code firma_world_find_portal(firma_world world, const char* name, uint32_t* portal) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!name || !portal) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        *portal = find_portal(object->world, name).value_or(PortalId{}).value;
+        return FIRMA_OK;
+    });
+}
+
 firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* to) {
     return guarded(__func__, [&, function = __func__] {
         if (!to) return bad_call(function, kNull);

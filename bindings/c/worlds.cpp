@@ -141,15 +141,16 @@ firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const
         if (const firma_code code = read_options(options, made, read, function)) return code;
         MeshArrays arrays;
         if (const firma_code code = read_mesh(*mesh, arrays, function)) return code;
-        return make(level_from_mesh(arrays.mesh, text_of(name), read), made, world, function);
+        return make(level_from_mesh(arrays.mesh, name_or(name, "mesh"), read), made, world, function);
     });
 }
 
 firma_code firma_world_from_obj(const char* text, size_t length, const char* name, const firma_world_options* options,
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
-        return from_bytes(text, length, options, world, function,
-                          [&](const ReadOptions& read) { return read_obj({text, length}, text_of(name), read); });
+        return from_bytes(text, length, options, world, function, [&](const ReadOptions& read) {
+            return read_obj({text, length}, name_or(name, "obj"), read);
+        });
     });
 }
 
@@ -157,7 +158,7 @@ firma_code firma_world_from_bsp(const void* data, size_t length, const char* nam
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
         return from_bytes(data, length, options, world, function, [&](const ReadOptions& read) {
-            return read_bsp_brushes({static_cast<const std::byte*>(data), length}, text_of(name), read);
+            return read_bsp_brushes({static_cast<const std::byte*>(data), length}, name_or(name, "bsp"), read);
         });
     });
 }
@@ -168,7 +169,7 @@ firma_code firma_world_from_bsp_surfaces(const void* data, size_t length, const 
                                          const firma_world_options* options, firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
         return from_bytes(data, length, options, world, function, [&](const ReadOptions& read) {
-            return read_bsp({static_cast<const std::byte*>(data), length}, text_of(name), read);
+            return read_bsp({static_cast<const std::byte*>(data), length}, name_or(name, "bsp"), read);
         });
     });
 }
@@ -178,8 +179,9 @@ firma_code firma_world_from_bsp_surfaces(const void* data, size_t length, const 
 firma_code firma_world_from_map(const char* text, size_t length, const char* name, const firma_world_options* options,
                                 firma_world* world) {
     return guarded(__func__, [&, function = __func__] {
-        return from_bytes(text, length, options, world, function,
-                          [&](const ReadOptions& read) { return read_map({text, length}, text_of(name), read); });
+        return from_bytes(text, length, options, world, function, [&](const ReadOptions& read) {
+            return read_map({text, length}, name_or(name, "map"), read);
+        });
     });
 }
 

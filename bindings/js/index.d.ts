@@ -139,8 +139,17 @@ export interface Level extends Handle {
     entities(): Entity[];
     /** For people: what was dropped, replaced or not understood, with its place. */
     notes(): string[];
+    /** What the file holds and casts will not meet. */
+    omissions(): Omission[];
     /** For numbers in the entities' values. */
     readonly metresPerUnit: number;
+}
+
+/** Things of one kind, in the plural, how many, and the place of the first; '' where the format has none. */
+export interface Omission {
+    what: string;
+    count: number;
+    first: string;
 }
 
 /** A spawn point, a light, a door: what the author placed, by its keys. */
@@ -167,7 +176,7 @@ export interface Mesh {
     cornerCounts?: Words;
     /** For each face, an index of `materialNames`; none: the first. */
     materials?: Words;
-    /** The world numbers them anew: see WorldFacts.materials. */
+    /** The world numbers them so, too. */
     materialNames?: readonly string[];
     /** For each face, what casts choose by, ~0 or -1 for all; none: all bits. */
     masks?: Words | Int32Array;
@@ -190,8 +199,8 @@ export interface WorldFacts {
     high: Vector3;
     contactOffset: number;
     /**
-     * By the numbers that all of a world's materials go by, whatever their place in the mesh or file: 0 is '', of faces
-     * without one, and equal names are one.
+     * By the numbers that all of a world's materials go by: of a mesh, the caller's own; of a file, 0 is '', of faces
+     * without one.
      */
     materials: string[];
     /** Cuts and fills so far. */
@@ -423,6 +432,8 @@ export interface SingleCastOptions extends CountedCastOptions {
      * of several were asked.
      */
     passed?: number[];
+    /** An array that gets for each of these rooms the portal that it was reached through first; null for the first room. */
+    passedPortals?: (number | null)[];
 }
 
 /** What overlap() and closest() are limited to. */
@@ -640,6 +651,11 @@ export interface World extends Handle {
     /** Another handle to the same value. */
     copy(): World;
     facts(): WorldFacts;
+    /** The name of a material. @throws {FirmaError} INVALID for one that the world does not have */
+    material(material: number): string;
+    /** The first room of a name, the first portal of a name; null when there is none. */
+    findRoom(name: string): number | null;
+    findPortal(name: string): number | null;
     /** Of everything the world holds: equal edits in equal order give equal ones on every machine. */
     hash(): bigint;
     /** Of the solid's set of points alone: equal for equal solids, however they came about. */

@@ -66,6 +66,13 @@ struct BrushWorldReport {
 [[nodiscard]] FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
                                                     BrushWorldReport* report = nullptr);
 
+/// The world of a file by its ending: .obj, .map, .bsp (its brushes), or .firma, which has its own options: for that
+/// the options are ignored. (read_gltf() reads glTF; read_level(), read_brush_level() tell more of a level than its
+/// world.)
+/// @return errors of the reader and of make_world(); kUnsupported for other endings
+[[nodiscard]] FIRMA_EXPORT Result<World> read_world(const std::string& path, const WorldOptions& options = {},
+                                                    const ReadOptions& read = {});
+
 struct DivideOptions {
     /// An opening divides two rooms when its area is less than so many times that of a square wall of the smaller one,
     /// were that a cube. 0: none does.

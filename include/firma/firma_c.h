@@ -160,7 +160,7 @@ typedef struct firma_mesh {
     const uint32_t* corner_counts; /* for each face, >= 3; null: all are triangles */
     size_t face_count;
     const uint32_t* materials;         /* for each face, an index of material_names; null: the first, or none */
-    const char* const* material_names; /* UTF-8; null when material_count is 0. The world numbers them anew */
+    const char* const* material_names; /* UTF-8; null when material_count is 0. The world numbers them so, too */
     const uint32_t* masks;             /* for each face; null: all bits */
     const uint8_t* two_sided;          /* for each face, 0 or 1; null: none */
     const double* uvs;                 /* texture coordinates, two for each of the corners, in repeats, which come out
@@ -200,6 +200,8 @@ FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const
                                           firma_level* level);
 FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
                                           firma_level* level);
+/* A .map or .bsp by its file. */
+FIRMA_API firma_code firma_level_load(const char* path, double scale, firma_level* level);
 /* The world that firma_world_from_map() would make; the scale of the options is ignored. */
 FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
 
@@ -213,12 +215,21 @@ typedef struct firma_entity {
     uint32_t line;       /* where it begins in the file, from 1; 0 where the format has none */
 } firma_entity;
 
+/* Things of one kind that a file holds and a world of it will not. */
+typedef struct firma_omission {
+    const char* what;  /* in the plural: "primitives 'brushDef9'", "faces without area" */
+    const char* first; /* the place of the first; "" where the format has none */
+    uint64_t count;
+} firma_omission;
+
 typedef struct firma_level_view {
     uint32_t size;                /* sizeof(firma_level_view) */
     const firma_entity* entities; /* the first is the world */
     size_t entity_count;
     const char* const* notes; /* for people: what was dropped, replaced or not understood, with its place */
     size_t note_count;
+    const firma_omission* omissions; /* what the file holds and casts will not meet */
+    size_t omission_count;
     double metres_a_unit; /* for numbers in the entities' values */
 } firma_level_view;
 
@@ -268,9 +279,9 @@ FIRMA_API firma_code firma_world_check(firma_world world);
 FIRMA_API firma_code firma_world_measure(firma_world world, double* volume, double* area);
 /* Bytes that several worlds hold together; what they share counts once. */
 FIRMA_API firma_code firma_world_memory(const firma_world* worlds, size_t count, uint64_t* bytes);
-/* UTF-8; good as long as the handle. Materials have a number each in a world, whatever their place in the mesh or file:
- * 0 is "", of faces without one, and equal names are one. Everything that a world says or is told of a material is by
- * that number. FIRMA_ERROR_INVALID for one that the world does not have. */
+/* UTF-8; good as long as the handle. Materials have a number each in a world: of a mesh, the caller's own; of a file, 0
+ * is "", of faces without one. Everything that a world says or is told of a material is by that number.
+ * FIRMA_ERROR_INVALID for one that the world does not have. */
 FIRMA_API firma_code firma_world_material(firma_world world, uint32_t material, const char** name);
 
 /* Regions and materials that refuse a cut (hardness 1) or shrink it, and limits; 0 for a limit takes the default. */
@@ -479,6 +490,10 @@ typedef struct firma_room {
 /* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
 FIRMA_API firma_code firma_world_room(firma_world world, uint32_t room, firma_room* info);
 
+/* The room of a name, the first of several, or FIRMA_NO_ROOM; a portal of a name, or FIRMA_NO_PORTAL. */
+FIRMA_API firma_code firma_world_find_room(firma_world world, const char* name, uint32_t* room);
+FIRMA_API firma_code firma_world_find_portal(firma_world world, const char* name, uint32_t* portal);
+
 typedef struct firma_portal {
     uint32_t size; /* sizeof(firma_portal) */
     uint32_t material;
@@ -533,6 +548,8 @@ typedef struct firma_cast_options {
     size_t passed_capacity;
     uint32_t* passed_count; /* gets how many there were, the first included: 0 when all rooms of a world of several were
                                asked; may be null */
+    uint32_t* passed_portals; /* gets for each of these rooms the portal that it was reached through first,
+                                 FIRMA_NO_PORTAL for the first room; as long as `passed`; may be null */
 } firma_cast_options;
 
 FIRMA_API void firma_cast_options_defaults(firma_cast_options* options);

@@ -32,8 +32,8 @@ struct Mesh {
 
 /// Makes of a mesh what read_obj() makes of a file: vertices are snapped, faces without area dropped, those that are
 /// not convex and planar on the grid divided, and those whose texture coordinates no one map gives; the level's notes
-/// say which. Faces keep their index as `source`.
-/// Materials get new numbers: the level's first is "", and equal names are one.
+/// say which. Faces keep their index as `source`. Materials keep their numbers, whatever their names; without names
+/// there is one, "".
 ///
 /// @param name  for messages
 /// @return the level, or the first error with vertex or face: a position that is not finite or lies outside the world,

@@ -18,14 +18,14 @@ namespace firma {
 
 /// A ball. Radius 0 is a particle.
 struct Sphere {
-    Vec3 centre;
+    Vec3 centre{};
     double radius = 0;  ///< metres, >= 0
 };
 
 /// A straight way of a particle.
 struct Ray {
-    Vec3 start;  ///< metres
-    Vec3 path;   ///< motion, metres: its length says how far
+    Vec3 start{};  ///< metres
+    Vec3 path{};   ///< motion, metres: its length says how far
 };
 
 /// Why corners do not make a polygon that can be cast against.

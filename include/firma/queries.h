@@ -26,6 +26,9 @@ struct RoomTrail {
     /// How many there were, the first included; 0 when the cast asked all rooms of a world of several, by
     /// CastOptions::room or as its start is in none, and when nothing was asked (a zero path, kInvalid).
     std::uint32_t count = 0;
+    /// portals[k] is the one that rooms[k] was reached through first, filled as far as they fit; the first is invalid,
+    /// as there the sweep began.
+    std::span<PortalId> portals{};
 };
 
 struct CastOptions {
@@ -90,8 +93,8 @@ inline Status cast_all(const World& world, const Ray& ray, std::vector<Hit>& hit
 
 /// One of many casts.
 struct CastInput {
-    Sphere sphere;
-    Vec3 path;
+    Sphere sphere{};
+    Vec3 path{};
 };
 
 /// Who runs a batch. `run` calls work(context, k) once for each k below count, in any order and on any threads, and

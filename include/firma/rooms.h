@@ -59,6 +59,12 @@ struct RoomInfo {
 /// @return nothing for a room that is not there. Never allocates; costs the same for every room.
 [[nodiscard]] FIRMA_EXPORT std::optional<RoomInfo> room_info(const World& world, RoomId room);
 
+/// The room of a name, the first of several; of an edit that joined it to another, still its own id.
+/// @return nothing where no room has it, and for "". Costs a look at each room
+[[nodiscard]] FIRMA_EXPORT std::optional<RoomId> find_room(const World& world, std::string_view name);
+/// The portal of a name, likewise.
+[[nodiscard]] FIRMA_EXPORT std::optional<PortalId> find_portal(const World& world, std::string_view name);
+
 /// The room that a hit is in: that its face looks into; of a closed portal the one on the side that was met.
 /// @return invalid for a miss, and for a face or portal that this world does not have. Costs World::face_info()
 [[nodiscard]] FIRMA_EXPORT RoomId room_of(const World& world, const Hit& hit);

@@ -39,6 +39,16 @@ FIRMA_INLINE Vec3 operator*(double s, const Vec3& a) {
     return a * s;
 }
 
+FIRMA_INLINE Vec3& operator+=(Vec3& a, const Vec3& b) {
+    return a = a + b;
+}
+FIRMA_INLINE Vec3& operator-=(Vec3& a, const Vec3& b) {
+    return a = a - b;
+}
+FIRMA_INLINE Vec3& operator*=(Vec3& a, double s) {
+    return a = a * s;
+}
+
 FIRMA_INLINE double dot(const Vec3& a, const Vec3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }

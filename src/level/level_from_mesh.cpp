@@ -22,7 +22,6 @@ public:
                 return fail(ErrorCode::kOutOfRange, "vertex", k,
                             is_finite(mesh_.vertices[k]) ? "lies outside the world, which spans 8192 m to each side"
                                                          : "is not finite");
-        for (const std::string& name : mesh_.material_names) materials_.push_back(builder_.material(name));
         builder_.mend_what_is_dropped();
         for (std::size_t face = 0, first = 0; face < faces_; ++face) {
             const std::size_t count = corners_of(face);
@@ -30,7 +29,11 @@ public:
             if (std::optional<Error> error = add_face(face, mesh_.corners.subspan(first, count), uvs)) return *error;
             first += count;
         }
-        return builder_.finish(std::uint32_t(faces_), 0);
+        Level level = builder_.finish(std::uint32_t(faces_), 0);
+        // Numbered as the caller numbers them, not as the builder would.
+        if (!mesh_.material_names.empty())
+            level.materials.assign(mesh_.material_names.begin(), mesh_.material_names.end());
+        return level;
     }
 
 private:
@@ -92,12 +95,11 @@ private:
         info.source = std::uint32_t(face);
         if (!mesh_.materials.empty()) {
             const std::uint32_t material = mesh_.materials[face];
-            if (material >= materials_.size())
+            if (material >= mesh_.material_names.size())
                 return fail(ErrorCode::kMalformed, "face", face,
-                            "names material " + std::to_string(material) + " of " + std::to_string(materials_.size()));
-            info.material = materials_[material];
-        } else if (!materials_.empty()) {
-            info.material = materials_[0];
+                            "names material " + std::to_string(material) + " of " +
+                                std::to_string(mesh_.material_names.size()));
+            info.material = material;
         }
         if (!mesh_.masks.empty()) info.mask = mesh_.masks[face];
         info.two_sided = !mesh_.two_sided.empty() && mesh_.two_sided[face] != 0;
@@ -111,7 +113,6 @@ private:
     const std::string name_;
     const double scale_;
     std::size_t faces_ = 0;
-    std::vector<std::uint32_t> materials_;
     LevelBuilder builder_;
 };
 

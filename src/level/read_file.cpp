@@ -63,6 +63,8 @@ Result<LevelFormat> level_format(const std::string& path) {
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     for (const Ending& known : kEndings)
         if (ending == known.text) return known.format;
+    if (ending == ".gltf" || ending == ".glb")
+        return Error{ErrorCode::kUnsupported, path, "a glTF file: read_gltf() reads it (firma/read_gltf.h)"};
     return Error{ErrorCode::kUnsupported, path, "the name ends in none of " + level_endings()};
 }
 

@@ -66,6 +66,20 @@ std::optional<RoomInfo> room_info(const World& world, RoomId room) {
     return info;
 }
 
+std::optional<RoomId> find_room(const World& world, std::string_view name) {
+    const Cells& cells = world.data().cells;
+    for (std::uint32_t k = 0; !name.empty() && k < cells.room_count(); ++k)
+        if (cells.room(k).name == name) return RoomId{k};
+    return {};
+}
+
+std::optional<PortalId> find_portal(const World& world, std::string_view name) {
+    const Cells& cells = world.data().cells;
+    for (std::uint32_t k = 0; !name.empty() && k < cells.portal_count(); ++k)
+        if (cells.portal(k).name == name) return PortalId{k};
+    return {};
+}
+
 RoomId room_of(const World& world, const Hit& hit) {
     if (hit.portal.valid()) {
         const WorldData& data = world.data();

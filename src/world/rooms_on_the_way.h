@@ -16,8 +16,11 @@ namespace firma {
 struct WaitingRoom {
     double reached;
     std::uint32_t room;
-    bool behind;
+    std::uint32_t portal : 31;  ///< that it is reached through first
+    std::uint32_t behind : 1;
 };
+/// In place of a portal: there the sweep begins.
+inline constexpr std::uint32_t kNoPortalPassed = (1u << 31) - 1;
 
 class RoomsOnTheWay {
 public:
@@ -62,7 +65,7 @@ public:
     void wait(const WaitingRoom& more) {
         for (std::size_t k = 0; k < count_; ++k)
             if (waiting_[k].room == more.room && waiting_[k].behind == more.behind) {
-                if (more.reached < waiting_[k].reached) waiting_[k].reached = more.reached;
+                if (more.reached < waiting_[k].reached) waiting_[k] = more;
                 return;
             }
         if (count_ == room_for_) make_room();

@@ -37,9 +37,11 @@ struct SweepContact {
     }
 };
 
-/// A room that a cast looked into.
-inline void add_room(RoomTrail& trail, std::uint32_t room) {
+/// A room that a cast passed into, and the portal.
+inline void add_room(RoomTrail& trail, std::uint32_t room, std::uint32_t portal = kNoPortalPassed) {
     if (trail.count < trail.rooms.size()) trail.rooms[trail.count] = {room};
+    if (trail.count < trail.portals.size())
+        trail.portals[trail.count] = portal == kNoPortalPassed ? PortalId{} : PortalId{portal};
     ++trail.count;
 }
 
@@ -121,14 +123,14 @@ public:
         rooms_.start(data_.cells.room_count());
         grown_ = grown_radius(sweep_);
         const SweepBox boxes(sweep_);
-        rooms_.wait({0, start, false});
+        rooms_.wait({0, start, kNoPortalPassed, false});
         while (rooms_.any() && !ended_) {
             const WaitingRoom next = rooms_.take_first();
             if (next.reached > found_.latest) break;
             const bool first_look = !rooms_.looked_into(next.room);
             if (next.behind && !first_look) continue;
             if (!next.behind) {
-                add_room(trail, next.room);
+                add_room(trail, next.room, next.portal);
                 rooms_.mark_passed(next.room);
             }
             rooms_.mark_looked_into(next.room);
@@ -167,7 +169,7 @@ private:
             double reached = 0;
             if (behind ? rooms_.looked_into(beyond) : rooms_.passed(beyond)) continue;
             if (!reaches(portal, boxes, reached)) continue;
-            rooms_.wait({reached > from.reached ? reached : from.reached, beyond, behind});
+            rooms_.wait({reached > from.reached ? reached : from.reached, beyond, index, behind});
         }
     }
 

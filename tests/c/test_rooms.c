@@ -229,11 +229,35 @@ static void test_casts_by_room(firma_world world) {
     CHECK_FAILS(firma_cast_all(world, &through, &options, NULL, 0, &count), FIRMA_ERROR_OUT_OF_RANGE, "no such room");
     options.passed = NULL;
     CHECK_FAILS(firma_cast(world, &through, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "array");
+
+    uint32_t rooms[4] = {9, 9, 9, 9}, portals[4] = {9, 9, 9, 9};
+    passed_count = 0;
+    firma_cast_options_defaults(&options);
+    options.room = FIRMA_LOCATE_ROOM;
+    options.passed = rooms;
+    options.passed_portals = portals;
+    options.passed_capacity = 4;
+    options.passed_count = &passed_count;
+    CHECK_OK(firma_cast(world, &through, &options, &hit, NULL));
+    CHECK(passed_count == 2 && portals[0] == FIRMA_NO_PORTAL && portals[1] == 0 && portals[2] == 9);
+    options.passed = NULL;
+    options.passed_capacity = 0;
+    CHECK_FAILS(firma_cast(world, &through, &options, &hit, NULL), FIRMA_ERROR_BAD_CALL, "array");
+
+    uint32_t found = 7;
+    CHECK_OK(firma_world_find_room(world, "nowhere", &found));
+    CHECK(found == FIRMA_NO_ROOM);
+    CHECK_OK(firma_world_find_room(world, "", &found));
+    CHECK(found == FIRMA_NO_ROOM);
+    CHECK_OK(firma_world_find_portal(world, "nowhere", &found));
+    CHECK(found == FIRMA_NO_PORTAL);
+    CHECK_FAILS(firma_world_find_room(world, NULL, &found), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_world_find_portal(world, "a", NULL), FIRMA_ERROR_BAD_CALL, "null");
 }
 
 static void test_level(void) {
     static const char text[] =
-        "{ \"classname\" \"worldspawn\" \"message\" \"a\" }\n"
+        "{ \"classname\" \"worldspawn\" \"message\" \"a\" { brushDef9 { } } { brushDef9 { } } }\n"
         "{ \"classname\" \"light\" \"origin\" \"32 0 -64\" }\n"
         "{ \"origin\" \"1 2\" }\n";
     firma_level level = {0};
@@ -246,6 +270,9 @@ static void test_level(void) {
     CHECK(view.entities[1].has_origin && view.entities[1].origin[0] == 1 && view.entities[1].origin[2] == -2);
     CHECK(view.entities[1].line == 2 && !view.entities[0].has_origin);
     CHECK(!view.entities[2].has_origin && strcmp(view.entities[2].classname, "") == 0);
+    CHECK(view.omission_count == 1 && view.omissions[0].count == 2 &&
+          strncmp(view.omissions[0].first, "a.map:1", 7) == 0);
+    CHECK(strstr(view.omissions[0].what, "brushDef9") != NULL);
     firma_world world = {0};
     CHECK_FAILS(firma_world_from_level(level, NULL, &world), FIRMA_ERROR_MALFORMED, "a.map");
     CHECK_FAILS(firma_world_from_level(level, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
@@ -257,6 +284,11 @@ static void test_level(void) {
     CHECK_FAILS(firma_level_from_map("{", 1, "b.map", -1, &level), FIRMA_ERROR_INVALID, "scale");
     CHECK_FAILS(firma_level_from_map(NULL, 1, "b.map", 0, &level), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_level_from_bsp("{", 1, "b.bsp", 0, &level), FIRMA_ERROR_MALFORMED, "b.bsp");
+    CHECK_FAILS(firma_level_from_map("{", 1, NULL, 0, &level), FIRMA_ERROR_MALFORMED, "map:1");
+    CHECK_FAILS(firma_level_load("nowhere.map", 0, &level), FIRMA_ERROR_CANNOT_READ, "nowhere.map");
+    CHECK_FAILS(firma_level_load("nowhere.obj", 0, &level), FIRMA_ERROR_UNSUPPORTED, "brushes");
+    CHECK_FAILS(firma_level_load(NULL, 0, &level), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_world_load("nowhere.glb", NULL, &world), FIRMA_ERROR_UNSUPPORTED, "read_gltf");
 }
 
 /* kaos2 of OpenArena, where FIRMA_OPENARENA names the folder that it is in. */

@@ -43,7 +43,7 @@ class WordsTest(unittest.TestCase):
         for word, instead in (('The skin is kept.', 'contact offset'), ('Two bins meet.', 'node or leaf'), ('It visits them.', 'traverse'),
                               ('Faces that it looked at.', 'candidate faces'), ('Then casts look at fewer.', 'candidate faces'),
                               ('The face is gone.', 'removed'), ('No ray told.', 'unclassified'), ('A shelf of pieces.', 'size class'),
-                              ('It is dressed.', 'fill'), ('The exact oracle.', 'reference oracle'), ('Large numbers hold.', 'soak tests'),
+                              ('It is dressed.', 'fill'), ('The exact twin.', 'reference oracle'), ('Large numbers hold.', 'soak tests'),
                               ('A number that is no good.', 'non-finite')):
             self.finds('docs/a.md', f'# Title\n\n{word}\n', 3, instead)
 
@@ -77,7 +77,7 @@ class WordsTest(unittest.TestCase):
         for line, instead in (('double skin = 0;', 'contact_offset'), ('int faces_per_bin = 4;', 'nodes, leaves'), ('int most_faces;', 'max_'),
                               ('int kMostTiles;', 'kMax'), ('double largest_cutter;', 'max_'), ('int faces_looked_at;', 'candidate_faces'),
                               ('int faces_gone;', 'removed'), ('int portals_come;', 'removed, added'), ('kTouching,', 'initial overlap'),
-                              ('RoomId part_of;', 'merged_into'), ('kUnsure,', 'unknown'), ('void visit_faces();', 'each_'), ('struct oracle_world;', 'oracle')):
+                              ('RoomId part_of;', 'merged_into'), ('kUnsure,', 'unknown'), ('void visit_faces();', 'each_'), ('struct twin_world;', 'oracle')):
             self.finds('include/firma/a.h', f'#pragma once\n{line}\n', 2, instead)
         for line, instead in (('    facesPerBin?: number;', 'nodes, leaves'), ('    mostFaces?: number;', 'max'), ('    facesGone: number;', 'removed')):
             self.finds('bindings/js/index.d.ts', f'interface A {{\n{line}\n}}\n', 2, instead)
@@ -111,7 +111,7 @@ class WordsTest(unittest.TestCase):
         self.passes('cli/verb_a.cpp', 'const char* footer = R"(columns\n\n--json: skin, bins (how many)\n)";\n')
 
     def test_each_fault_is_counted(self):
-        done = check(self.project({'docs/a.md': 'bins, bins\nskin\n', 'README.md': 'oracles\n'}))
+        done = check(self.project({'docs/a.md': 'bins, bins\nskin\n', 'README.md': 'twins\n'}))
         self.assertTrue(done.stdout.endswith('\n4 faults\n'), done.stdout)
 
     def test_packages_of_others_are_not_read(self):

@@ -12,6 +12,23 @@
 namespace firma {
 namespace {
 
+/// Each room but the first was reached through an open portal, or one that stops nothing, of a room before it.
+void expect_portals_join(const World& world, const RoomTrail& trail) {
+    const std::size_t count = std::min<std::size_t>(trail.count, trail.portals.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k == 0) {
+            EXPECT_FALSE(trail.portals[k].valid());
+            continue;
+        }
+        const std::optional<PortalInfo> portal = portal_info(world, trail.portals[k]);
+        ASSERT_TRUE(portal);
+        const bool second = portal->rooms[1] == trail.rooms[k];
+        EXPECT_EQ(portal->rooms[second], trail.rooms[k]);
+        const auto before = trail.rooms.first(k);
+        EXPECT_NE(std::find(before.begin(), before.end(), portal->rooms[!second]), before.end()) << "room " << k;
+    }
+}
+
 using scenes::BuildingPlan;
 using scenes::DividedBuilding;
 
@@ -66,11 +83,14 @@ void compare(const DividedBuilding& building, const World& world, int casts, std
         ASSERT_EQ(start.where, Where::kAir);
         SCOPED_TRACE(testing::Message() << "cast " << k << " from room " << start.room.value);
         std::array<RoomId, 64> passed;
-        RoomTrail trail{passed};
+        std::array<PortalId, 64> portals;
+        RoomTrail trail{.rooms = passed, .portals = portals};
         const CastOptions by_room{.room = start.room, .trail = &trail};
         const Hit hit = cast(world, asked.sphere, asked.path, by_room);
         const std::uint32_t rooms_passed = trail.count;
+        expect_portals_join(world, trail);
         trail.rooms = {};
+        trail.portals = {};
         expect_same(hit, all);
         EXPECT_EQ(room_of(world, hit), room_of(world, all));
         expect_same(cast(world, asked.sphere, asked.path, {.room = kLocateRoom}), all);

@@ -71,25 +71,30 @@ export function putCastOptions(core, options, place, more = []) {
     core.setU32(at + CAST_OPTIONS.passed, 0);
     core.setU32(at + CAST_OPTIONS.passedCapacity, 0);
     core.setU32(at + CAST_OPTIONS.passedCount, 0);
+    core.setU32(at + CAST_OPTIONS.passedPortals, 0);
     return at;
 }
 
 /** Runs cast(given, options), and again with more room where options.passed wants more rooms than fit. */
 export function withPassed(core, options, at, cast) {
-    if (options?.passed === undefined) return cast(at);
-    if (!Array.isArray(options.passed)) throw badCall('cast', 'passed must be an array, which gets the rooms');
+    const lists = ['passed', 'passedPortals'].filter((name) => options?.[name] !== undefined);
+    if (lists.length === 0) return cast(at);
+    for (const name of lists)
+        if (!Array.isArray(options[name])) throw badCall('cast', `${name} must be an array, which gets the numbers`);
     return core.borrow((lent) => {
         const count = lent.take(16);
         for (let capacity = 64; ; capacity = core.getU32(count)) {
-            const rooms = lent.take(4 * capacity);
+            const [rooms, portals] = [lent.take(4 * capacity), lent.take(4 * capacity)];
             core.setU32(at + CAST_OPTIONS.passed, rooms);
+            core.setU32(at + CAST_OPTIONS.passedPortals, portals);
             core.setU32(at + CAST_OPTIONS.passedCapacity, capacity);
             core.setU32(at + CAST_OPTIONS.passedCount, count);
             const answer = cast(at);
             const passed = core.getU32(count);
             if (passed > capacity) continue;
-            options.passed.length = 0;
-            for (let k = 0; k < passed; ++k) options.passed.push(core.getU32(rooms + 4 * k));
+            const words = (from) => Array.from(core.u32.subarray(from >>> 2, (from >>> 2) + passed));
+            options.passed?.splice(0, Infinity, ...words(rooms));
+            options.passedPortals?.splice(0, Infinity, ...words(portals).map(noPortal));
             return answer;
         }
     });

@@ -132,15 +132,25 @@ export const ENTITY = Object.freeze({
     line: 44,
 });
 
+/** firma_omission */
+export const OMISSION = Object.freeze({
+    sizeof: 16,
+    what: 0,
+    first: 4,
+    count: 8,
+});
+
 /** firma_level_view */
 export const LEVEL_VIEW = Object.freeze({
-    sizeof: 32,
+    sizeof: 40,
     size: 0,
     entities: 4,
     entityCount: 8,
     notes: 12,
     noteCount: 16,
-    metresAUnit: 24,
+    omissions: 20,
+    omissionCount: 24,
+    metresAUnit: 32,
 });
 
 /** firma_world_facts */
@@ -350,6 +360,7 @@ export const CAST_OPTIONS = Object.freeze({
     passed: 24,
     passedCapacity: 28,
     passedCount: 32,
+    passedPortals: 36,
 });
 
 /** firma_hit */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Levels of brushes: their entities, and worlds of them.
 import { CORE, Handle, ID } from './handle.js';
-import { ENTITY, LEVEL_VIEW } from './layout.js';
+import { ENTITY, LEVEL_VIEW, OMISSION } from './layout.js';
 
 export class Level extends Handle {
     #world;
@@ -29,6 +29,20 @@ export class Level extends Handle {
         const core = this[CORE];
         const at = this.#view();
         return getTexts(core, core.getU32(at + LEVEL_VIEW.notes), core.getU32(at + LEVEL_VIEW.noteCount));
+    }
+
+    omissions() {
+        const core = this[CORE];
+        const at = this.#view();
+        const first = core.getU32(at + LEVEL_VIEW.omissions);
+        return Array.from({ length: core.getU32(at + LEVEL_VIEW.omissionCount) }, (_, k) => {
+            const one = first + k * OMISSION.sizeof;
+            return {
+                what: core.text(core.getU32(one + OMISSION.what)),
+                count: core.getCount(one + OMISSION.count),
+                first: core.text(core.getU32(one + OMISSION.first)),
+            };
+        });
     }
 
     get metresPerUnit() {

@@ -3,7 +3,7 @@
 import { takeFaces } from './faces.js';
 import { makeHandle } from './handle.js';
 import { PORTAL, ROOM, WHERE_NAMES } from './layout.js';
-import { flag, object, vector, word } from './arguments.js';
+import { flag, object, text, vector, word } from './arguments.js';
 
 /** What `portal` of a batch is where there is none. */
 export const NO_PORTAL = 0xffffffff;
@@ -49,6 +49,16 @@ export function getPortal(core, id, portal) {
         faces.corners.slice(3 * first, 3 * (first + faces.cornerCounts[k])),
     );
     return info;
+}
+
+/** The number of a room or portal ('room', 'portal') of a name; null where there is none. */
+export function findByName(core, id, kind, name) {
+    const place = kind === 'room' ? 'findRoom' : 'findPortal';
+    return core.borrow((lent) => {
+        core.run(`firma_world_find_${kind}`, id, lent.text(text(name, place, 'the name')), core.at.out);
+        const found = core.getU32(core.at.out);
+        return found === NO_PORTAL ? null : found;
+    });
 }
 
 /** Numbers that a call writes, as many as it says there are: ask(at, capacity, count). */

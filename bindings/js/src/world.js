@@ -23,7 +23,7 @@ import {
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { onlyFace, putFaceFilter, takeDiff, takeFaces } from './faces.js';
-import { getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
+import { findByName, getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
 import { putRules } from './rules.js';
 import { takeTexture, takeTriangles } from './triangles.js';
 
@@ -74,6 +74,20 @@ export class World extends Handle {
             facts.materials.push(core.text(core.getU32(core.at.out)));
         }
         return facts;
+    }
+
+    material(material) {
+        const core = this[CORE];
+        core.run('firma_world_material', this[ID], word(material, 'material', 'the material'), core.at.out);
+        return core.text(core.getU32(core.at.out));
+    }
+
+    findRoom(name) {
+        return findByName(this[CORE], this[ID], 'room', name);
+    }
+
+    findPortal(name) {
+        return findByName(this[CORE], this[ID], 'portal', name);
     }
 
     hash() {
@@ -155,7 +169,7 @@ export class World extends Handle {
         const core = this[CORE];
         const at = core.at.hit;
         const given = putInput(core, input, 'cast');
-        const chosen = putCastOptions(core, options, 'cast', ['counts', 'passed']);
+        const chosen = putCastOptions(core, options, 'cast', ['counts', 'passed', 'passedPortals']);
         const counts = clearCounts(core, options, 'cast');
         const code = withPassed(core, options, chosen, (asked) => {
             try {

@@ -201,12 +201,44 @@ test('entities of a level, and its world', () => {
         assert.deepEqual([light.values.get('größe'), light.values.get('a'), light.keys.length], ['ü', '1', 5]);
         assert.equal(level.metresPerUnit, 0.5);
         assert.match(level.notes().join(), /brushDef9/);
+        assert.deepEqual(level.omissions().map(({ count }) => count), [1]);
+        assert.match(level.omissions()[0].first, /^map:1/);
+        assert.match(level.omissions()[0].what, /brushDef9/);
         throwsCode('MALFORMED', () => level.world());
     });
     throwsCode('MALFORMED', () => firma.levelFromMap('{', { name: 'torn.map' }), /torn\.map/);
     throwsCode('INVALID', () => firma.levelFromMap('{}', { scale: -1 }), /scale/);
     throwsCode('BAD_CALL', () => firma.levelFromMap(5));
     throwsCode('BAD_CALL', () => firma.levelFromMap('{}', { scale: '1' }));
+});
+
+test('rooms and portals by name, materials, and the portals that a cast passes', () => {
+    releasing([firma.worldFromMap(depot), firma.levelFromMap(depot)], (world, level) => {
+        const { materials, roomCount } = world.facts();
+        assert.equal(world.material(3), materials[3]);
+        throwsCode('INVALID', () => world.material(materials.length));
+        for (let room = 0; room < roomCount; ++room) {
+            const { name } = world.room(room);
+            if (name !== '') assert.equal(world.room(world.findRoom(name)).name, name);
+        }
+        assert.equal(world.findRoom('no such room'), null);
+        assert.equal(world.findRoom(''), null);
+        assert.equal(world.findPortal('no such portal'), null);
+        throwsCode('BAD_CALL', () => world.findRoom(3));
+        const start = level.entities().find(({ classname }) => classname === 'info_player_start').origin;
+        const [passed, passedPortals] = [[7, 7, 7], []];
+        let far = 0;
+        for (let k = 0; k < 64; ++k) {
+            const path = [80 * Math.cos(k), 80 * Math.sin(k), 0];
+            world.cast({ centre: start, radius: 0, path }, { room: 'locate', passed, passedPortals });
+            assert.equal(passed.length, passedPortals.length);
+            assert.equal(passedPortals[0], null);
+            for (let n = 1; n < passed.length; ++n) assert.ok(world.portal(passedPortals[n]).rooms.includes(passed[n]));
+            far = Math.max(far, passed.length);
+        }
+        assert.ok(far > 1);
+        throwsCode('BAD_CALL', () => world.cast({ centre: start, radius: 0, path: [1, 0, 0] }, { passedPortals: 3 }));
+    });
 });
 
 test('a level without rooms has one', () => {
