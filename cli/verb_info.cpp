@@ -127,19 +127,19 @@ Json gltf_json(const LoadedGltf& gltf) {
             {"notes", gltf.notes}};
 }
 
+std::size_t divided_faces(const Level& level) {
+    return level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing) + level.count(FaceNote::kTexture);
+}
+
 Json json_of(const LoadedLevel& loaded) {
     const Level& level = loaded.level;
     const KindCounts kinds = count_kinds(level);
     Json json;
     json["level"] = level.name;
-    json["faces"] = {{"total", level.faces.size()},
-                     {"in_file", level.source_faces},
-                     {"polygon", kinds.polygons},
-                     {"triangle_soup", kinds.soup},
-                     {"patch", kinds.patches},
-                     {"dropped", level.count(FaceNote::kNoArea)},
-                     {"divided", level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing)},
-                     {"crossing", level.count(FaceNote::kCrossing)}};
+    json["faces"] = {{"total", level.faces.size()},     {"in_file", level.source_faces},
+                     {"polygon", kinds.polygons},       {"triangle_soup", kinds.soup},
+                     {"patch", kinds.patches},          {"dropped", level.count(FaceNote::kNoArea)},
+                     {"divided", divided_faces(level)}, {"crossing", level.count(FaceNote::kCrossing)}};
     json["vertices"] = level.vertices.size();
     json["corners"] = level.corners.size();
     json["materials"] = material_names(level);
@@ -180,8 +180,7 @@ std::string text_for_people(const LoadedLevel& loaded) {
     row("faces", fmt::format("{} ({})", grouped(level.faces.size()), kinds_text(count_kinds(level))));
     row("faces in file", fmt::format("{}: {} dropped (no area), {} divided ({} of them cross themselves)",
                                      grouped(level.source_faces), grouped(level.count(FaceNote::kNoArea)),
-                                     grouped(level.count(FaceNote::kSplit) + level.count(FaceNote::kCrossing)),
-                                     grouped(level.count(FaceNote::kCrossing))));
+                                     grouped(divided_faces(level)), grouped(level.count(FaceNote::kCrossing))));
     row("corners", fmt::format("{}, of {} vertices", grouped(level.corners.size()), grouped(level.vertices.size())));
     row("materials", grouped(material_names(level).size()));
     row("ignored", fmt::format("{} entries of the file that are not faces", grouped(level.ignored_entries)));

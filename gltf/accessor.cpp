@@ -101,6 +101,11 @@ std::array<double, 3> Accessor::vector(std::uint64_t element) const {
     return {row->number(at, 0), row->number(at, 1), row->number(at, 2)};
 }
 
+std::array<double, 2> Accessor::pair(std::uint64_t element) const {
+    const auto [row, at] = place_of(element);
+    return {row->number(at, 0), row->number(at, 1)};
+}
+
 std::uint32_t Accessor::index(std::uint64_t element) const {
     const auto [row, at] = place_of(element);
     return row->integer(at);
@@ -119,16 +124,17 @@ Result<Accessor> Accessors::opened(int index, What what, const std::string& plac
     const auto& list = file_.model.accessors;
     if (std::size_t(index) >= list.size()) return fail("is not there; there are " + text(list.size()));
     const tinygltf::Accessor& from = list[std::size_t(index)];
-    const bool vectors = what == What::kVectors;
-    if (from.type != (vectors ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_SCALAR))
-        return fail(vectors ? "is not of type VEC3" : "is not of type SCALAR");
-    if (!(vectors ? size_of(from.componentType) > 0 : holds_indices(from.componentType)))
+    const bool indices = what == What::kIndices;
+    const int type = indices ? TINYGLTF_TYPE_SCALAR : what == What::kPairs ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3;
+    if (from.type != type)
+        return fail(std::string("is not of type ") + (indices ? "SCALAR" : what == What::kPairs ? "VEC2" : "VEC3"));
+    if (!(indices ? holds_indices(from.componentType) : size_of(from.componentType) > 0))
         return fail("is of component type " + std::to_string(from.componentType) +
-                    (vectors ? ", which glTF does not have" : ", which indices cannot have"));
+                    (indices ? ", which indices cannot have" : ", which glTF does not have"));
     if (from.count >= (std::uint64_t(1) << 32)) return fail("has " + text(from.count) + " elements; 2^32 are too many");
     Accessor accessor;
     accessor.count_ = from.count;
-    const int parts = vectors ? 3 : 1;
+    const int parts = indices ? 1 : what == What::kPairs ? 2 : 3;
     if (from.bufferView >= 0) {
         Result<ElementRow> base = row(from.bufferView, from.byteOffset, from.count, from.componentType, parts, place);
         if (!base) return base.error();

@@ -26,12 +26,14 @@ struct ElementRow {
     std::uint32_t integer(std::uint64_t element) const;
 };
 
-/// Positions or normals, or indices.
+/// Positions or normals, texture coordinates, or indices.
 class Accessor {
 public:
     std::uint64_t count() const { return count_; }
     /// Of positions and normals: three numbers.
     std::array<double, 3> vector(std::uint64_t element) const;
+    /// Of texture coordinates.
+    std::array<double, 2> pair(std::uint64_t element) const;
     /// Of indices.
     std::uint32_t index(std::uint64_t element) const;
 
@@ -50,7 +52,7 @@ private:
 /// Opens accessors of a file, each once.
 class Accessors {
 public:
-    enum class What { kVectors, kIndices };
+    enum class What { kVectors, kPairs, kIndices };
 
     explicit Accessors(const GltfFile& file) : file_(file) {}
 

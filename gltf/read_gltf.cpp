@@ -17,6 +17,7 @@
 #include "gltf/placement.h"
 #include "gltf/scene_nodes.h"
 #include "gltf/triangle_list.h"
+#include "level/fit_texture.h"
 #include "level/level_builder.h"
 #include "level/message.h"
 #include "level/portal_polygons.h"
@@ -117,6 +118,7 @@ private:
             return fail(ErrorCode::kTooLarge, place_,
                         "makes more than " + std::to_string(options_.max_triangles) + " triangles of all nodes");
         if (std::optional<Error> error = take_material(primitive.material)) return error;
+        if (triangles.has_broken_uvs()) notes_.insert("texture coordinates that cannot be read are left out");
         return node_->portal ? add_to_portal(triangles) : add_faces(triangles);
     }
 
@@ -157,12 +159,18 @@ private:
             if (!fan) return fan.error();
             const std::vector<std::uint32_t>& outline = fan.value();
             if (std::optional<Error> error = take_outline(triangles, outline)) return error;
+            take_uvs(triangles, outline);
             const std::uint32_t count = std::uint32_t(outline.size() - 2);
-            if (count == 1 || is_flat(metres_)) {
-                add_face(points_, sources_);
+            if (count == 1 || (is_flat(metres_) && has_one_map())) {
+                add_face(points_, uvs_, sources_);
             } else {
-                for (std::uint32_t c = 0; c < count; ++c)
-                    add_face(std::array{points_[0], points_[c + 1], points_[c + 2]}, sources_ + c);
+                for (std::uint32_t c = 0; c < count; ++c) {
+                    const std::array points{points_[0], points_[c + 1], points_[c + 2]};
+                    if (uvs_.empty())
+                        add_face(points, {}, sources_ + c);
+                    else
+                        add_face(points, std::array{uvs_[0], uvs_[c + 1], uvs_[c + 2]}, sources_ + c);
+                }
             }
             sources_ += count;
             k += count;
@@ -190,12 +198,33 @@ private:
         return std::nullopt;
     }
 
-    void add_face(std::span<const GridPoint> points, std::uint32_t source) {
+    /// The outline's texture coordinates; none where one is no number.
+    void take_uvs(const TriangleList& triangles, std::span<const std::uint32_t> outline) {
+        uvs_.clear();
+        if (!triangles.has_uvs()) return;
+        for (const std::uint32_t vertex : outline) uvs_.push_back(triangles.uv(vertex));
+        const auto finite = [](const TexturePoint& uv) { return is_finite(uv[0]) && is_finite(uv[1]); };
+        if (!std::all_of(uvs_.begin(), uvs_.end(), finite)) uvs_.clear();
+    }
+
+    /// Whether the outline is one face to who looks at its picture.
+    bool has_one_map() const {
+        if (uvs_.empty()) return true;
+        std::vector<Vec3> snapped;
+        for (const GridPoint& point : points_) snapped.push_back(to_metres(point));
+        return fit_texture(snapped, uvs_).has_value();
+    }
+
+    void add_face(std::span<const GridPoint> points, std::span<const TexturePoint> uvs, std::uint32_t source) {
         outline_.clear();
         for (const GridPoint& point : points) outline_.push_back(vertices_.at(point));
-        if (node_->placement.mirrors()) std::reverse(outline_.begin(), outline_.end());
+        outline_uvs_.assign(uvs.begin(), uvs.end());
+        if (node_->placement.mirrors()) {
+            std::reverse(outline_.begin(), outline_.end());
+            std::reverse(outline_uvs_.begin(), outline_uvs_.end());
+        }
         info_.source = source;
-        builder_.add_face(outline_, info_);
+        builder_.add_face(outline_, info_, outline_uvs_);
         first_points_.emplace_back(source, points[0]);
     }
 
@@ -253,6 +282,7 @@ private:
     std::vector<Vec3> metres_;
     std::vector<GridPoint> points_;
     std::vector<std::uint32_t> outline_;
+    std::vector<TexturePoint> uvs_, outline_uvs_;  ///< of the points, of the outline; or none
 };
 
 }  // namespace

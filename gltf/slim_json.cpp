@@ -42,7 +42,7 @@ constexpr Member kView[] = {{"buffer", Kind::kIndex, true},
 constexpr Member kBuffer[] = {{"uri", Kind::kText}, {"byteLength", Kind::kSize, true}};
 constexpr Member kMesh[] = {{"name", Kind::kText}};
 constexpr Member kPrimitive[] = {{"indices", Kind::kIndex}, {"material", Kind::kIndex}, {"mode", Kind::kIndex}};
-constexpr Member kAttributes[] = {{"POSITION", Kind::kIndex}, {"NORMAL", Kind::kIndex}};
+constexpr Member kAttributes[] = {{"POSITION", Kind::kIndex}, {"NORMAL", Kind::kIndex}, {"TEXCOORD_0", Kind::kIndex}};
 constexpr Member kNode[] = {{"name", Kind::kText},           {"mesh", Kind::kIndex},
                             {"children", Kind::kIndices},    {"matrix", Kind::kNumbers16},
                             {"rotation", Kind::kNumbers4},   {"scale", Kind::kNumbers3},

@@ -29,6 +29,11 @@ Result<TriangleList> TriangleList::open(const tinygltf::Primitive& primitive, Ac
             return fail("has " + std::to_string(list.positions_->count()) + " positions and " +
                         std::to_string(list.normals_->count()) + " normals");
     }
+    if (const auto uv = primitive.attributes.find("TEXCOORD_0"); uv != primitive.attributes.end()) {
+        const Result<const Accessor*> uvs = accessors.open(uv->second, Accessors::What::kPairs, place);
+        list.broken_uvs_ = !uvs || uvs.value()->count() != list.positions_->count();
+        if (!list.broken_uvs_) list.uvs_ = uvs.value();
+    }
     if (primitive.indices >= 0) {
         const Result<const Accessor*> indices = accessors.open(primitive.indices, Accessors::What::kIndices, place);
         if (!indices) return indices.error();

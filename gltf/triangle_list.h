@@ -30,6 +30,11 @@ public:
     /// @return kMalformed for an index that names no vertex
     Result<Triangle> at(std::uint64_t triangle) const;
     std::array<double, 3> position(std::uint32_t vertex) const { return positions_->vector(vertex); }
+    /// Texture coordinates, in repeats, v down; where they are.
+    bool has_uvs() const { return uvs_ != nullptr; }
+    std::array<double, 2> uv(std::uint32_t vertex) const { return uvs_->pair(vertex); }
+    /// Whether the file has some that cannot be read: then they are as if they were not there.
+    bool has_broken_uvs() const { return broken_uvs_; }
 
     /// The outline of the face that the file has in triangles from `first` on, in a fan from its first corner with
     /// one normal at all corners, as write_glb() and others write polygons: always at least a triangle.
@@ -43,7 +48,9 @@ private:
     int mode_ = TINYGLTF_MODE_TRIANGLES;
     const Accessor* positions_ = nullptr;
     const Accessor* normals_ = nullptr;
+    const Accessor* uvs_ = nullptr;
     const Accessor* indices_ = nullptr;
+    bool broken_uvs_ = false;
     std::uint64_t size_ = 0;
 };
 

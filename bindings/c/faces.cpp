@@ -145,6 +145,32 @@ firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner
     });
 }
 
+firma_code firma_world_texture(firma_world world, uint32_t face, const int32_t corner[3], firma_texture* out) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!out) return bad_call(function, kNull);
+        if (!sized(out)) return bad_call(function, kWrongSize);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        const World& w = object->world;
+        std::optional<FaceInfo> info;
+        if (corner) {
+            info = w.face_info({{face}, {corner[0], corner[1], corner[2]}});
+        } else if (const std::optional<Face> found = w.find_face({face})) {
+            info = *found;
+        }
+        if (!info) return fail(FIRMA_ERROR_INVALID, function, "the world has no such face");
+        const TextureProjection lies = texture_of(w, info->ref()).value_or(box_projection(info->normal));
+        firma_texture texture{};
+        put(lies.u_axis, texture.u_axis);
+        put(lies.v_axis, texture.v_axis);
+        texture.u_offset = lies.u_offset;
+        texture.v_offset = lies.v_offset;
+        texture.unit = std::uint32_t(lies.unit);
+        put_sized(texture, out);
+        return FIRMA_OK;
+    });
+}
+
 firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view) {
     return guarded(__func__, [&, function = __func__] {
         if (!view) return bad_call(function, kNull);

@@ -2,8 +2,11 @@
 // Faces as triangles.
 #include "firma/triangles.h"
 
+#include <algorithm>
+
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "world/world_data.h"
 
 namespace firma::c {
 namespace {
@@ -30,9 +33,13 @@ std::unique_ptr<TrianglesObject> object_of(TriangleMesh made) {
         const std::uint32_t flags = (one.two_sided ? FIRMA_FACE_TWO_SIDED : 0) | (one.solid ? FIRMA_FACE_SOLID : 0);
         object->sources.push_back({one.face.value, one.room.value, one.source, one.source_edit, one.material, one.mask,
                                    flags, one.first_triangle, one.triangle_count, one.first_vertex, one.vertex_count,
-                                   0});
+                                   std::uint32_t(one.uv_unit)});
     }
     return object;
+}
+
+std::size_t materials_of(const World& world) {
+    return world.data().materials ? world.data().materials->size() : 0;
 }
 
 }  // namespace
@@ -60,6 +67,10 @@ firma_code firma_world_triangles(firma_world world, const firma_triangle_options
         if (given) take_sized(given, whole);
         const firma_triangle_options* const options = &whole;
         if (options->solid_only > 1) return fail(FIRMA_ERROR_INVALID, function, "solid_only must be 0 or 1");
+        if (options->uvs > 1) return fail(FIRMA_ERROR_INVALID, function, "uvs must be 0 or 1");
+        if (options->reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
+        if (options->texture_size_count && !options->texture_sizes)
+            return bad_call(function, "a count without its array");
         const bool in_room = options->room != FIRMA_ANY_ROOM;
         if (in_room && options->region)
             return fail(FIRMA_ERROR_INVALID, function, "either a room or a region, not both");
@@ -67,7 +78,11 @@ firma_code firma_world_triangles(firma_world world, const firma_triangle_options
             return fail(FIRMA_ERROR_INVALID, function, "the world has no such room");
         if (!is_finite(vec(options->origin)))
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the origin is not finite");
-        const TriangleOptions chosen{vec(options->origin), options->mask, options->solid_only == 0};
+        std::vector<std::array<double, 2>> sizes(std::min(options->texture_size_count, materials_of(object->world)));
+        for (std::size_t k = 0; k < sizes.size(); ++k)
+            sizes[k] = {options->texture_sizes[2 * k], options->texture_sizes[2 * k + 1]};
+        const TriangleOptions chosen{vec(options->origin), options->mask, options->solid_only == 0, options->uvs == 1,
+                                     sizes};
         if (!options->region)
             return give(object_of(triangles_of(object->world, RoomId{options->room}, chosen)), triangles, function);
         const Region region{options->region[0], options->region[1], options->region[2]};
@@ -82,13 +97,15 @@ firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_v
         const TrianglesObject* object = find<TrianglesObject>(triangles.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const TriangleMesh& made = object->made;
-        static_assert(sizeof made.positions[0] == 3 * sizeof(float) && sizeof made.corners[0] == 3 * sizeof(uint32_t));
+        static_assert(sizeof made.positions[0] == 3 * sizeof(float) && sizeof made.corners[0] == 3 * sizeof(uint32_t) &&
+                      sizeof made.uvs[0] == 2 * sizeof(float));
         firma_triangles_view view{};
         if (!made.positions.empty()) {
             view.positions = made.positions[0].data();
             view.normals = made.normals[0].data();
             view.corners = made.corners[0].data();
         }
+        if (!made.uvs.empty()) view.uvs = made.uvs[0].data();
         view.vertex_count = made.positions.size();
         view.faces = object->faces.data();
         view.triangle_count = made.corners.size();

@@ -33,6 +33,7 @@ firma_code make(const Result<AnyLevel>& level, const WorldOptions& options, firm
 struct MeshArrays {
     std::vector<Vec3> vertices;
     std::vector<std::string> names;
+    std::vector<TexturePoint> uvs;
     Mesh mesh;
 };
 
@@ -66,6 +67,11 @@ firma_code read_mesh(const firma_mesh& from, MeshArrays& arrays, const char* fun
     if (given.materials) arrays.mesh.materials = {given.materials, given.face_count};
     if (given.masks) arrays.mesh.masks = {given.masks, given.face_count};
     if (given.two_sided) arrays.mesh.two_sided = {given.two_sided, given.face_count};
+    if (!given.uvs) return FIRMA_OK;
+    arrays.uvs.reserve(std::size_t(corners));
+    for (std::size_t k = 0; k < std::size_t(corners); ++k)
+        arrays.uvs.push_back({given.uvs[2 * k], given.uvs[2 * k + 1]});
+    arrays.mesh.uvs = arrays.uvs;
     return FIRMA_OK;
 }
 

@@ -182,6 +182,8 @@ export interface Mesh {
     masks?: Words | Int32Array;
     /** For each face; none: no face is. */
     twoSided?: Words | readonly boolean[];
+    /** Texture coordinates, two for each of the corners, in repeats: they come out as they are given. */
+    uvs?: Numbers;
 }
 
 export interface WorldFacts {
@@ -284,6 +286,22 @@ export interface TriangleOptions {
     region?: ArrayLike<number>;
     /** Metres: what positions are told from. Near the faces, floats lose least. */
     origin?: Vector;
+    /** Texture coordinates too. */
+    uvs?: boolean;
+    /** Texels across and down of pictures, two for each material, by its number: where both are above 0, texels become repeats. */
+    textureSizes?: Numbers;
+}
+
+/** What texture coordinates count: pixels of the picture, the whole picture, or metres, which no file says. */
+export type TextureUnit = 'texels' | 'repeats' | 'metres';
+
+/** u = uAxis . p + uOffset of a point p of the face, in metres; v likewise. u goes to the right in the picture, v down. */
+export interface Texture {
+    uAxis: Vector3;
+    uOffset: number;
+    vAxis: Vector3;
+    vOffset: number;
+    unit: TextureUnit;
 }
 
 /** Faces as triangles, none of them without area on the surface grid. Vertices are not shared between faces. */
@@ -292,6 +310,8 @@ export interface Triangles {
     positions: Float32Array;
     /** Three for each vertex, unit. */
     normals: Float32Array;
+    /** Two for each vertex, in the unit that the source says; empty unless asked for. */
+    uvs: Float32Array;
     /** Three for each triangle: vertices, counter-clockwise seen from the front. */
     corners: Uint32Array;
     /** Of each triangle. */
@@ -325,6 +345,8 @@ export interface TriangleSource {
     triangleCount: number;
     firstVertex: number;
     vertexCount: number;
+    /** 'metres' also where no texture coordinates were asked for. */
+    uvUnit: TextureUnit;
 }
 
 /** A sphere that moves along `path`; radius 0 casts a particle. */
@@ -652,6 +674,13 @@ export interface World extends Handle {
     face(ref: FaceRef): Face | null;
     /** Copies of faces as triangles, for a renderer or another engine's collider. @throws {FirmaError} INVALID for a room that is not there */
     triangles(options?: TriangleOptions): Triangles;
+    /**
+     * How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an
+     * edit made, and where the file says nothing, its unit is 'metres': straight along the axis nearest to its normal.
+     * @param face a hit, or an id: then all faces are searched
+     * @throws {FirmaError} INVALID for a face that the world does not have
+     */
+    texture(face: Hit | number): Texture;
     /** Null when the world has no such face. Searches all faces. */
     findFace(id: number): Face | null;
 

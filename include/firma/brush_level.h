@@ -15,6 +15,7 @@
 #include "firma/grid.h"
 #include "firma/level.h"
 #include "firma/result.h"
+#include "firma/texture.h"
 
 namespace firma {
 
@@ -34,10 +35,11 @@ enum class BrushKind : std::uint8_t {
 
 /// A half space's rim: what lies in front of the plane is outside the brush.
 struct BrushSide {
-    GridPoint points[3];         ///< of the input grid, not in line; counter-clockwise seen from outside
-    std::uint32_t material = 0;  ///< index into BrushLevel::materials
-    std::uint32_t mask = 0;      ///< what its faces stop
-    bool portal = false;         ///< of a kPortal brush: this side is the portal
+    GridPoint points[3];                 ///< of the input grid, not in line; counter-clockwise seen from outside
+    std::uint32_t material = 0;          ///< index into BrushLevel::materials
+    std::uint32_t mask = 0;              ///< what its faces stop
+    bool portal = false;                 ///< of a kPortal brush: this side is the portal
+    std::uint32_t texture = kNoTexture;  ///< index into BrushLevel::textures; sides that share one may become one face
 };
 
 /// The common part of its sides' half spaces.
@@ -78,6 +80,9 @@ struct BrushLevel {
     std::vector<Brush> brushes;          ///< in the file's order
     std::vector<BrushSide> sides;        ///< a face's source is the index of its side here
     std::vector<std::string> materials;  ///< at least one: "" is the name of none
+    /// How textures lie on sides, in the axes of the level. Equal ones should be one: neighbours of different ones do
+    /// not merge.
+    std::vector<TextureProjection> textures;
     /// What is no brush (patches, drawn surfaces), castable only; with materials of its own. Its faces' sources count
     /// on from sides.size().
     Level surfaces;

@@ -48,10 +48,11 @@ struct BrushWorldReport {
 
 /// Joins the brushes exactly: of faces that lie against each other, or in another brush, nothing is left; of faces of
 /// two brushes in one plane that look the same way, and overlap, that of the brush that comes first stays; neighbours
-/// in one plane with one material become one face where that is convex. The air is divided by the portals into rooms,
-/// the last of which is the exterior; pockets that nothing leads to are rooms of their own. What is no solid (glass,
-/// clips, liquids, patches) is castable, with its mask, in the room that it lies in. Rooms have the names of point
-/// entities `firma_room` in them, portals the `targetname` of the entity that their brush belongs to.
+/// in one plane with one material and one texture projection become one face where that is convex. The air is divided
+/// by the portals into rooms, the last of which is the exterior; pockets that nothing leads to are rooms of their own.
+/// What is no solid (glass, clips, liquids, patches) is castable, with its mask, in the room that it lies in. Rooms
+/// have the names of point entities `firma_room` in them, portals the `targetname` of the entity that their brush
+/// belongs to.
 ///
 /// What is painted with the sky refuses cuts (its materials' hardness is 1, but for materials that the options' rules
 /// name): a hole in it would look into the void.

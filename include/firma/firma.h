@@ -18,6 +18,7 @@
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
+#include "firma/texture.h"
 #include "firma/tree_options.h"
 #include "firma/triangles.h"
 #include "firma/vec.h"

@@ -163,6 +163,8 @@ typedef struct firma_mesh {
     const char* const* material_names; /* UTF-8; null when material_count is 0. The world numbers them so, too */
     const uint32_t* masks;             /* for each face; null: all bits */
     const uint8_t* two_sided;          /* for each face, 0 or 1; null: none */
+    const double* uvs;                 /* texture coordinates, two for each of the corners, in repeats, which come out
+                                          as they are given; null: none */
 } firma_mesh;
 
 /* Closed pieces of a level can be carved; other faces can be cast against only. `name` is for messages and may be null;
@@ -370,6 +372,30 @@ FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma
 FIRMA_API firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view);
 FIRMA_API firma_code firma_faces_release(firma_faces faces);
 
+/* ---- textures --------------------------------------------------------------------------------------------------- */
+
+/* What texture coordinates count. u goes to the right in the picture, v down, (0, 0) is its top left corner. */
+typedef enum firma_texture_unit {
+    FIRMA_TEXELS = 0,  /* pixels of the picture, whose size the file does not say: divided by it they are repeats */
+    FIRMA_REPEATS = 1, /* the whole picture is 1 wide and 1 high */
+    FIRMA_METRES = 2   /* of no file */
+} firma_texture_unit;
+
+/* u = u_axis . p + u_offset of a point p of the face, in metres; v likewise. */
+typedef struct firma_texture {
+    uint32_t size; /* sizeof(firma_texture) */
+    uint32_t unit; /* firma_texture_unit */
+    double u_axis[3], u_offset;
+    double v_axis[3], v_offset;
+} firma_texture;
+
+/* How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an edit
+ * made, and where the file says nothing, FIRMA_METRES: straight along the axis nearest to its normal, in metres from
+ * the world's origin. `corner` is the face's first, as in firma_hit; null: all faces are searched. FIRMA_ERROR_INVALID
+ * for a face that the world does not have. */
+FIRMA_API firma_code firma_world_texture(firma_world world, uint32_t face, const int32_t corner[3],
+                                         firma_texture* texture);
+
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
 /* Of one material, one behind the other: a draw call. */
@@ -389,7 +415,7 @@ typedef struct firma_triangle_source {
     uint32_t flags; /* FIRMA_FACE_... */
     uint32_t first_triangle, triangle_count;
     uint32_t first_vertex, vertex_count;
-    uint32_t reserved;
+    uint32_t uv_unit; /* firma_texture_unit: what its uvs count; FIRMA_METRES where none were asked for */
 } firma_triangle_source;
 
 typedef struct firma_triangles_view {
@@ -404,6 +430,7 @@ typedef struct firma_triangles_view {
     size_t run_count;
     const firma_triangle_source* sources; /* in order of material, then face */
     size_t source_count;
+    const float* uvs; /* two for each vertex, in the unit that the source says; null unless asked for */
 } firma_triangles_view;
 
 /* A null pointer takes the defaults: all faces of the world, from the world's origin. */
@@ -415,6 +442,11 @@ typedef struct firma_triangle_options {
     double origin[3];      /* metres: what positions are told from. Near the faces, floats lose least */
     const int32_t* region; /* three: only faces whose lowest corner lies in the cube of 32 m from region * 32 m on;
                               null: all. Not together with a room */
+    const double* texture_sizes; /* texels across and down of pictures, by number of the material in the world: where
+                                    both are above 0, texels become repeats; may be null when the count is 0 */
+    size_t texture_size_count;   /* how many pairs; missing ones are unknown */
+    uint32_t uvs;                /* 1: texture coordinates too */
+    uint32_t reserved;           /* must be 0, else FIRMA_ERROR_INVALID */
 } firma_triangle_options;
 
 FIRMA_API void firma_triangle_options_defaults(firma_triangle_options* options);

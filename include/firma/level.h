@@ -12,6 +12,7 @@
 #include "firma/export.h"
 #include "firma/grid.h"
 #include "firma/result.h"
+#include "firma/texture.h"
 
 namespace firma {
 
@@ -36,7 +37,8 @@ struct LevelFace {
     std::uint32_t group = 0;     ///< index into Level::groups
     FaceKind kind = FaceKind::kPolygon;
     bool two_sided = false;
-    std::uint32_t mask = ~0u;  ///< casts with a mask that shares a bit meet it
+    std::uint32_t mask = ~0u;            ///< casts with a mask that shares a bit meet it
+    std::uint32_t texture = kNoTexture;  ///< index into Level::textures
 };
 
 /// Why a face of the file is not as it was.
@@ -44,6 +46,7 @@ enum class FaceNote : std::uint8_t {
     kNoArea,    ///< dropped: no area, in the file or after the snap
     kSplit,     ///< not convex, not exactly planar on the grid, or of more than 64 corners: divided on its own outline
     kCrossing,  ///< divided as well, though its outline crosses itself: pieces may overlap
+    kTexture,   ///< convex and planar, and yet divided into triangles: no one map gives its texture coordinates
 };
 
 struct LevelNote {
@@ -67,10 +70,11 @@ struct Level {
     std::vector<GridPoint> vertices;     ///< snapped; one entry a `v` of the file
     std::vector<std::uint32_t> corners;  ///< indices into vertices
     std::vector<LevelFace> faces;
-    std::vector<std::string> materials;  ///< at least one: "" is the name of none
-    std::vector<std::string> groups;     ///< at least one, likewise
-    std::vector<LevelNote> notes;        ///< in order of `source`
-    std::uint32_t source_faces = 0;      ///< faces in the file, dropped ones counted
+    std::vector<std::string> materials;       ///< at least one: "" is the name of none
+    std::vector<std::string> groups;          ///< at least one, likewise
+    std::vector<TextureProjection> textures;  ///< how textures lie, where the file says it
+    std::vector<LevelNote> notes;             ///< in order of `source`
+    std::uint32_t source_faces = 0;           ///< faces in the file, dropped ones counted
     std::uint64_t ignored_entries =
         0;  ///< things in the file that are not geometry for casts (points, lines, flares ...)
     std::vector<Omission> omissions;  ///< what the file holds and this does not
@@ -89,8 +93,9 @@ struct ReadOptions {
     double patch_tolerance = 0.01;
 };
 
-/// Reads a Wavefront .obj: v, f (n-gons, all index forms, negative too), g, o, usemtl; continued lines. Other entries
-/// are counted and ignored. A face's group is the last g or o before it, by the rest of that line.
+/// Reads a Wavefront .obj: v, vt, f (n-gons, all index forms, negative too), g, o, usemtl; continued lines. Other
+/// entries are counted and ignored. A face's group is the last g or o before it, by the rest of that line. Texture
+/// coordinates become projections in repeats, v turned to point down; a face of which a corner has none has none.
 ///
 /// @param text  the whole file
 /// @param name  for messages
@@ -102,7 +107,7 @@ struct ReadOptions {
 
 /// Reads the drawn surfaces of a Quake 3 .bsp (version 46) of the first model: planar faces as the polygons that their
 /// triangles make up, triangle soups as they are, patches tessellated. Shader names become materials. Quake's units are
-/// scaled by 1/32 m, unless told otherwise by the options.
+/// scaled by 1/32 m, unless told otherwise by the options. Texture coordinates become projections in repeats.
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.

@@ -55,7 +55,7 @@ struct GltfPortal {
 
 struct GltfLevel {
     /// Sources are triangles, numbered from 0 in order of node, primitive and triangle, those of portals left out; a
-    /// face of several has the number of the first. Groups are names of nodes.
+    /// face of several has the number of the first. Groups are names of nodes. Textures are those of TEXCOORD_0.
     Level level;
     std::vector<GltfPortal> portals;
     std::vector<GltfNode> nodes;     ///< all of the scene, with meshes or without

@@ -31,9 +31,9 @@ struct SaveOptions {
 /// What pack_world() writes and unpack_world() reads; files of older versions stay readable.
 inline constexpr std::uint32_t kFirmaFileVersion = 2;
 
-/// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees and
-/// the rules for carving. The same world, made the same way, gives the same bytes on every machine. docs/formats.md has
-/// the layout.
+/// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees,
+/// the rules for carving and how textures lie. The same world, made the same way, gives the same bytes on every
+/// machine. docs/formats.md has the layout.
 [[nodiscard]] FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its

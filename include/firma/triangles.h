@@ -5,9 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "firma/export.h"
+#include "firma/texture.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -17,6 +19,8 @@ struct TriangleMesh {
     // One for each vertex.
     std::vector<std::array<float, 3>> positions;  ///< metres from TriangleOptions::origin, rounded to float
     std::vector<std::array<float, 3>> normals;    ///< unit, of the exact plane that the face was cut from
+    /// Texture coordinates (u, v), in the unit that the face's Source says; none unless TriangleOptions::uvs.
+    std::vector<std::array<float, 2>> uvs;
 
     // One for each triangle, in order of material, then face.
     std::vector<std::array<std::uint32_t, 3>> corners;  ///< vertices, counter-clockwise seen from the face's front
@@ -41,6 +45,9 @@ struct TriangleMesh {
         bool two_sided = false, solid = false;
         std::uint32_t first_triangle = 0, triangle_count = 0;
         std::uint32_t first_vertex = 0, vertex_count = 0;
+        /// What its uvs count. kMetres: by box_projection() of its normal, as an edit made the face, or the file says
+        /// nothing of it.
+        TextureUnit uv_unit = TextureUnit::kMetres;
     };
     std::vector<Source> sources;
 };
@@ -49,12 +56,17 @@ struct TriangleOptions {
     Vec3 origin{};              ///< metres: what positions are told from. Near the faces, floats lose least
     std::uint32_t mask = ~0u;   ///< faces that share a bit
     bool castable_only = true;  ///< also the faces that bound no solid
+    /// Texture coordinates too, by texture_of(), rounded to float; without, they cost nothing.
+    bool uvs = false;
+    /// Texels across and down of the pictures of materials, by index as World::material_name: where both are above
+    /// zero, texels become repeats. May be shorter than the list of materials.
+    std::span<const std::array<double, 2>> texture_sizes{};
 };
 
 /// The triangles of all faces of a world, of a room, or of a region. None is without area on the surface grid. The same
 /// worlds give the same triangles in the same order, however their faces are kept.
 /// @return none for a room or region that is not there, or an origin that is not finite
-/// Costs some hundred nanoseconds a face, and sorting them.
+/// Costs some hundred nanoseconds a face, and sorting them; with texture coordinates a search a face besides.
 [[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, const TriangleOptions& options = {});
 [[nodiscard]] FIRMA_EXPORT TriangleMesh triangles_of(const World& world, RoomId room,
                                                      const TriangleOptions& options = {});

@@ -16,6 +16,7 @@
 #include "firma/polygon.h"
 #include "firma/result.h"
 #include "firma/solid.h"
+#include "firma/texture.h"
 #include "firma/tree_options.h"
 
 namespace firma {
@@ -104,6 +105,8 @@ struct WorldOptions {
     TreeOptions tree;
     Tolerance tolerance{};
     CarveRules rules{};
+    /// Whether how textures lie is kept, for texture_of(): of a mesh with texture coordinates some 90 bytes a face.
+    bool textures = true;
 };
 
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
@@ -142,14 +145,25 @@ FIRMA_EXPORT bool each_face(const World& world, RoomId room, FaceVisitor visit);
 /// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region.
 FIRMA_EXPORT bool each_face(const World& world, const Region& region, FaceVisitor visit);
 
+/// How the texture lies on a face, as the level's file says it: that of the file's face that it was cut from. Edits
+/// share what they do not change, and no hash sees it.
+/// @param ref  nothing also for a face that this world does not have
+/// @return nothing for a face that an edit's cutter made (source_edit is not 0), and where the file says nothing:
+///         box_projection() is what to take then. Costs a walk through the index to the face.
+[[nodiscard]] FIRMA_EXPORT std::optional<TextureProjection> texture_of(const World& world, const FaceRef& ref);
+/// The same without the walk, of a face of this world or a part of one. Costs a search among the faces of the file.
+/// @param corners  the face's, metres: of a file's face that was divided into pieces they tell which
+[[nodiscard]] FIRMA_EXPORT std::optional<TextureProjection> texture_of(const World& world, const FaceInfo& face,
+                                                                       std::span<const Vec3> corners);
+
 /// The face across an edge of a face, from its corner `edge` to the next.
 /// @return invalid where that edge is not shared by exactly two faces of the room, wound alike, and for a face or an
 ///         edge that is not there. Never allocates. Costs a walk through the index
 [[nodiscard]] FIRMA_EXPORT FaceId other_face(const World& world, const FaceRef& face, std::uint32_t edge);
 
 /// A hash of what the world holds: faces with ids, exact forms and rooms, portals, doors, counters, version; not of the
-/// rules for carving, nor of how faces are kept and found. Worlds made by equal edits in equal order have equal ones on
-/// every machine. It is kept as edits go: asking costs a few nanoseconds a material.
+/// rules for carving, nor of how textures lie, nor of how faces are kept and found. Worlds made by equal edits in equal
+/// order have equal ones on every machine. It is kept as edits go: asking costs a few nanoseconds a material.
 [[nodiscard]] FIRMA_EXPORT std::uint64_t hash_world(const World& world);
 
 /// Of one room: its faces, name and number. Costs the same.

@@ -3,6 +3,7 @@
 #include "brush/brush_builder.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "brush/brush_kinds.h"
@@ -30,6 +31,20 @@ BrushBuilder::BrushBuilder(std::string name, double scale) : scale_(scale) {
 std::uint32_t BrushBuilder::material(std::string_view name) {
     const auto [entry, is_new] = material_index_.try_emplace(std::string(name), std::uint32_t(level.materials.size()));
     if (is_new) level.materials.emplace_back(name);
+    return entry->second;
+}
+
+std::uint32_t BrushBuilder::texture(const TextureProjection& projection) {
+    std::string key(1, char(projection.unit));
+    for (const double number : {projection.u_axis.x, projection.u_axis.y, projection.u_axis.z, projection.u_offset,
+                                projection.v_axis.x, projection.v_axis.y, projection.v_axis.z, projection.v_offset}) {
+        const float rounded = float(number) + 0.0f;  // of two zeros one
+        char bytes[sizeof rounded];
+        std::memcpy(bytes, &rounded, sizeof rounded);
+        key.append(bytes, sizeof bytes);
+    }
+    const auto [entry, is_new] = texture_index_.try_emplace(std::move(key), std::uint32_t(level.textures.size()));
+    if (is_new) level.textures.push_back(projection);
     return entry->second;
 }
 

@@ -26,6 +26,8 @@ public:
     NoteList notes;
 
     std::uint32_t material(std::string_view name);
+    /// Its index in the level's textures; those that are equal to within a float are one.
+    std::uint32_t texture(const TextureProjection& projection);
 
     /// A side as the reader finds it.
     struct Side {
@@ -51,7 +53,7 @@ public:
 private:
     double scale_;
     std::vector<PatchSurface> patches_;
-    std::unordered_map<std::string, std::uint32_t> material_index_;
+    std::unordered_map<std::string, std::uint32_t> material_index_, texture_index_;
 };
 
 }  // namespace firma

@@ -28,6 +28,7 @@ public:
             return Error{ErrorCode::kTooLarge, level_.name, "a level has fewer than 2^20 brush sides"};
         if (!(level_.metres_a_unit > 0) || !is_finite(level_.metres_a_unit))
             return Error{ErrorCode::kInvalid, level_.name, "metres_a_unit must be a finite number above zero"};
+        if (auto error = judge_textures(level_.textures, level_.name)) return error;
         std::size_t end = 0;  // of the sides of the brushes before
         for (std::size_t k = 0; k < level_.brushes.size(); ++k) {
             const Brush& brush = level_.brushes[k];
@@ -70,6 +71,8 @@ private:
     std::string fault_of(const BrushSide& side) const {
         if (side.material >= name_count(level_.materials))
             return missing("material", side.material, name_count(level_.materials));
+        if (side.texture != kNoTexture && side.texture >= level_.textures.size())
+            return missing("texture", side.texture, level_.textures.size());
         for (const GridPoint& point : side.points)
             if (!on_input_grid(point)) return "a point of it is not on the input grid";
         if (on_one_line(to_input(side.points[0]), to_input(side.points[1]), to_input(side.points[2])))

@@ -37,6 +37,7 @@ public:
         add_faces();
         add_loose();
         add_portals();
+        add_textures();
     }
 
     WorldParts take() { return std::move(parts_); }
@@ -116,6 +117,25 @@ private:
             }
             parts_.portals.push_back(std::move(part));
         }
+    }
+
+    /// By source: sides, then faces of the surfaces; of those that there are faces of.
+    void add_textures() {
+        const std::size_t sides = level_.sides.size();
+        std::vector<bool> used(sides + level_.surfaces.faces.size());
+        for (const JoinPiece& face : joined_.faces) used[face.source] = true;
+        for (const LooseFacet& facet : joined_.loose) used[facet.source] = true;
+        FaceTextureBuilder textures;
+        textures.add_projections(level_.textures);
+        const std::uint32_t first = textures.add_projections(level_.surfaces.textures);
+        for (std::uint32_t source = 0; source < used.size(); ++source) {
+            if (!used[source]) continue;
+            const bool of_side = source < sides;
+            const std::uint32_t texture =
+                of_side ? level_.sides[source].texture : level_.surfaces.faces[source - sides].texture;
+            if (texture != kNoTexture) textures.add(source, of_side ? texture : first + texture);
+        }
+        parts_.textures = textures.take();
     }
 
     const BrushLevel& level_;

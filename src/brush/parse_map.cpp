@@ -249,10 +249,10 @@ private:
         found.line = tokens_.peek().line;
         if (Fault fault = form == Form::kPlane ? plane(found) : points(found)) return fault;
         if (form != Form::kSide)
-            if (Fault fault = texture_matrix()) return fault;
+            if (Fault fault = texture_matrix(found.alignment)) return fault;
         if (Fault fault = name(found.texture)) return fault;
         if (form == Form::kSide)
-            if (Fault fault = alignment()) return fault;
+            if (Fault fault = alignment(found.alignment)) return fault;
         further(found);
         file.sides.push_back(std::move(found));
         return std::nullopt;
@@ -281,24 +281,27 @@ private:
         return std::nullopt;
     }
 
-    // How the texture lies: must be there and be numbers, and is left.
-    Fault texture_matrix() {
+    Fault texture_matrix(MapAlignment& into) {
         constexpr std::string_view kOf = "the texture's matrix";
-        double row[3] = {};
+        into.form = MapAlignment::Form::kMatrix;
         if (Fault fault = expect('(', kOf)) return fault;
-        for (int k = 0; k < 2; ++k)
-            if (Fault fault = numbers('(', row, ')', kOf)) return fault;
+        for (double* row : {into.u, into.v})
+            if (Fault fault = numbers('(', std::span(row, 3), ')', kOf)) return fault;
         return expect(')', kOf);
     }
 
-    // Likewise.
-    Fault alignment() {
+    Fault alignment(MapAlignment& into) {
         constexpr std::string_view kOf = "the texture's alignment";
-        double values[5] = {};
-        if (!tokens_.peek().is('[')) return numbers(values, kOf);
-        for (int axis = 0; axis < 2; ++axis)
-            if (Fault fault = numbers('[', std::span(values).first(4), ']', kOf)) return fault;
-        return numbers(std::span(values).first(3), kOf);
+        if (tokens_.peek().is('[')) {
+            into.form = MapAlignment::Form::kAxes;
+            for (double* axis : {into.u, into.v})
+                if (Fault fault = numbers('[', std::span(axis, 4), ']', kOf)) return fault;
+        } else {
+            for (double* offset : {&into.u[3], &into.v[3]})
+                if (Fault fault = number(*offset, kOf)) return fault;
+        }
+        if (Fault fault = number(into.rotation, kOf)) return fault;
+        return numbers(into.scale, kOf);
     }
 
     // Contents, flags and value; other games have further words there.
@@ -336,7 +339,7 @@ private:
         found.patch.height = std::uint32_t(sizes[1]);
         found.contents = flags_of(sizes[2 + divisions]);
         found.flags = flags_of(sizes[3 + divisions]);
-        if (Fault fault = control_points(found.patch)) return fault;
+        if (Fault fault = control_points(found.patch, found.uvs)) return fault;
         for (const std::string_view of : {"the patch", "the patch's brush"}) {
             const MapToken close = tokens_.next();
             if (close.kind != Kind::kClose) return expected("} of " + std::string(of), close);
@@ -346,9 +349,9 @@ private:
     }
 
     // Column by column in the file, row by row in a Patch. Taken as they come: a size alone takes no memory.
-    Fault control_points(Patch& patch) {
+    Fault control_points(Patch& patch, Patch& uvs) {
         constexpr std::string_view kOf = "a patch's points";
-        std::vector<Vec3> columns;
+        std::vector<Vec3> columns, uv_columns;
         if (Fault fault = expect('(', kOf)) return fault;
         for (std::uint32_t x = 0; x < patch.width; ++x) {
             if (Fault fault = expect('(', kOf)) return fault;
@@ -356,13 +359,18 @@ private:
                 double values[5] = {};
                 if (Fault fault = numbers('(', values, ')', kOf)) return fault;
                 columns.push_back({values[0], values[1], values[2]});
+                uv_columns.push_back({values[3], values[4], 0});
             }
             if (Fault fault = expect(')', kOf)) return fault;
         }
         if (Fault fault = expect(')', kOf)) return fault;
+        uvs.width = patch.width;
+        uvs.height = patch.height;
         for (std::uint32_t y = 0; y < patch.height; ++y)
-            for (std::uint32_t x = 0; x < patch.width; ++x)
+            for (std::uint32_t x = 0; x < patch.width; ++x) {
                 patch.control.push_back(columns[std::size_t(x) * patch.height + y]);
+                uvs.control.push_back(uv_columns[std::size_t(x) * patch.height + y]);
+            }
         return std::nullopt;
     }
 

@@ -20,11 +20,24 @@ namespace firma {
 /// square.
 inline constexpr std::uint32_t kMostBrushSides = 1024;
 
+/// How a side's texture lies, as it is written.
+struct MapAlignment {
+    enum class Form : std::uint8_t {
+        kStandard,  ///< u[3], v[3]: offsets in texels; rotation in degrees, texels of scale[0] and scale[1] units
+        kAxes,      ///< Valve 220: u and v are axes with offsets in texels; scale likewise, rotation says nothing
+        kMatrix,    ///< brush primitives: u[0..2] and v[0..2] are rows of a matrix, in repeats
+    };
+    Form form = Form::kStandard;
+    double u[4] = {0, 0, 0, 0}, v[4] = {0, 0, 0, 0};
+    double rotation = 0, scale[2] = {1, 1};
+};
+
 /// A half space as three points in the file's units, clockwise seen from outside; of a brushDef3 as a plane.
 struct MapSide {
     Vec3 points[3];
     std::optional<FloatPlane> plane;  ///< in the file's units, its normal 1 long; then there are no points
     std::string texture;
+    MapAlignment alignment;
     std::uint32_t contents = 0, flags = 0;  ///< 0 where the file has none
     std::uint32_t line = 0;
 };
@@ -38,6 +51,7 @@ struct MapBrush {
 
 struct MapPatch {
     Patch patch;  ///< in the file's units
+    Patch uvs;    ///< of its control points: x and y are u and v, in repeats
     std::string texture;
     std::uint32_t contents = 0, flags = 0;
     std::uint32_t entity = 0, number = 0, line = 0;

@@ -14,6 +14,7 @@ namespace firma {
 
 struct PatchSurface {
     Patch patch;          ///< in the file's units; the front is along a row's direction to a column's
+    Patch uvs;            ///< of its control points: x and y are u and v, in repeats; empty where there are none
     std::string place;    ///< for errors
     std::string texture;  ///< material
     std::uint32_t source = 0;

@@ -230,11 +230,16 @@ private:
         surface.place = place(BspLump::kFaces, entry);
         surface.texture = shader.name;
         surface.mask = kind ? side_mask(*kind, *kind == BrushKind::kSky) : 0;
-        surface.patch = {std::uint32_t(width), std::uint32_t(height), {}};
+        surface.patch = surface.uvs = {std::uint32_t(width), std::uint32_t(height), {}};
+        bool has_uvs = true;
         for (std::size_t k = 0; k < std::size_t(face.vertex_count); ++k) {
-            const auto [x, y, z] = vertices[std::size_t(face.first_vertex) + k].position;
+            const BspVertex vertex = vertices[std::size_t(face.first_vertex) + k];
+            const auto [x, y, z] = vertex.position;
             surface.patch.control.push_back({x, y, z});
+            surface.uvs.control.push_back({double(vertex.uv[0]), double(vertex.uv[1]), 0});
+            has_uvs = has_uvs && is_finite(surface.uvs.control.back());
         }
+        if (!has_uvs) surface.uvs = {};
         builder_.add_patch(std::move(surface));
         return std::nullopt;
     }

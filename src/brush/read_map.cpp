@@ -11,6 +11,7 @@
 #include "brush/brush_builder.h"
 #include "brush/brush_kinds.h"
 #include "brush/map_planes.h"
+#include "brush/map_texture.h"
 #include "brush/parse_map.h"
 #include "firma/brush_level.h"
 #include "level/judge_input.h"
@@ -44,6 +45,9 @@ public:
     MapReader(MapFile file, BrushBuilder& builder) : file_(std::move(file)), builder_(builder), game_(game_of(file_)) {}
 
     std::optional<Error> read() {
+        // Before anything is moved: projections are of the file's own places, in Doom 3 too.
+        for (const MapSide& side : file_.sides)
+            textures_.push_back(texture_of_side(side, builder_.level.metres_a_unit));
         builder_.level.entities = std::move(file_.entities);
         for (const Entity& entity : builder_.level.entities) rules_.push_back(entity_rule(entity.value("classname")));
         // The first is the world, whatever it calls itself.
@@ -160,6 +164,8 @@ private:
             made.sky = kinds[k].what == SideKind::What::kKnown && kinds[k].kind == BrushKind::kSky;
             made.portal = kinds[k].what == SideKind::What::kKnown && kinds[k].kind == BrushKind::kPortal;
             made.area = plane.area;
+            if (const auto& texture = textures_[from.first_side + k]; texture && is_drawn(kinds[k]))
+                made.side.texture = builder_.texture(*texture);
             builder_.shift(plane.shift, at);
         }
         brush.kind = kind_in_entity(brush_kind(kinds), from, brush.detail);
@@ -200,6 +206,7 @@ private:
     void add_patch(const MapPatch& from) {
         PatchSurface surface;
         surface.patch = from.patch;
+        surface.uvs = from.uvs;
         surface.place = place(from.line, from.entity, from.number);
         surface.texture = from.texture;
         surface.line = from.line;
@@ -218,7 +225,15 @@ private:
         builder_.add_patch(std::move(surface));
     }
 
+    // Tools' textures lie as they happened to: that shall not keep neighbours apart. The sky is drawn from afar.
+    static bool is_drawn(const SideKind& kind) {
+        if (kind.what == SideKind::What::kPlain) return true;
+        return kind.what == SideKind::What::kKnown &&
+               (kind.kind == BrushKind::kSolid || kind.kind == BrushKind::kGlass || kind.kind == BrushKind::kLiquid);
+    }
+
     MapFile file_;
+    std::vector<std::optional<TextureProjection>> textures_;  // of its sides
     BrushBuilder& builder_;
     MapGame game_;
     std::vector<EntityRule> rules_;  // of the entities

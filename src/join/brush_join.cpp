@@ -265,7 +265,8 @@ void BrushJoin::cut_brush(std::uint32_t b) {
         const std::uint32_t source = level_.brushes[b].first_side + shape.faces[f].side;
         const BrushSide& side = level_.sides[source];
         pieces.clear();
-        for (ConvexPiece& piece : pieces_) pieces.push_back({std::move(piece), source, side.material, side.mask});
+        for (ConvexPiece& piece : pieces_)
+            pieces.push_back({std::move(piece), source, side.material, side.mask, side.texture});
         cutter_.divide_at_portals(pieces);
         put(face_merger_, cut[f], order_of(b, f), pieces, near_portal);
     }

@@ -50,7 +50,8 @@ void LooseCutter::cut_brushes(std::span<const std::uint32_t> brushes) {
                 bodies_.hider().hide(bodies_.shapes[other], {.same_way = other < b, .against = true}, pieces_);
             const std::uint32_t source = level_.brushes[b].first_side + face.side;
             const BrushSide& side = level_.sides[source];
-            for (ConvexPiece& piece : pieces_) pieces.push_back({std::move(piece), source, side.material, side.mask});
+            for (ConvexPiece& piece : pieces_)
+                pieces.push_back({std::move(piece), source, side.material, side.mask, side.texture});
         }
     cutter_.divide_at_portals(pieces);
     cutter_.merge_between_portals(pieces);

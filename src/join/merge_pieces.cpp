@@ -23,7 +23,7 @@ std::size_t side_at(const ConvexPiece& piece, std::uint32_t corner) {
 }
 
 bool may_merge(const JoinPiece& a, const JoinPiece& b) {
-    return a.piece.plane == b.piece.plane && a.material == b.material && a.mask == b.mask;
+    return a.piece.plane == b.piece.plane && a.material == b.material && a.mask == b.mask && a.texture == b.texture;
 }
 
 }  // namespace
@@ -33,6 +33,7 @@ bool same_piece(const JoinPiece& a, const JoinPiece& b) {
         return x.corner == y.corner && x.plane == y.plane;
     };
     return a.piece.plane == b.piece.plane && a.source == b.source && a.material == b.material && a.mask == b.mask &&
+           a.texture == b.texture &&
            std::equal(a.piece.sides.begin(), a.piece.sides.end(), b.piece.sides.begin(), b.piece.sides.end(),
                       same_side);
 }

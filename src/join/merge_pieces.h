@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "firma/texture.h"
 #include "join/sides_on_lines.h"
 
 namespace firma {
@@ -17,6 +18,7 @@ struct JoinPiece {
     std::uint32_t source = 0;  ///< the brush side that it was cut from; of pieces that were merged the lowest
     std::uint32_t material = 0;
     std::uint32_t mask = 0;
+    std::uint32_t texture = kNoTexture;  ///< of the brush side
 };
 
 /// Whether two are the same polygon and say the same.
@@ -25,9 +27,9 @@ bool same_piece(const JoinPiece& a, const JoinPiece& b);
 /// Says whether the side between two corners, of pieces in a plane, has to stay.
 using KeepSide = std::function<bool(std::uint32_t from, std::uint32_t to, PlaneId plane)>;
 
-/// Merges greedily, longest sides first, what has one plane, material and mask; the result depends on the pieces and
-/// their order alone. Pieces may be added and removed afterwards: then only those are merged anew that could merge with
-/// what was added or removed, or with each other because of it.
+/// Merges greedily, longest sides first, what has one plane, material, mask and texture; the result depends on the
+/// pieces and their order alone. Pieces may be added and removed afterwards: then only those are merged anew that could
+/// merge with what was added or removed, or with each other because of it.
 class PieceMerger {
 public:
     PieceMerger(const JoinTables& tables, LineTable& lines) : tables_(tables), sides_(lines) {}

@@ -108,7 +108,8 @@ BspBrushSide BspBrushSide::read(const std::byte* at) {
 
 // Between position and normal: texture and lightmap coordinates.
 BspVertex BspVertex::read(const std::byte* at) {
-    return {read_floats(at), read_floats(at + 28)};
+    const auto [u, v, lightmap_u] = read_floats(at + 12);
+    return {read_floats(at), {u, v}, read_floats(at + 28)};
 }
 
 BspMeshVertex BspMeshVertex::read(const std::byte* at) {

@@ -101,6 +101,7 @@ struct BspVertex {
     static constexpr std::size_t kBytes = 44;
 
     std::array<float, 3> position{};
+    std::array<float, 2> uv{};  ///< of the texture, in repeats
     std::array<float, 3> normal{};
 
     static BspVertex read(const std::byte* at);

@@ -43,7 +43,8 @@ std::vector<Patch> gather_patches(const BspSurfaces& from) {
 
 class BspMeshMaker {
 public:
-    explicit BspMeshMaker(const BspSurfaces& from) : from_(from), first_(first_at_position(from.positions)) {
+    explicit BspMeshMaker(const BspSurfaces& from)
+        : from_(from), first_(first_at_position(from.positions)), own_(first_.size(), kNone) {
         mesh_.positions = from.positions;
         mesh_.snapped = from.snapped;
     }
@@ -51,16 +52,34 @@ public:
     void begin(std::uint32_t surface) { surface_ = surface; }
 
     void add_triangles() {
-        const std::vector<std::uint32_t> corners = welded_corners();
-        for (std::size_t k = 0; k < corners.size(); k += 3) push(std::span(corners).subspan(k, 3));
+        const std::span<const std::uint32_t> corners = from_.corners_of(from_.surfaces[surface_]);
+        for (std::size_t k = 0; k < corners.size(); k += 3) push_own(corners.subspan(k, 3));
     }
 
+    /// Triangles stay where corners in one place have different textures: there the picture has a seam.
     void add_flat() {
-        for (const auto& outline : join_triangles(welded_corners(), mesh_.snapped)) push(outline);
+        const std::span<const std::uint32_t> corners = from_.corners_of(from_.surfaces[surface_]);
+        bool has_seam = false;
+        for (const std::uint32_t corner : corners) {
+            std::uint32_t& own = own_[first_[corner]];
+            if (own == kNone) own = corner;
+            has_seam = has_seam || (own != corner && from_.uvs[own] != from_.uvs[corner]);
+        }
+        if (has_seam) {
+            add_triangles();
+        } else {
+            for (const auto& outline : join_triangles(welded_corners(), mesh_.snapped)) {
+                std::vector<std::uint32_t> own;
+                for (const std::uint32_t corner : outline) own.push_back(own_[corner]);
+                push_own(own);
+            }
+        }
+        for (const std::uint32_t corner : corners) own_[first_[corner]] = kNone;
     }
 
     /// @return false when a point rounds to beyond the world's rim
     bool add_patch(const Patch& patch, const PatchDivision& division) {
+        const std::vector<Vec3> uvs = tessellate_patch(uvs_of(patch), division);
         const auto start = std::uint32_t(mesh_.positions.size());
         for (const Vec3& point : tessellate_patch(patch, division)) {
             const std::optional<GridPoint> snapped = snap(point * from_.scale);
@@ -72,6 +91,8 @@ public:
         for (std::uint32_t y = 0; y + 1 < division.rows(); ++y) {
             for (std::uint32_t x = 0; x + 1 < width; ++x) {
                 const std::uint32_t at = start + y * width + x;
+                for (const std::uint32_t corner : {at, at + 1, at + width + 1, at + width})
+                    mesh_.uvs.push_back({uvs[corner - start].x, uvs[corner - start].y});
                 push(std::array{at, at + 1, at + width + 1, at + width});
             }
         }
@@ -87,13 +108,35 @@ private:
         return corners;
     }
 
+    /// The control points' texture coordinates, as a patch.
+    Patch uvs_of(const Patch& patch) const {
+        Patch uvs{patch.width, patch.height, {}};
+        for (const std::uint32_t corner : from_.corners_of(from_.surfaces[surface_]))
+            uvs.control.push_back({from_.uvs[corner][0], from_.uvs[corner][1], 0});
+        return uvs;
+    }
+
+    /// A polygon of the surface's own vertices.
+    void push_own(std::span<const std::uint32_t> corners) {
+        std::vector<std::uint32_t> welded;
+        for (const std::uint32_t corner : corners) {
+            welded.push_back(first_[corner]);
+            mesh_.uvs.push_back(from_.uvs[corner]);
+        }
+        push(welded);
+    }
+
+    /// Their texture coordinates are there.
     void push(std::span<const std::uint32_t> corners) {
         mesh_.polygons.push_back({std::uint32_t(mesh_.corners.size()), std::uint32_t(corners.size()), surface_});
         mesh_.corners.insert(mesh_.corners.end(), corners.begin(), corners.end());
     }
 
     const BspSurfaces& from_;
+    static constexpr std::uint32_t kNone = ~0u;
+
     std::vector<std::uint32_t> first_;
+    std::vector<std::uint32_t> own_;  ///< by welded vertex: the first of the surface at hand there
     BspMesh mesh_;
     std::uint32_t surface_ = 0;
 };

@@ -22,10 +22,14 @@ struct BspMesh {
     std::vector<Vec3> positions;         ///< in the file's units: of its vertices, then points of patches
     std::vector<GridPoint> snapped;      ///< the same in metres on the grid
     std::vector<std::uint32_t> corners;  ///< indices into both
+    std::vector<TexturePoint> uvs;       ///< of each corner, in repeats; may not be finite
     std::vector<Polygon> polygons;       ///< in order of surface; any may have no area
 
     std::span<const std::uint32_t> corners_of(const Polygon& polygon) const {
         return std::span(corners).subspan(polygon.first_corner, polygon.corner_count);
+    }
+    std::span<const TexturePoint> uvs_of(const Polygon& polygon) const {
+        return std::span(uvs).subspan(polygon.first_corner, polygon.corner_count);
     }
 };
 

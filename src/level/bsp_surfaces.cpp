@@ -143,8 +143,10 @@ std::optional<Error> read_vertices(const BspFile& file, BspSurfaces& out) {
     const auto vertices = file.records<BspVertex>();
     out.positions.reserve(vertices.size());
     out.snapped.reserve(vertices.size());
+    out.uvs.reserve(vertices.size());
     for (std::size_t k = 0; k < vertices.size(); ++k) {
-        const auto [x, y, z] = vertices[k].position;
+        const BspVertex vertex = vertices[k];
+        const auto [x, y, z] = vertex.position;
         const Vec3 position = {x, y, z};
         const std::optional<GridPoint> point = snap(position * out.scale);
         if (!point) {
@@ -152,6 +154,7 @@ std::optional<Error> read_vertices(const BspFile& file, BspSurfaces& out) {
         }
         out.positions.push_back(position);
         out.snapped.push_back(*point);
+        out.uvs.push_back({double(vertex.uv[0]), double(vertex.uv[1])});
     }
     return std::nullopt;
 }

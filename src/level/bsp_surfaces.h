@@ -9,6 +9,7 @@
 
 #include "firma/grid.h"
 #include "firma/level.h"
+#include "firma/texture.h"
 #include "firma/vec.h"
 #include "level/bsp_file.h"
 
@@ -32,7 +33,8 @@ struct BspSurfaces {
     double scale = 0;                    ///< metres a unit
     std::vector<Vec3> positions;         ///< of the vertices lump, in the file's units, as its floats say
     std::vector<GridPoint> snapped;      ///< the same in metres on the grid
-    std::vector<std::uint32_t> corners;  ///< indices into both
+    std::vector<TexturePoint> uvs;       ///< in repeats; may not be finite
+    std::vector<std::uint32_t> corners;  ///< indices into these
     std::vector<BspSurface> surfaces;    ///< in the file's order
     std::vector<std::string> shaders;    ///< names
     std::uint32_t face_count = 0;        ///< of the whole lump

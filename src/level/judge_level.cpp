@@ -22,6 +22,8 @@ std::string fault_of(const Level& level, const LevelFace& face) {
     if (face.material >= name_count(level.materials))
         return missing("material", face.material, name_count(level.materials));
     if (face.group >= name_count(level.groups)) return missing("group", face.group, name_count(level.groups));
+    if (face.texture != kNoTexture && face.texture >= level.textures.size())
+        return missing("texture", face.texture, level.textures.size());
     Vec3 corners[kMaxCorners];
     for (std::uint32_t c = 0; c < face.corner_count; ++c) {
         const std::uint32_t vertex = level.corners[face.first_corner + c];
@@ -35,9 +37,21 @@ std::string fault_of(const Level& level, const LevelFace& face) {
 
 }  // namespace
 
+std::optional<Error> judge_textures(std::span<const TextureProjection> textures, const std::string& name,
+                                    const std::string& what) {
+    for (std::size_t k = 0; k < textures.size(); ++k) {
+        if (is_usable(textures[k])) continue;
+        const std::string place = what + "texture " + std::to_string(k);
+        return Error{ErrorCode::kInvalid, name.empty() ? place : name + ": " + place,
+                     "its numbers are not finite, or too large"};
+    }
+    return std::nullopt;
+}
+
 std::optional<Error> judge_level(const Level& level, const std::string& name, const std::string& what) {
     if (level.faces.size() >= (1u << 31) || level.corners.size() > 0xFFFFFFFFu)
         return Error{ErrorCode::kTooLarge, name, "a world holds fewer than 2^31 faces"};
+    if (auto error = judge_textures(level.textures, name, what)) return error;
     for (const LevelFace& face : level.faces) {
         std::string reason = fault_of(level, face);
         if (reason.empty()) continue;

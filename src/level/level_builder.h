@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firma/level.h"
+#include "level/fit_texture.h"
 
 namespace firma {
 
@@ -35,11 +36,15 @@ public:
         FaceKind kind = FaceKind::kPolygon;
         bool two_sided = false;
         std::uint32_t mask = ~0u;
+        double texture_slack = kTextureSlack;  ///< see fit_texture()
     };
 
     /// Adds a face by its outline (vertex indices, >= 3): whole when convex and exactly planar after the snap, else in
     /// triangles on its own outline; without area it is dropped. Notes say which.
-    void add_face(std::span<const std::uint32_t> outline, const FaceInfo& info);
+    ///
+    /// @param uvs  empty, or the texture coordinates of each corner, in repeats: what no one map gives is divided into
+    ///             triangles too, each with its own map
+    void add_face(std::span<const std::uint32_t> outline, const FaceInfo& info, std::span<const TexturePoint> uvs = {});
 
     /// Keeps the outlines of faces without area, and mends what dropping them leaves open: see mend_dropped.h.
     void mend_what_is_dropped() { mends_ = true; }
@@ -54,10 +59,13 @@ public:
     static constexpr std::size_t kMaxCount = std::size_t(1) << 31;
 
 private:
-    void add_piece(std::span<const std::uint32_t> corners, const FaceInfo& info);
+    void add_piece(std::span<const std::uint32_t> corners, const FaceInfo& info, std::uint32_t texture);
+    std::uint32_t add_texture(std::span<const std::uint32_t> corners, std::span<const TexturePoint> uvs,
+                              const FaceInfo& info);
 
     Level level_;
     std::vector<GridPoint> outline_;  ///< of the face at hand
+    std::vector<Vec3> metres_;        ///< of the corners at hand
     bool mends_ = false;
     std::vector<std::vector<std::uint32_t>> dropped_;
     std::unordered_map<std::string, std::uint32_t> material_index_, group_index_;

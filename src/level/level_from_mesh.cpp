@@ -25,7 +25,8 @@ public:
         builder_.mend_what_is_dropped();
         for (std::size_t face = 0, first = 0; face < faces_; ++face) {
             const std::size_t count = corners_of(face);
-            if (std::optional<Error> error = add_face(face, mesh_.corners.subspan(first, count))) return *error;
+            const auto uvs = mesh_.uvs.empty() ? mesh_.uvs : mesh_.uvs.subspan(first, count);
+            if (std::optional<Error> error = add_face(face, mesh_.corners.subspan(first, count), uvs)) return *error;
             first += count;
         }
         Level level = builder_.finish(std::uint32_t(faces_), 0);
@@ -74,14 +75,22 @@ private:
         const auto fits = [&](std::size_t size) { return size == 0 || size == faces_; };
         if (!fits(mesh_.materials.size()) || !fits(mesh_.masks.size()) || !fits(mesh_.two_sided.size()))
             return fail(ErrorCode::kMalformed, "", "an array about faces has not one entry for each");
+        if (!mesh_.uvs.empty() && mesh_.uvs.size() != mesh_.corners.size())
+            return fail(ErrorCode::kMalformed, "",
+                        "has " + std::to_string(mesh_.uvs.size()) + " texture coordinates for " +
+                            std::to_string(mesh_.corners.size()) + " corners");
         return std::nullopt;
     }
 
-    std::optional<Error> add_face(std::size_t face, std::span<const std::uint32_t> outline) {
+    std::optional<Error> add_face(std::size_t face, std::span<const std::uint32_t> outline,
+                                  std::span<const TexturePoint> uvs) {
         for (const std::uint32_t vertex : outline)
             if (vertex >= mesh_.vertices.size())
                 return fail(ErrorCode::kMalformed, "face", face,
                             "names vertex " + std::to_string(vertex) + " of " + std::to_string(mesh_.vertices.size()));
+        for (const TexturePoint& uv : uvs)
+            if (!is_finite(uv[0]) || !is_finite(uv[1]))
+                return fail(ErrorCode::kOutOfRange, "face", face, "has texture coordinates that are not finite");
         LevelBuilder::FaceInfo info;
         info.source = std::uint32_t(face);
         if (!mesh_.materials.empty()) {
@@ -94,7 +103,7 @@ private:
         }
         if (!mesh_.masks.empty()) info.mask = mesh_.masks[face];
         info.two_sided = !mesh_.two_sided.empty() && mesh_.two_sided[face] != 0;
-        builder_.add_face(outline, info);
+        builder_.add_face(outline, info, uvs);
         if (builder_.corner_count() >= LevelBuilder::kMaxCount)
             return fail(ErrorCode::kTooLarge, "", "has more than 2^31 corners once divided");
         return std::nullopt;

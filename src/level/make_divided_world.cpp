@@ -13,6 +13,7 @@
 #include "geometry/exact_plane.h"
 #include "geometry/polygon_shape.h"
 #include "level/divide_mesh.h"
+#include "level/level_textures.h"
 #include "world/assemble_world.h"
 
 namespace firma {
@@ -28,6 +29,7 @@ public:
         parts_.materials = level.materials;
         if (parts_.materials.empty()) parts_.materials.emplace_back();  // as make_world() does
         parts_.rock_outside = rock_outside;
+        parts_.textures = textures_of(level);
         parts_.rooms.resize(divided.rooms.count);
         if (!rock_outside) {
             parts_.rooms.back().exterior = true;

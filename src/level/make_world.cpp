@@ -4,6 +4,7 @@
 #include "firma/world.h"
 #include "level/find_solids.h"
 #include "level/judge_level.h"
+#include "level/level_textures.h"
 #include "level/message.h"
 #include "solid/append_faces.h"
 #include "solid/solid_data.h"
@@ -62,6 +63,7 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (parts.materials.empty()) parts.materials.emplace_back();  // what a cut names comes behind it
     parts.rock_outside = solids.rock_outside;
     parts.options = options;
+    parts.textures = textures_of(level);
     return assemble_world(std::move(parts));
 }
 

@@ -58,6 +58,7 @@ public:
     std::optional<Error> entry() {
         const std::string_view keyword = lines_.word();
         if (keyword == "v") return vertex();
+        if (keyword == "vt") return texture_vertex();
         if (keyword == "f") return face();
         if (keyword == "usemtl") {
             visitor_.material(lines_.rest());
@@ -81,6 +82,7 @@ private:
     }
 
     std::optional<Error> vertex();
+    std::optional<Error> texture_vertex();
     std::optional<Error> number(std::string_view word, std::size_t place, double& value) const;
     Error outside_world(const ObjVertex& vertex) const;
     std::optional<Error> face();
@@ -95,6 +97,7 @@ private:
     ObjCounts counts_;
     std::uint32_t vertices_ = 0;
     std::vector<std::uint32_t> corners_;
+    std::vector<TexturePoint> texture_vertices_, uvs_;  ///< all so far; of the face at hand
 };
 
 /// v x y z [w | r g b]: weights and colours are checked to be numbers, and left.
@@ -116,6 +119,20 @@ std::optional<Error> ObjParser::vertex() {
     vertex.metres = vertex.position * scale_;
     if (!visitor_.vertex(vertex)) return outside_world(vertex);
     ++vertices_;
+    return std::nullopt;
+}
+
+/// vt u [v [w]], v pointing up. Where a texture lies never keeps a level from being read: what is no number is not
+/// there. It counts with the entries that are no geometry.
+std::optional<Error> ObjParser::texture_vertex() {
+    ++counts_.ignored_entries;
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    const auto read = [&](double missing) {
+        const std::string_view word = lines_.word();
+        return word.empty() ? missing : parse_number(word).value_or(kNoNumber);
+    };
+    const double u = read(kNoNumber), v = read(0);
+    texture_vertices_.push_back({u, 1 - v});
     return std::nullopt;
 }
 
@@ -152,6 +169,7 @@ std::optional<Error> ObjParser::face() {
     face.line = lines_.line();
     face.source = counts_.faces;
     corners_.clear();
+    uvs_.clear();
     for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
         if (corners_.size() == kMaxOutlineCorners)
             return error_at_line(ErrorCode::kTooLarge, name_, face.line,
@@ -161,11 +179,13 @@ std::optional<Error> ObjParser::face() {
     if (corners_.size() < 3)
         return malformed("face of " + std::to_string(corners_.size()) + " corners; it takes at least 3");
     face.corners = corners_;
+    if (uvs_.size() == corners_.size()) face.uvs = uvs_;
     ++counts_.faces;
     return visitor_.face(face);
 }
 
-/// i, i/t, i//n or i/t/n. Firma has no use for texture coordinates and normals: they must be numbers, no more.
+/// i, i/t, i//n or i/t/n. Firma has no use for normals: they must be numbers, no more. A texture vertex that is not
+/// there is none.
 std::optional<Error> ObjParser::corner(std::string_view word) {
     constexpr auto kNowhere = std::string_view::npos;
     const std::size_t first = word.find('/');
@@ -174,7 +194,14 @@ std::optional<Error> ObjParser::corner(std::string_view word) {
     bool sound = index.has_value();
     if (first != kNowhere) {
         const std::string_view texture = word.substr(first + 1, second == kNowhere ? kNowhere : second - first - 1);
-        sound = sound && (parse_index(texture) || (texture.empty() && second != kNowhere));
+        const std::optional<std::int64_t> named = parse_index(texture);
+        sound = sound && (named || (texture.empty() && second != kNowhere));
+        const auto count = std::int64_t(texture_vertices_.size());
+        const std::int64_t at = !named ? -1 : *named > 0 ? *named - 1 : count + *named;
+        if (named && *named != 0 && at >= 0 && at < count) {
+            const TexturePoint& uv = texture_vertices_[std::size_t(at)];
+            if (is_finite(uv[0]) && is_finite(uv[1])) uvs_.push_back(uv);
+        }
     }
     if (second != kNowhere) sound = sound && parse_index(word.substr(second + 1));
     if (!sound) return malformed("corner " + quote(word) + " is not of the form v, v/t, v//n or v/t/n");

@@ -23,6 +23,8 @@ struct ObjVertex {
 struct ObjFace {
     /// Vertices, from 0 [3 <= count <= kMaxOutlineCorners]; all have been handed on before.
     std::span<const std::uint32_t> corners;
+    /// Of each corner, in repeats, v down; none where a corner has none.
+    std::span<const TexturePoint> uvs;
     std::uint32_t source = 0;  ///< index of the face in the file, from 0
     std::uint32_t line = 0;
 };

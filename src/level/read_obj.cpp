@@ -20,7 +20,7 @@ public:
     std::optional<Error> face(const ObjFace& face) override {
         info_.source = face.source;
         info_.line = face.line;
-        builder_.add_face(face.corners, info_);
+        builder_.add_face(face.corners, info_, face.uvs);
         if (builder_.corner_count() <= LevelBuilder::kMaxCount) return std::nullopt;
         return error_at_line(ErrorCode::kTooLarge, name_, face.line, "more than 2^31 corners of faces");
     }

@@ -2,6 +2,7 @@
 // From a world to the bytes of a .firma file: faces in order of id; each exact face, edge, vertex and plane once,
 // numbered in the order in which faces lead to them; then the index, which may be missing.
 #include <algorithm>
+#include <utility>
 
 #include "base/flat_map.h"
 #include "base/point_numbers.h"
@@ -55,6 +56,7 @@ public:
         if (data_.cells.known()) pack_records();
         if (data_.cells.portal_count() > 0) pack_portals();
         if (exact_) pack_exact();
+        if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
         return write_container(sections());
     }
@@ -246,6 +248,24 @@ private:
         for (const std::uint32_t end : face.loop_ends()) loops_.u32(end);
     }
 
+    void pack_textures(const FaceTextures& textures) {
+        for (const TextureProjection& map : textures.projections()) {
+            for (const auto& [axis, offset] : {std::pair(map.u_axis, map.u_offset), {map.v_axis, map.v_offset}}) {
+                for (int k = 0; k < 3; ++k) texture_maps_.f64(axis[k]);
+                texture_maps_.f64(offset);
+            }
+            texture_maps_.u32(std::uint32_t(map.unit));
+            texture_maps_.u32(0);
+        }
+        for (const FaceTextures::Entry& face : textures.entries()) {
+            textured_faces_.u32(face.source);
+            textured_faces_.u32(face.projection);
+            textured_faces_.u32(face.corner_count);
+        }
+        // Those of the entries one after the other, as they are made.
+        for (const GridPoint& corner : textures.corners()) add_point(texture_outlines_, corner);
+    }
+
     void pack_plane(const Plane& plane) {
         for (const std::int64_t n : plane.normal) plane_data_.u64(std::uint64_t(n));
         plane_data_.u64(std::uint64_t(plane.offset()));
@@ -278,10 +298,15 @@ private:
             add(kUsesSection, uses_);
             add(kLoopsSection, loops_);
         }
-        if (!index_) return all;
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };
+        if (data_.textures) {
+            add_optional(kTextureMapsSection, texture_maps_);
+            add_optional(kTexturedFacesSection, textured_faces_);
+            add_optional(kTextureOutlinesSection, texture_outlines_);
+        }
+        if (!index_) return all;
         add_optional(kIndexBlocksSection, blocks_);
         add_optional(kIndexFacesSection, block_faces_);
         add_optional(kIndexNodesSection, nodes_);
@@ -298,6 +323,7 @@ private:
     ByteWriter world_, materials_, rules_, faces_, vertices_, corners_;
     ByteWriter records_, portals_, portal_polygons_, portal_corners_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
+    ByteWriter texture_maps_, textured_faces_, texture_outlines_;
     ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
     FlatMap number_of_node_, number_of_block_;
     PointNumbers points_;

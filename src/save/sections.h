@@ -25,6 +25,10 @@ inline constexpr SectionType kEdgesSection = section_type("EDGE");
 inline constexpr SectionType kExactFacesSection = section_type("EXAC");
 inline constexpr SectionType kUsesSection = section_type("USES");
 inline constexpr SectionType kLoopsSection = section_type("LOOP");
+// How textures lie: may be missing, or passed over.
+inline constexpr SectionType kTextureMapsSection = section_type("TMAP");
+inline constexpr SectionType kTexturedFacesSection = section_type("TFAC");
+inline constexpr SectionType kTextureOutlinesSection = section_type("TCOR");
 // The index: may be missing, or passed over.
 inline constexpr SectionType kIndexBlocksSection = section_type("IBLK");
 inline constexpr SectionType kIndexFacesSection = section_type("IFAC");
@@ -43,6 +47,8 @@ inline constexpr SectionType kSectionsOfBoth[] = {
     kCornersSection, kRoomRecordsSection, kPortalsSection,    kPortalPolygonsSection, kPortalCornersSection,
     kPlanesSection,  kGridPointsSection,  kMeetPointsSection, kEdgesSection,          kExactFacesSection,
     kUsesSection,    kLoopsSection};
+inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
+                                                      kTextureOutlinesSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
 inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
                                                    kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
@@ -61,6 +67,8 @@ inline constexpr std::size_t kPointBytes = 12;
 inline constexpr std::size_t kPlaneBytes = 40;
 inline constexpr std::size_t kEdgeBytes = 20;
 inline constexpr std::size_t kExactFaceBytes = 36;
+inline constexpr std::size_t kTextureMapBytes = 72;
+inline constexpr std::size_t kTexturedFaceBytes = 12;
 
 // Flags of the world.
 inline constexpr std::uint32_t kRockOutside = 1;

@@ -9,6 +9,7 @@
 #include "save/unpack_faces.h"
 #include "save/unpack_index.h"
 #include "save/unpack_portals.h"
+#include "save/unpack_textures.h"
 #include "solid/append_faces.h"
 
 namespace firma {
@@ -30,10 +31,12 @@ void check_whole(const World& world, bool exact, Damage& damage) {
 /// What a version of the format has.
 std::vector<SectionType> known_sections(std::uint32_t version) {
     std::vector<SectionType> known(std::begin(kSectionsOfBoth), std::end(kSectionsOfBoth));
-    if (version == 1)
+    if (version == 1) {
         known.insert(known.end(), std::begin(kSectionsOfVersion1), std::end(kSectionsOfVersion1));
-    else
+    } else {
+        known.insert(known.end(), std::begin(kSectionsOfTextures), std::end(kSectionsOfTextures));
         known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
+    }
     return known;
 }
 
@@ -70,6 +73,7 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     const FaceSet faces = version == 1 ? unpack_faces_of_version_1(sections, unpacked, exact, damage)
                                        : unpack_faces(sections, unpacked, exact, damage);
     if (!damage.error()) unpack_portals(sections, unpacked, damage);
+    if (!damage.error() && version > 1) unpacked.world.textures = unpack_textures(sections, damage);
     std::optional<UnpackedIndex> index;
     if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);
     sections.refuse_unused(known);

@@ -151,6 +151,7 @@ World world_of(StoredWorld stored) {
     data->tree_options = stored.tree_options;
     data->version = stored.version;
     data->rules = std::move(stored.rules);
+    data->textures = std::move(stored.textures);
     return World(std::move(data));
 }
 
@@ -187,6 +188,7 @@ Result<World> assemble_world(WorldParts parts) {
     stored.tolerance = parts.options.tolerance;
     stored.tree_options = parts.options.tree;
     stored.rules = std::make_shared<const CarveRules>(std::move(parts.options.rules));
+    if (parts.options.textures) stored.textures = std::move(parts.textures);
     return world_of(std::move(stored));
 }
 

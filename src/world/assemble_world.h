@@ -28,6 +28,7 @@ struct WorldParts {
     std::vector<std::string> materials;
     bool rock_outside = false;  ///< what no face separates from infinity is solid
     WorldOptions options;
+    std::shared_ptr<const FaceTextures> textures;  ///< null: none
 };
 
 /// A world whose faces are in blocks.
@@ -44,6 +45,7 @@ struct StoredWorld {
     Tolerance tolerance;
     TreeOptions tree_options;
     std::shared_ptr<const CarveRules> rules;
+    std::shared_ptr<const FaceTextures> textures;
 };
 World world_of(StoredWorld stored);
 

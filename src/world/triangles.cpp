@@ -22,7 +22,7 @@ GridPoint to_grid(const Vec3& corner) {
 
 class Collector {
 public:
-    explicit Collector(const TriangleOptions& options) : options_(options) {}
+    Collector(const World& world, const TriangleOptions& options) : world_(world), options_(options) {}
 
     bool operator()(const FaceView& face) {
         if (!(face.mask & options_.mask) || (!face.solid && !options_.castable_only)) return true;
@@ -67,12 +67,33 @@ private:
         made_.sources.push_back({face.info.id, face.info.room, face.info.source, face.info.source_edit,
                                  face.info.material, face.info.mask, face.info.two_sided, face.info.solid,
                                  first_triangle, triangle_count, first_vertex, face.corner_count});
+        if (options_.uvs) made_.sources.back().uv_unit = add_uvs(face.info, corners);
         if (made_.runs.empty() || made_.runs.back().material != face.info.material)
             made_.runs.push_back({face.info.material, first_triangle, 0, first_vertex, 0});
         made_.runs.back().triangle_count += triangle_count;
         made_.runs.back().vertex_count += face.corner_count;
     }
 
+    /// @return what they count
+    TextureUnit add_uvs(const FaceInfo& face, std::span<const Vec3> corners) {
+        TextureProjection lies = texture_of(world_, face, corners).value_or(box_projection(face.normal));
+        double width = 1, height = 1;
+        if (lies.unit == TextureUnit::kTexels && face.material < options_.texture_sizes.size()) {
+            const auto [across, down] = options_.texture_sizes[face.material];
+            if (across > 0 && down > 0) {
+                width = across;
+                height = down;
+                lies.unit = TextureUnit::kRepeats;
+            }
+        }
+        for (const Vec3& corner : corners) {
+            const auto [u, v] = lies.at(corner);
+            made_.uvs.push_back({float(u / width), float(v / height)});
+        }
+        return lies.unit;
+    }
+
+    const World& world_;
     const TriangleOptions& options_;
     std::vector<Collected> faces_;
     std::vector<Vec3> corners_;
@@ -83,7 +104,7 @@ private:
 
 template <class... Where>
 TriangleMesh collect(const World& world, const TriangleOptions& options, const Where&... where) {
-    Collector collector(options);
+    Collector collector(world, options);
     if (is_finite(options.origin)) each_face(world, where..., collector);
     return collector.take();
 }

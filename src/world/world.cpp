@@ -159,6 +159,22 @@ std::vector<Face> World::faces() const {
     return all;
 }
 
+std::optional<TextureProjection> texture_of(const World& world, const FaceInfo& face, std::span<const Vec3> corners) {
+    const FaceTextures* textures = world.data().textures.get();
+    if (!textures || face.source_edit != 0 || corners.empty()) return {};
+    const TextureProjection* found = textures->find(face.source, corners);
+    return found ? std::optional(*found) : std::nullopt;
+}
+
+std::optional<TextureProjection> texture_of(const World& world, const FaceRef& ref) {
+    const FacetPlace facet = find_facet(world.data(), ref);
+    if (!facet.block) return {};
+    const FaceShape shape(*facet.block, facet.record());
+    const FaceInfo face =
+        face_info(room_of_block(world.data(), *facet.block), *facet.block, facet.record(), shape.polygon);
+    return texture_of(world, face, shape.polygon.corners);
+}
+
 FaceId other_face(const World& world, const FaceRef& face, std::uint32_t edge) {
     const WorldData& data = world.data();
     const FacetPlace facet = find_facet(data, face);

@@ -17,6 +17,7 @@
 #include "solid/face_store.h"
 #include "solid/solid_data.h"
 #include "world/cells.h"
+#include "world/face_textures.h"
 #include "world/room_faces.h"
 
 namespace firma {
@@ -32,7 +33,8 @@ struct WorldData {
     Tolerance tolerance;
     TreeOptions tree_options;  ///< how indices are built, and rebuilt by edits
     std::uint64_t version = 0;
-    std::shared_ptr<const CarveRules> rules;  ///< null: none
+    std::shared_ptr<const CarveRules> rules;       ///< null: none
+    std::shared_ptr<const FaceTextures> textures;  ///< of the level's file; null: none. In no hash
 
     std::size_t face_count() const { return solid.face_count() + castable.count; }
     bool rock_outside() const { return solid.rock_outside(); }

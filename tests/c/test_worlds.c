@@ -203,10 +203,101 @@ static void test_triangles(void) {
     CHECK_OK(firma_world_release(room));
 }
 
+/* A wall of 4 by 2 m whose picture goes twice across and once up, and one that says nothing. */
+static void test_textures(void) {
+    static const double positions[] = {0, 0, 0, 4, 0, 0, 4, 0, 2, 0, 0, 2, 0, 4, 0, 4, 4, 0};
+    static const uint32_t corners[] = {0, 1, 2, 3, 0, 4, 5, 1}, counts[] = {4, 4};
+    double uvs[] = {0, 1, 2, 1, 2, 0, 0, 0, 0, 0, 1, 1, 2, 5, 7, 7};
+    firma_mesh mesh = {0};
+    mesh.size = sizeof mesh;
+    mesh.positions = positions;
+    mesh.vertex_count = 6;
+    mesh.corners = corners;
+    mesh.corner_counts = counts;
+    mesh.face_count = 2;
+    mesh.uvs = uvs;
+    firma_world world = {0};
+    uvs[9] = NAN;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, "m", NULL, &world), FIRMA_ERROR_OUT_OF_RANGE,
+                "face 1: has texture coordinates that are not finite");
+    uvs[9] = 0;
+    CHECK_OK(firma_world_from_mesh(&mesh, "m", NULL, &world));
+    firma_world_facts facts = {.size = sizeof facts};
+    CHECK_OK(firma_world_get_facts(world, &facts));
+    CHECK(facts.face_count == 3); /* no one map gives the second's */
+    firma_texture texture = {.size = sizeof texture};
+    CHECK_OK(firma_world_texture(world, 0, NULL, &texture));
+    CHECK(texture.unit == FIRMA_REPEATS && texture.u_axis[0] == 0.5 && texture.u_axis[2] == 0);
+    CHECK(texture.v_axis[2] == -0.5 && texture.v_offset == 1 && texture.u_offset == 0);
+
+    firma_cast_input down = {{2, -1, 1}, 0, {0, 4, 0}};
+    firma_hit hit;
+    CHECK_OK(firma_cast(world, &down, NULL, &hit, NULL));
+    firma_texture of_hit = {.size = sizeof of_hit};
+    CHECK_OK(firma_world_texture(world, hit.face, hit.corner, &of_hit));
+    CHECK(memcmp(&texture, &of_hit, sizeof texture) == 0);
+    CHECK_FAILS(firma_world_texture(world, 9, NULL, &texture), FIRMA_ERROR_INVALID, "no such face");
+    hit.corner[0] += 1;
+    CHECK_FAILS(firma_world_texture(world, hit.face, hit.corner, &texture), FIRMA_ERROR_INVALID, "no such face");
+    CHECK_FAILS(firma_world_texture(world, 0, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    texture.size = 0;
+    CHECK_FAILS(firma_world_texture(world, 0, NULL, &texture), FIRMA_ERROR_BAD_CALL, "size");
+
+    firma_triangle_options options;
+    firma_triangle_options_defaults(&options);
+    firma_triangles triangles = {0};
+    firma_triangles_view view = {.size = sizeof view};
+    CHECK_OK(firma_world_triangles(world, &options, &triangles));
+    CHECK_OK(firma_triangles_get_view(triangles, &view));
+    CHECK(view.uvs == NULL && view.sources[0].uv_unit == FIRMA_METRES);
+    CHECK_OK(firma_triangles_release(triangles));
+    options.uvs = 1;
+    CHECK_OK(firma_world_triangles(world, &options, &triangles));
+    CHECK_OK(firma_triangles_get_view(triangles, &view));
+    CHECK(view.uvs != NULL && view.source_count == 3 && view.sources[0].uv_unit == FIRMA_REPEATS);
+    for (uint32_t v = 0; v < 4; ++v) {
+        CHECK(view.uvs[2 * v] == view.positions[3 * v] / 2);
+        CHECK(view.uvs[2 * v + 1] == 1 - view.positions[3 * v + 2] / 2);
+    }
+    CHECK_OK(firma_triangles_release(triangles));
+    CHECK_OK(firma_world_release(world));
+
+    /* Texels of a .map, and how large its picture is. */
+    static const char kBrush[] =
+        "{\n\"classname\" \"worldspawn\"\n{\n"
+        "( 0 0 0 ) ( 0 64 0 ) ( 0 0 64 ) wall 8 0 0 2 1\n( 64 0 0 ) ( 64 0 64 ) ( 64 64 0 ) wall 8 0 0 2 1\n"
+        "( 0 0 0 ) ( 0 0 64 ) ( 64 0 0 ) wall 8 0 0 2 1\n( 0 64 0 ) ( 64 64 0 ) ( 0 64 64 ) wall 8 0 0 2 1\n"
+        "( 0 0 0 ) ( 64 0 0 ) ( 0 64 0 ) wall 8 0 0 2 1\n( 0 0 64 ) ( 0 64 64 ) ( 64 0 64 ) wall 8 0 0 2 1\n}\n}\n";
+    CHECK_OK(firma_world_from_map(kBrush, sizeof kBrush - 1, "a.map", NULL, &world));
+    const double sizes[] = {0, 0, 128, 256};
+    options.texture_size_count = 2;
+    CHECK_FAILS(firma_world_triangles(world, &options, &triangles), FIRMA_ERROR_BAD_CALL, "array");
+    options.texture_sizes = sizes;
+    for (uint32_t known = 0; known < 2; ++known) {
+        options.texture_size_count = 2 * known;
+        CHECK_OK(firma_world_triangles(world, &options, &triangles));
+        CHECK_OK(firma_triangles_get_view(triangles, &view));
+        CHECK(view.sources[0].uv_unit == (known ? FIRMA_REPEATS : FIRMA_TEXELS));
+        for (size_t v = 0; v < view.vertex_count; ++v) {
+            if (view.normals[3 * v + 2] < 0.5f) continue;
+            CHECK(view.uvs[2 * v] == (view.positions[3 * v] * 32 / 2 + 8) / (known ? 128 : 1));
+            CHECK(view.uvs[2 * v + 1] == -view.positions[3 * v + 1] * 32 / (known ? 256 : 1));
+        }
+        CHECK_OK(firma_triangles_release(triangles));
+    }
+    options.uvs = 2;
+    CHECK_FAILS(firma_world_triangles(world, &options, &triangles), FIRMA_ERROR_INVALID, "uvs");
+    options.uvs = 1;
+    options.reserved = 1;
+    CHECK_FAILS(firma_world_triangles(world, &options, &triangles), FIRMA_ERROR_INVALID, "reserved");
+    CHECK_OK(firma_world_release(world));
+}
+
 void test_worlds(void) {
     test_bad_meshes();
     test_options();
     test_obj();
     test_room();
     test_triangles();
+    test_textures();
 }

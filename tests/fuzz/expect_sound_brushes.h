@@ -28,7 +28,9 @@ inline void expect_sound(const BrushLevel& level) {
         const Plane plane = plane_through(to_input(side.points[0]), to_input(side.points[1]), to_input(side.points[2]));
         expect(plane.valid(), "points not in line");
         expect(side.material < level.materials.size(), "materials in range");
+        expect(side.texture == kNoTexture || side.texture < level.textures.size(), "textures in range");
     }
+    for (const TextureProjection& lies : level.textures) expect(is_usable(lies), "projections that can be used");
     for (const std::string& note : level.notes) expect(note.size() < 400, "notes are short");
     expect(level.notes.size() <= 257, "notes are few");
     expect(level.max_shift >= 0 && level.max_shift < 1e9, "a shift is a length");

@@ -34,8 +34,10 @@ inline void expect_sound(const Level& level) {
         expect(face.source < level.source_faces, "sources in range");
         expect(face.source >= last_source, "sources in order");
         expect(face.material < level.materials.size() && face.group < level.groups.size(), "names in range");
+        expect(face.texture == kNoTexture || face.texture < level.textures.size(), "textures in range");
         last_source = face.source;
     }
+    for (const TextureProjection& lies : level.textures) expect(is_usable(lies), "projections that can be used");
     for (const LevelNote& note : level.notes) expect(note.source < level.source_faces, "sources of notes in range");
 }
 

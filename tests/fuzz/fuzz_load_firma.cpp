@@ -12,6 +12,7 @@
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
+#include "firma/triangles.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/save/saved_worlds.h"
 
@@ -68,9 +69,10 @@ void mend(File& file) {
 const File& sound_file(int which) {
     static const std::vector<File> files = [] {
         const World small = cut_room(1, 3), facets = cut_room(2, 4);
-        return std::vector<File>{pack_world(tiny_world()), pack_world(room_world()),
-                                 pack_world(small),        pack_world(facets, {.exact = false}),
-                                 pack_world(World()),      pack_world(two_rooms())};
+        return std::vector<File>{pack_world(tiny_world()),   pack_world(room_world()),
+                                 pack_world(small),          pack_world(facets, {.exact = false}),
+                                 pack_world(World()),        pack_world(two_rooms()),
+                                 pack_world(papered_world())};
     }();
     return files[std::size_t(which) % files.size()];
 }
@@ -95,6 +97,11 @@ std::size_t entry_size(SectionType type) {
             return kEdgeBytes;
         case kExactFacesSection:
             return kExactFaceBytes;
+        case kTextureMapsSection:
+            return kTextureMapBytes;
+        case kTexturedFacesSection:
+        case kTextureOutlinesSection:
+            return kTexturedFaceBytes;
         case kWorldSection:
             return kWorldBytes;
         default:
@@ -223,8 +230,12 @@ void use(const World& world, int how) {
         const Hit hit = cast(world, {middle, k % 2 ? 0.1 : 0}, path);
         expect(!hit.face.valid() || world.face(hit.face).has_value(), "a face that was met is not found");
         static_cast<void>(room_of(world, hit));
+        if (const std::optional<TextureProjection> lies = texture_of(world, hit.face))
+            expect(is_usable(*lies), "a face has a projection that is none");
         if (hit.touched() && k <= how % 6) pose.position = hit.point;
     }
+    for (const auto& [u, v] : triangles_of(world, {.uvs = true}).uvs)
+        expect(is_finite(double(u)) && is_finite(double(v)), "a texture coordinate is no number");
     std::vector<Overlap> near;
     overlap(world, {pose.position, 1}, near);
     static_cast<void>(locate(world.solid(), middle));

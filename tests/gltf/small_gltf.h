@@ -69,6 +69,13 @@ public:
                         std::to_string(kComponent<T>) + R"(,"count":)" + std::to_string(values.size() / 3) +
                         R"(,"type":"VEC3")" + extra + "}");
     }
+    /// Texture coordinates.
+    template <class T>
+    int pairs(const std::vector<T>& values, const std::string& extra = "") {
+        return accessor(R"({"bufferView":)" + std::to_string(view(bytes_of(values))) + R"(,"componentType":)" +
+                        std::to_string(kComponent<T>) + R"(,"count":)" + std::to_string(values.size() / 2) +
+                        R"(,"type":"VEC2")" + extra + "}");
+    }
     template <class T>
     int indices(const std::vector<T>& values) {
         return accessor(R"({"bufferView":)" + std::to_string(view(bytes_of(values))) + R"(,"componentType":)" +

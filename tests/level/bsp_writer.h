@@ -62,6 +62,7 @@ public:
     std::vector<BspBrush> brushes;
     std::vector<BspBrushSide> brush_sides;
     std::vector<Vec3> vertices;
+    std::vector<std::array<float, 2>> uvs;  ///< of vertices; missing ones are 0
     std::vector<std::int32_t> mesh_vertices;
     std::vector<BspFace> faces;
     std::vector<Model> models = {{}};
@@ -180,9 +181,11 @@ private:
             lump(BspLump::kModels).add(model.first_brush);
             lump(BspLump::kModels).add(model.brush_count < 0 ? std::int32_t(brushes.size()) : model.brush_count);
         }
-        for (const Vec3& vertex : vertices) {
-            lump(BspLump::kVertices).add(vertex);
-            lump(BspLump::kVertices).add_zeros(32);
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            lump(BspLump::kVertices).add(vertices[k]);
+            for (const float part : k < uvs.size() ? uvs[k] : std::array<float, 2>{})
+                lump(BspLump::kVertices).add(part);
+            lump(BspLump::kVertices).add_zeros(24);
         }
         for (const std::int32_t k : mesh_vertices) lump(BspLump::kMeshVertices).add(k);
         for (const BspFace& face : faces) write_face(lump(BspLump::kFaces), face);

@@ -80,6 +80,13 @@ inline World tiny_world() {
     return carve(world, make_crater(CutterShape::kWedge, 1), pose, {"crater"}).world;
 }
 
+/// A wall with a picture, one whose picture has two parts, and one without.
+inline World papered_world() {
+    return world_of(
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 4\nv 4 0 4\nv 0 4 4\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.75\n"
+        "usemtl paper\nf 1/1 2/2 3/3 4/4\nf 2/1 1/2 5/5 6/4\nf 1 4 7 5\n");
+}
+
 /// Two rooms with names, a closed door between them, and a portal that is gone.
 inline World two_rooms() {
     WorldParts parts = two_halves_parts();

@@ -57,6 +57,41 @@ TEST(PackWorld, LevelsOfEveryFamilyAfterCuts) {
     }
 }
 
+/// They are in no hash, and a reader may pass them over.
+TEST(PackWorld, HowTexturesLie) {
+    const World world = papered_world();
+    expect_round_trip(world);
+    for (const bool exact : {false, true})
+        for (const bool index : {false, true}) {
+            const World read = unpacked(pack_world(world, {.exact = exact, .index = index}));
+            std::size_t pieces = 0;
+            for (const Face& face : world.faces()) {
+                const std::optional<TextureProjection> lies = texture_of(world, face.ref());
+                EXPECT_TRUE(texture_of(read, face.ref()) == lies);
+                EXPECT_EQ(lies.has_value(), face.source != 2);
+                pieces += face.source == 1;
+            }
+            EXPECT_EQ(pieces, 2u);
+        }
+    std::vector<NewSection> sections;
+    const std::vector<std::byte> bytes = pack_world(world);
+    const std::vector<Section> known = read_container(bytes, "test").value();
+    for (const Section& section : known) {
+        const bool of_textures = section.type == kTextureMapsSection || section.type == kTexturedFacesSection ||
+                                 section.type == kTextureOutlinesSection;
+        if (of_textures) {
+            EXPECT_FALSE(section.required());
+            continue;
+        }
+        NewSection copy{section.type, section.flags, {}};
+        for (const std::byte byte : section.bytes) copy.content.u8(std::uint8_t(byte));
+        sections.push_back(copy);
+    }
+    const World bare = unpacked(write_container(sections));
+    EXPECT_EQ(hash_world(bare), hash_world(world));
+    EXPECT_FALSE(texture_of(bare, bare.faces()[0].ref()));
+}
+
 TEST(PackWorld, RoomsPortalsAndDoors) {
     expect_round_trip(two_rooms());
     const World read = unpacked(pack_world(two_rooms()));

@@ -15,7 +15,7 @@ namespace {
 /// Of a small world with an exact part, and without.
 std::vector<std::vector<std::byte>> small_files() {
     return {pack_world(tiny_world()), pack_world(tiny_world(), {.exact = false}), pack_world(World()),
-            pack_world(two_rooms())};
+            pack_world(two_rooms()), pack_world(papered_world(), {.index = false})};
 }
 
 TEST(UnpackDamage, EveryByteFlipped) {
@@ -181,6 +181,62 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
               "a.firma: section WRLD: has several rooms or portals, and no records of rooms");
     EXPECT_EQ(with_u32(kWorldSection, 24, kRockOutside | kExactPart | kHasRules | kHasRoomRecords),
               "a.firma: section PORT: is there without a reason");
+}
+
+TEST(UnpackDamage, ErrorsOfTexturesNameTheirPlace) {
+    std::vector<std::byte> bytes;
+    const auto change = [&](SectionType type, std::size_t at, std::uint32_t value) {
+        for (const SectionPlace& place : section_places(bytes))
+            if (place.type == type) put_u32(bytes, place.first + at, value);
+    };
+    const auto answer = [&] {
+        fix_checksums(bytes);
+        const Result<World> read = unpack_world(bytes, "a.firma");
+        return read ? "read" : read.error().text();
+    };
+    const auto with_u32 = [&](SectionType type, std::size_t at, std::uint32_t value) {
+        bytes = pack_world(papered_world());
+        change(type, at, value);
+        return answer();
+    };
+    const std::size_t second_map = kTextureMapBytes, second = kTexturedFaceBytes, third = 2 * kTexturedFaceBytes;
+    for (const std::uint32_t high : {0x7FF00000u, 0x7FF80001u, 0xFFF00000u, 0x44000000u})  // 0x1p65
+        for (std::size_t number = 0; number < 8; ++number)
+            EXPECT_EQ(with_u32(kTextureMapsSection, second_map + 8 * number + 4, high),
+                      "a.firma: section TMAP, entry 1: its numbers are not finite, or too large");
+    EXPECT_EQ(with_u32(kTextureMapsSection, 64, 3), "a.firma: section TMAP, entry 0: has flags that mean nothing");
+    EXPECT_EQ(with_u32(kTextureMapsSection, 68, 1), "a.firma: section TMAP, entry 0: has flags that mean nothing");
+    EXPECT_EQ(with_u32(kTextureMapsSection, 64, 0), "read");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, second + 4, 3), "a.firma: section TFAC, entry 1: names no projection");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, 0, 7), "a.firma: section TFAC, entry 1: is out of order");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, 0, 1),
+              "a.firma: section TFAC, entry 1: is one of several of a face, and has no outline");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, third + 8, 2),
+              "a.firma: section TFAC, entry 2: does not have 3 to 64 corners, or none");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, third + 8, 65),
+              "a.firma: section TFAC, entry 2: does not have 3 to 64 corners, or none");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, third + 8, 4),
+              "a.firma: section TFAC, entry 2: has more corners than there are");
+    EXPECT_EQ(with_u32(kTexturedFacesSection, third, 77), "read") << "of a face that is gone";
+    change(kTexturedFacesSection, third + 8, 0);
+    EXPECT_EQ(answer(), "a.firma: section TCOR, entry 3: belongs to no face");
+    EXPECT_EQ(with_u32(kTextureOutlinesSection, 0, 77), "read");
+    const auto without = [](SectionType type) {
+        std::vector<NewSection> sections;
+        const std::vector<std::byte> whole = pack_world(papered_world());
+        const std::vector<Section> known = read_container(whole, "test").value();
+        for (const Section& section : known) {
+            if (section.type == type) continue;
+            NewSection copy{section.type, section.flags, {}};
+            for (const std::byte byte : section.bytes) copy.content.u8(std::uint8_t(byte));
+            sections.push_back(copy);
+        }
+        const Result<World> read = unpack_world(write_container(sections), "a.firma");
+        return read ? "read" : read.error().text();
+    };
+    EXPECT_EQ(without(kTextureMapsSection), "a.firma: section TFAC: is there without a reason");
+    EXPECT_EQ(without(kTexturedFacesSection), "a.firma: section TFAC: is missing");
+    EXPECT_EQ(without(kTextureOutlinesSection), "a.firma: section TCOR: is missing");
 }
 
 TEST(UnpackDamage, ContactOffsetAndCountersAreOnesToGoOnWith) {

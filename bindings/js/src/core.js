@@ -17,6 +17,7 @@ const FILLED = {
     portal: layout.PORTAL,
     levelView: layout.LEVEL_VIEW,
     facesView: layout.FACES_VIEW,
+    texture: layout.TEXTURE,
     trianglesView: layout.TRIANGLES_VIEW,
     diffView: layout.DIFF_VIEW,
     report: layout.CARVE_REPORT,

@@ -10,7 +10,7 @@ import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
 
 const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerLeaf', 'minNodeVolume', 'contactOffset', 'scale'];
-const MESH_NAMES = ['positions', 'corners', 'cornerCounts', 'materials', 'materialNames', 'masks', 'twoSided'];
+const MESH_NAMES = ['positions', 'corners', 'cornerCounts', 'materials', 'materialNames', 'masks', 'twoSided', 'uvs'];
 
 function nameOf(lent, options, place) {
     const name = text(options.name, place, 'name');
@@ -57,6 +57,11 @@ function readMesh(mesh, place) {
     read.materialNames = read.materialNames.map((name, k) => text(name, place, `materialNames[${k}]`));
     if (mesh.materials !== undefined) read.materials = words(mesh.materials, read.faceCount, place, 'materials');
     if (mesh.masks !== undefined) read.masks = masks(mesh.masks, read.faceCount, place, 'masks');
+    if (mesh.uvs !== undefined) {
+        read.uvs = doubles(mesh.uvs, 2, place, 'uvs');
+        if (read.uvs.length !== 2 * read.corners.length)
+            throw badCall(place, `uvs must be two for each corner: ${2 * read.corners.length}, not ${read.uvs.length}`);
+    }
     if (mesh.twoSided !== undefined) read.twoSided = flags(mesh.twoSided, read.faceCount, place, 'twoSided');
     return read;
 }
@@ -75,6 +80,7 @@ function putMesh(core, lent, mesh) {
         materialNames: lent.words(names),
         masks: mesh.masks ? lent.words(mesh.masks) : 0,
         twoSided: mesh.twoSided ? lent.bytes(mesh.twoSided) : 0,
+        uvs: mesh.uvs ? lent.doubles(mesh.uvs) : 0,
     };
     for (const name in fields) core.setU32(core.at.mesh + MESH[name], fields[name]);
     return core.at.mesh;

@@ -28,6 +28,13 @@ export const CODE_NAMES = Object.freeze([
     'INTERNAL',
 ]);
 
+/** By the numbers of firma_texture_unit. */
+export const TEXTURE_UNIT_NAMES = Object.freeze([
+    'texels',
+    'repeats',
+    'metres',
+]);
+
 /** By the numbers of firma_where. */
 export const WHERE_NAMES = Object.freeze([
     'air',
@@ -98,7 +105,7 @@ export const WORLD_OPTIONS = Object.freeze({
 
 /** firma_mesh */
 export const MESH = Object.freeze({
-    sizeof: 44,
+    sizeof: 48,
     size: 0,
     materialCount: 4,
     positions: 8,
@@ -110,6 +117,7 @@ export const MESH = Object.freeze({
     materialNames: 32,
     masks: 36,
     twoSided: 40,
+    uvs: 44,
 });
 
 /** firma_entity */
@@ -232,6 +240,17 @@ export const FACE_FILTER = Object.freeze({
     region: 12,
 });
 
+/** firma_texture */
+export const TEXTURE = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    unit: 4,
+    uAxis: 8,
+    uOffset: 32,
+    vAxis: 40,
+    vOffset: 64,
+});
+
 /** firma_triangle_run */
 export const TRIANGLE_RUN = Object.freeze({
     sizeof: 24,
@@ -257,12 +276,12 @@ export const TRIANGLE_SOURCE = Object.freeze({
     triangleCount: 32,
     firstVertex: 36,
     vertexCount: 40,
-    reserved: 44,
+    uvUnit: 44,
 });
 
 /** firma_triangles_view */
 export const TRIANGLES_VIEW = Object.freeze({
-    sizeof: 44,
+    sizeof: 48,
     size: 0,
     positions: 4,
     normals: 8,
@@ -274,17 +293,22 @@ export const TRIANGLES_VIEW = Object.freeze({
     runCount: 32,
     sources: 36,
     sourceCount: 40,
+    uvs: 44,
 });
 
 /** firma_triangle_options */
 export const TRIANGLE_OPTIONS = Object.freeze({
-    sizeof: 48,
+    sizeof: 64,
     size: 0,
     mask: 4,
     solidOnly: 8,
     room: 12,
     origin: 16,
     region: 40,
+    textureSizes: 44,
+    textureSizeCount: 48,
+    uvs: 52,
+    reserved: 56,
 });
 
 /** firma_room */

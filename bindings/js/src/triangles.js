@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Faces as triangles: copies of what the module shows.
-import { flag, mask, object, region as regionOf, vector, word } from './arguments.js';
+// Faces as triangles, and how textures lie on them: copies of what the module shows.
+import { doubles, flag, mask, object, region as regionOf, vector, word } from './arguments.js';
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
-import { TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
+import { TEXTURE, TEXTURE_UNIT_NAMES, TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
 
-const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin'];
+const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin', 'uvs', 'textureSizes'];
 
 /** The options' address. */
 function putOptions(core, lent, options) {
@@ -18,6 +18,12 @@ function putOptions(core, lent, options) {
     core.setU32(at + TRIANGLE_OPTIONS.room, room === undefined ? 0xffffffff : word(room, 'triangles', 'room'));
     core.setVector(at + TRIANGLE_OPTIONS.origin, vector(origin, 3, 'triangles', 'origin'));
     core.setU32(at + TRIANGLE_OPTIONS.region, region === undefined ? 0 : lent.words(regionOf(region, 'triangles')));
+    core.setU32(at + TRIANGLE_OPTIONS.uvs, flag(given.uvs, 'triangles', 'uvs'));
+    core.setU32(at + TRIANGLE_OPTIONS.reserved, 0);
+    const sizes = given.textureSizes ?? [];
+    doubles(sizes, 2, 'triangles', 'textureSizes');
+    core.setU32(at + TRIANGLE_OPTIONS.textureSizes, lent.doubles(sizes));
+    core.setU32(at + TRIANGLE_OPTIONS.textureSizeCount, sizes.length / 2);
     return at;
 }
 
@@ -39,15 +45,38 @@ export function takeTriangles(core, id, options) {
         const floats = (field, count) => f32.slice(get(field) >>> 2, (get(field) >>> 2) + count);
         const words = (field, count) => core.u32.slice(get(field) >>> 2, (get(field) >>> 2) + count);
         const triangles = get('triangleCount');
+        const sources = getStructs(core, get('sources'), get('sourceCount'), TRIANGLE_SOURCE);
+        for (const source of sources) source.uvUnit = TEXTURE_UNIT_NAMES[source.uvUnit];
         return {
             positions: floats('positions', 3 * get('vertexCount')),
             normals: floats('normals', 3 * get('vertexCount')),
+            uvs: floats('uvs', get('uvs') === 0 ? 0 : 2 * get('vertexCount')),
             corners: words('corners', 3 * triangles),
             faces: words('faces', triangles),
             runs: getStructs(core, get('runs'), get('runCount'), TRIANGLE_RUN),
-            sources: getStructs(core, get('sources'), get('sourceCount'), TRIANGLE_SOURCE),
+            sources,
         };
     } finally {
         core.call('firma_triangles_release', handle);
     }
+}
+
+/** @param face  an id, or what names a face and its place: then nothing is searched */
+export function takeTexture(core, id, face) {
+    let number = face;
+    let corner = 0;
+    if (typeof face === 'object' && face !== null) {
+        number = face.face === undefined ? face.id : face.face;
+        corner = core.at.out;
+        core.i32.set(vector(face.corner, 3, 'texture', 'its corner'), corner >>> 2);
+    }
+    const at = core.at.texture;
+    core.run('firma_world_texture', id, word(number, 'texture', 'the face'), corner, at);
+    return {
+        uAxis: core.getVector(at + TEXTURE.uAxis),
+        uOffset: core.getF64(at + TEXTURE.uOffset),
+        vAxis: core.getVector(at + TEXTURE.vAxis),
+        vOffset: core.getF64(at + TEXTURE.vOffset),
+        unit: TEXTURE_UNIT_NAMES[core.getU32(at + TEXTURE.unit)],
+    };
 }

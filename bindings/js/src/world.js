@@ -25,7 +25,7 @@ import { carve, Edit, Job } from './carving.js';
 import { onlyFace, putFaceFilter, takeDiff, takeFaces } from './faces.js';
 import { findByName, getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
 import { putRules } from './rules.js';
-import { takeTriangles } from './triangles.js';
+import { takeTexture, takeTriangles } from './triangles.js';
 
 /** All of a list whose length is not known before: asks again when there is no room for all. */
 function getList(core, ask, bytes, get) {
@@ -141,6 +141,10 @@ export class World extends Handle {
 
     triangles(options) {
         return takeTriangles(this[CORE], this[ID], options);
+    }
+
+    texture(face) {
+        return takeTexture(this[CORE], this[ID], face);
     }
 
     findFace(id) {

@@ -57,6 +57,7 @@ const callsOf = ({ world, cutter, job, edit, store, level }) => ({
     at: () => store.at(0),
     storeFacts: () => store.facts(),
     collect: () => store.collect(),
+    texture: () => world.texture(0),
     triangles: () => world.triangles(),
     entities: () => level.entities(),
     notes: () => level.notes(),

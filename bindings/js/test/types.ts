@@ -27,6 +27,8 @@ import {
     type Room,
     type StoreFacts,
     type TriangleRun,
+    type Texture,
+    type TextureUnit,
     type Triangles,
     type World,
     type WorldFacts,
@@ -89,6 +91,9 @@ const some: Faces = world.faces({ box: { low: [0, 0, 0], high: [1, 1, 1] } });
 const regions: number = world.hashRegions()[0]!.region[0] + Number(world.hashSolid()) + some.firstPoints[0]!;
 const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
 const run: TriangleRun | undefined = triangles.runs[0];
+const units: TextureUnit[] = world.triangles({ uvs: true, textureSizes: [64, 64] }).sources.map((source) => source.uvUnit);
+const lies: Texture = world.texture(0);
+const laid: number = lies.uAxis[0] + lies.uOffset + triangles.uvs[0]! + units.length;
 const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };

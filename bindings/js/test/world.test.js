@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { FACE_SOLID, FACE_TWO_SIDED } from '../src/index.js';
-import { boxMesh, firma, levelBytes, releasing, throwsCode, withLevel } from './helpers.js';
+import { boxMesh, brush, firma, levelBytes, releasing, throwsCode, withLevel } from './helpers.js';
 import { randomCasts } from './scenario.js';
 
 const triangle = 'v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n';
@@ -229,6 +229,57 @@ test('faces as triangles', () => {
         throwsCode('OUT_OF_RANGE', () => world.triangles({ origin: [0, NaN, 0] }), /origin/);
         for (const wrong of [5, { room: -1 }, { region: [1, 2] }, { region: [0.5, 0, 0] }, { origin: 3 }, { solidOnly: 1 }])
             throwsCode('BAD_CALL', () => world.triangles(wrong));
+    });
+});
+
+test('textures come out as coordinates', () => {
+    const wall = {
+        positions: [0, 0, 0, 4, 0, 0, 4, 0, 2, 0, 0, 2],
+        corners: [0, 1, 2, 3],
+        cornerCounts: [4],
+        uvs: [0, 1, 2, 1, 2, 0, 0, 0],
+    };
+    releasing([firma.worldFromMesh(wall)], (world) => {
+        assert.deepEqual(world.texture(0), {
+            uAxis: [0.5, 0, 0], uOffset: 0, vAxis: [0, 0, -0.5], vOffset: 1, unit: 'repeats',
+        });
+        assert.deepEqual(world.texture(world.cast({ centre: [2, -1, 1], radius: 0, path: [0, 4, 0] })), world.texture(0));
+        assert.equal(world.triangles().uvs.length, 0);
+        const made = world.triangles({ uvs: true });
+        assert.equal(made.sources[0].uvUnit, 'repeats');
+        for (let v = 0; v < 4; ++v) {
+            assert.equal(made.uvs[2 * v], made.positions[3 * v] / 2);
+            assert.equal(made.uvs[2 * v + 1], 1 - made.positions[3 * v + 2] / 2);
+        }
+        throwsCode('INVALID', () => world.texture(7), /no such face/);
+        for (const wrong of [-1, null, undefined, 'a', {}, { face: 0 }, { face: null, corner: [0, 0, 0] }])
+            throwsCode('BAD_CALL', () => world.texture(wrong));
+        for (const wrong of [{ uvs: 1 }, { textureSizes: 64 }, { textureSizes: [64] }, { textureSizes: ['a', 1] }])
+            throwsCode('BAD_CALL', () => world.triangles(wrong));
+    });
+    throwsCode('BAD_CALL', () => firma.worldFromMesh({ ...wall, uvs: [0, 1] }), /8, not 2/);
+    throwsCode('OUT_OF_RANGE', () => firma.worldFromMesh({ ...wall, uvs: wall.uvs.fill(NaN) }), /not finite/);
+
+    const map = `{\n"classname" "worldspawn"\n${brush([-256, -256, -256], [256, 256, 256], 'wall')}}\n`;
+    releasing([firma.worldFromMap(map), firma.crater('rocky', 1)], (world, cutter) => {
+        const { world: after } = world.carve(cutter, { position: [0, 0, 8] });
+        releasing([after, firma.unpackWorld(after.pack())], (...worlds) => {
+            for (const one of worlds) {
+                const sizes = one.facts().materials.flatMap((name) => (name === 'wall' ? [64, 128] : [0, 0]));
+                const made = one.triangles({ uvs: true, textureSizes: Float64Array.from(sizes) });
+                const units = new Set(made.sources.map(({ sourceEdit, uvUnit }) => `${sourceEdit > 0} ${uvUnit}`));
+                assert.deepEqual([...units].sort(), ['false repeats', 'true metres']);
+                for (const { sourceEdit, firstVertex: first, vertexCount } of made.sources) {
+                    if (sourceEdit > 0 || made.normals[3 * first + 2] < 0.5) continue;
+                    for (let v = first; v < first + vertexCount; ++v) {
+                        assert.ok(Math.abs(made.uvs[2 * v] - made.positions[3 * v] / 2) < 1e-4);
+                        assert.ok(Math.abs(made.uvs[2 * v + 1] + made.positions[3 * v + 1] / 4) < 1e-4);
+                    }
+                }
+                assert.equal(one.texture(made.sources.find(({ sourceEdit }) => sourceEdit > 0).face).unit, 'metres');
+                assert.equal(one.texture(made.sources.find(({ sourceEdit }) => sourceEdit === 0).face).unit, 'texels');
+            }
+        });
     });
 });
 
