@@ -804,7 +804,7 @@ FIRMA_API firma_code firma_bytes_release(firma_bytes bytes);
 /* ---- names of version 0.1 --------------------------------------------------------------------------------------- */
 
 /* For programs of version 0.1; the next version has them no more. docs/migration.md tells what else changed. */
-#define FIRMA_INITIAL_OVERLAP FIRMA_INITIAL_OVERLAP
+#define FIRMA_TOUCHING FIRMA_INITIAL_OVERLAP
 #define FIRMA_ROOM FIRMA_AIR
 #define FIRMA_UNSURE FIRMA_UNKNOWN
 
@@ -818,20 +818,20 @@ static inline firma_code firma_in_solid(firma_world world, const double point[3]
 
 /* Members of structs, too, when the program defines this before it includes the header; they are macros then. */
 #ifdef FIRMA_NAMES_0_1
-#define contact_offset contact_offset
+#define skin contact_offset
 #define bins nodes
-#define faces_per_leaf faces_per_leaf
-#define min_node_volume min_node_volume
-#define max_faces max_faces
-#define max_candidate_faces max_candidate_faces
-#define max_new_faces max_new_faces
-#define max_cutter_triangles max_cutter_triangles
-#define max_pairs max_pairs
-#define max_corners max_corners
-#define max_cutter_size max_cutter_size
-#define candidate_faces candidate_faces
-#define faces_removed faces_removed
-#define faces_added faces_added
+#define faces_per_bin faces_per_leaf
+#define min_bin_volume min_node_volume
+#define most_faces max_faces
+#define most_faces_looked_at max_candidate_faces
+#define most_new_faces max_new_faces
+#define most_cutter_triangles max_cutter_triangles
+#define most_pairs max_pairs
+#define most_corners max_corners
+#define largest_cutter max_cutter_size
+#define faces_looked_at candidate_faces
+#define faces_gone faces_removed
+#define faces_new faces_added
 #define gone removed
 #define gone_count removed_count
 #define come added

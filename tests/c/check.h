@@ -46,6 +46,7 @@ void test_worlds(void);
 void test_casts(void);
 void test_visitors(void);
 void test_structs(void);
+void test_old_names(void);
 void test_carving(void);
 void test_stores(void);
 void test_files(const char* folder);

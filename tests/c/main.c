@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
     test_casts();
     test_visitors();
     test_structs();
+    test_old_names();
     test_carving();
     test_stores();
     test_files(argc > 1 ? argv[1] : ".");
