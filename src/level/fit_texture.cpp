@@ -34,12 +34,13 @@ std::array<std::size_t, 3> wide_triangle(std::span<const Vec3> corners) {
 
 std::optional<TextureProjection> fit_texture(std::span<const Vec3> corners, std::span<const TexturePoint> uvs,
                                              double slack) {
-    const auto [first, second, third] = wide_triangle(corners);
+    const std::array<std::size_t, 3> wide = wide_triangle(corners);
+    const std::size_t first = wide[0], second = wide[1], third = wide[2];
     const Vec3 a = corners[second] - corners[first], b = corners[third] - corners[first], n = cross(a, b);
     const double square = dot(n, n);
     if (!(square > 0)) return std::nullopt;
     const Vec3 along_a = cross(b, n), along_b = cross(n, a);
-    const auto axis = [&, first = first, second = second, third = third](std::size_t which) {
+    const auto axis = [&](std::size_t which) {
         const double by_a = uvs[second][which] - uvs[first][which], by_b = uvs[third][which] - uvs[first][which];
         return along_a * (by_a / square) + along_b * (by_b / square);
     };
