@@ -85,7 +85,9 @@ TEST(OpenArena, PlanarFacesFaceAsTheFileSays) {
             EXPECT_GT(dot(sum, {x, y, z}), 0.99 * length(sum)) << map.name << " face " << source;
         }
     }
-    EXPECT_LT(double(folded), 0.002 * double(pieces));
+    // 0.0019 of all maps' pieces; a few maps by themselves may have some more.
+    const bool all = test::sample(5) == 5;
+    EXPECT_LT(double(folded), (all ? 0.002 : 0.0025) * double(pieces));
     EXPECT_LT(folded_area, 1e-5 * area);
     RecordProperty("planar_faces", int(faces));
     RecordProperty("folded_slivers", int(folded));

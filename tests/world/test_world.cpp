@@ -98,7 +98,8 @@ TEST(World, AHitEdgeNamesBothFaces) {
     const Hit hit = cast(world, {{-2, 2, 5}, 1}, {4, 0, -4});
     ASSERT_EQ(hit.status, Status::kHit);
     ASSERT_EQ(hit.feature, Feature::kEdge);
-    const auto sides = std::minmax(hit.face.id, other_face(world, hit.face, hit.feature_index));
+    const FaceId other = other_face(world, hit.face, hit.feature_index);
+    const auto sides = std::minmax(hit.face.id, other);
     EXPECT_EQ(sides.first, (FaceId{1})) << "the lid";
     EXPECT_EQ(sides.second, (FaceId{4})) << "and the side at x = 0";
     EXPECT_EQ(hit.face.id, (FaceId{1})) << "at a tie the lowest id";
