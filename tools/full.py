@@ -61,6 +61,10 @@ JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'includ
                                 'tests/full/full_levels.cpp', 'tests/full/options.h', 'tests/openarena_maps.h']
 
 
+with open(os.path.join(ROOT, 'tests', 'heavy_sanitized.txt'), encoding='utf-8') as heavy:
+    HEAVY_TESTS = sum(not line.startswith('#') for line in heavy)
+
+
 class Claim:
     """`target`: what of its preset it needs built; everything unless given."""
 
@@ -119,6 +123,10 @@ def levels(what):
     return command
 
 
+def sanitized(seed, count):
+    return ['tests/full/sanitized.sh']
+
+
 def store(seed, count):
     return [f'{THREAD}/full_store', '--count', str(count), '--seed', str(seed)]
 
@@ -160,6 +168,8 @@ CLAIMS = [
     # A chunk is all kinds of cuts in all six levels.
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
+    Claim('sanitized', 'tests that take seconds each, under the address and undefined behaviour sanitizers; none fails', HEAVY_TESTS, HEAVY_TESTS, 'tests',
+          ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'bindings/c', 'tests', 'CMakeLists.txt', 'CMakePresets.json', 'cmake'], 'sanitize', sanitized),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
           CAST_SOURCES + LEVEL + ['src/carve'] + fuzzer('carve', 'bytes'), 'sanitize', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
