@@ -145,7 +145,7 @@ CastTally cast_all_rows(const World& world, const std::vector<Query>& queries, c
     return tally;
 }
 
-/// "walk,liquid" -> the bits of masks.h
+/// "walk,liquid" -> the bits of firma/level.h
 std::uint32_t mask_option(const std::string& text) {
     constexpr std::pair<std::string_view, std::uint32_t> kWords[] = {
         {"walk", kStopsWalk}, {"shots", kStopsShots}, {"sight", kStopsSight}, {"liquid", kStopsLiquid}};

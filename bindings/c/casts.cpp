@@ -132,7 +132,8 @@ firma_code firma_cast_each(firma_world world, const firma_cast_input* input, con
             put_hit(hit, shown);
             return visit(&shown, user);
         };
-        const Status met = cast_each(object->world, sphere_of(*input), vec(input->path), show, chosen);
+        const World held = object->world;  // which the visitor may release
+        const Status met = cast_each(held, sphere_of(*input), vec(input->path), show, chosen);
         if (status) *status = std::uint32_t(met);
         return FIRMA_OK;
     });
@@ -226,7 +227,8 @@ firma_code firma_overlap_each(firma_world world, const double centre[3], double 
             put_overlap(overlap, shown);
             return visit(&shown, user) != 0;
         };
-        const Status met = overlap_each(object->world, {{centre[0], centre[1], centre[2]}, radius}, show, chosen);
+        const World held = object->world;  // which the visitor may release
+        const Status met = overlap_each(held, {{centre[0], centre[1], centre[2]}, radius}, show, chosen);
         if (met == Status::kInvalid) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
         if (found) *found = met != Status::kMiss;
         return FIRMA_OK;

@@ -43,6 +43,9 @@ firma_code read_options(const firma_world_options* options, WorldOptions& world,
     world.tree.faces_per_leaf = given->faces_per_leaf;
     world.tree.min_node_volume = given->min_node_volume;
     world.tolerance.contact_offset = given->contact_offset;
+    if (given->no_textures > 1 || given->reserved != 0)
+        return fail(FIRMA_ERROR_INVALID, function, "no_textures must be 0 or 1, reserved 0");
+    world.textures = given->no_textures == 0;
     read.scale = given->scale;
     return FIRMA_OK;
 }

@@ -126,8 +126,9 @@ firma_code firma_world_each_face(firma_world world, const firma_face_filter* fil
             const firma_face shown = plain(face, 0, face.corners.size());
             return visit(&shown, &face.corners[0].x, user) != 0;
         };
+        const World held = object->world;  // which the visitor may release
         bool all = false;
-        if (const firma_code code = each_of(object->world, filter, show, all, function)) return code;
+        if (const firma_code code = each_of(held, filter, show, all, function)) return code;
         if (completed) *completed = all;
         return FIRMA_OK;
     });

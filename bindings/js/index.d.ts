@@ -63,7 +63,7 @@ export interface Handle {
 }
 
 export interface Firma {
-    /** As '0.1.0'. */
+    /** As '0.2.0'. */
     readonly version: string;
     /** Objects that are not released yet: 0 when nothing has leaked. */
     liveHandles(): number;
@@ -114,6 +114,8 @@ export interface WorldOptions {
     contactOffset?: number;
     /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp and .map). */
     scale?: number;
+    /** Whether how textures lie is kept, for texture() and triangles(); true unless given. */
+    textures?: boolean;
     /** Whether nodes are split by surface area, not in half. */
     surfaceArea?: boolean;
     /** 0..64 */

@@ -16,7 +16,8 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs and
- * edits are for one thread at a time. A handle must not be released while another thread is using it.
+ * edits are for one thread at a time. A handle must not be released while another thread is using it. (A visitor may
+ * release the world that it is shown.)
  *
  * Units: metres, seconds, radians; right-handed. Points and vectors are three doubles. The contract of a cast stands in
  * docs/casting.md, what carving keeps and refuses in docs/carving.md. */
@@ -43,7 +44,7 @@ extern "C" {
 /* ---- the library ------------------------------------------------------------------------------------------------ */
 
 #define FIRMA_VERSION_MAJOR 0
-#define FIRMA_VERSION_MINOR 1
+#define FIRMA_VERSION_MINOR 2
 #define FIRMA_VERSION_PATCH 0
 
 /* Major * 65536 + minor * 256 + patch, of the library at run time. */
@@ -145,6 +146,8 @@ typedef struct firma_world_options {
     double min_node_volume; /* cubic metres */
     double contact_offset;  /* metres: how far movers stay from surfaces */
     double scale;           /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
+    uint32_t no_textures;   /* 1: how textures lie is not kept, and firma_world_texture() finds nothing of the file */
+    uint32_t reserved;      /* must be 0 */
 } firma_world_options;
 
 FIRMA_API void firma_world_options_defaults(firma_world_options* options);
@@ -632,10 +635,10 @@ typedef struct firma_near {
 
 /* A null pointer takes the defaults: all bits, all rooms. */
 typedef struct firma_near_options {
-    uint32_t size; /* sizeof(firma_near_options) */
-    uint32_t mask; /* faces and closed portals that share a bit */
-    uint32_t room; /* only what bounds this room; or FIRMA_ANY_ROOM */
-    uint32_t reserved;
+    uint32_t size;     /* sizeof(firma_near_options) */
+    uint32_t mask;     /* faces and closed portals that share a bit */
+    uint32_t room;     /* only what bounds this room; or FIRMA_ANY_ROOM */
+    uint32_t reserved; /* must be 0 */
 } firma_near_options;
 
 FIRMA_API void firma_near_options_defaults(firma_near_options* options);

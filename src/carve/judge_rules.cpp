@@ -8,12 +8,11 @@ bool is_hardness(double h) {
     return h >= 0 && h <= 1;
 }
 
-/// Also of boxes that reach to infinity.
+}  // namespace
+
 bool holds_points(const Box& box) {
     return box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z;
 }
-
-}  // namespace
 
 std::optional<Error> judge_rules(const CarveRules& rules, const std::string& name) {
     const auto fault = [&](const std::string& place, std::string reason) {

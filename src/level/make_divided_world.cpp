@@ -47,6 +47,10 @@ public:
     void add_portals(std::vector<std::uint32_t>& idle) {
         const std::size_t faces = divided_.faces.size();
         std::map<std::array<std::uint32_t, 3>, PortalPart> made;  // by portal and rooms
+        // Portals have none: that without a name, which a mesh's materials may lack.
+        const auto unnamed = std::find(parts_.materials.begin(), parts_.materials.end(), "");
+        const std::uint32_t no_material = std::uint32_t(unnamed - parts_.materials.begin());
+        if (unnamed == parts_.materials.end() && !divided_.portals.empty()) parts_.materials.emplace_back();
         for (std::uint32_t k = 0; k < divided_.portals.size(); ++k) {
             const std::uint32_t front = divided_.rooms.of_side[faces + 2 * k],
                                 back = divided_.rooms.of_side[faces + 2 * k + 1], source = divided_.portals[k].source;
@@ -57,6 +61,7 @@ public:
             PortalPart& part = made[{source, front, back}];
             part.rooms = {RoomId{front}, RoomId{back}};
             part.name = portals_[source].name;
+            part.material = no_material;
             for (std::uint32_t f = divided_.facets.first[faces + k]; f < divided_.facets.first[faces + k + 1]; ++f)
                 part.polygons.push_back(divided_.facets.corners[f]);
         }

@@ -180,7 +180,7 @@ private:
             [&](std::uint32_t, const Ref<const RoomFaces>& room) { pack_root(room->tree.get()); });
     }
 
-    void pack_root(const Node* root) { roots_.u32(root ? pack_node(*root) : kNothing); }
+    void pack_root(const Node* root) { roots_.u32(root ? pack_node(*root) : kNoEntry); }
 
     std::uint32_t pack_node(const Node& node) {
         const std::uint32_t known = number_of_node_.find(reinterpret_cast<std::uintptr_t>(&node));
@@ -189,7 +189,7 @@ private:
         for (const Ref<const Node>& child : node.children) children.push_back(pack_node(*child));
         nodes_.u16(std::uint16_t(node.bins.size()));
         nodes_.u16(std::uint16_t(children.size()));
-        nodes_.u32(node.is_leaf() ? pack_block(block_of(node)) : kNothing);
+        nodes_.u32(node.is_leaf() ? pack_block(block_of(node)) : kNoEntry);
         for (const Bin& bin : node.bins) {
             for (const float coordinate : bin.box.low) bins_.f32(coordinate);
             for (const float coordinate : bin.box.high) bins_.f32(coordinate);

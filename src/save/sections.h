@@ -79,7 +79,7 @@ inline constexpr std::uint32_t kHasPortals = 16;
 /// A face that is its own exact face, or has none.
 inline constexpr std::uint32_t kOwnFace = ~0u;
 /// A node above others, which lies over no block; a room without an index.
-inline constexpr std::uint32_t kNothing = ~0u;
+inline constexpr std::uint32_t kNoEntry = ~0u;
 // Of a room.
 inline constexpr std::uint32_t kExteriorRoom = 1;
 // Of a portal.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a saved world has besides faces. Options and rules are taken as they are, as with_rules() and make_world() take
-// them: whoever uses them can do with any numbers.
+// What a saved world has besides faces. Options are taken as they are: whoever uses them can do with any numbers. Rules
+// are those that with_rules() takes; what the first version took beyond that is what it meant there.
 #include "save/unpack_data.h"
 
+#include <algorithm>
 #include <limits>
 
+#include "carve/judge_rules.h"
 #include "save/sections.h"
 
 namespace firma {
@@ -77,13 +79,18 @@ bool unpack_materials(const Entries& section, UnpackedData& unpacked, Damage& da
     return true;
 }
 
+/// As the first version took them: what is beyond 1 refuses, what is no number above 0 does nothing.
+double hardness_of(double given) {
+    return given > 0 ? std::min(given, 1.0) : 0;
+}
+
 CarveZone zone_at(const std::byte* at) {
     CarveZone zone;
     for (int axis = 0; axis < 3; ++axis) {
         zone.box.low[axis] = read_f64(at + 8 * axis);
         zone.box.high[axis] = read_f64(at + 24 + 8 * axis);
     }
-    zone.hardness = read_f64(at + 48);
+    zone.hardness = hardness_of(read_f64(at + 48));
     return zone;
 }
 
@@ -97,6 +104,7 @@ bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage
                                    &rules.max_pairs,     &rules.max_corners};
     for (std::size_t k = 0; k < std::size(limits); ++k) *limits[k] = limit_of(read_u64(at + 8 + 8 * k));
     rules.max_cutter_size = read_f64(at + 56);
+    if (!(rules.max_cutter_size > 0)) return damage.report(section.type(), "its largest cutter has no length");
 
     std::uint64_t left = section.count() - kRulesBytes;
     if (hardness > left / 8) return damage.report(section.type(), "ends before the hardness of its materials");
@@ -106,13 +114,14 @@ bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage
     const std::byte* const of_materials = at + kRulesBytes;
     const std::byte* const of_zones = of_materials + 8 * hardness;
     Texts names({of_zones + kZoneBytes * zones, std::size_t(left)});
-    for (std::size_t k = 0; k < hardness; ++k) rules.hardness.push_back(read_f64(of_materials + 8 * k));
+    for (std::size_t k = 0; k < hardness; ++k) rules.hardness.push_back(hardness_of(read_f64(of_materials + 8 * k)));
     for (std::size_t k = 0; k < zones; ++k) {
         rules.zones.push_back(zone_at(of_zones + kZoneBytes * k));
         if (!names.take(read_u64(of_zones + kZoneBytes * k + 56), rules.zones.back().name))
             return damage.report(section.type(), k, "ends before its name");
     }
     if (!names.all_taken()) return damage.report(section.type(), "has bytes behind its last name");
+    std::erase_if(rules.zones, [](const CarveZone& zone) { return !holds_points(zone.box); });
     unpacked.world.rules = std::make_shared<const CarveRules>(std::move(rules));
     return true;
 }

@@ -51,9 +51,9 @@ public:
         UnpackedIndex index;
         for (std::size_t k = 0; k < roots_.count(); ++k) {
             const std::uint32_t root = read_u32(roots_.at(k));
-            if (root != kNothing && root >= made_.size())
+            if (root != kNoEntry && root >= made_.size())
                 return damage_.report(roots_.type(), k, "names a node that is not there"), std::nullopt;
-            Ref<const Node> node = root == kNothing ? Ref<const Node>() : made_[root];
+            Ref<const Node> node = root == kNoEntry ? Ref<const Node>() : made_[root];
             if (k < 2)
                 (k == 0 ? index.solid : index.castable) = std::move(node);
             else
@@ -91,11 +91,11 @@ private:
         const std::byte* at = nodes_.at(entry);
         const std::uint32_t bins = read_u16(at), children = read_u16(at + 2), block = read_u32(at + 4);
         const auto fault = [&](const char* reason) { return damage_.report(nodes_.type(), entry, reason); };
-        if ((children == 0) != (block != kNothing)) return fault("holds both faces and nodes, or neither");
+        if ((children == 0) != (block != kNoEntry)) return fault("holds both faces and nodes, or neither");
         if (children == 1) return fault("holds a single node");
         if (children > kNodeItems || bins > kMostBins) return fault("holds more than a node can");
         if (children > children_.left() || bins > bins_.left()) return fault("holds more than there is");
-        if (block != kNothing && block >= made_blocks_.size()) return fault("names a block that is not there");
+        if (block != kNoEntry && block >= made_blocks_.size()) return fault("names a block that is not there");
         Ref<Node> node(new Node);
         node->children.reserve(children);
         std::size_t below = 0;
@@ -107,7 +107,7 @@ private:
             node->children.push_back(made_[number]);
             below += made_[number]->facets_below;
         }
-        if (block != kNothing) {
+        if (block != kNoEntry) {
             node->facets = Ref<const IndexedFacets>(made_blocks_[block].get());
             below = made_blocks_[block]->faces.size();
         }

@@ -39,7 +39,7 @@ struct PortalPart {
     std::vector<std::vector<GridPoint>> polygons;
     std::string name;
     std::uint32_t material = 0;
-    std::uint32_t mask = kStopsSolid;  ///< what it stops while closed (masks.h)
+    std::uint32_t mask = kStopsSolid;  ///< what it stops while closed (firma/level.h)
     bool open = true;
 };
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace firma {
@@ -24,13 +25,20 @@ inline constexpr std::uint32_t kNoPortalPassed = (1u << 31) - 1;
 
 class RoomsOnTheWay {
 public:
+    RoomsOnTheWay() = default;
+    RoomsOnTheWay(const RoomsOnTheWay&) = delete;
+    RoomsOnTheWay& operator=(const RoomsOnTheWay&) = delete;
+    ~RoomsOnTheWay() {
+        if (has_memory_) of_thread() = std::move(memory_);
+    }
+
     void start(std::size_t rooms) {
         const std::size_t words = (rooms + 63) / 64;
         if (words <= kWords) {
             looked_into_ = few_looked_into_;
             passed_ = few_passed_;
         } else {
-            Memory& memory = of_thread();
+            Memory& memory = take_memory();
             if (memory.marks.size() < 2 * words) memory.marks.resize(2 * words);
             looked_into_ = memory.marks.data();
             passed_ = looked_into_ + words;
@@ -85,11 +93,18 @@ private:
         return memory;
     }
 
+    /// The thread's, until this ends: a cast that a visitor asks meanwhile has memory of its own.
+    Memory& take_memory() {
+        if (!has_memory_) memory_ = std::exchange(of_thread(), {});
+        has_memory_ = true;
+        return memory_;
+    }
+
     static void mark(std::uint64_t* marks, std::uint32_t room) { marks[room / 64] |= std::uint64_t(1) << room % 64; }
     static bool has(const std::uint64_t* marks, std::uint32_t room) { return marks[room / 64] >> room % 64 & 1; }
 
     void make_room() {
-        std::vector<WaitingRoom>& memory = of_thread().waiting;
+        std::vector<WaitingRoom>& memory = take_memory().waiting;
         if (memory.size() < 2 * room_for_) memory.resize(2 * room_for_);
         if (waiting_ == few_waiting_.data()) std::copy_n(waiting_, count_, memory.begin());
         waiting_ = memory.data();
@@ -100,6 +115,8 @@ private:
     std::uint64_t* passed_ = nullptr;
     WaitingRoom* waiting_ = nullptr;
     std::size_t count_ = 0, room_for_ = 0;
+    Memory memory_;
+    bool has_memory_ = false;
     std::uint64_t few_looked_into_[kWords], few_passed_[kWords];  // these are written before they are read
     std::array<WaitingRoom, kWaiting> few_waiting_;
 };

@@ -46,6 +46,11 @@ bool all_done(const Watched& watched) {
 bool run_tasks(const Tasks& tasks, std::size_t count, void (*work)(void* context, std::size_t k), void* context) {
     if (tasks.run && count > 1) {
         Watched watched{count, work, context, std::make_unique<std::atomic<Progress>[]>(count)};
+        // What run() throws must not leave while others write into `watched`.
+        struct Wait {
+            const Watched& watched;
+            ~Wait() { all_done(watched); }
+        } wait{watched};
         tasks.run(count, work_watched, &watched, tasks.user);
         return all_done(watched);
     }

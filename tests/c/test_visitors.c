@@ -172,7 +172,51 @@ static void test_hashes(firma_world room) {
     CHECK_OK(firma_world_release(other));
 }
 
+/* Whoever shows a hit holds on to the world: the visitor may release it. */
+typedef struct released {
+    firma_world world;
+    int calls;
+} released;
+
+static double release_once(const firma_hit* hit, void* user) {
+    released* held = user;
+    if (held->calls++ == 0) CHECK_OK(firma_world_release(held->world));
+    return hit->fraction;
+}
+
+static uint32_t release_at_overlap(const firma_near* found, void* user) {
+    released* held = user;
+    CHECK(found->depth >= 0);
+    if (held->calls++ == 0) CHECK_OK(firma_world_release(held->world));
+    return 1;
+}
+
+static uint32_t release_at_face(const firma_face* face, const double* corners, void* user) {
+    released* held = user;
+    CHECK(face->corner_count == 4 && corners != NULL);
+    if (held->calls++ == 0) CHECK_OK(firma_world_release(held->world));
+    return 1;
+}
+
+static void test_released_meanwhile(void) {
+    const firma_cast_input through = {{4, 4, 6}, 0.5, {0, 0, -8}};
+    firma_cast_options both;
+    firma_cast_options_defaults(&both);
+    both.sides = 1;
+    released held = {make_room(), 0};
+    CHECK_OK(firma_cast_each(held.world, &through, &both, release_once, &held, NULL));
+    CHECK(held.calls >= 1);
+    held = (released){make_room(), 0};
+    const double corner[3] = {0.2, 0.2, 0.2};
+    CHECK_OK(firma_overlap_each(held.world, corner, 0.5, NULL, release_at_overlap, &held, NULL));
+    CHECK(held.calls == 3);
+    held = (released){make_room(), 0};
+    CHECK_OK(firma_world_each_face(held.world, NULL, release_at_face, &held, NULL));
+    CHECK(held.calls == 6);
+}
+
 void test_visitors(void) {
+    test_released_meanwhile();
     const firma_world room = make_room();
     test_each_hit(room);
     test_each_overlap(room);

@@ -7,6 +7,7 @@
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "scenes/divided_building.h"
+#include "scenes/hub.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -270,6 +271,35 @@ TEST(CastsByRoom, MoreRoomsThanPlaces) {
             ASSERT_EQ(hits.size(), hits_by_room.size());
             for (std::size_t k = 0; k < hits.size(); ++k) expect_same(hits_by_room[k], hits[k]);
         }
+    }
+}
+
+/// More rooms than marks fit on the stack: a cast keeps its thread's memory, so one that a visitor asks, in a world of
+/// more rooms still, must not touch it.
+TEST(CastsByRoom, AVisitorMayAskInWorldsOfManyRooms) {
+    const scenes::Hub many{.closets = 4'200}, more{.closets = 8'600};
+    const World world = assemble_world(scenes::hub_parts(many)).value();
+    const World larger = assemble_world(scenes::hub_parts(more)).value();
+    const Sphere ball{{0, 1, 1}, 1.5};  // reaches into the closets that it passes
+    const Vec3 path{30, 0, 0};
+    const CastOptions by_room{.sides = Sides::kBoth, .room = kLocateRoom};
+    const auto count = [&](const auto& meanwhile) {
+        std::size_t hits = 0;
+        cast_each(
+            world, ball, path,
+            [&](const Hit&) {
+                ++hits;
+                meanwhile();
+                return 1.0;
+            },
+            by_room);
+        return hits;
+    };
+    const std::size_t alone = count([] {});
+    ASSERT_GT(alone, 0u);
+    for (const World* asked : {&world, &larger}) {
+        const Hit expected = cast(*asked, ball, path, by_room);
+        EXPECT_EQ(count([&] { expect_same(cast(*asked, ball, path, by_room), expected); }), alone);
     }
 }
 

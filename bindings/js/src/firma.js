@@ -9,7 +9,7 @@ import { Level } from './level.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
 
-const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerLeaf', 'minNodeVolume', 'contactOffset', 'scale'];
+const WORLD_OPTION_NAMES = ['name', 'surfaceArea', 'maxDepth', 'facesPerLeaf', 'minNodeVolume', 'contactOffset', 'scale', 'textures'];
 const MESH_NAMES = ['positions', 'corners', 'cornerCounts', 'materials', 'materialNames', 'masks', 'twoSided', 'uvs'];
 
 function nameOf(lent, options, place) {
@@ -24,6 +24,8 @@ function putWorldOptions(core, options, place) {
     const set = [];
     if (given('surfaceArea'))
         set.push(['u32', WORLD_OPTIONS.surfaceArea, flag(options.surfaceArea, place, 'surfaceArea')]);
+    if (given('textures'))
+        set.push(['u32', WORLD_OPTIONS.noTextures, 1 - flag(options.textures, place, 'textures')]);
     for (const name of ['maxDepth', 'facesPerLeaf'])
         if (given(name)) set.push(['u32', WORLD_OPTIONS[name], word(options[name], place, name)]);
     for (const name of ['minNodeVolume', 'contactOffset', 'scale'])

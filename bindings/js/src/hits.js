@@ -85,17 +85,24 @@ export function withPassed(core, options, at, cast) {
         const count = lent.take(16);
         for (let capacity = 64; ; capacity = core.getU32(count)) {
             const [rooms, portals] = [lent.take(4 * capacity), lent.take(4 * capacity)];
+            core.setU32(count, 0);
             core.setU32(at + CAST_OPTIONS.passed, rooms);
             core.setU32(at + CAST_OPTIONS.passedPortals, portals);
             core.setU32(at + CAST_OPTIONS.passedCapacity, capacity);
             core.setU32(at + CAST_OPTIONS.passedCount, count);
-            const answer = cast(at);
+            const code = cast(at);
+            core.refresh();
+            if (code !== 0) return code;
             const passed = core.getU32(count);
             if (passed > capacity) continue;
             const words = (from) => Array.from(core.u32.subarray(from >>> 2, (from >>> 2) + passed));
-            options.passed?.splice(0, Infinity, ...words(rooms));
-            options.passedPortals?.splice(0, Infinity, ...words(portals).map(noPortal));
-            return answer;
+            const fill = (list, numbers) => {
+                list.length = 0;
+                for (const value of numbers) list.push(value);
+            };
+            if (options.passed) fill(options.passed, words(rooms));
+            if (options.passedPortals) fill(options.passedPortals, words(portals).map(noPortal));
+            return code;
         }
     });
 }

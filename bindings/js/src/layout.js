@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Written by tools/make_layout.js from firma_c.h; change that, not this file. Bytes, by clang for wasm32.
 
-export const VERSION = '0.1.0';
+export const VERSION = '0.2.0';
 
 export const STOPS_WALK = 1;
 export const STOPS_SHOTS = 2;
@@ -93,7 +93,7 @@ export const TASKS = Object.freeze({
 
 /** firma_world_options */
 export const WORLD_OPTIONS = Object.freeze({
-    sizeof: 40,
+    sizeof: 48,
     size: 0,
     surfaceArea: 4,
     maxDepth: 8,
@@ -101,6 +101,8 @@ export const WORLD_OPTIONS = Object.freeze({
     minNodeVolume: 16,
     contactOffset: 24,
     scale: 32,
+    noTextures: 40,
+    reserved: 44,
 });
 
 /** firma_mesh */

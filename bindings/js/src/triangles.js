@@ -3,6 +3,7 @@
 import { doubles, flag, mask, object, region as regionOf, vector, word } from './arguments.js';
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
+import { NO_FACE } from './hits.js';
 import { TEXTURE, TEXTURE_UNIT_NAMES, TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
 
 const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin', 'uvs', 'textureSizes'];
@@ -66,7 +67,7 @@ export function takeTexture(core, id, face) {
     let number = face;
     let corner = 0;
     if (typeof face === 'object' && face !== null) {
-        number = face.face === undefined ? face.id : face.face;
+        number = face.face === undefined ? face.id : (face.face ?? NO_FACE);
         corner = core.at.out;
         core.i32.set(vector(face.corner, 3, 'texture', 'its corner'), corner >>> 2);
     }

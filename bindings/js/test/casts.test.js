@@ -100,6 +100,13 @@ test('hits one by one: filtered, shortened, ended', () => {
         assert.throws(() => world.castEach({ ...through, radius: -1 }, () => 1), { code: 'OUT_OF_RANGE' });
         assert.equal(world.cast(toWall).status, 'hit');
 
+        const copy = world.copy();
+        copy.castEach(through, (hit) => {
+            if (!copy.released) copy.release();
+            return hit.fraction;
+        }, both);
+        assert.equal(copy.released, true);
+
         const inCorner = [0.2, 0.2, 0.2];
         const found = [];
         assert.equal(world.overlapEach(inCorner, 0.5, (one) => void found.push(one)), true);

@@ -238,6 +238,14 @@ test('rooms and portals by name, materials, and the portals that a cast passes',
         }
         assert.ok(far > 1);
         throwsCode('BAD_CALL', () => world.cast({ centre: start, radius: 0, path: [1, 0, 0] }, { passedPortals: 3 }));
+        // A call that fails leaves the lists as they were.
+        const list = [1, 2, 3];
+        const failing = { centre: start, radius: 0, path: [1, 0, 0] };
+        throwsCode('INVALID', () => world.cast(failing, { contactOffset: NaN, passed: list, passedPortals: list }));
+        const gone = world.copy();
+        gone.release();
+        throwsCode('BAD_HANDLE', () => gone.cast(failing, { passed: list }));
+        assert.deepEqual(list, [1, 2, 3]);
     });
 });
 
