@@ -348,12 +348,17 @@ static void say_mesh(firma_world world) {
         two_sided[k] = view.faces[k].flags & FIRMA_FACE_TWO_SIDED;
     }
     for (uint32_t k = 0; k < facts.material_count; ++k) must(firma_world_material(world, k, &names[k]));
-    const firma_mesh mesh = {sizeof mesh,  facts.material_count,
-                             view.corners, view.corner_count,
-                             corners,      counts,
-                             count,        materials,
-                             names,        masks,
-                             two_sided};
+    const firma_mesh mesh = {.size = sizeof mesh,
+                             .material_count = facts.material_count,
+                             .positions = view.corners,
+                             .vertex_count = view.corner_count,
+                             .corners = corners,
+                             .corner_counts = counts,
+                             .face_count = count,
+                             .materials = materials,
+                             .material_names = names,
+                             .masks = masks,
+                             .two_sided = two_sided};
     firma_world made;
     uint64_t hash;
     must(firma_world_from_mesh(&mesh, "mesh", NULL, &made));

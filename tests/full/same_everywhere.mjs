@@ -66,7 +66,7 @@ const mixFace = (face) => mix(face === null ? 0xffffffff : face);
 const STATUSES = ['miss', 'hit', 'touching', 'invalid'];
 const FEATURES = ['face', 'edge', 'vertex'];
 
-function mixHit(hit) {
+function mixHit(world, hit) {
     mixName(STATUSES, hit.status);
     mixDouble(hit.fraction);
     mixDouble(hit.safeFraction);
@@ -74,23 +74,26 @@ function mixHit(hit) {
     mixAll(hit.point);
     mixAll(hit.normal);
     mixAll(hit.faceNormal);
-    mixLong(hit.version);
     mixName(FEATURES, hit.feature);
     mix(hit.featureIndex);
     mixFace(hit.face);
-    mixFace(hit.otherFace);
-    mix(hit.source);
-    mix(hit.sourceEdit);
+    hit.corner.forEach(mix);
     mix(hit.material);
-    mix(hit.room);
-    mix(hit.roomsPassed);
+    if (!hit.hit) return;
+    const info = world.hitInfo(hit);
+    mix(info.room);
+    mix(info.source);
+    mix(info.sourceEdit);
+    mix(info.mask);
+    mix((info.twoSided ? 1 : 0) | (info.solid ? 2 : 0));
+    mixFace(info.otherFace);
 }
 function mixNear(near) {
     mixAll(near.point);
     mixDouble(near.distance);
-    mix(near.face);
-    mix(near.source);
-    mix(near.sourceEdit);
+    mixAll(near.direction ?? [0, 0, 0]); // of overlaps alone
+    mixDouble(near.depth ?? 0);
+    mixFace(near.face);
     mix(near.material);
     mixName(FEATURES, near.feature);
     mix(near.featureIndex);
@@ -210,15 +213,14 @@ function askMore(world, input, options) {
     mix(world.castAny(input, options) ? 1 : 0);
     const hits = world.castAll(input, options);
     mix(hits.length);
-    hits.slice(0, MOST).forEach(mixHit);
-    const found = world.overlap(input.centre, input.radius + 0.25, 0xffffffff);
+    hits.slice(0, MOST).forEach((hit) => mixHit(world, hit));
+    const found = world.overlap(input.centre, input.radius + 0.25);
     mix(found.length);
     found.slice(0, MOST).forEach(mixNear);
-    const near = world.closest(input.centre, 5, 0xffffffff);
+    const near = world.closest(input.centre, 5);
     mix(near === null ? 0 : 1);
     if (near !== null) mixNear(near);
-    const inside = world.inSolid(input.centre);
-    mix(inside === null ? 2 : inside ? 1 : 0);
+    mixName(['air', 'solid', 'surface', 'unknown'], world.locate(input.centre).where);
 }
 
 let hitCount = 0;
@@ -235,7 +237,7 @@ function oneBatch(world, count) {
     answers = world.castBatch(inputs, options, answers);
     for (let k = 0; k < count; ++k) {
         const hit = answers.hit(k);
-        mixHit(hit);
+        mixHit(world, hit);
         hitCount += met(hit);
     }
 }
@@ -245,7 +247,7 @@ function oneByOne(world, count) {
         const input = drawCast();
         const options = drawOptions();
         const hit = world.cast(input, options);
-        mixHit(hit);
+        mixHit(world, hit);
         hitCount += met(hit);
         if (k % 8 === 0) askMore(world, input, options);
     }
@@ -301,14 +303,14 @@ function sayRest(print, firma, first, last) {
     const { volume, area } = last.measure();
     mixDouble(volume);
     mixDouble(area);
-    const { gone, come, tiles } = first.diff(last, 4);
-    gone.forEach(mix);
-    come.ids.forEach((id, k) => {
+    const { removed, added, tiles } = first.diff(last, 4);
+    removed.forEach(mix);
+    added.ids.forEach((id, k) => {
         mix(id);
-        mixAll(come.normals.subarray(3 * k, 3 * k + 3));
-        mix(come.materials[k]);
+        mixAll(added.normals.subarray(3 * k, 3 * k + 3));
+        mix(added.materials[k]);
     });
-    mixAll(come.corners);
+    mixAll(added.corners);
     tiles.forEach(mix);
     const bytes = last.pack();
     bytes.forEach(mix);
