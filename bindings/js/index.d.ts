@@ -4,9 +4,6 @@
 // Units: metres, microseconds where said; right-handed. A surface's front is the side from which its corners run
 // counter-clockwise. Every failure throws a FirmaError. Objects with release() hold memory of the module until then.
 //
-// A call costs what the C++ function of its name does, whose header says it, and a copy of what it takes and gives: as long
-// as the arrays are. Casts grow with the logarithm of the faces, edits with what they cut, not with the world.
-//
 // Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
 // not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
 

@@ -98,7 +98,6 @@ struct BrushLevel {
 
 /// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks
 /// between them.
-/// Costs a look at the entity's keys.
 [[nodiscard]] FIRMA_EXPORT std::optional<Vec3> entity_origin(const BrushLevel& level, const Entity& entity);
 
 /// Reads a Quake .map: brushes in the forms Standard, Valve 220, brushDef (Quake 3's brush primitives) and brushDef3
@@ -109,7 +108,6 @@ struct BrushLevel {
 /// @return the level, or the first error with file and line: broken syntax, a number too large, a point outside the
 ///         world, a brush of more than 1024 sides, no entity at all. Parts it does not know are kept or noted, never an
 ///         error.
-/// Costs time and memory in proportion to the text, and what patches are divided into.
 [[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name,
                                                        const ReadOptions& options = {});
 
@@ -117,12 +115,10 @@ struct BrushLevel {
 /// those of the first model. Float planes are made exact once each, a plane and its negative together.
 ///
 /// @return the level, or the first error with file, lump and entry.
-/// Costs time and memory in proportion to the bytes, and what patches are divided into.
 [[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
                                                                const ReadOptions& options = {});
 
 /// Reads a file by its ending (.map, .bsp): of a .bsp the brushes.
-/// Costs what read_map() and read_bsp_brushes() do, and the file in memory.
 [[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path,
                                                                const ReadOptions& options = {});
 

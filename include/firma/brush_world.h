@@ -63,7 +63,6 @@ struct BrushWorldReport {
 /// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
 ///         together (see BrushLevel), and for a contact offset that is no length; kMalformed where no face is left that
 ///         a cast could meet, with what was left out
-/// Costs as the brushes and how many of them meet each other; by far the most goes into joining them.
 [[nodiscard]] FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
                                                     BrushWorldReport* report = nullptr);
 
@@ -71,7 +70,6 @@ struct BrushWorldReport {
 /// the options are ignored. (read_gltf() reads glTF; read_level(), read_brush_level() tell more of a level than its
 /// world.)
 /// @return errors of the reader and of make_world(); kUnsupported for other endings
-/// Costs what the reader and make_world() do, and the file in memory.
 [[nodiscard]] FIRMA_EXPORT Result<World> read_world(const std::string& path, const WorldOptions& options = {},
                                                     const ReadOptions& read = {});
 

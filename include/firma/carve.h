@@ -50,7 +50,6 @@ FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const P
                                const CarveOptions& options = {});
 
 /// Adds a placed cutter to the solid, by the same rules.
-/// Costs what the cut costs, however large the world: grows with the faces near the cutter and with its triangles.
 FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose,
                               const CarveOptions& options = {});
 
@@ -74,7 +73,6 @@ public:
     /// @param microseconds  INFINITY: to the end
     /// @return true once it is finished
     FIRMA_EXPORT bool run(double microseconds);
-    /// Constant, as are the next two.
     FIRMA_EXPORT bool finished() const;
     /// Whether an exception left run().
     FIRMA_EXPORT bool broken() const;
@@ -92,7 +90,6 @@ public:
     FIRMA_EXPORT explicit WorldEdit(World world);
 
     /// As the functions of the same names, on the world as edited so far; `world` of the result is that world.
-    /// They cost what those functions do.
     FIRMA_EXPORT CarveResult carve(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
     FIRMA_EXPORT CarveResult fill(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
 

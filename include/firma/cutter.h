@@ -48,7 +48,6 @@ public:
 
     bool valid() const { return data_ != nullptr; }
     /// Views, as long-lived as the cutter and its copies.
-    /// Constant, as are the next two.
     FIRMA_EXPORT std::span<const Vec3> vertices() const;
     FIRMA_EXPORT std::span<const CutterTriangle> triangles() const;
     /// For messages.
@@ -63,7 +62,6 @@ private:
 
 /// A crater shape of mean radius about 1 around the origin, which sees every point of its surface. The same numbers
 /// from the same seed on every machine.
-/// Costs at most some hundred triangles; make one and place it often.
 [[nodiscard]] FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 
 /// A cutter from a mesh. An inside-out one is turned over; vertices that no triangle uses are left out.
@@ -77,7 +75,6 @@ private:
 ///         triangles use, one each way (open, or more than two in one place, or wound against each other), fewer than 4
 ///         triangles, no volume.
 /// Whether it crosses itself is judged where it is placed, on the grid.
-/// Costs as the triangles, and finding edges that they share.
 [[nodiscard]] FIRMA_EXPORT Result<Cutter> make_cutter(std::span<const Vec3> vertices,
                                                       std::span<const CutterTriangle> triangles, std::string name = "");
 
@@ -85,7 +82,6 @@ private:
 /// Whether faces are two-sided, and materials and groups, are ignored.
 ///
 /// @return as make_cutter(); an edge that a face does not share corner by corner (a T-joint) is open
-/// Costs as the faces, and as make_cutter().
 [[nodiscard]] FIRMA_EXPORT Result<Cutter> cutter_from_level(const Level& level);
 
 /// A turn: x, y, z, w, of any length but zero; it is normalised when used.
@@ -100,7 +96,6 @@ struct Pose {
 
 /// A random turn, evenly distributed, of length 1; without sine or cosine, so the same on every machine.
 /// Source: G. Marsaglia, Choosing a Point from the Surface of a Sphere, 1972 (by rejection, in four dimensions).
-/// Constant, as a rule: a few draws.
 [[nodiscard]] FIRMA_EXPORT Quaternion random_turn(std::uint64_t seed);
 
 }  // namespace firma

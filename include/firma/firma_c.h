@@ -19,10 +19,6 @@
  * edits are for one thread at a time. A handle must not be released while another thread is using it. (A visitor may
  * release the world that it is shown.)
  *
- * Costs. A call costs what the C++ function of its name does, whose header says it, and looking up its handles, which
- * is constant. What fills a struct or shows things one by one takes no memory; what gives a handle copies what it
- * shows.
- *
  * Units: metres, seconds, radians; right-handed. Points and vectors are three doubles. The contract of a cast stands in
  * docs/casting.md, what carving keeps and refuses in docs/carving.md. */
 #ifndef FIRMA_FIRMA_C_H

@@ -102,7 +102,6 @@ struct ReadOptions {
 /// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
 ///         that names no vertex before the face, face with fewer than 3 or more than 4096 corners, no face at all,
 ///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
-/// Costs time and memory in proportion to the text; faces that are not convex cost the square of their corners.
 [[nodiscard]] FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name,
                                                   const ReadOptions& options = {});
 
@@ -112,12 +111,10 @@ struct ReadOptions {
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.
-/// Costs time and memory in proportion to the bytes, and what patches are divided into.
 [[nodiscard]] FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
                                                   const ReadOptions& options = {});
 
 /// Reads a file by its ending (.obj, .bsp).
-/// Costs what read_obj() and read_bsp() do, and the file in memory.
 [[nodiscard]] FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

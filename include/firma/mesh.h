@@ -40,7 +40,6 @@ struct Mesh {
 ///         texture coordinates that are not finite,
 ///         an index that names no vertex or material, a face with fewer than 3 or more than 4096 corners, counts that
 ///         do not add up to the corners, arrays of other lengths than said, no face at all, more than 2^31 corners.
-/// Costs as the corners; faces that are not convex cost the square of theirs.
 [[nodiscard]] FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name,
                                                          const ReadOptions& options = {});
 
@@ -85,7 +84,6 @@ struct MeshCheck {
 /// their indices. `options.scale` only says what the notes compare with.
 /// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent
 ///         beyond 400
-/// These cost what the reader does, and sorting the edges.
 [[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_obj(std::string_view text, std::string name,
                                                        const ReadOptions& options = {});
 

@@ -39,7 +39,6 @@ enum class PolygonFault : std::uint8_t {
 };
 
 /// Judges corners exactly.
-/// Costs as the corners. Never allocates.
 [[nodiscard]] FIRMA_EXPORT PolygonFault check_polygon(std::span<const Vec3> corners);
 
 /// Moves a sphere along a straight segment and finds its first touch with a polygon.
@@ -71,12 +70,10 @@ struct ClosestPoint {
 
 /// @param point    metres, finite
 /// @param corners  the polygon; at an infinite distance when there are fewer than three, or one lies outside the world
-/// Costs as the corners. Never allocates.
 [[nodiscard]] FIRMA_EXPORT ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners);
 
 /// Whether a closed ball and a closed polygon share a point, from either side. No tolerance; false for what is not a
 /// number.
-/// Costs as the corners. Never allocates.
 [[nodiscard]] FIRMA_EXPORT bool overlap(const Sphere& sphere, std::span<const Vec3> corners);
 
 /// Whether a segment meets a box: by outcodes at first, clipping only where they leave it open (Cohen and Sutherland).
@@ -87,7 +84,6 @@ struct ClosestPoint {
 /// @return whether some point start + f * path with f in [0, 1] may lie in the box: never false when one does (the box
 /// is
 ///         grown by the rounding of this very computation, at most 2^-48 of the largest number involved)
-/// Constant.
 [[nodiscard]] FIRMA_EXPORT bool clip_segment_box(const Vec3& start, const Vec3& path, const Box& box);
 
 }  // namespace firma

@@ -76,7 +76,6 @@ using HitVisitor = FunctionRef<double(const Hit& hit)>;
 /// first on the way), to stop early, to collect. By room: those of the rooms that the path, as far as it is wanted,
 /// leads to through portals, open or closed.
 /// @return kMiss when the visitor was given nothing, kInvalid as cast(), else kHit
-/// Costs as the faces near the path, as far as it is wanted, and what the visitor does.
 FIRMA_EXPORT Status cast_each(const World& world, const Sphere& sphere, const Vec3& path, HitVisitor visit,
                               const CastOptions& options = {});
 inline Status cast_each(const World& world, const Ray& ray, HitVisitor visit, const CastOptions& options = {}) {
@@ -86,7 +85,6 @@ inline Status cast_each(const World& world, const Ray& ray, HitVisitor visit, co
 /// The same in a list, by fraction, then id, faces before portals.
 /// @param hits  replaced; keeps its memory from call to call
 /// @return kMiss when there is none, else the first one's status; kInvalid as cast(), with no hits
-/// Costs what cast_each() does, and sorting the hits.
 FIRMA_EXPORT Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
                              const CastOptions& options = {});
 inline Status cast_all(const World& world, const Ray& ray, std::vector<Hit>& hits, const CastOptions& options = {}) {
@@ -112,7 +110,6 @@ struct Tasks {
 /// @param tasks    null: this thread does it all
 /// @return whether all was done: false when hits are not as many as inputs, or when `run` returned before all its work
 ///         had; then every hit is kInvalid
-/// Costs the casts; shares the work, where there are tasks, in pieces of some hundred.
 FIRMA_EXPORT bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
                              const CastOptions& options = {}, const Tasks* tasks = nullptr);
 
@@ -148,13 +145,11 @@ using OverlapVisitor = FunctionRef<bool(const Overlap& overlap)>;
 /// The faces that a closed ball touches, either side, then the closed portals. No tolerance.
 /// @return kInvalid for a number that is not finite or too large, a negative radius, or a room that is not there;
 ///         otherwise kInitialOverlap when anything was found, kMiss when not
-/// Costs a walk through the index, and the faces near the ball.
 FIRMA_EXPORT Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor visit,
                                  const NearOptions& options = {});
 
 /// The same in a list, in order of id, faces before portals.
 /// @param found  replaced; keeps its memory from call to call
-/// Costs what overlap_each() does, and sorting what is found.
 FIRMA_EXPORT Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found,
                             const NearOptions& options = {});
 
@@ -167,7 +162,6 @@ inline constexpr double kEverywhere = 0x1p1000;
 /// @param reach  metres; nothing farther is looked for. kEverywhere, or infinity, looks everywhere
 /// @return kMiss when nothing lies within reach; kInvalid for a number that is not finite or too large, a reach that is
 ///         not a number, or a room that is not there
-/// Costs a walk through the index to the nearest faces; the smaller the reach, the less.
 [[nodiscard]] FIRMA_EXPORT NearFace closest(const World& world, const Vec3& point, double reach = kEverywhere,
                                             const NearOptions& options = {});
 

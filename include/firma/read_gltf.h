@@ -73,7 +73,6 @@ struct GltfLevel {
 /// @return the level, or the first error with its place: what breaks glTF or its JSON, an index, offset or size beyond
 ///         what it is an index of, a vertex that is not finite or outside the world, a required extension that changes
 ///         what is read, nodes in a loop, too many triangles, no triangle at all
-/// Costs time and memory in proportion to the bytes and to the triangles of all instances.
 FIRMA_EXPORT Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::string name,
                                          const GltfOptions& options = {}, const std::string& folder = {});
 
@@ -83,7 +82,6 @@ FIRMA_EXPORT Result<GltfLevel> read_gltf(const std::string& path, const GltfOpti
 /// Checks the level as it was snapped, not the file's own floats: nodes place a vertex by products that are rounded, so
 /// that corners that were meant to meet differ in their last bits. Faults and positions are exact on the grid, sources
 /// as the level has them; notes are those of the level: dropped and divided.
-/// Costs as the triangles, and sorting their edges.
 FIRMA_EXPORT MeshCheck check_gltf(const GltfLevel& gltf);
 
 /// Indices are into GltfLevel::portals.
@@ -91,7 +89,6 @@ using GltfRooms = PortalReport;
 
 /// make_divided_world() of the level and its portals.
 /// @param report  replaced, when given
-/// Costs what make_divided_world() does.
 FIRMA_EXPORT Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options = {},
                                       GltfRooms* report = nullptr);
 

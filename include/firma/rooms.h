@@ -63,7 +63,6 @@ struct RoomInfo {
 /// @return nothing where no room has it, and for "". Costs a look at each room
 [[nodiscard]] FIRMA_EXPORT std::optional<RoomId> find_room(const World& world, std::string_view name);
 /// The portal of a name, likewise.
-/// Costs a look at each portal.
 [[nodiscard]] FIRMA_EXPORT std::optional<PortalId> find_portal(const World& world, std::string_view name);
 
 /// The room that a hit is in: that its face looks into; of a closed portal the one on the side that was met.
@@ -81,7 +80,6 @@ struct PortalInfo {
 };
 
 /// How many portals there are, those without polygons counted.
-/// Constant.
 [[nodiscard]] FIRMA_EXPORT std::size_t portal_count(const World& world);
 
 /// @return nothing for a portal that is not there. Never allocates; costs the same for every portal.
@@ -89,11 +87,9 @@ struct PortalInfo {
 
 /// Its polygons: convex, metres, exact; counter-clockwise seen from PortalInfo::rooms[0]. None for a portal that is not
 /// there.
-/// Costs a copy of its corners.
 [[nodiscard]] FIRMA_EXPORT std::vector<std::vector<Vec3>> portal_polygons(const World& world, PortalId portal);
 
 /// The rooms that portals, open or closed, join to a room, each once, ascending; none for a room that is not there.
-/// Costs as the room's portals, and sorting them.
 [[nodiscard]] FIRMA_EXPORT std::vector<RoomId> neighbours(const World& world, RoomId room);
 
 enum class Doors : std::uint8_t {

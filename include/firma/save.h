@@ -34,7 +34,6 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees,
 /// the rules for carving and how textures lie. The same world, made the same way, gives the same bytes on every
 /// machine. docs/formats.md has the layout.
-/// Costs time and memory in proportion to all faces.
 [[nodiscard]] FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its
@@ -46,11 +45,9 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// @param name  for messages
 /// @return kMalformed with the section and the entry in it for damage; kUnsupported for another version, and for a part
 ///         that is marked as required and unknown; kTooLarge where a size does not fit
-/// Costs time in proportion to the bytes; checking costs more than reading.
 FIRMA_EXPORT Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
 
 /// Whether bytes begin as those of a .firma file do, of whatever version.
-/// Constant.
 FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 
 /// Saves a world: the file appears whole or not at all. Bytes go beside it, into a file of its name with ".part"
@@ -59,14 +56,12 @@ FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 /// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
 /// file that was there is kept.
 /// @return nothing on success; kCannotWrite with the system's reason
-/// Costs pack_world(), and writing the bytes.
 [[nodiscard]] FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
                                                            const SaveOptions& options = {});
 
 /// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
 /// meanwhile is an error at most.
 /// @return kCannotRead with the system's reason: missing, a folder, not allowed, no memory for it, cut short meanwhile
-/// Costs unpack_world(), and the file in memory.
 FIRMA_EXPORT Result<World> load_world(const std::string& path);
 
 /// What was written.
@@ -103,7 +98,6 @@ FIRMA_EXPORT std::optional<ObjWritten> write_obj(const World& world, const TextS
 /// The same into a file, which appears whole or not at all: it is written beside its place, under a name that ends in
 /// ".part", then renamed.
 /// @return kCannotWrite with the system's reason
-/// Costs as the faces.
 FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which = ObjFaces::kAll);
 
 }  // namespace firma

@@ -39,14 +39,12 @@ public:
     ~Solid() = default;
 
     /// Facets: what casts meet of it.
-    /// Constant, as are the next two.
     FIRMA_EXPORT std::size_t face_count() const;
     /// What no face separates from infinity is solid.
     FIRMA_EXPORT bool rock_outside() const;
     /// How many edits made it: faces of the next one say that they come from edit `edits() + 1`.
     FIRMA_EXPORT std::uint32_t edits() const;
     /// Of all faces; empty where there are none.
-    /// Costs a few walks through the index.
     FIRMA_EXPORT Box bounds() const;
 
     const SolidData& data() const { return *data_; }
@@ -57,7 +55,6 @@ private:
 
 /// The closed pieces of a level, by the rules of level_solidity(); other faces are left out.
 /// @return errors as make_world()
-/// Costs what make_world() of the level does.
 [[nodiscard]] FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
 
 /// What does not hold of a solid's exact boundary, and where.
@@ -71,7 +68,6 @@ struct SolidFault {
 /// way around, then holes; every edge is used twice, once each way; vertices lie exactly on the planes of their faces
 /// and edges; the facets of each face cover it, and all facets together are closed. Says nothing about where the
 /// boundary crosses itself. See check_world() for facets one by one.
-/// Costs as all faces, and sorting their edges: for tests and diagnosis.
 [[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
 [[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
 
@@ -87,7 +83,6 @@ struct SolidMeasures {
 };
 
 /// Measures all faces. Each number is rounded once or twice, from sums of 100 bits and more.
-/// Costs as all faces.
 [[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
 [[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
 
@@ -113,7 +108,6 @@ struct RegionHash {
 };
 
 /// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
-/// Costs as the regions.
 [[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
 
 /// Where a point lies.
@@ -160,7 +154,6 @@ struct LevelSolidity {
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
 /// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
 /// @param level  one that make_world() refuses has no solid face and no note
-/// Costs as the faces, sorting their edges, and the pieces that lie close to each other.
 [[nodiscard]] FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
 
 /// A region that resists cutters whose surface or inside reaches into it.
@@ -246,7 +239,6 @@ struct SolidCutOptions {
                                                 const SolidCutOptions& options = {});
 
 /// Adds a placed cutter to a solid, by the same rules.
-/// Costs what the cut costs.
 [[nodiscard]] FIRMA_EXPORT SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose,
                                              const SolidCutOptions& options = {});
 

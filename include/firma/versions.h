@@ -98,11 +98,9 @@ public:
     WorldStore& operator=(const WorldStore&) = delete;
 
     /// The version that was published last, or that undo() or redo() went to.
-    /// Constant: copies a handle.
     [[nodiscard]] FIRMA_EXPORT World current() const;
     /// A version of the history, undone ones included; nothing when it is not kept. Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
-    /// Costs the logarithm of the versions kept; history() is constant.
     FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
     FIRMA_EXPORT StoreHistory history() const;
 
@@ -119,23 +117,19 @@ public:
 
     /// Goes back to the version before, or forward to the one that was undone.
     /// @return the version that is current then, whatever other threads do meanwhile; nothing when there is none
-    /// Constant, but for freeing what readers have let go of meanwhile.
     FIRMA_EXPORT std::optional<World> undo();
     FIRMA_EXPORT std::optional<World> redo();
 
     /// Drops versions, the oldest first, then of the undone ones the newest, until StoreHistory::bytes is at most so
     /// many; from then on publish() keeps it so. The current version always stays: with 0 only it does,
     /// and there is no undo.
-    /// Costs what is dropped.
     FIRMA_EXPORT void set_history_bytes(std::size_t bytes);
 
     /// Begins anew with another world, of any version; everything else is dropped.
-    /// Costs what is dropped.
     FIRMA_EXPORT void reset(World first);
 
     /// Frees dropped versions that no reader holds any more: for when nothing is published for a while.
     /// @return how many are still held
-    /// Costs what is freed.
     FIRMA_EXPORT std::size_t collect();
 
 private:

@@ -67,20 +67,17 @@ public:
     FIRMA_EXPORT World& operator=(World&& other) noexcept;
     ~World() = default;
 
-    /// Constant, as are the next two.
     FIRMA_EXPORT std::uint64_t version() const;
     FIRMA_EXPORT std::size_t face_count() const;
     FIRMA_EXPORT std::size_t room_count() const;
     /// Of all faces; empty for a world without any. Costs a few walks through the index.
     FIRMA_EXPORT Box bounds() const;
-    /// Constant, as are the next two.
     FIRMA_EXPORT const Tolerance& tolerance() const;
     /// What can be carved: a value of its own.
     FIRMA_EXPORT const Solid& solid() const;
     /// "" when there is no such material.
     FIRMA_EXPORT const std::string& material_name(std::uint32_t material) const;
     /// Of all rooms together.
-    /// Costs as all nodes of the index: for diagnosis.
     FIRMA_EXPORT TreeStatistics statistics() const;
 
     /// The face that a ref names; nothing when this world has no such face: it was moved or cut, or the ref is of
@@ -120,7 +117,6 @@ struct WorldOptions {
 /// The same world under other rules for carving.
 /// @return kInvalid, naming the zone or material: a hardness that is not within 0..1, a box that is empty or not of
 ///         numbers, a max_cutter_size that is no length above zero
-/// Costs a copy of the rules; all else is shared.
 [[nodiscard]] FIRMA_EXPORT Result<World> with_rules(const World& world, CarveRules rules);
 
 /// A world of one room around a solid. Shares all of it, unless it was a world's of several rooms: then its faces, as
@@ -133,7 +129,6 @@ struct WorldOptions {
 ///         with_rules(), or when a face of the level is not convex, planar and of 3 to 64 corners, or has a corner,
 ///         material or group that is not there (readers never make such), naming it; kMalformed for a level without a
 ///         face, with what its reader left out: such a world would answer every cast with a miss (World() is one).
-/// Costs as the faces, sorting them into an index, and finding out which pieces are closed.
 [[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
 /// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:
@@ -177,7 +172,6 @@ FIRMA_EXPORT bool each_face(const World& world, const Region& region, FaceVisito
 
 /// Of each cube of 32 m with anything in it, in an order that is the same everywhere: so two machines can find where
 /// their worlds differ.
-/// Costs as the regions.
 [[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const World& world);
 
 /// A broken invariant, named.
@@ -191,7 +185,6 @@ struct WorldFault {
 /// of several rooms also: portals join two rooms that are there, by polygons as sound as faces; around each room, the
 /// directed edges of the solid's faces and of its portals cancel exactly. Of the exact solid behind the faces see
 /// check_solid().
-/// Costs as all faces and more: for tests, and for bytes that came from outside.
 [[nodiscard]] FIRMA_EXPORT std::optional<WorldFault> check_world(const World& world);
 
 }  // namespace firma
