@@ -47,14 +47,14 @@ struct CarveOptions {
 /// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), once more
 /// for each try, and with the logarithm of the world's faces. Where rooms are joined it also grows with these rooms'
 /// portals. CarveOptions::material is searched among the world's materials by name, and a new one copies their list.
-/// Takes memory for what is made anew; all else is shared. CarveReport::times says what a cut took, CarveRules bounds
-/// it. Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for
-/// Iterated CSG using Octree-Embedded BSPs, 2021.
+/// Takes memory for what is made anew; all else is shared. CarveRules bounds the cost, CarveReport::times tells it.
+/// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
+/// CSG using Octree-Embedded BSPs, 2021.
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,
                                const CarveOptions& options = {});
 
-/// Adds a placed cutter to the solid, by the same rules and at the same cost; one that touches no face is also located,
-/// corner by corner until one is found in the air (locate()).
+/// Adds a placed cutter to the solid, by the same rules and at the same cost. Among rooms, one that touches no face is
+/// also located, corner by corner until one is found in the air (locate()).
 FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose,
                               const CarveOptions& options = {});
 

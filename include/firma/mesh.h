@@ -78,7 +78,7 @@ struct MeshCheck {
     std::vector<MeshNotePlace> notes;    ///< in order of face
     std::uint32_t faces = 0;             ///< in the file
     std::uint64_t vertices = 0;          ///< different positions used by faces
-    /// Whether no fault was found: every edge has faces on both sides.
+    /// Whether no fault was found.
     bool closed() const { return faults.empty(); }
 };
 
