@@ -6,6 +6,11 @@
 //
 // Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
 // not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
+//
+// Costs. A call costs what the module does for it, as said at each, and copying: arguments into the module's memory,
+// answers out of it, into arrays and objects of their own. Every World, Level, Cutter, Job, Edit and Store returned is
+// a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
+// world.
 
 /// <reference lib="esnext.disposable" />
 
@@ -45,6 +50,8 @@ export class FirmaError extends Error {
  * @param source nothing: the firma.wasm that comes with the package (fetched in browsers, read as a file in node). Or a
  *     URL (in node also a path), a Response, the bytes, a compiled module; or a promise of one of these
  * @throws {FirmaError} CANNOT_READ, MALFORMED (no WebAssembly), UNSUPPORTED (another module, or another version of it)
+ *
+ * Costs reading and compiling it; given a compiled module, only an instance and its memory.
  */
 export function loadFirma(source?: Source | PromiseLike<Source>): Promise<Firma>;
 export type Source = string | URL | Response | Bytes | WebAssembly.Module;
@@ -54,7 +61,7 @@ export interface Handle {
     /**
      * Gives the memory back; a second time throws BAD_HANDLE. What is never released is released some time after
      * nobody can reach it any more, which may be late: a few bytes here may hold megabytes there. Does nothing once the
-     * module has stopped.
+     * module has stopped. Costs freeing what no other handle shares: of a world what an edit replaced, or all of it.
      */
     release(): void;
     readonly released: boolean;
@@ -68,35 +75,60 @@ export interface Firma {
     /** Objects that are not released yet: 0 when nothing has leaked. */
     liveHandles(): number;
 
-    /** A Wavefront .obj file, as a string or its bytes. Closed pieces can be carved, other faces only cast against. */
+    /**
+     * A Wavefront .obj file, as a string or its bytes. Closed pieces can be carved, other faces only cast against. Time
+     * and memory grow with the file, here and below: time a little faster than in proportion, as faces are sorted into
+     * a tree, and with the pairs of faces close together, as they are tested for crossings. The file is copied into the
+     * module for as long as the call takes.
+     * @throws {FirmaError} MALFORMED, OUT_OF_RANGE, TOO_LARGE, UNSUPPORTED, here and below
+     */
     worldFromObj(file: string | Bytes, options?: WorldOptions): World;
     /** A Quake III .bsp file (version 46): its brushes, as of a .map. */
     worldFromBsp(file: Bytes, options?: WorldOptions): World;
     /**
      * A Quake .map file, as a string or its bytes: brushes become one solid, the air rooms, divided by the portals that
-     * its author placed.
+     * its author placed. The cost grows also with the brushes and portals that each brush meets.
      */
     worldFromMap(file: string | Bytes, options?: WorldOptions): World;
-    /** A level of brushes as its file has it: for its entities, and for a world of it. */
+    /**
+     * A level of brushes as its file has it: for its entities, and for a world of it. Time and memory grow with the
+     * file, time also with the square of a brush's sides; brushes are not joined yet.
+     */
     levelFromMap(file: string | Bytes, options?: LevelOptions): Level;
     levelFromBsp(file: Bytes, options?: LevelOptions): Level;
+    /** As worldFromObj(), of arrays, which are copied. */
     worldFromMesh(mesh: Mesh, options?: WorldOptions): World;
-    /** What World.pack() gave, or a .firma file. `name` is for messages. @throws {FirmaError} MALFORMED, UNSUPPORTED */
+    /**
+     * What World.pack() gave, or a .firma file. `name` is for messages. Costs all faces, in time and memory, with the
+     * checks of World.check(). @throws {FirmaError} MALFORMED, UNSUPPORTED, TOO_LARGE
+     */
     unpackWorld(file: Bytes, name?: string): World;
 
-    /** Bytes that worlds hold together; what they share counts once. */
+    /**
+     * Bytes that worlds hold together; what they share counts once. Goes through every block, room and portal of them:
+     * grows with all faces.
+     */
     memory(worlds: readonly World[]): number;
 
-    /** A shape of mean radius about 1 around the origin; equal seeds give equal ones on every machine. */
+    /**
+     * A shape of mean radius about 1 around the origin; equal seeds give equal ones on every machine. Takes memory for
+     * its triangles: make it once and place it often.
+     */
     crater(shape: Shape, seed: Seed): Cutter;
-    /** A closed mesh of triangles. @param positions three for each vertex; @param corners three for each triangle */
+    /**
+     * A closed mesh of triangles. Costs the vertices and triangles, copied, and sorting the edges.
+     * @param positions three for each vertex
+     * @param corners three for each triangle
+     * @throws {FirmaError} MALFORMED for a mesh that is not closed, OUT_OF_RANGE, TOO_LARGE
+     */
     cutterFromMesh(positions: Numbers, corners: Words, name?: string): Cutter;
+    /** The same of a Wavefront .obj file, which is read first. */
     cutterFromObj(file: string | Bytes, name?: string): Cutter;
     /** A unit quaternion, evenly distributed; equal seeds give equal ones on every machine. */
     randomTurn(seed: Seed): Quaternion;
 
     /**
-     * A history that begins with `world`.
+     * A history that begins with `world`, and shares it.
      * @param maxBytes what versions other than the current one may hold; 0: no undo, Infinity: no bound
      */
     openStore(world: World, maxBytes: number | bigint): Store;
@@ -135,9 +167,9 @@ export interface LevelOptions {
 
 /** A level of brushes; it never changes. */
 export interface Level extends Handle {
-    /** As worldFromMap() makes it; the options' scale and name are ignored. */
+    /** As worldFromMap() makes it, at the same cost less the reading; the options' scale and name are ignored. */
     world(options?: WorldOptions): World;
-    /** In the file's order; the first is the world. */
+    /** In the file's order; the first is the world. Copies all of them each time, as do notes() and omissions(). */
     entities(): Entity[];
     /** For people: what was dropped, replaced or not understood, with its place. */
     notes(): string[];
@@ -290,14 +322,19 @@ export interface TriangleOptions {
     origin?: Vector;
     /** Texture coordinates too. */
     uvs?: boolean;
-    /** Texels across and down of pictures, two for each material, by its number: where both are above 0, texels become repeats. */
+    /**
+     * Texels across and down of pictures, two for each material, by its number: where both are above 0, texels become
+     * repeats.
+     */
     textureSizes?: Numbers;
 }
 
 /** What texture coordinates count: pixels of the picture, the whole picture, or metres, which no file says. */
 export type TextureUnit = 'texels' | 'repeats' | 'metres';
 
-/** u = uAxis . p + uOffset of a point p of the face, in metres; v likewise. u goes to the right in the picture, v down. */
+/**
+ * u = uAxis . p + uOffset of a point p of the face, in metres; v likewise. u goes to the right in the picture, v down.
+ */
 export interface Texture {
     uAxis: Vector3;
     uOffset: number;
@@ -374,8 +411,8 @@ export interface CastOptions {
 }
 
 /**
- * Where a point is; 'unknown' in a fold of the surface that rounding to the grid made. `room` is null unless the point is in
- * the air of one.
+ * Where a point is; 'unknown' in a fold of the surface that rounding to the grid made. `room` is null unless the point
+ * is in the air of one.
  */
 export interface Location {
     where: 'air' | 'solid' | 'surface' | 'unknown';
@@ -430,11 +467,13 @@ export interface CountedCastOptions extends CastOptions {
 
 export interface SingleCastOptions extends CountedCastOptions {
     /**
-     * An array that gets the rooms that the cast reached, in their order, the first included; none when all rooms of a world
-     * of several were asked.
+     * An array that gets the rooms that the cast reached, in their order, the first included; none when all rooms of a
+     * world of several were asked.
      */
     passed?: number[];
-    /** An array that gets for each of these rooms the portal that it was reached through first; null for the first room. */
+    /**
+     * An array that gets for each of these rooms the portal that it was reached through first; null for the first room.
+     */
     passedPortals?: (number | null)[];
 }
 
@@ -446,13 +485,16 @@ export interface NearOptions {
     room?: number;
 }
 
-/** 'invalid': a number of the input is non-finite or out of range, nothing was asked. 'touching': at the start, and moving closer. */
+/**
+ * 'invalid': a number of the input is non-finite or out of range, nothing was asked. 'touching': at the start, and
+ * moving closer.
+ */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
 
 /**
- * A miss has fraction and safeFraction 1, and the end of the path as its centre; 'invalid' has fraction 0. The rest of the
- * fields mean something where `hit` is true.
+ * A miss has fraction and safeFraction 1, and the end of the path as its centre; 'invalid' has fraction 0. The rest of
+ * the fields mean something where `hit` is true.
  */
 export interface Hit {
     status: Status;
@@ -499,8 +541,8 @@ export interface HitInfo {
 
 /**
  * The answers of castBatch(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
- * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE and NO_PORTAL
- * for null.
+ * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE and
+ * NO_PORTAL for null.
  */
 export class HitBatch {
     /** An empty one, to be given as `out`. */
@@ -521,7 +563,7 @@ export class HitBatch {
     readonly corner: Int32Array;
     readonly portal: Uint32Array;
     readonly material: Uint32Array;
-    /** Answer k as cast() gives it; null when there is no such answer. */
+    /** Answer k as cast() gives it, an object of its own; null when there is no such answer. */
     hit(k: number): Hit | null;
 }
 
@@ -542,8 +584,10 @@ export interface Near {
 
 /** What a sphere overlaps, and the way out. */
 export interface Overlap extends Near {
-    /** Unit: moved this way by `depth` metres, the sphere touches this face in a point at most. Out of the solid for a centre
-     * behind a one-sided face. */
+    /**
+     * Unit: moved this way by `depth` metres, the sphere touches this face in a point at most. Out of the solid for a
+     * centre behind a one-sided face.
+     */
     direction: Vector3;
     depth: number;
 }
@@ -652,106 +696,195 @@ export interface RegionHash {
 export interface World extends Handle {
     /** Another handle to the same value. */
     copy(): World;
+    /**
+     * Costs a few walks through the index, for the bounds (more where many faces reach to within a float's rounding of
+     * them), and a string for each material.
+     */
     facts(): WorldFacts;
     /** The name of a material. @throws {FirmaError} INVALID for one that the world does not have */
     material(material: number): string;
-    /** The first room of a name, the first portal of a name; null when there is none. */
+    /**
+     * The first room of a name, the first portal of a name; null when there is none. Costs a look at each room or
+     * portal, up to the one found.
+     */
     findRoom(name: string): number | null;
     findPortal(name: string): number | null;
-    /** Of everything the world holds: equal edits in equal order give equal ones on every machine. */
+    /**
+     * Of everything the world holds: equal edits in equal order give equal ones on every machine. Kept as edits go:
+     * costs a few nanoseconds a material, whatever the faces.
+     */
     hash(): bigint;
-    /** Of the solid's set of points alone: equal for equal solids, however they came about. */
+    /** Of the solid's set of points alone: equal for equal solids, however they came about. Kept as edits go. */
     hashSolid(): bigint;
-    /** Of each cube of 32 m with anything in it: so two machines can find where their worlds differ. */
+    /**
+     * Of each cube of 32 m with anything in it: so two machines can find where their worlds differ. Kept as edits go:
+     * costs the cubes that hold or held anything, whatever the faces.
+     */
     hashRegions(): RegionHash[];
-    /** @throws {FirmaError} BROKEN when an invariant of faces, trees or the exact solid does not hold */
+    /**
+     * Costs all faces, in time and memory, and sorting them.
+     * @throws {FirmaError} BROKEN when an invariant of faces, trees or the exact solid does not hold
+     */
     check(): void;
-    /** The solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and area. */
+    /**
+     * The solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and area, square
+     * metres. Costs all faces, in time and memory.
+     */
     measure(): { volume: number; area: number };
-    /** Bytes. */
+    /** Bytes that this world holds, those shared with others counted. Grows with all faces, as Firma.memory(). */
     memory(): number;
-    /** Copies of all faces, in order of id; of some by a filter, in no particular order. @throws {FirmaError} INVALID for a room that is not there */
+    /**
+     * Copies of all faces, in order of id; of some by a filter, in no particular order. Costs the faces copied, sorting
+     * them where it is all, and by a filter the walk through the index down to them.
+     * @throws {FirmaError} INVALID for a room that is not there, OUT_OF_RANGE for a box that is not finite
+     */
     faces(filter?: FaceFilter): Faces;
-    /** The face of a hit, or another; null when this world has no such face: cut since, or of another world. Costs a walk through the index. */
+    /**
+     * The face of a hit, or another; null when this world has no such face: cut since, or of another world. Costs a
+     * walk through the index.
+     */
     face(ref: FaceRef): Face | null;
-    /** Copies of faces as triangles, for a renderer or another engine's collider. @throws {FirmaError} INVALID for a room that is not there */
+    /**
+     * Copies of faces as triangles, for a renderer or another engine's collider. Costs the faces that the options take,
+     * sorting them, an object for each (Triangles.sources), and with texture coordinates a search for each.
+     * @throws {FirmaError} INVALID for a room that is not there, OUT_OF_RANGE for an origin that is not finite
+     */
     triangles(options?: TriangleOptions): Triangles;
     /**
      * How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an
      * edit made, and where the file says nothing, its unit is 'metres': straight along the axis nearest to its normal.
-     * @param face a hit, or an id: then all faces are searched
+     * @param face a hit: costs a walk through the index, and a search among the faces of the file; or an id: then all
+     *     faces are searched
      * @throws {FirmaError} INVALID for a face that the world does not have
      */
     texture(face: Hit | number): Texture;
-    /** Null when the world has no such face. Searches all faces. */
+    /** Null when the world has no such face. Goes through all faces of the world. */
     findFace(id: number): Face | null;
 
-    /** The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. */
+    /**
+     * The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. What casts cost grows
+     * with the logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for
+     * castAny(), up to where visit ends it for castEach(), along all of it for castAll(). By room it is the faces of
+     * the rooms reached alone, and the box of each of their portals; room 'locate' adds locate(). Of many casts
+     * castBatch() costs least, as it makes no objects. With `passed` or `passedPortals`, where more than 64 rooms are
+     * reached, the cast is made twice.
+     */
     cast(input: CastInput, options?: SingleCastOptions): Hit;
     /**
-     * More about the face or portal that a cast met. Costs a walk through the index.
-     * @throws {FirmaError} INVALID for a miss, and where this world has no such face or portal: cut since, or of another world
+     * More about the face or portal that a cast met. Costs a walk through the index, and another one at an edge.
+     * @throws {FirmaError} INVALID for a miss, and where this world has no such face or portal: cut since, or of
+     *     another world
      */
     hitInfo(hit: Hit): HitInfo;
     /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
     castAny(input: CastInput, options?: CastOptions): boolean;
-    /** Every face met along the whole path, by fraction, then id. @throws {FirmaError} OUT_OF_RANGE as castAny() */
+    /**
+     * Every face and closed portal met along the whole path, by fraction, then id. Costs an object for each, and
+     * sorting them; where they are more than some 1,400, the cast is made twice.
+     * @throws {FirmaError} OUT_OF_RANGE as castAny()
+     */
     castAll(input: CastInput, options?: CastOptions): Hit[];
     /**
      * Every face and closed portal that the sphere would meet along the path, as if alone, in no particular order: to
-     * filter, to stop early, to collect. What `visit` throws ends the cast and is thrown.
+     * filter, to stop early, to collect. What `visit` throws ends the cast and is thrown. Each costs an object and a
+     * call out of the module.
      * @param visit returns the fraction up to which to look on: hit.fraction asks for nothing later than this hit; true
      *     or nothing: on as before; false or 0: enough
      * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE as castAny()
      */
     castEach(input: CastInput, visit: (hit: Hit) => number | boolean | void, options?: CastOptions): boolean;
     /**
-     * Many casts: answer k is what cast() gives for input k.
+     * Many casts: answer k is what cast() gives for input k. Costs its casts and copying numbers; makes no objects, and
+     * no arrays where those of `out` are long enough.
      * @param inputs seven numbers a cast: centre, radius, path; fastest as a Float64Array
-     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned; a
-     *     call that fails leaves the answers of before
+     * @param out    a HitBatch whose arrays are used again where they are long enough; it is returned; a call that
+     *     fails leaves the answers of before
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
-    /** Faces that a closed ball touches, by id, then closed portals. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
+    /**
+     * Faces that a closed ball touches, by id, then closed portals. Costs a walk through the index to the faces near
+     * the ball, an object for each that it touches, and sorting them; where these are more than some 2,200, it is asked
+     * twice. By room, where any portal of the world is closed, also a look at each portal of the room, as closest().
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, a negative radius, or a room
+     *     that is not there
+     */
     overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
-    /** The same one by one, in no particular order, until visit returns false. @returns whether there were any */
+    /**
+     * The same one by one, in no particular order, until visit returns false. Each costs an object and a call out of
+     * the module. @returns whether there were any
+     */
     overlapEach(centre: Vector, radius: number, visit: (found: Overlap) => boolean | void, options?: NearOptions): boolean;
     /**
-     * The nearest point of all faces within `reach` metres, anywhere unless given; null when there is none.
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range
+     * The nearest point of all faces and closed portals within `reach` metres, anywhere unless given; null when there
+     * is none. Costs a walk through the index to the faces about as near as the nearest; a short reach where nothing is
+     * near costs least.
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, a negative reach, or a room
+     *     that is not there
      */
     closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 
-    /** Where a point is: in the air of a room, in the solid, on its surface. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
+    /**
+     * Where a point is: in the air of a room, in the solid, on its surface. Costs a cast or two; up to eight, and a
+     * search of the faces around the point, for one on the surface; among several rooms a look at each for one that
+     * sees nothing.
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range
+     */
     locate(point: Vector): Location;
-    /** @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below */
+    /**
+     * Costs copying the list of its portals.
+     * @throws {FirmaError} INVALID for a room or portal that the world does not have, here and below
+     */
     room(room: number): Room;
+    /** Costs copying its polygons. */
     portal(portal: number): Portal;
-    /** The same world with a door opened or closed, one version on. */
+    /**
+     * The same world with a door opened or closed, one version on; another handle to this one when it is so already.
+     * Costs a few small copies, however many portals and faces there are, and the corners of this portal.
+     */
     setPortalOpen(portal: number, open: boolean): World;
-    /** The rooms that portals, open or closed, join to a room, ascending. */
+    /**
+     * The rooms that portals, open or closed, join to a room, ascending. Costs the room's portals, and sorting them;
+     * takes memory for as many rooms as the world has, and finds their count at the cost of facts() without its
+     * strings.
+     */
     neighbours(room: number): number[];
     /**
-     * The portals on the way between two rooms that passes the fewest; null when there is none.
+     * The portals on the way between two rooms that passes the fewest; null when there is none. Goes through all rooms
+     * that `to` is joined to and their portals, however short the way; takes memory and finds the count of rooms as
+     * neighbours().
      * @param options `allOpen`: closed ones lead on, too
      */
     path(from: number, to: number, options?: { allOpen?: boolean }): number[] | null;
 
-    /** One edit. A pose with bad numbers, too, is refused in the report, not thrown. */
+    /**
+     * One edit. A pose with bad numbers, too, is refused in the report, not thrown. The cost grows with the cutter's
+     * triangles and with the faces near them (CarveReport.candidateFaces), once more for each retry, and with the
+     * logarithm of the world's faces; where rooms are joined also with their portals. The material is searched by its
+     * name among the world's, and a new one copies their list. Takes memory for what is made anew; all else is shared.
+     * withRules() bounds it.
+     */
     carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveResult;
-    /** One edit, in slices of time. */
+    /** One edit, in slices of time. Does nothing yet but to search the material. */
     startCarve(cutter: Cutter, pose: Pose, options?: CarveOptions): Job;
     /** Several edits that become one version. */
     edit(): Edit;
     /**
-     * What changed from this world to `after`.
+     * What changed from this world to `after`. What the two share is not compared: for versions a few edits apart the
+     * cost follows the edits, with a walk through the index for each face added; worlds that share nothing cost all
+     * faces of both. Tiles cost three numbers for each tile in a changed face's box, and sorting them.
      * @param tileSize metres, at least 1/16; 0 or none: no tiles
+     * @throws {FirmaError} INVALID for another tileSize
      */
     diff(after: World, tileSize?: number): Diff;
-    /** The same world under other rules for carving. */
+    /**
+     * The same world under other rules for carving; shares all else. Costs the zones and hardnesses.
+     * @throws {FirmaError} INVALID for a hardness that is not within 0..1, a box that is empty, a size that is no
+     *     length
+     */
     withRules(rules: Rules): World;
     /**
-     * The bytes of a .firma file.
+     * The bytes of a .firma file. Costs all faces, in time and memory, and sorting them; the bytes are held twice until
+     * it returns.
      * @param options `exact: false` leaves the exact part out: the world read back can be cast against, not carved
      */
     pack(options?: { exact?: boolean }): Uint8Array<ArrayBuffer>;
@@ -762,17 +895,23 @@ export interface Cutter extends Handle {}
 
 export interface Job extends Handle {
     /**
-     * Goes on for about so long; whether it is finished. Infinity: to the end. Browsers tell the time in steps, of 5 or
-     * 100 microseconds: it may go on for one longer.
+     * Goes on for about so long, and does at least one piece of work (some ten microseconds with a cutter of some
+     * hundred triangles, more where placing or judging one of many thousand is the piece); whether it is finished.
+     * Infinity: to the end. Browsers tell the time in steps, of 5 or 100 microseconds: it may go on for one longer.
+     * @throws {FirmaError} INVALID for a negative time
      */
     run(microseconds: number): boolean;
-    /** As of carve(), a new handle each time. @throws {FirmaError} BAD_CALL before it is finished */
+    /** As of carve(), a new handle each time, whose cost is all. @throws {FirmaError} BAD_CALL before it is finished */
     result(): CarveResult;
 }
 
 export interface Edit extends Handle {
+    /** On the world as edited so far: as World.carve(), and at its cost. */
     carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveReport;
-    /** The world as edited so far, one version on. The edit can go on afterwards. */
+    /**
+     * The world as edited so far, one version on. The edit can go on afterwards. Costs the same for any number of
+     * edits.
+     */
     finish(): World;
 }
 
@@ -790,18 +929,28 @@ export interface StoreFacts {
 
 /** The current world and those before it, for undo. Worlds it gives are handles of their own, to be released. */
 export interface Store extends Handle {
+    /** Costs a handle, whatever the world. */
     current(): World;
     /**
-     * Makes `after` the current world; drops what was undone, and the oldest versions beyond the bytes.
-     * @throws {FirmaError} INVALID, and nothing changed, when `before` (which it was made from) is not the current one
+     * Makes `after` the current world; drops what was undone, and the oldest versions beyond the bytes. Costs what the
+     * two do not share, and freeing what is dropped.
+     * @throws {FirmaError} INVALID, and nothing changed, when `before` (which it was made from) is not the current one,
+     *     or the version of `after` is not greater
      */
     publish(before: World, after: World): void;
-    /** The world that is current then. @throws {FirmaError} INVALID when there is none */
+    /**
+     * The world that is current then. Costs a few handles, whatever the versions differ in, and freeing what was
+     * dropped and nobody holds any more. @throws {FirmaError} INVALID when there is none
+     */
     undo(): World;
     redo(): World;
-    /** @throws {FirmaError} INVALID for a version that is not held */
+    /** Costs a binary search among the versions held. @throws {FirmaError} INVALID for a version that is not held */
     at(version: number | bigint): World;
+    /** Costs the same however many versions are held. */
     facts(): StoreFacts;
-    /** Frees dropped versions that nobody holds any more; how many are still held. */
+    /**
+     * Frees dropped versions that nobody holds any more; how many are still held. Costs a look at each that waits, and
+     * what is freed.
+     */
     collect(): number;
 }

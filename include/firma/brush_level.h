@@ -63,7 +63,7 @@ struct Entity {
     std::uint32_t line = 0;
     std::vector<UnknownPart> unknown;  ///< likewise; each has a note
 
-    /// The value of the first such key; "" when there is none.
+    /// The value of the first such key; "" when there is none. Goes through the keys, up to that one.
     std::string_view value(std::string_view key) const {
         for (const auto& [name, value] : keys)
             if (name == key) return value;
@@ -97,7 +97,7 @@ struct BrushLevel {
 };
 
 /// Where a point entity stands, metres: its `origin`; nothing where it has none, or it is no three numbers with blanks
-/// between them.
+/// between them. Goes through the entity's keys.
 [[nodiscard]] FIRMA_EXPORT std::optional<Vec3> entity_origin(const BrushLevel& level, const Entity& entity);
 
 /// Reads a Quake .map: brushes in the forms Standard, Valve 220, brushDef (Quake 3's brush primitives) and brushDef3
@@ -108,6 +108,8 @@ struct BrushLevel {
 /// @return the level, or the first error with file and line: broken syntax, a number too large, a point outside the
 ///         world, a brush of more than 1024 sides, no entity at all. Parts it does not know are kept or noted, never an
 ///         error.
+/// Time and memory grow with the text, time also with the square of a brush's sides, up to a limit for the whole file,
+/// beyond which it is an error.
 [[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_map(std::string_view text, std::string name,
                                                        const ReadOptions& options = {});
 
@@ -115,10 +117,14 @@ struct BrushLevel {
 /// those of the first model. Float planes are made exact once each, a plane and its negative together.
 ///
 /// @return the level, or the first error with file, lump and entry.
+/// Costs as read_map(), with the size of the file.
 [[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_bsp_brushes(std::span<const std::byte> bytes, std::string name,
                                                                const ReadOptions& options = {});
 
-/// Reads a file by its ending (.map, .bsp): of a .bsp the brushes.
+/// Reads a file by its ending (.map, .bsp): of a .bsp the brushes. All of it is read into memory first.
+/// @return kCannotRead with the system's reason; kTooLarge beyond 4 GiB; kUnsupported for other endings; the errors of
+///         the readers
+/// Costs what these cost.
 [[nodiscard]] FIRMA_EXPORT Result<BrushLevel> read_brush_level(const std::string& path,
                                                                const ReadOptions& options = {});
 

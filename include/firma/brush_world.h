@@ -63,6 +63,7 @@ struct BrushWorldReport {
 /// @return kTooLarge for a level of 2^20 brush sides or more; kInvalid, with brush and side, for one that does not hold
 ///         together (see BrushLevel), and for a contact offset that is no length; kMalformed where no face is left that
 ///         a cast could meet, with what was left out
+/// Time and memory grow with the sides of the brushes, and with the other brushes and portals that each of them meets.
 [[nodiscard]] FIRMA_EXPORT Result<World> make_world(const BrushLevel& level, const WorldOptions& options = {},
                                                     BrushWorldReport* report = nullptr);
 
@@ -70,6 +71,7 @@ struct BrushWorldReport {
 /// the options are ignored. (read_gltf() reads glTF; read_level(), read_brush_level() tell more of a level than its
 /// world.)
 /// @return errors of the reader and of make_world(); kUnsupported for other endings
+/// Costs what the reader and make_world() cost; of a .firma file what load_world() costs.
 [[nodiscard]] FIRMA_EXPORT Result<World> read_world(const std::string& path, const WorldOptions& options = {},
                                                     const ReadOptions& read = {});
 
@@ -114,7 +116,9 @@ struct DivideReport {
 /// @param mask  faces that share a bit stop the way; kStopsSight: walls alone, as glass and clips close nothing
 /// @return the points of a line, `from` first, the last one outside the world's bounds; each sees the next. Empty where
 ///         there is no way, or none wide enough to be found: ways narrower than an eighth of a metre may not be
-/// Tests a lattice of points, ever finer; takes up to some seconds for a large level.
+/// Tests a lattice of points, ever finer, by a short cast to each neighbour; takes up to some seconds for a large
+/// level. Where there is no way, or none but a narrow one, it goes through every lattice, up to 4 million points of
+/// each, and takes memory for them.
 [[nodiscard]] FIRMA_EXPORT std::vector<Vec3> find_leak(const World& world, const Vec3& from,
                                                        std::uint32_t mask = kStopsSight);
 

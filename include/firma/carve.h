@@ -44,12 +44,17 @@ struct CarveOptions {
 ///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, no way out of
 ///         degenerate position, no numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction
 ///         (then `reproduction` holds it).
+/// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), once more
+/// for each try, and with the logarithm of the world's faces. Where rooms are joined it also grows with these rooms'
+/// portals. CarveOptions::material is searched among the world's materials by name, and a new one copies their list.
+/// Takes memory for what is made anew; all else is shared. CarveRules bounds the cost, CarveReport::times tells it.
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,
                                const CarveOptions& options = {});
 
-/// Adds a placed cutter to the solid, by the same rules.
+/// Adds a placed cutter to the solid, by the same rules and at the same cost. Among rooms, one that touches no face is
+/// also located, corner by corner until one is found in the air (locate()).
 FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose,
                               const CarveOptions& options = {});
 
@@ -60,8 +65,10 @@ FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Po
 /// is a refusal by kNoMemory with the world before. Start another job.
 class CarveJob {
 public:
+    /// Keeps the world and the cutter, and searches the options' material among the world's; all else is left to run().
     FIRMA_EXPORT CarveJob(World world, Cutter cutter, const Pose& pose, const CarveOptions& options = {},
                           CarveKind kind = CarveKind::kCarve);
+    /// Frees what the edit made so far, finished or not.
     FIRMA_EXPORT ~CarveJob();
     /// Leaves a job behind that is finished and refused.
     FIRMA_EXPORT CarveJob(CarveJob&&) noexcept;
@@ -73,10 +80,12 @@ public:
     /// @param microseconds  INFINITY: to the end
     /// @return true once it is finished
     FIRMA_EXPORT bool run(double microseconds);
+    /// Costs nothing to ask, as broken().
     FIRMA_EXPORT bool finished() const;
     /// Whether an exception left run().
     FIRMA_EXPORT bool broken() const;
-    /// What came out. Only once finished() (FIRMA_ASSERT), else a refusal by kInvalid.
+    /// What came out. Only once finished() (FIRMA_ASSERT), else a refusal by kInvalid. Costs a copy of the handles and
+    /// the report; of a contradiction also of its `reproduction`.
     FIRMA_EXPORT CarveResult result() const;
 
 private:
@@ -87,13 +96,16 @@ private:
 /// Several edits that become one new version of the world.
 class WorldEdit {
 public:
+    /// Costs two handles to the world.
     FIRMA_EXPORT explicit WorldEdit(World world);
 
-    /// As the functions of the same names, on the world as edited so far; `world` of the result is that world.
+    /// As the functions of the same names, on the world as edited so far; `world` of the result is that world. Each
+    /// costs what it costs alone.
     FIRMA_EXPORT CarveResult carve(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
     FIRMA_EXPORT CarveResult fill(const Cutter& cutter, const Pose& pose, const CarveOptions& options = {});
 
     /// The world after all edits, its version one above the first one's; the first one itself when none was done.
+    /// Costs the same for every world and every number of edits.
     FIRMA_EXPORT World finish() const;
 
 private:

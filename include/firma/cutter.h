@@ -35,12 +35,13 @@ enum class CutterShape : std::uint8_t {
     kBox,    ///< the cube from -1 to 1, whatever the seed: 12 triangles
 };
 
-/// The shape of a name ("rocky", "spiky", "drill", "wedge", "box"); nothing for any other.
+/// The shape of a name ("rocky", "spiky", "drill", "wedge", "box"); nothing for any other. Never allocates, as
+/// cutter_shape_name(), which gives "" for what is no shape.
 [[nodiscard]] FIRMA_EXPORT std::optional<CutterShape> cutter_shape(std::string_view name);
 [[nodiscard]] FIRMA_EXPORT std::string_view cutter_shape_name(CutterShape shape);
 
 /// A closed mesh in units of its own (metres at scale 1), immutable: copies share it. The default one holds nothing and
-/// cannot be placed.
+/// cannot be placed. Copies and questions cost the same for every cutter and never allocate.
 class Cutter {
 public:
     Cutter() = default;
@@ -61,7 +62,7 @@ private:
 };
 
 /// A crater shape of mean radius about 1 around the origin, which sees every point of its surface. The same numbers
-/// from the same seed on every machine.
+/// from the same seed on every machine. Costs the shape's triangles, which allocate; make it once and place it often.
 [[nodiscard]] FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 
 /// A cutter from a mesh. An inside-out one is turned over; vertices that no triangle uses are left out.
@@ -75,6 +76,7 @@ private:
 ///         triangles use, one each way (open, or more than two in one place, or wound against each other), fewer than 4
 ///         triangles, no volume.
 /// Whether it crosses itself is judged where it is placed, on the grid.
+/// Costs the vertices and triangles, copied, and sorting the edges.
 [[nodiscard]] FIRMA_EXPORT Result<Cutter> make_cutter(std::span<const Vec3> vertices,
                                                       std::span<const CutterTriangle> triangles, std::string name = "");
 
@@ -82,6 +84,7 @@ private:
 /// Whether faces are two-sided, and materials and groups, are ignored.
 ///
 /// @return as make_cutter(); an edge that a face does not share corner by corner (a T-joint) is open
+/// Costs the level's vertices and faces, sorted, and make_cutter().
 [[nodiscard]] FIRMA_EXPORT Result<Cutter> cutter_from_level(const Level& level);
 
 /// A turn: x, y, z, w, of any length but zero; it is normalised when used.
@@ -94,7 +97,8 @@ struct Pose {
     double scale = 1;                 ///< metres a unit of the cutter, > 0
 };
 
-/// A random turn, evenly distributed, of length 1; without sine or cosine, so the same on every machine.
+/// A random turn, evenly distributed, of length 1; without sine or cosine, so the same on every machine. Costs a few
+/// random numbers; never allocates.
 /// Source: G. Marsaglia, Choosing a Point from the Surface of a Sphere, 1972 (by rejection, in four dimensions).
 [[nodiscard]] FIRMA_EXPORT Quaternion random_turn(std::uint64_t seed);
 

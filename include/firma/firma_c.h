@@ -19,6 +19,13 @@
  * edits are for one thread at a time. A handle must not be released while another thread is using it. (A visitor may
  * release the world that it is shown.)
  *
+ * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
+ * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
+ * share, as releasing does. The release of the last handle to something frees it: of a world what no other world
+ * shares. A call that writes a list into the caller's memory works out all of it each time, also where `capacity` is 0
+ * to learn the count first: asked twice, it costs twice. Where nothing else is said, a call costs the same for every
+ * world.
+ *
  * Units: metres, seconds, radians; right-handed. Points and vectors are three doubles. The contract of a cast stands in
  * docs/casting.md, what carving keeps and refuses in docs/carving.md. */
 #ifndef FIRMA_FIRMA_C_H
@@ -79,7 +86,8 @@ typedef struct firma_allocator {
     void* user;
 } firma_allocator;
 
-/* Before any world was made: FIRMA_ERROR_BAD_CALL once it is too late. */
+/* Before any world was made: FIRMA_ERROR_BAD_CALL once it is too late. Costs nothing by itself; every slab costs what
+ * `take` costs. */
 FIRMA_API firma_code firma_set_allocator(const firma_allocator* allocator);
 
 /* How a batch is spread over threads. `run` calls work(context, k) once for each k below count, in any order and on any
@@ -91,7 +99,8 @@ typedef struct firma_tasks {
     void* user;
 } firma_tasks;
 
-/* For all batches that begin from now on; null: in the calling thread (the default). Answers do not depend on it. */
+/* For all batches that begin from now on; null: in the calling thread (the default). Answers do not depend on it. A
+ * batch that is spread takes memory, a byte for each piece of work of 256 casts. */
 FIRMA_API firma_code firma_set_tasks(const firma_tasks* tasks);
 
 /* Handles that are not released yet, of all kinds: 0 when nothing has leaked. */
@@ -171,13 +180,16 @@ typedef struct firma_mesh {
 } firma_mesh;
 
 /* Closed pieces of a level can be carved; other faces can be cast against only. `name` is for messages and may be null;
- * `options` may be null. A level of which no face is left is FIRMA_ERROR_MALFORMED, with what was left out. */
+ * `options` may be null. A level of which no face is left is FIRMA_ERROR_MALFORMED, with what was left out.
+ * Time and memory grow with the mesh or the file, here and below: time a little faster than in proportion, as faces are
+ * sorted into a tree, and with the pairs of faces close together, as they are tested for crossings. The mesh is copied
+ * first. */
 FIRMA_API firma_code firma_world_from_mesh(const firma_mesh* mesh, const char* name, const firma_world_options* options,
                                            firma_world* world);
 FIRMA_API firma_code firma_world_from_obj(const char* text, size_t length, const char* name,
                                           const firma_world_options* options, firma_world* world);
 /* A Quake .map, a Quake 3 .bsp (version 46): the brushes become one solid, the air rooms, divided by the portals.
- * docs/rooms.md, docs/formats.md. */
+ * docs/rooms.md, docs/formats.md. The cost grows also with the brushes and portals that each brush meets. */
 FIRMA_API firma_code firma_world_from_bsp(const void* data, size_t length, const char* name,
                                           const firma_world_options* options, firma_world* world);
 FIRMA_API firma_code firma_world_from_map(const char* text, size_t length, const char* name,
@@ -186,26 +198,30 @@ FIRMA_API firma_code firma_world_from_map(const char* text, size_t length, const
 FIRMA_API firma_code firma_world_from_bsp_surfaces(const void* data, size_t length, const char* name,
                                                    const firma_world_options* options, firma_world* world);
 /* A file by its ending: .obj, .bsp (its brushes), .map, or .firma (`options` must then be null: the file has its own).
- */
+ * It is read into memory first. FIRMA_ERROR_UNSUPPORTED for another ending, and in the module for browsers and node. */
 FIRMA_API firma_code firma_world_load(const char* path, const firma_world_options* options, firma_world* world);
 
 /* A .firma file, written aside, flushed and renamed. `exact` 0 leaves the exact part out: the world read back can be
- * cast against, but not carved. */
+ * cast against, but not carved. Costs firma_world_pack(), writing the bytes, and two flushes that wait for the disk. */
 FIRMA_API firma_code firma_world_save(firma_world world, const char* path, uint32_t exact);
-/* The bytes of such a file, and back. */
+/* The bytes of such a file, and back. Either way it costs all faces, in time and memory; back with the checks of the
+ * whole world, as firma_world_check() makes them. FIRMA_ERROR_MALFORMED for damage. */
 FIRMA_API firma_code firma_world_pack(firma_world world, uint32_t exact, firma_bytes* bytes);
 FIRMA_API firma_code firma_world_unpack(const void* data, size_t length, const char* name, firma_world* world);
 
 /* ---- levels ----------------------------------------------------------------------------------------------------- */
 
-/* A level of brushes as its file has it: for its entities, and for a world of it. */
+/* A level of brushes as its file has it: for its entities, and for a world of it. `scale`: metres a unit, 0 for the
+ * format's own. Time and memory grow with the file, time also with the square of a brush's sides; brushes are not
+ * joined yet. */
 FIRMA_API firma_code firma_level_from_map(const char* text, size_t length, const char* name, double scale,
                                           firma_level* level);
 FIRMA_API firma_code firma_level_from_bsp(const void* data, size_t length, const char* name, double scale,
                                           firma_level* level);
-/* A .map or .bsp by its file. */
+/* A .map or .bsp by its file, read into memory first. Not in the module for browsers and node. */
 FIRMA_API firma_code firma_level_load(const char* path, double scale, firma_level* level);
-/* The world that firma_world_from_map() would make; the scale of the options is ignored. */
+/* The world that firma_world_from_map() would make; the scale of the options is ignored. Costs what that costs, less
+ * the reading. */
 FIRMA_API firma_code firma_world_from_level(firma_level level, const firma_world_options* options, firma_world* world);
 
 typedef struct firma_entity {
@@ -236,11 +252,11 @@ typedef struct firma_level_view {
     double metres_a_unit; /* for numbers in the entities' values */
 } firma_level_view;
 
-/* Views are good until the handle is released. */
+/* Views are good until the handle is released. Made with the level. */
 FIRMA_API firma_code firma_level_get_view(firma_level level, firma_level_view* view);
 FIRMA_API firma_code firma_level_release(firma_level level);
 
-/* Another handle to the same value. */
+/* Another handle to the same value: shares all of it. */
 FIRMA_API firma_code firma_world_copy(firma_world world, firma_world* copy);
 FIRMA_API firma_code firma_world_release(firma_world world);
 
@@ -257,10 +273,13 @@ typedef struct firma_world_facts {
     uint32_t reserved;
 } firma_world_facts;
 
+/* Takes no memory. Costs a few walks through the index, for the bounds; more where many faces reach to within a float's
+ * rounding of them. */
 FIRMA_API firma_code firma_world_get_facts(firma_world world, firma_world_facts* facts);
-/* Of everything the world holds: equal edits in equal order give equal ones on every machine. */
+/* Of everything the world holds: equal edits in equal order give equal ones on every machine. Kept as edits go: costs a
+ * few nanoseconds a material, whatever the faces. */
 FIRMA_API firma_code firma_world_hash(firma_world world, uint64_t* hash);
-/* Of the solid's set of points alone: equal for equal solids, however they came about. */
+/* Of the solid's set of points alone: equal for equal solids, however they came about. Kept as edits go. */
 FIRMA_API firma_code firma_world_hash_solid(firma_world world, uint64_t* hash);
 
 /* Of a cube of 32 m: from region * 32 m to (region + 1) * 32 m along each axis. */
@@ -272,19 +291,22 @@ typedef struct firma_region_hash {
 } firma_region_hash;
 
 /* Of each region with anything in it, in an order that is the same everywhere: so two machines can find where their
- * worlds differ. `count` gets how many; the first `capacity` are written (`hashes` may be null when that is 0). */
+ * worlds differ. `count` gets how many; the first `capacity` are written (`hashes` may be null when that is 0). Kept as
+ * edits go: costs the regions that hold or held anything, whatever the faces. */
 FIRMA_API firma_code firma_world_hash_regions(firma_world world, firma_region_hash* hashes, size_t capacity,
                                               size_t* count);
-/* FIRMA_ERROR_BROKEN when an invariant of faces, trees or the exact solid does not hold: the message names it. */
+/* FIRMA_ERROR_BROKEN when an invariant of faces, trees or the exact solid does not hold: the message names it. Costs
+ * all faces, in time and memory, and sorting them. */
 FIRMA_API firma_code firma_world_check(firma_world world);
 /* The exact solid's volume, cubic metres (where rock reaches to infinity, minus that of its air), and its area, square
- * metres. Either pointer may be null. */
+ * metres. Either pointer may be null. Costs all faces, in time and memory. */
 FIRMA_API firma_code firma_world_measure(firma_world world, double* volume, double* area);
-/* Bytes that several worlds hold together; what they share counts once. */
+/* Bytes that several worlds hold together; what they share counts once. Goes through every block, room and portal of
+ * them, with a table of those seen: grows with all faces. */
 FIRMA_API firma_code firma_world_memory(const firma_world* worlds, size_t count, uint64_t* bytes);
 /* UTF-8; good as long as the handle. Materials have a number each in a world: of a mesh, the caller's own; of a file, 0
  * is "", of faces without one. Everything that a world says or is told of a material is by that number.
- * FIRMA_ERROR_INVALID for one that the world does not have. */
+ * FIRMA_ERROR_INVALID for one that the world does not have. Takes no memory. */
 FIRMA_API firma_code firma_world_material(firma_world world, uint32_t material, const char** name);
 
 /* Regions and materials that refuse a cut (hardness 1) or shrink it, and limits; 0 for a limit takes the default. */
@@ -305,7 +327,9 @@ typedef struct firma_rules {
     double max_cutter_size; /* metres */
 } firma_rules;
 
-/* The same world under other rules for carving. */
+/* The same world under other rules for carving, which are copied; shares all else. FIRMA_ERROR_INVALID for a hardness
+ * that is not within 0..1, a box that is empty or not of numbers, a max_cutter_size that is no length. Costs the zones
+ * and hardnesses. */
 FIRMA_API firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, firma_world* with_rules);
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
@@ -358,18 +382,21 @@ FIRMA_API void firma_face_filter_defaults(firma_face_filter* filter);
  */
 typedef uint32_t (*firma_face_visitor)(const firma_face* face, const double* corners, void* user);
 
-/* All faces, in order of id. */
+/* All faces, in order of id. Costs some hundred nanoseconds a face, and sorting them; holds them twice until it
+ * returns. */
 FIRMA_API firma_code firma_world_faces(firma_world world, firma_faces* faces);
-/* Some, in no particular order. Costs the walk through the index down to them. */
+/* Some, in no particular order. Costs the faces that the filter takes, and the walk through the index down to them: of
+ * a box or region to what lies near it. FIRMA_ERROR_INVALID for a room that the world does not have, and for more than
+ * one of the three; FIRMA_ERROR_OUT_OF_RANGE for a box that is not finite. */
 FIRMA_API firma_code firma_world_faces_in(firma_world world, const firma_face_filter* filter, firma_faces* faces);
-/* The same one by one, without taking memory. `completed` gets 0 when the visitor stopped it, else 1; it may be null.
- */
+/* The same one by one, without taking memory, up to where the visitor stops it. `completed` gets 0 when it did, else 1;
+ * it may be null. */
 FIRMA_API firma_code firma_world_each_face(firma_world world, const firma_face_filter* filter, firma_face_visitor visit,
                                            void* user, uint32_t* completed);
 /* The face of a hit, a firma_near or a firma_face by its id and first corner; none in the list when the world has no
  * such face: cut since, or of another world. Costs a walk through the index. */
 FIRMA_API firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner[3], firma_faces* faces);
-/* One face by its id; none in the list when the world has no such face. Searches all faces. */
+/* One face by its id; none in the list when the world has no such face. Goes through all faces of the world. */
 FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma_faces* faces);
 /* Views are good until the handle is released. */
 FIRMA_API firma_code firma_faces_get_view(firma_faces faces, firma_faces_view* view);
@@ -394,8 +421,9 @@ typedef struct firma_texture {
 
 /* How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an edit
  * made, and where the file says nothing, FIRMA_METRES: straight along the axis nearest to its normal, in metres from
- * the world's origin. `corner` is the face's first, as in firma_hit; null: all faces are searched. FIRMA_ERROR_INVALID
- * for a face that the world does not have. */
+ * the world's origin. `corner` is the face's first, as in firma_hit: then it costs a walk through the index, and a
+ * search among the faces of the file; null: all faces are searched. FIRMA_ERROR_INVALID for a face that the world
+ * does not have. */
 FIRMA_API firma_code firma_world_texture(firma_world world, uint32_t face, const int32_t corner[3],
                                          firma_texture* texture);
 
@@ -454,7 +482,10 @@ typedef struct firma_triangle_options {
 
 FIRMA_API void firma_triangle_options_defaults(firma_triangle_options* options);
 
-/* Faces as triangles, for a renderer or another engine's collider. None is without area on the surface grid. */
+/* Faces as triangles, for a renderer or another engine's collider. None is without area on the surface grid. Costs some
+ * hundred nanoseconds a face that the options take, and sorting them; with texture coordinates a search a face besides.
+ * FIRMA_ERROR_INVALID for a room that the world does not have, FIRMA_ERROR_OUT_OF_RANGE for an origin that is not
+ * finite. */
 FIRMA_API firma_code firma_world_triangles(firma_world world, const firma_triangle_options* options,
                                            firma_triangles* triangles);
 /* Views are good until the handle is released. */
@@ -474,7 +505,9 @@ typedef enum firma_where {
 } firma_where;
 
 /* Where a point is. `where` gets a firma_where, `room` the room, with FIRMA_AIR, or FIRMA_NO_ROOM; it may be null.
- * Takes no memory. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too large. */
+ * FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too large. Takes no memory. Costs a cast or two; up to
+ * eight, and a search of the faces around the point, for one on the surface; among several rooms a look at each for one
+ * that sees nothing. */
 FIRMA_API firma_code firma_world_locate(firma_world world, const double point[3], uint32_t* where, uint32_t* room);
 
 /* What pointers show is good as long as the handle of the world. */
@@ -490,10 +523,12 @@ typedef struct firma_room {
     uint32_t reserved;
 } firma_room;
 
-/* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. */
+/* FIRMA_ERROR_INVALID for a room that the world does not have, here and below, and for such a portal. Takes no memory;
+ * costs the same for every room, but for a few steps more where edits joined many rooms. */
 FIRMA_API firma_code firma_world_room(firma_world world, uint32_t room, firma_room* info);
 
-/* The room of a name, the first of several, or FIRMA_NO_ROOM; a portal of a name, or FIRMA_NO_PORTAL. */
+/* The room of a name, the first of several, or FIRMA_NO_ROOM; a portal of a name, or FIRMA_NO_PORTAL. Takes no memory;
+ * costs a look at each room or portal, up to the one found. */
 FIRMA_API firma_code firma_world_find_room(firma_world world, const char* name, uint32_t* room);
 FIRMA_API firma_code firma_world_find_portal(firma_world world, const char* name, uint32_t* portal);
 
@@ -509,24 +544,35 @@ typedef struct firma_portal {
     uint32_t reserved;
 } firma_portal;
 
+/* What a portal is. `name` is good as long as the handle of the world. Takes no memory; costs as firma_world_room(). */
 FIRMA_API firma_code firma_world_portal(firma_world world, uint32_t portal, firma_portal* info);
 /* Its polygons as a list of faces: convex, counter-clockwise seen from rooms[0]; `source` is the portal, `id`
- * FIRMA_NO_FACE. */
+ * FIRMA_NO_FACE. Costs copying them. */
 FIRMA_API firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma_faces* polygons);
-/* Opens (1) or closes (0) it: one version on, or, when it is so already, another handle to the same world. */
+/* Opens (1) or closes (0) it: one version on, or, when it is so already, another handle to the same world. Costs a few
+ * small copies, however many portals and faces there are, and the corners of this portal. */
 FIRMA_API firma_code firma_world_set_portal_open(firma_world world, uint32_t portal, uint32_t open, firma_world* after);
 
 /* The rooms that portals, open or closed, join to a room, ascending. `count` gets how many; the first `capacity` of
- * them are written (`rooms` may be null when that is 0). */
+ * them are written (`rooms` may be null when that is 0). Costs the room's portals, and sorting them. */
 FIRMA_API firma_code firma_world_neighbours(firma_world world, uint32_t room, uint32_t* rooms, size_t capacity,
                                             size_t* count);
 /* The way between two rooms by the fewest portals: through open ones, or, with `all_open` 1, through closed ones, too.
  * `found` gets 0 when there is none; `count` how many portals it passes (none within one room), of which the first
- * `capacity` are written (`portals` may be null when that is 0). */
+ * `capacity` are written (`portals` may be null when that is 0). Goes through all rooms that `to` is joined to and
+ * their portals, however short the way, and takes memory for each room of the world. */
 FIRMA_API firma_code firma_world_path(firma_world world, uint32_t from, uint32_t to, uint32_t all_open,
                                       uint32_t* portals, size_t capacity, size_t* count, uint32_t* found);
 
 /* ---- casts ------------------------------------------------------------------------------------------------------ */
+
+/* What casts cost grows with the logarithm of the faces, and with the faces near the path: up to the first touch for
+ * firma_cast(), up to any for firma_cast_any(), up to where the visitor ends it for firma_cast_each(), along all of it
+ * for firma_cast_all(). For firma_overlap() these are the faces near the ball, for firma_closest() those about as near
+ * as the nearest. By room it is the faces of the rooms reached alone, and the box of each of their portals; two bits
+ * for each room of the world are cleared. FIRMA_LOCATE_ROOM adds firma_world_locate(). Those that write one struct, and
+ * those with a visitor, take no memory; but by room, where there are more than 4,096 rooms or more than 256 wait at a
+ * time, a thread's first such casts take some that it keeps. */
 
 typedef enum firma_status { FIRMA_MISS = 0, FIRMA_HIT = 1, FIRMA_INITIAL_OVERLAP = 2, FIRMA_INVALID = 3 } firma_status;
 typedef enum firma_feature { FIRMA_FACE = 0, FIRMA_EDGE = 1, FIRMA_VERTEX = 2 } firma_feature;
@@ -604,7 +650,8 @@ FIRMA_API firma_code firma_cast(firma_world world, const firma_cast_input* input
 FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     uint32_t* status);
 /* Every face and closed portal met along the whole path, by fraction, then id. `count` gets how many there are; the
- * first `capacity` of them are written (`hits` may be null when that is 0). */
+ * first `capacity` of them are written (`hits` may be null when that is 0). Takes memory for all of them, and sorts
+ * them. FIRMA_ERROR_OUT_OF_RANGE where firma_cast() gives FIRMA_INVALID. */
 FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     firma_hit* hits, size_t capacity, size_t* count);
 /* Gets one hit at a time, good until it returns. Returns the fraction up to which to look on: 1 goes on as before,
@@ -617,7 +664,8 @@ FIRMA_API firma_code firma_cast_each(firma_world world, const firma_cast_input* 
                                      const firma_cast_options* options, firma_hit_visitor visit, void* user,
                                      uint32_t* status);
 /* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. When firma_tasks.run does not do
- * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. */
+ * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. Costs its
+ * casts; takes memory, some bytes for every 256 of them, where `counts` is given or firma_set_tasks() was called. */
 FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
                                       const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts);
 
@@ -645,7 +693,7 @@ FIRMA_API void firma_near_options_defaults(firma_near_options* options);
 
 /* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all(). For a centre behind a
  * one-sided face the way out is that face's normal. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too
- * large. */
+ * large, a negative radius, and a room that the world does not have. Takes memory for all it finds, and sorts it. */
 FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius,
                                    const firma_near_options* options, firma_near* found, size_t capacity,
                                    size_t* count);
@@ -656,7 +704,7 @@ FIRMA_API firma_code firma_overlap_each(firma_world world, const double centre[3
                                         const firma_near_options* options, firma_overlap_visitor visit, void* user,
                                         uint32_t* found);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
- * FIRMA_ERROR_OUT_OF_RANGE as above. */
+ * FIRMA_ERROR_OUT_OF_RANGE as above, and for a negative reach. A short reach where nothing is near costs least. */
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
                                    const firma_near_options* options, firma_near* near, uint32_t* found);
 
@@ -670,9 +718,12 @@ typedef enum firma_shape {
     FIRMA_BOX = 4 /* from -1 to 1 */
 } firma_shape;
 
-/* A shape of mean radius about 1 around the origin, from a seed. */
+/* A shape of mean radius about 1 around the origin, from a seed. FIRMA_ERROR_INVALID for no shape. Takes memory for its
+ * triangles: make it once and place it often. */
 FIRMA_API firma_code firma_cutter_crater(uint32_t shape, uint64_t seed, firma_cutter* cutter);
-/* A closed mesh of triangles: three doubles a vertex, three indices a triangle. `name` may be null. */
+/* A closed mesh of triangles: three doubles a vertex, three indices a triangle. `name` may be null.
+ * FIRMA_ERROR_MALFORMED for one that is not closed, FIRMA_ERROR_TOO_LARGE beyond 4,000,000 triangles. Costs the
+ * vertices and triangles, copied, and sorting the edges; of an .obj also reading it. */
 FIRMA_API firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, const uint32_t* corners,
                                             size_t triangle_count, const char* name, firma_cutter* cutter);
 FIRMA_API firma_code firma_cutter_from_obj(const char* text, size_t length, const char* name, firma_cutter* cutter);
@@ -716,25 +767,34 @@ typedef struct firma_carve_report {
 } firma_carve_report;
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world
- * before. `options` and `report` may be null. */
+ * before. `options` and `report` may be null.
+ * The cost grows with the cutter's triangles and with the faces near them (candidate_faces), once more for each retry,
+ * and with the logarithm of the world's faces; where rooms are joined also with their portals. The material is searched
+ * by its name among the world's, and a new one copies their list. Takes memory for what is made anew; all else is
+ * shared. firma_world_with_rules() bounds it. */
 FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                  const firma_carve_options* options, firma_world* after, firma_carve_report* report);
 
-/* One edit in slices: run until finished, then take the result, or release it at any time. */
+/* One edit in slices: run until finished, then take the result, or release it at any time. Starting it does nothing yet
+ * but to search the material. */
 FIRMA_API firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                      const firma_carve_options* options, firma_job* job);
-/* Goes on for about so long; `finished` gets 0 or 1. A job that ran out of memory cannot go on: every later call gives
+/* Goes on for about so long, and does at least one piece of work: some ten microseconds with a cutter of some hundred
+ * triangles, more where placing or judging one of many thousand is the piece. `finished` gets 0 or 1.
+ * FIRMA_ERROR_INVALID for a negative time. A job that ran out of memory cannot go on: every later call gives
  * FIRMA_ERROR_NO_MEMORY again. */
 FIRMA_API firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished);
-/* As firma_carve(); FIRMA_ERROR_BAD_CALL before it is finished. */
+/* As firma_carve(); FIRMA_ERROR_BAD_CALL before it is finished. Costs a handle and the report, whatever was cut. */
 FIRMA_API firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report);
 FIRMA_API firma_code firma_job_release(firma_job job);
 
 /* Several edits that become one version. */
 FIRMA_API firma_code firma_edit_begin(firma_world world, firma_edit* edit);
+/* One of them, on the world as edited so far: as firma_carve(), and at its cost. */
 FIRMA_API firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, const firma_pose* pose,
                                       const firma_carve_options* options, firma_carve_report* report);
-/* The world as edited so far, one version on. */
+/* The world as edited so far, one version on; the one begun with when nothing was done. Costs the same for every number
+ * of edits. The edit can go on afterwards. */
 FIRMA_API firma_code firma_edit_finish(firma_edit edit, firma_world* after);
 FIRMA_API firma_code firma_edit_release(firma_edit edit);
 
@@ -763,7 +823,10 @@ typedef struct firma_diff_view {
     double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
 } firma_diff_view;
 
-/* What changed from one world to another. `tile_size` metres, 0 for no tiles. */
+/* What changed from one world to another. `tile_size` metres, 0 for no tiles; FIRMA_ERROR_INVALID for one below 1/16.
+ * What the worlds share is not compared: for versions a few edits apart the cost follows the edits, with a walk through
+ * the index for each face added; worlds that share nothing cost all faces of both. Tiles cost one entry for each tile
+ * in a changed face's box, and sorting them. */
 FIRMA_API firma_code firma_world_diff(firma_world before, firma_world after, double tile_size, firma_diff* diff);
 FIRMA_API firma_code firma_diff_get_view(firma_diff diff, firma_diff_view* view);
 FIRMA_API firma_code firma_diff_release(firma_diff diff);
@@ -781,26 +844,30 @@ typedef struct firma_store_facts {
     uint64_t waiting;                 /* dropped versions that somebody held when it was last looked */
 } firma_store_facts;
 
-/* `max_bytes` bounds what versions other than the current one hold; with 0 there is no undo. */
+/* `max_bytes` bounds what versions other than the current one hold; with 0 there is no undo. Shares the world. */
 FIRMA_API firma_code firma_store_open(firma_world first, uint64_t max_bytes, firma_store* store);
-/* Another handle to the current world; never waits for an edit. Take one for a frame and cast on it. */
+/* Another handle to the current world; never waits for an edit. Take one for a frame and cast on it. Costs a handle. */
 FIRMA_API firma_code firma_store_current(firma_store store, firma_world* world);
 /* Makes `after` the current world. `before` must be the current one, from which it was made: FIRMA_ERROR_INVALID, and
- * nothing changed, when somebody else was first. Drops what was undone, and the oldest versions beyond the bytes. */
+ * nothing changed, when somebody else was first, or when the version of `after` is not greater. Drops what was undone,
+ * and the oldest versions beyond the bytes. Costs what the two do not share, and freeing what is dropped. */
 FIRMA_API firma_code firma_store_publish(firma_store store, firma_world before, firma_world after);
-/* The world that is current then. FIRMA_ERROR_INVALID when there is none. */
+/* The world that is current then. FIRMA_ERROR_INVALID when there is none. Costs a few handles, whatever the versions
+ * differ in, and freeing what was dropped and nobody holds any more. */
 FIRMA_API firma_code firma_store_undo(firma_store store, firma_world* world);
 FIRMA_API firma_code firma_store_redo(firma_store store, firma_world* world);
-/* FIRMA_ERROR_INVALID for a version that is not held. */
+/* FIRMA_ERROR_INVALID for a version that is not held. Costs a binary search among those that are. */
 FIRMA_API firma_code firma_store_at(firma_store store, uint64_t version, firma_world* world);
+/* Kept as versions come and go: costs the same however many are held. */
 FIRMA_API firma_code firma_store_get_facts(firma_store store, firma_store_facts* facts);
 /* Frees dropped versions that nobody holds any more; publish, undo and redo do so too. `waiting` may be null: how many
- * are still held. */
+ * are still held. Costs a look at each version that waits, and what is freed. */
 FIRMA_API firma_code firma_store_collect(firma_store store, uint64_t* waiting);
 FIRMA_API firma_code firma_store_release(firma_store store);
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------ */
 
+/* The bytes, good until the handle is released. */
 FIRMA_API firma_code firma_bytes_get_view(firma_bytes bytes, const void** data, size_t* length);
 FIRMA_API firma_code firma_bytes_release(firma_bytes bytes);
 

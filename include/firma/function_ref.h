@@ -11,7 +11,7 @@ namespace firma {
 template <class Signature>
 class FunctionRef;
 
-/// Lives as long as what it was made of: use it for arguments only.
+/// Lives as long as what it was made of: use it for arguments only. A call through it costs one indirect call.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
 public:

@@ -30,7 +30,7 @@ struct GridPoint {
     friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
 };
 
-/// Metres, exactly.
+/// Metres, exactly. Three products.
 FIRMA_INLINE Vec3 to_metres(const GridPoint& p) {
     constexpr double kStep = 1 / kSurfaceSteps;
     return {p.x * kStep, p.y * kStep, p.z * kStep};
@@ -40,8 +40,8 @@ FIRMA_INLINE Vec3 to_metres(const GridPoint& p) {
 ///
 /// @param point  metres
 /// @return the point in surface steps (a multiple of 64 in each coordinate); nothing when a coordinate is not finite,
-/// or lies
-///         outside the world once rounded.
+///         or lies outside the world once rounded.
+/// Costs the same for every point; never allocates.
 FIRMA_EXPORT std::optional<GridPoint> snap(const Vec3& point);
 
 /// Distances in metres. Nothing in a cast depends on them but `safe_fraction`.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a cast answers. docs/casting.md holds the contract as a table.
+// What a cast answers: plain values, whose functions cost a comparison or two. docs/casting.md holds the contract as a
+// table.
 #pragma once
 
 #include <cstdint>

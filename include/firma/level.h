@@ -79,6 +79,7 @@ struct Level {
         0;  ///< things in the file that are not geometry for casts (points, lines, flares ...)
     std::vector<Omission> omissions;  ///< what the file holds and this does not
 
+    /// How many notes say this. Goes through all notes.
     std::size_t count(FaceNote what) const {
         std::size_t n = 0;
         for (const LevelNote& note : notes) n += note.what == what;
@@ -102,6 +103,8 @@ struct ReadOptions {
 /// @return the level, or the first error with file and line: bad or non-finite number, vertex outside the world, index
 ///         that names no vertex before the face, face with fewer than 3 or more than 4096 corners, no face at all,
 ///         bytes that are no text, more than 4 GiB of it, more than 2^31 corners.
+/// Time and memory grow with the text. Dividing a face that is not convex and planar takes time that may grow with the
+/// square of its corners.
 [[nodiscard]] FIRMA_EXPORT Result<Level> read_obj(std::string_view text, std::string name,
                                                   const ReadOptions& options = {});
 
@@ -111,10 +114,14 @@ struct ReadOptions {
 ///
 /// @param bytes  the whole file
 /// @return the level, or the first error with file, lump and entry.
+/// Time and memory grow with the file, and with the triangles that patches become (ReadOptions::patch_tolerance).
 [[nodiscard]] FIRMA_EXPORT Result<Level> read_bsp(std::span<const std::byte> bytes, std::string name,
                                                   const ReadOptions& options = {});
 
-/// Reads a file by its ending (.obj, .bsp).
+/// Reads a file by its ending (.obj, .bsp), all of it into memory first.
+/// @return kCannotRead with the system's reason; kTooLarge beyond 4 GiB; kUnsupported for other endings; the errors of
+///         the readers
+/// Costs what these cost.
 [[nodiscard]] FIRMA_EXPORT Result<Level> read_level(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

@@ -12,8 +12,10 @@ namespace firma {
 
 /// Bytes that some versions of a world, or several worlds, hold together: what they share counts once, so one more
 /// version costs what it does not share. Edges, vertices and planes that exact faces share are counted by an estimate
-/// for each face. Goes through every block; for budgets and diagnosis, not for each frame.
+/// for each face. Goes through every block, room and portal of all worlds, each shared one once, with a table of those
+/// seen: grows with all faces; for budgets and diagnosis, not for each frame.
 FIRMA_EXPORT std::size_t memory_used(std::span<const World> worlds);
+/// Of one world.
 inline std::size_t memory_used(const World& world) {
     return memory_used({&world, 1});
 }
@@ -37,6 +39,7 @@ struct MemorySource {
 
 /// For the whole process, and only before the pool took anything: call it first thing in main().
 /// @return false once it is too late, or when a function is missing; then nothing changes
+/// Costs nothing by itself; what the source costs, every slab costs.
 FIRMA_EXPORT bool set_memory_source(const MemorySource& source);
 
 }  // namespace firma

@@ -40,6 +40,7 @@ struct Mesh {
 ///         texture coordinates that are not finite,
 ///         an index that names no vertex or material, a face with fewer than 3 or more than 4096 corners, counts that
 ///         do not add up to the corners, arrays of other lengths than said, no face at all, more than 2^31 corners.
+/// Time and memory grow with vertices and corners; a face that is divided costs as in read_obj().
 [[nodiscard]] FIRMA_EXPORT Result<Level> level_from_mesh(const Mesh& mesh, std::string name,
                                                          const ReadOptions& options = {});
 
@@ -77,6 +78,7 @@ struct MeshCheck {
     std::vector<MeshNotePlace> notes;    ///< in order of face
     std::uint32_t faces = 0;             ///< in the file
     std::uint64_t vertices = 0;          ///< different positions used by faces
+    /// Whether no fault was found.
     bool closed() const { return faults.empty(); }
 };
 
@@ -84,14 +86,21 @@ struct MeshCheck {
 /// their indices. `options.scale` only says what the notes compare with.
 /// @return kMalformed and others as read_obj(); kOutOfRange also for a number of more than 400 digits or an exponent
 ///         beyond 400
+/// Time and memory grow with the text, time a little faster than in proportion, as positions and edges are sorted.
+/// Numbers of more digits than a whole number of 64 bits holds cost more.
 [[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_obj(std::string_view text, std::string name,
                                                        const ReadOptions& options = {});
 
 /// Checks the drawn surfaces of a .bsp by its floats (drawn surfaces are seldom closed).
+/// @return errors as read_bsp()
+/// Costs as check_obj(), with the file's surfaces.
 [[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_bsp(std::span<const std::byte> bytes, std::string name,
                                                        const ReadOptions& options = {});
 
-/// Checks a file by its ending.
+/// Checks a file by its ending (.obj, .bsp), all of it read into memory first.
+/// @return kCannotRead with the system's reason; kTooLarge beyond 4 GiB; kUnsupported for other endings; the errors of
+///         the checks
+/// Costs what these cost.
 [[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_mesh(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace firma

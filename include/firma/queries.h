@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Questions to a world: casts of rays and spheres, what a sphere overlaps, the nearest point.
 //
-// None of them allocates, but where one fills a vector; none takes a lock or touches a reference count (by room, where
-// there are more than 4,096 rooms or more than 256 wait at a time, a thread's first such casts take memory that it
-// keeps). Any number of threads may ask the same World. What they cost grows with the logarithm of the faces, and with
-// the faces near the path.
+// None of them allocates, but where one fills a vector, and batches that count or are spread over tasks; none takes a
+// lock or touches a reference count (by room, where there are more than 4,096 rooms or more than 256 wait at a time, a
+// thread's first such casts take memory that it keeps). Any number of threads may ask the same World.
+//
+// What they cost grows with the logarithm of the faces, and with the faces near the path: up to the first touch for
+// cast(), up to any touch for cast_any(), up to where the visitor ends it for cast_each(), along all of it for
+// cast_all(). For overlap() these are the faces near the ball, for closest() those about as near as the nearest. By
+// room a cast goes through the indices of the rooms that it reaches alone, and tests the box of each of their portals;
+// it also clears two bits for each room of the world. kLocateRoom adds what locate() costs. Over all rooms closed
+// portals are found by an index of their own.
 #pragma once
 
 #include <cstddef>
@@ -51,6 +57,7 @@ struct CastOptions {
 ///         fraction the one with the lowest id, faces before portals. A miss has fraction and safe_fraction 1 and the
 ///         end of the path as its centre. kInvalid also for a room that is not there and a contact offset that is not
 ///         finite: then the fractions are 0.
+/// Never allocates, but as the head of this file says.
 [[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Sphere& sphere, const Vec3& path,
                                     const CastOptions& options = {});
 /// Of a particle.
@@ -76,13 +83,14 @@ using HitVisitor = FunctionRef<double(const Hit& hit)>;
 /// first on the way), to stop early, to collect. By room: those of the rooms that the path, as far as it is wanted,
 /// leads to through portals, open or closed.
 /// @return kMiss when the visitor was given nothing, kInvalid as cast(), else kHit
+/// Never allocates, but as cast().
 FIRMA_EXPORT Status cast_each(const World& world, const Sphere& sphere, const Vec3& path, HitVisitor visit,
                               const CastOptions& options = {});
 inline Status cast_each(const World& world, const Ray& ray, HitVisitor visit, const CastOptions& options = {}) {
     return cast_each(world, {ray.start, 0}, ray.path, visit, options);
 }
 
-/// The same in a list, by fraction, then id, faces before portals.
+/// The same in a list, by fraction, then id, faces before portals. Costs sorting them, too.
 /// @param hits  replaced; keeps its memory from call to call
 /// @return kMiss when there is none, else the first one's status; kInvalid as cast(), with no hits
 FIRMA_EXPORT Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
@@ -110,6 +118,8 @@ struct Tasks {
 /// @param tasks    null: this thread does it all
 /// @return whether all was done: false when hits are not as many as inputs, or when `run` returned before all its work
 ///         had; then every hit is kInvalid
+/// Costs its casts, 256 of them a piece of work. Allocates once, some bytes for each piece, for options.counts, and
+/// once where tasks are given and there are several pieces.
 FIRMA_EXPORT bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
                              const CastOptions& options = {}, const Tasks* tasks = nullptr);
 
@@ -145,10 +155,12 @@ using OverlapVisitor = FunctionRef<bool(const Overlap& overlap)>;
 /// The faces that a closed ball touches, either side, then the closed portals. No tolerance.
 /// @return kInvalid for a number that is not finite or too large, a negative radius, or a room that is not there;
 ///         otherwise kInitialOverlap when anything was found, kMiss when not
+/// Never allocates. Costs a walk through the index to the faces near the ball; by room, where any portal of the world
+/// is closed, a look at each portal of the room.
 FIRMA_EXPORT Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor visit,
                                  const NearOptions& options = {});
 
-/// The same in a list, in order of id, faces before portals.
+/// The same in a list, in order of id, faces before portals. Costs sorting them, too.
 /// @param found  replaced; keeps its memory from call to call
 FIRMA_EXPORT Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found,
                             const NearOptions& options = {});
@@ -162,6 +174,8 @@ inline constexpr double kEverywhere = 0x1p1000;
 /// @param reach  metres; nothing farther is looked for. kEverywhere, or infinity, looks everywhere
 /// @return kMiss when nothing lies within reach; kInvalid for a number that is not finite or too large, a reach that is
 ///         not a number, or a room that is not there
+/// Never allocates. Costs a walk through the index to the faces about as near as the nearest, portals as
+/// overlap_each(); a short reach where nothing is near costs least.
 [[nodiscard]] FIRMA_EXPORT NearFace closest(const World& world, const Vec3& point, double reach = kEverywhere,
                                             const NearOptions& options = {});
 

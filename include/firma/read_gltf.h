@@ -37,7 +37,7 @@ struct GltfNode {
     /// Members of `extras`: texts as they are, anything else as JSON.
     std::vector<std::pair<std::string, std::string>> extras;
 
-    /// The text of an extra, or "".
+    /// The text of an extra, or "". Goes through the extras, up to that one.
     std::string_view value(std::string_view key) const {
         for (const auto& [name_of, text] : extras)
             if (name_of == key) return text;
@@ -72,22 +72,27 @@ struct GltfLevel {
 ///                Empty: a file that names any is refused
 /// @return the level, or the first error with its place: what breaks glTF or its JSON, an index, offset or size beyond
 ///         what it is an index of, a vertex that is not finite or outside the world, a required extension that changes
-///         what is read, nodes in a loop, too many triangles, no triangle at all
+///         what is read, nodes in a loop, too many triangles, no triangle at all; kInvalid for a scale or an axis that
+///         is none
+/// Time and memory grow with the bytes, and with the triangles of all instances (GltfOptions::max_triangles); files
+/// that it names are read whole.
 FIRMA_EXPORT Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::string name,
                                          const GltfOptions& options = {}, const std::string& folder = {});
 
-/// The same of a file; buffers may lie in files beside it or below.
+/// The same of a file, read into memory first; buffers may lie in files beside it or below.
+/// @return kCannotRead with the system's reason, else as above
 FIRMA_EXPORT Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options = {});
 
 /// Checks the level as it was snapped, not the file's own floats: nodes place a vertex by products that are rounded, so
 /// that corners that were meant to meet differ in their last bits. Faults and positions are exact on the grid, sources
-/// as the level has them; notes are those of the level: dropped and divided.
+/// as the level has them; notes are those of the level: dropped and divided. Costs as check_obj(), with the level's
+/// vertices and corners.
 FIRMA_EXPORT MeshCheck check_gltf(const GltfLevel& gltf);
 
 /// Indices are into GltfLevel::portals.
 using GltfRooms = PortalReport;
 
-/// make_divided_world() of the level and its portals.
+/// make_divided_world() of the level and its portals, at its cost.
 /// @param report  replaced, when given
 FIRMA_EXPORT Result<World> make_world(const GltfLevel& gltf, const WorldOptions& options = {},
                                       GltfRooms* report = nullptr);

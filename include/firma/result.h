@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What comes back when data from outside is bad: a code, a place and a sentence.
+// What comes back when data from outside is bad: a code, a place and a sentence. Asking a Result costs a comparison.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Error {
     std::string place;
     std::string reason;
 
-    /// "place: reason", for people.
+    /// "place: reason", for people. Allocates the text.
     std::string text() const { return place.empty() ? reason : place + ": " + reason; }
 };
 
@@ -45,6 +45,7 @@ public:
     T& value() & { return std::get<0>(held_); }
     const T& value() const& { return std::get<0>(held_); }
     T&& value() && { return std::get<0>(std::move(held_)); }
+    /// The Error; asking a result that is ok for it throws likewise.
     const Error& error() const { return std::get<1>(held_); }
 
 private:

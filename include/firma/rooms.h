@@ -43,7 +43,8 @@ struct Location {
 /// that has but one.
 ///
 /// @param point  metres; may lie outside the world
-/// Never allocates. Costs a cast or two.
+/// Never allocates. Costs a cast or two, against faces and portals; up to eight, and a search of the faces around the
+/// point, for one on the surface. For a point that sees nothing, among several rooms, also a look at each room.
 [[nodiscard]] FIRMA_EXPORT Location locate(const World& world, const Vec3& point);
 
 struct RoomInfo {
@@ -56,17 +57,21 @@ struct RoomInfo {
     std::span<const PortalId> portals;  ///< ascending; good as long as the world
 };
 
-/// @return nothing for a room that is not there. Never allocates; costs the same for every room.
+/// @return nothing for a room that is not there.
+/// Never allocates. Costs the same for every room, but for a few steps more where edits joined many rooms.
 [[nodiscard]] FIRMA_EXPORT std::optional<RoomInfo> room_info(const World& world, RoomId room);
 
 /// The room of a name, the first of several; of an edit that joined it to another, still its own id.
-/// @return nothing where no room has it, and for "". Costs a look at each room
+/// @return nothing where no room has it, and for "".
+/// Never allocates. Costs a look at each room, up to the one found.
 [[nodiscard]] FIRMA_EXPORT std::optional<RoomId> find_room(const World& world, std::string_view name);
-/// The portal of a name, likewise.
+/// The portal of a name, likewise; those without polygons keep theirs. Costs a look at each portal, up to the one
+/// found.
 [[nodiscard]] FIRMA_EXPORT std::optional<PortalId> find_portal(const World& world, std::string_view name);
 
 /// The room that a hit is in: that its face looks into; of a closed portal the one on the side that was met.
-/// @return invalid for a miss, and for a face or portal that this world does not have. Costs World::face_info()
+/// @return invalid for a miss, and for a face or portal that this world does not have.
+/// Never allocates. Of a face it costs World::face_info(), of a portal portal_info().
 [[nodiscard]] FIRMA_EXPORT RoomId room_of(const World& world, const Hit& hit);
 
 struct PortalInfo {
@@ -79,17 +84,19 @@ struct PortalInfo {
     Box bounds;  ///< metres; empty where it has no polygons
 };
 
-/// How many portals there are, those without polygons counted.
+/// How many portals there are, those without polygons counted. Costs the same for every world.
 [[nodiscard]] FIRMA_EXPORT std::size_t portal_count(const World& world);
 
-/// @return nothing for a portal that is not there. Never allocates; costs the same for every portal.
+/// @return nothing for a portal that is not there.
+/// Never allocates. Costs the same for every portal, but for a few steps more where edits joined many rooms.
 [[nodiscard]] FIRMA_EXPORT std::optional<PortalInfo> portal_info(const World& world, PortalId portal);
 
 /// Its polygons: convex, metres, exact; counter-clockwise seen from PortalInfo::rooms[0]. None for a portal that is not
-/// there.
+/// there. Costs copying them: an allocation for each.
 [[nodiscard]] FIRMA_EXPORT std::vector<std::vector<Vec3>> portal_polygons(const World& world, PortalId portal);
 
 /// The rooms that portals, open or closed, join to a room, each once, ascending; none for a room that is not there.
+/// Costs the room's portals, and sorting them.
 [[nodiscard]] FIRMA_EXPORT std::vector<RoomId> neighbours(const World& world, RoomId room);
 
 enum class Doors : std::uint8_t {
@@ -100,14 +107,17 @@ enum class Doors : std::uint8_t {
 /// A way from room to room by the fewest portals; of several ways the one whose list of portals is first in order.
 ///
 /// @return the portals passed, in order; none at all when both are one room; nothing when there is no way,
-///         or no such room. Costs at most all portals
+///         or no such room.
+/// Goes through all rooms that `to` is joined to and their portals, however short the way, and takes memory for each
+/// room of the world.
 [[nodiscard]] FIRMA_EXPORT std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
                                                                           Doors doors = Doors::kAsTheyAre);
 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///
 /// @return the world with this one change, one version on, sharing all else; the same world when nothing changes;
-///         nothing for a portal that is not there. Costs a few small copies, however many portals there are
+///         nothing for a portal that is not there.
+/// Costs a few small copies, however many portals and faces there are, and the corners of this portal.
 [[nodiscard]] FIRMA_EXPORT std::optional<World> set_portal_open(const World& world, PortalId portal, bool open);
 
 /// Where the air of a level is divided. A portal is no face: open, until set_portal_open() closes it.
@@ -143,7 +153,7 @@ struct PortalReport {
 /// @return the world; the errors of make_world(level, options); kInvalid, naming the portal by its index, for a polygon
 ///         that is not as LevelPortal says
 /// Takes some four times as long as make_world() where there are portals, as faces are put in order around edges
-/// exactly; parts of portals are compared in pairs.
+/// exactly; parts of portals are compared in pairs. Without portals it costs what make_world() costs.
 [[nodiscard]] FIRMA_EXPORT Result<World> make_divided_world(const Level& level, std::span<const LevelPortal> portals,
                                                             const WorldOptions& options = {},
                                                             PortalReport* report = nullptr);

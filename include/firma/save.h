@@ -34,6 +34,7 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees,
 /// the rules for carving and how textures lie. The same world, made the same way, gives the same bytes on every
 /// machine. docs/formats.md has the layout.
+/// Costs all faces, in time and memory, and sorting them; also rooms, portals and the table of textures.
 [[nodiscard]] FIRMA_EXPORT std::vector<std::byte> pack_world(const World& world, const SaveOptions& options = {});
 
 /// The world of such bytes, which it copies what it needs of. hash_world() of it is that of the world packed (with its
@@ -45,9 +46,11 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 /// @param name  for messages
 /// @return kMalformed with the section and the entry in it for damage; kUnsupported for another version, and for a part
 ///         that is marked as required and unknown; kTooLarge where a size does not fit
+/// Time grows with the bytes, a little faster than in proportion; of it the checks of the whole world, which cost all
+/// its faces, cannot be left out. Without the index (SaveOptions::index) it costs building that, too.
 FIRMA_EXPORT Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
 
-/// Whether bytes begin as those of a .firma file do, of whatever version.
+/// Whether bytes begin as those of a .firma file do, of whatever version. Reads the first few bytes only.
 FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 
 /// Saves a world: the file appears whole or not at all. Bytes go beside it, into a file of its name with ".part"
@@ -55,13 +58,16 @@ FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 /// before, and at most the ".part", which the next save of that name takes over. Several saves of one name at once, by
 /// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
 /// file that was there is kept.
-/// @return nothing on success; kCannotWrite with the system's reason
+/// @return nothing on success; kCannotWrite with the system's reason; kInvalid for an empty path
+/// Costs pack_world(), all of whose bytes are held in memory, writing them, and two flushes that wait for the disk.
 [[nodiscard]] FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
                                                            const SaveOptions& options = {});
 
 /// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
 /// meanwhile is an error at most.
-/// @return kCannotRead with the system's reason: missing, a folder, not allowed, no memory for it, cut short meanwhile
+/// @return kCannotRead with the system's reason: missing, a folder, not allowed, no memory for it, cut short meanwhile;
+///         else as unpack_world()
+/// Costs reading all of it and unpack_world(); of a file that is no .firma file no more than a mebibyte is read.
 FIRMA_EXPORT Result<World> load_world(const std::string& path);
 
 /// What was written.
@@ -92,12 +98,14 @@ using TextSink = std::function<bool(std::string_view)>;
 ///
 /// @param put  gets some 64 KiB at a time
 /// @return nothing once `put` failed
+/// Costs all faces, and sorting them and their corners; takes memory for both, not for the text.
 FIRMA_EXPORT std::optional<ObjWritten> write_obj(const World& world, const TextSink& put,
                                                  ObjFaces which = ObjFaces::kAll);
 
 /// The same into a file, which appears whole or not at all: it is written beside its place, under a name that ends in
 /// ".part", then renamed.
 /// @return kCannotWrite with the system's reason
+/// Costs the same, writing the text, and flushes as of save_world().
 FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which = ObjFaces::kAll);
 
 }  // namespace firma

@@ -26,6 +26,8 @@ struct SolidData;
 class World;
 
 /// A value: copies are cheap, share everything, and never change. It knows neither rooms nor rules for carving.
+/// Copies and questions cost the same however many faces there are, but for bounds(). Dropping the last copy frees what
+/// no other solid or world shares, block by block.
 class Solid {
 public:
     /// Nothing at all is solid.
@@ -44,7 +46,8 @@ public:
     FIRMA_EXPORT bool rock_outside() const;
     /// How many edits made it: faces of the next one say that they come from edit `edits() + 1`.
     FIRMA_EXPORT std::uint32_t edits() const;
-    /// Of all faces; empty where there are none.
+    /// Of all faces, metres; empty where there are none. Never allocates. Costs a few walks through the index, more
+    /// where many faces reach to within a float's rounding of the bounds.
     FIRMA_EXPORT Box bounds() const;
 
     const SolidData& data() const { return *data_; }
@@ -55,6 +58,7 @@ private:
 
 /// The closed pieces of a level, by the rules of level_solidity(); other faces are left out.
 /// @return errors as make_world()
+/// Costs what make_world() of the level costs.
 [[nodiscard]] FIRMA_EXPORT Result<Solid> make_solid(const Level& level, const TreeOptions& tree = {});
 
 /// What does not hold of a solid's exact boundary, and where.
@@ -68,6 +72,7 @@ struct SolidFault {
 /// way around, then holes; every edge is used twice, once each way; vertices lie exactly on the planes of their faces
 /// and edges; the facets of each face cover it, and all facets together are closed. Says nothing about where the
 /// boundary crosses itself. See check_world() for facets one by one.
+/// Costs all faces, in time and in memory.
 [[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const Solid& solid);
 [[nodiscard]] FIRMA_EXPORT std::optional<SolidFault> check_solid(const World& world);
 
@@ -83,6 +88,7 @@ struct SolidMeasures {
 };
 
 /// Measures all faces. Each number is rounded once or twice, from sums of 100 bits and more.
+/// Costs all faces, in time and in memory.
 [[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const Solid& solid);
 [[nodiscard]] FIRMA_EXPORT SolidMeasures measure_solid(const World& world);
 
@@ -108,6 +114,7 @@ struct RegionHash {
 };
 
 /// Of each region with anything in it, in an order that is the same everywhere: where two lists differ, solids do.
+/// Kept as edits go: costs the regions that hold or held anything, whatever the faces.
 [[nodiscard]] FIRMA_EXPORT std::vector<RegionHash> hash_regions(const Solid& solid);
 
 /// Where a point lies.
@@ -121,7 +128,8 @@ enum class Where : std::uint8_t {
 
 /// Where a point lies, by what a ray from it meets first.
 /// @param point  metres; may lie outside the world
-/// Never allocates. Costs a cast or two.
+/// Never allocates. Costs a cast or two; up to eight, and a search of the faces around the point, for one on the
+/// surface.
 [[nodiscard]] FIRMA_EXPORT Where locate(const Solid& solid, const Vec3& point);
 
 /// Why a piece of a level's surface cannot be carved.
@@ -154,6 +162,8 @@ struct LevelSolidity {
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
 /// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
 /// @param level  one that make_world() refuses has no solid face and no note
+/// Grows with the faces, and with the pairs of them whose boxes meet, up to a limit of so many a face: what would take
+/// more is kTooComplex.
 [[nodiscard]] FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
 
 /// A region that resists cutters whose surface or inside reaches into it.
@@ -234,11 +244,13 @@ struct SolidCutOptions {
 };
 
 /// Takes a placed cutter away from a solid, by the rules of carve(): the faces of the result are those that a world
-/// around the solid would have. Costs what the cut costs.
+/// around the solid would have.
+/// Costs what carve() costs, less what that does to rooms: it grows with the cutter's triangles and with the faces near
+/// them, not with the solid.
 [[nodiscard]] FIRMA_EXPORT SolidResult subtract(const Solid& solid, const Cutter& cutter, const Pose& pose,
                                                 const SolidCutOptions& options = {});
 
-/// Adds a placed cutter to a solid, by the same rules.
+/// Adds a placed cutter to a solid, by the same rules and at the same cost.
 [[nodiscard]] FIRMA_EXPORT SolidResult unite(const Solid& solid, const Cutter& cutter, const Pose& pose,
                                              const SolidCutOptions& options = {});
 

@@ -42,11 +42,13 @@ inline constexpr double kMaxTextureNumber = 0x1p64;
 /// Of faces without a projection.
 inline constexpr std::uint32_t kNoTexture = ~0u;
 
-/// Whether it can be used: its numbers are finite and at most kMaxTextureNumber, its unit is one of the three.
+/// Whether it can be used: its numbers are finite and at most kMaxTextureNumber, its unit is one of the three. Costs a
+/// few comparisons.
 [[nodiscard]] FIRMA_EXPORT bool is_usable(const TextureProjection& projection);
 
 /// For faces whose file says nothing, and for those that edits made: straight along the axis nearest to the normal (of
-/// equally near ones z, then x), in metres from the world's origin; seen from the front it is not mirrored.
+/// equally near ones z, then x), in metres from the world's origin; seen from the front it is not mirrored. Costs a few
+/// comparisons; never allocates.
 /// @param normal  of any length
 [[nodiscard]] FIRMA_EXPORT TextureProjection box_projection(const Vec3& normal);
 

@@ -32,6 +32,7 @@ struct TreeStatistics {
     std::size_t max_leaf_faces = 0;  ///< faces in the fullest leaf
     double overlap = 0;              ///< mean over inner nodes: area shared by both children / area of the node, 0..1
     std::size_t bytes = 0;           ///< tree and faces, resident
+    /// 0 without faces.
     FIRMA_INLINE double bytes_per_face() const { return faces ? double(bytes) / double(faces) : 0; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and directions in double: the numbers that motion is made of.
+// Points and directions in double: the numbers that motion is made of. Everything here costs a few operations.
 #pragma once
 
 #include <cmath>

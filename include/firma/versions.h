@@ -50,10 +50,13 @@ struct WorldDiff {
 
 /// Compares two worlds. A face is the same when it has the same id and is alike in everything but its room: what an
 /// edit only put into another room, as it joined two, did not change. Rooms and portals are compared by their ids. What
-/// the worlds share is not compared, so for versions a few edits apart the cost follows the edits.
+/// the worlds share is not compared, so for versions a few edits apart the cost follows the edits: the blocks, the
+/// rooms and the portals that they made anew, and where they joined rooms all portals of these. Worlds that share
+/// nothing (read twice, or with an index built anew) cost all faces of both, in time and memory. Tiles cost one entry
+/// for each tile in a changed face's box, and sorting them.
 ///
 /// @param tile_size  metres, for `tiles`, at least kMinTileSize; anything smaller (0, say) or not finite leaves them
-/// out.
+///                   out.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
 ///                   makes a long list; one of more than kMaxTiles is left out, and too_many_tiles is set.
 [[nodiscard]] FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
@@ -90,18 +93,23 @@ struct StoreHistory {
 /// Versions dropped from the history are freed by the store, in the thread of an editor, and by no reader: a version
 /// that a reader still holds waits, and is freed by the first call of publish(), undo(), redo(), set_history_bytes(),
 /// reset() or collect() after the reader let go. (Handles that outlive the store free their versions themselves.)
+/// Freeing a version costs what it alone holds. Each of these calls also sorts the versions that wait.
 class WorldStore {
 public:
+    /// Costs a handle to the world, whatever its size.
     FIRMA_EXPORT explicit WorldStore(World first, const WorldStoreOptions& options = {});
+    /// Lets go of all versions, and frees those that nobody else holds.
     FIRMA_EXPORT ~WorldStore();
     WorldStore(const WorldStore&) = delete;
     WorldStore& operator=(const WorldStore&) = delete;
 
-    /// The version that was published last, or that undo() or redo() went to.
+    /// The version that was published last, or that undo() or redo() went to. Costs one handle; never allocates.
     [[nodiscard]] FIRMA_EXPORT World current() const;
     /// A version of the history, undone ones included; nothing when it is not kept. Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
+    /// Costs a binary search among the versions kept; never allocates.
     FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
+    /// What is kept. Kept up by the calls that change it: costs the same however much that is; never allocates.
     FIRMA_EXPORT StoreHistory history() const;
 
     /// Makes `after` the current version. Versions that were undone are dropped, and of the oldest so many that the
@@ -117,19 +125,21 @@ public:
 
     /// Goes back to the version before, or forward to the one that was undone.
     /// @return the version that is current then, whatever other threads do meanwhile; nothing when there is none
+    /// Costs a few handles, whatever the two versions differ in, and freeing what waits and nobody holds any more.
     FIRMA_EXPORT std::optional<World> undo();
     FIRMA_EXPORT std::optional<World> redo();
 
     /// Drops versions, the oldest first, then of the undone ones the newest, until StoreHistory::bytes is at most so
     /// many; from then on publish() keeps it so. The current version always stays: with 0 only it does,
-    /// and there is no undo.
+    /// and there is no undo. Costs what is dropped.
     FIRMA_EXPORT void set_history_bytes(std::size_t bytes);
 
-    /// Begins anew with another world, of any version; everything else is dropped.
+    /// Begins anew with another world, of any version; everything else is dropped. Costs freeing it.
     FIRMA_EXPORT void reset(World first);
 
     /// Frees dropped versions that no reader holds any more: for when nothing is published for a while.
     /// @return how many are still held
+    /// Costs a look at each version that waits, and what is freed.
     FIRMA_EXPORT std::size_t collect();
 
 private:
