@@ -843,15 +843,12 @@ export interface World extends Handle {
      */
     setPortalOpen(portal: number, open: boolean): World;
     /**
-     * The rooms that portals, open or closed, join to a room, ascending. Costs the room's portals, and sorting them;
-     * takes memory for as many rooms as the world has, and finds their count at the cost of facts() without its
-     * strings.
+     * The rooms that portals, open or closed, join to a room, ascending. Costs the room's portals, and sorting them.
      */
     neighbours(room: number): number[];
     /**
-     * The portals on the way between two rooms that passes the fewest; null when there is none. Goes through all rooms
-     * that `to` is joined to and their portals, however short the way; takes memory and finds the count of rooms as
-     * neighbours().
+     * The portals on the way between two rooms that passes the fewest; null when there is none. Goes through the
+     * rooms no farther from `to` than `from` is, and their portals; takes memory for each room of the world.
      * @param options `allOpen`: closed ones lead on, too
      */
     path(from: number, to: number, options?: { allOpen?: boolean }): number[] | null;

@@ -559,8 +559,8 @@ FIRMA_API firma_code firma_world_neighbours(firma_world world, uint32_t room, ui
                                             size_t* count);
 /* The way between two rooms by the fewest portals: through open ones, or, with `all_open` 1, through closed ones, too.
  * `found` gets 0 when there is none; `count` how many portals it passes (none within one room), of which the first
- * `capacity` are written (`portals` may be null when that is 0). Goes through all rooms that `to` is joined to and
- * their portals, however short the way, and takes memory for each room of the world. */
+ * `capacity` are written (`portals` may be null when that is 0). Goes through the rooms no farther from `to`
+ * than `from` is, and their portals, and takes memory for each room of the world. */
 FIRMA_API firma_code firma_world_path(firma_world world, uint32_t from, uint32_t to, uint32_t all_open,
                                       uint32_t* portals, size_t capacity, size_t* count, uint32_t* found);
 

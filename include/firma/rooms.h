@@ -108,8 +108,8 @@ enum class Doors : std::uint8_t {
 ///
 /// @return the portals passed, in order; none at all when both are one room; nothing when there is no way,
 ///         or no such room.
-/// Goes through all rooms that `to` is joined to and their portals, however short the way, and takes memory for each
-/// room of the world.
+/// Goes through the rooms no farther from `to` than `from` is, and their portals, and takes memory for each room of the
+/// world.
 [[nodiscard]] FIRMA_EXPORT std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, RoomId to,
                                                                           Doors doors = Doors::kAsTheyAre);
 

@@ -26,13 +26,15 @@ void add(Box& bounds, const GridBox& box) {
     bounds.add(to_metres(box.high));
 }
 
-/// How many portals each room is from one, through what `leads_on`; ~0 where there is no way.
+/// How many portals rooms are from one, through what `leads_on`: of all that are no farther than `until`; ~0 where
+/// there is no way.
 template <class LeadsOn>
-std::vector<std::uint32_t> portals_away(const WorldData& data, std::uint32_t from, const LeadsOn& leads_on) {
+std::vector<std::uint32_t> portals_away(const WorldData& data, std::uint32_t from, std::uint32_t until,
+                                        const LeadsOn& leads_on) {
     std::vector<std::uint32_t> away(data.cells.room_count(), ~0u);
     std::vector<std::uint32_t> reached{from};
     away[from] = 0;
-    for (std::size_t next = 0; next < reached.size(); ++next) {
+    for (std::size_t next = 0; next < reached.size() && away[until] == ~0u; ++next) {
         const std::uint32_t room = reached[next];
         for (const PortalId portal : data.cells.portals_of(room)) {
             const std::uint32_t beyond = data.cells.beyond(data.cells.portal(portal.value), room);
@@ -136,7 +138,7 @@ std::optional<std::vector<PortalId>> find_path(const World& world, RoomId from, 
     if (!is_room(data, from) || !is_room(data, to)) return {};
     const auto leads_on = [&](PortalId portal) { return doors == Doors::kAllOpen || is_open(data, portal.value); };
     std::uint32_t room = data.cells.current_room(from.value);
-    const std::vector<std::uint32_t> away = portals_away(data, data.cells.current_room(to.value), leads_on);
+    const std::vector<std::uint32_t> away = portals_away(data, data.cells.current_room(to.value), room, leads_on);
     if (away[room] == ~0u) return {};
     std::vector<PortalId> path;
     while (away[room] > 0)

@@ -62,29 +62,30 @@ export function findByName(core, id, kind, name) {
 }
 
 /** Numbers that a call writes, as many as it says there are: ask(at, capacity, count). */
-function getWords(core, most, ask) {
+function getWords(core, ask) {
     return core.borrow((lent) => {
-        const at = lent.take(4 * most);
-        ask(at, most, core.at.out);
-        return Array.from(core.u32.subarray(at >>> 2, (at >>> 2) + core.getU32(core.at.out)));
+        for (let capacity = 64; ; capacity = core.getU32(core.at.out)) {
+            const at = lent.take(4 * capacity);
+            ask(at, capacity, core.at.out);
+            const count = core.getU32(core.at.out);
+            if (count <= capacity) return Array.from(core.u32.subarray(at >>> 2, (at >>> 2) + count));
+        }
     });
 }
 
-/** @param most  how many rooms there are */
-export function getNeighbours(core, id, room, most) {
+export function getNeighbours(core, id, room) {
     word(room, 'neighbours', 'the room');
-    return getWords(core, most, (at, capacity, count) => {
+    return getWords(core, (at, capacity, count) => {
         core.run('firma_world_neighbours', id, room, at, capacity, count);
     });
 }
 
-/** @param most  how many rooms there are: the shortest way passes each once */
-export function getPath(core, id, from, to, options, most) {
+export function getPath(core, id, from, to, options) {
     word(from, 'path', 'the first room');
     word(to, 'path', 'the last room');
     const allOpen = flag(object(options, 'path', 'the options', ['allOpen']).allOpen, 'path', 'allOpen');
     const found = core.at.out + 8;
-    const portals = getWords(core, most, (at, capacity, count) => {
+    const portals = getWords(core, (at, capacity, count) => {
         core.run('firma_world_path', id, from, to, allOpen, at, capacity, count, found);
     });
     return core.getU32(found) === 0 ? null : portals;

@@ -316,17 +316,11 @@ export class World extends Handle {
     }
 
     neighbours(room) {
-        return getNeighbours(this[CORE], this[ID], room, this.#roomCount());
+        return getNeighbours(this[CORE], this[ID], room);
     }
 
     path(from, to, options) {
-        return getPath(this[CORE], this[ID], from, to, options, this.#roomCount());
-    }
-
-    #roomCount() {
-        const core = this[CORE];
-        core.run('firma_world_get_facts', this[ID], core.at.worldFacts);
-        return core.getCount(core.at.worldFacts + WORLD_FACTS.roomCount);
+        return getPath(this[CORE], this[ID], from, to, options);
     }
 
     carve(cutter, pose, options) {
