@@ -62,7 +62,9 @@ tools/public_symbols.py
 tools/public_symbols.py --compare "$libraries/libfirma.so"
 diff <(sed -nE 's/^FIRMA_API .*\b(firma_[a-z_]+)\(.*/\1/p' include/firma/firma_c.h | sort) \
      <(nm -D --defined-only "$libraries/libfirma_c.so" | awk '{ print $NF }' | sort) || fail "libfirma_c.so exports something else than firma_c.h declares"
-readelf -d "$libraries/libfirma_c.so" | grep -q 'SONAME.*libfirma_c\.so\.0\.1' || fail "libfirma_c.so has no versioned name"
+version=$(sed -nE 's/^project\(firma VERSION ([0-9]+\.[0-9]+).*/\1/p' CMakeLists.txt)
+[[ $(readelf -d "$libraries/libfirma_c.so") =~ SONAME.*\[libfirma_c\.so\.([0-9.]+)\] && ${BASH_REMATCH[1]} = "$version" ]] ||
+    fail "libfirma_c.so has no versioned name"
 ! readelf -d "$libraries/libfirma_c.so" | grep -q 'NEEDED.*libfirma' || fail "libfirma_c.so needs another library of ours"
 
 # ---- find_package
