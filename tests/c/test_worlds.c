@@ -262,6 +262,16 @@ static void test_textures(void) {
     CHECK_OK(firma_triangles_release(triangles));
     CHECK_OK(firma_world_release(world));
 
+    firma_world_options plain;
+    firma_world_options_defaults(&plain);
+    plain.no_textures = 2;
+    CHECK_FAILS(firma_world_from_mesh(&mesh, "m", &plain, &world), FIRMA_ERROR_INVALID, "no_textures");
+    plain.no_textures = 1;
+    CHECK_OK(firma_world_from_mesh(&mesh, "m", &plain, &world));
+    CHECK_OK(firma_world_texture(world, 0, NULL, &of_hit));
+    CHECK(of_hit.unit == FIRMA_METRES);
+    CHECK_OK(firma_world_release(world));
+
     /* Texels of a .map, and how large its picture is. */
     static const char kBrush[] =
         "{\n\"classname\" \"worldspawn\"\n{\n"

@@ -91,6 +91,19 @@ TEST(MakeDividedWorld, APortalDividesABox) {
     }
 }
 
+TEST(MakeDividedWorld, PortalsHaveNoMaterialOfTheMesh) {
+    for (const std::vector<std::string>& names :
+         {std::vector<std::string>{"rock"}, {"rock", ""}, {"rock", "lead"}, {""}}) {
+        Level level = hall();
+        level.materials = names;
+        const World world = make(level, {{"door", {wall(4, 0, 0, 4, 4)}}}).world;
+        EXPECT_EQ(world.material_name(portal_info(world, PortalId{0})->material), "");
+        const Hit hit = cast(world, {{1, 2, 2}, 0}, {0, 0, -9});
+        EXPECT_EQ(hit.material, 0u) << "as the caller numbered it";
+        EXPECT_EQ(world.material_name(hit.material), names[0]);
+    }
+}
+
 TEST(MakeDividedWorld, APortalThatDoesNotCloseItsOpeningIsIdle) {
     const Made made = make(hall(), {{"door", {wall(4, 0, 0, 4, 3.5)}}, {"gate", {wall(6, 0, 0, 4, 4)}}});
     EXPECT_EQ(made.report.idle, std::vector<std::uint32_t>{0});

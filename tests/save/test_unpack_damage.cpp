@@ -263,6 +263,39 @@ TEST(UnpackDamage, ContactOffsetAndCountersAreOnesToGoOnWith) {
     EXPECT_EQ(with_edits(1u << 31), "read");
 }
 
+// Until 0.2 rules were taken as they were given: files may hold any.
+TEST(UnpackDamage, RulesAreReadAsOnesThatCanBeGiven) {
+    WorldOptions options;
+    options.rules.zones = {{"empty", {{0, 0, 0}, {1, 1, 1}}, 0.5}, {"vault", {{-1, -2, -3}, {1, 2, 3}}, 0.25}};
+    options.rules.hardness = {0.5, 0.5, 0.5, 0.5};
+    std::vector<std::byte> bytes = pack_world(room_world(options));
+    std::size_t at = 0;
+    for (const SectionPlace& place : section_places(bytes))
+        if (place.type == kRulesSection) at = place.first + kRulesBytes;
+    ASSERT_NE(at, 0u);
+    const auto put = [&](std::size_t offset, double value) {
+        const auto bits = std::bit_cast<std::uint64_t>(value);
+        put_u32(bytes, at + offset, std::uint32_t(bits));
+        put_u32(bytes, at + offset + 4, std::uint32_t(bits >> 32));
+    };
+    const double given[] = {7, -3, NAN, 0.75}, meant[] = {1, 0, 0, 0.75};
+    for (std::size_t k = 0; k < 4; ++k) put(8 * k, given[k]);
+    const std::size_t zones = 8 * std::size(given);
+    put(zones, 9);  // the low corner of the first beyond its high one
+    put(zones + kZoneBytes + 48, INFINITY);
+    fix_checksums(bytes);
+
+    const Result<World> read = unpack_world(bytes, "old.firma");
+    ASSERT_TRUE(read) << read.error().text();
+    const CarveRules& rules = *read.value().data().rules;
+    EXPECT_TRUE(std::equal(rules.hardness.begin(), rules.hardness.end(), meant, std::end(meant)));
+    ASSERT_EQ(rules.zones.size(), 1u);
+    EXPECT_EQ(rules.zones[0].name, "vault");
+    EXPECT_EQ(rules.zones[0].hardness, 1);
+    const Result<World> again = with_rules(read.value(), rules);
+    EXPECT_TRUE(again) << again.error().text();
+}
+
 TEST(UnpackDamage, OtherVersionsSaySo) {
     std::vector<std::byte> bytes = pack_world(tiny_world());
     put_u32(bytes, 8, 3);

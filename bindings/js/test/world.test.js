@@ -255,6 +255,10 @@ test('textures come out as coordinates', () => {
         for (const wrong of [-1, null, undefined, 'a', {}, { face: 0 }])
             throwsCode('BAD_CALL', () => world.texture(wrong));
         throwsCode('INVALID', () => world.texture({ face: null, corner: [0, 0, 0] })); // as of a miss
+        releasing([firma.worldFromMesh(wall, { textures: false })], (plain) => {
+            assert.equal(plain.texture(0).unit, 'metres');
+        });
+        throwsCode('BAD_CALL', () => firma.worldFromMesh(wall, { textures: 0 }), /textures/);
         for (const wrong of [{ uvs: 1 }, { textureSizes: 64 }, { textureSizes: [64] }, { textureSizes: ['a', 1] }])
             throwsCode('BAD_CALL', () => world.triangles(wrong));
     });
