@@ -13,6 +13,7 @@
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "scenes/level_cuts.h"
 #include "solid/solid_data.h"
 #include "solid/solid_face.h"
