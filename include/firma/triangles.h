@@ -14,6 +14,9 @@
 
 namespace firma {
 
+/// How far from the world's origin TriangleOptions::origin may lie along an axis, metres: beyond, floats would end.
+inline constexpr double kMaxTriangleOrigin = 1e30;
+
 /// Triangles of some faces. Vertices are not shared between faces, as normals differ; of one face they are.
 struct TriangleMesh {
     // One for each vertex.
@@ -65,7 +68,7 @@ struct TriangleOptions {
 
 /// The triangles of all faces of a world, of a room, or of a region. None is without area on the surface grid. The same
 /// worlds give the same triangles in the same order, however their faces are kept.
-/// @return none for a room or region that is not there, or an origin that is not finite or beyond 10^30 m
+/// @return none for a room or region that is not there, or an origin that is not finite or beyond kMaxTriangleOrigin
 /// Costs some hundred nanoseconds a face, and sorting them; with texture coordinates a search a face besides, and,
 /// where a face of the file had no one projection and was divided, a look at all of its pieces for each. Of a room it
 /// costs that room's faces, of a region the walk through the index down to it and the faces there. Takes memory for the

@@ -92,7 +92,7 @@ public:
     [[nodiscard]] FIRMA_EXPORT std::optional<Face> face(const FaceRef& ref) const;
     /// The same without its outline. Never allocates.
     [[nodiscard]] FIRMA_EXPORT std::optional<FaceInfo> face_info(const FaceRef& ref) const;
-    /// The same by id alone. Goes through the faces of the world until it is found.
+    /// The same by id alone. Goes through all faces of the world.
     [[nodiscard]] FIRMA_EXPORT std::optional<Face> find_face(FaceId id) const;
     /// Every face, in order of id. Costs some hundred nanoseconds a face, with an allocation for each outline, and
     /// sorting them; each_face() goes without.

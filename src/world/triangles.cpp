@@ -10,9 +10,6 @@
 namespace firma {
 namespace {
 
-/// Metres: from farther away floats tell nothing, or end.
-constexpr double kMaxOrigin = 1e30;
-
 std::array<float, 3> to_floats(const Vec3& v) {
     return {float(v.x), float(v.y), float(v.z)};
 }
@@ -108,7 +105,8 @@ private:
 template <class... Where>
 TriangleMesh collect(const World& world, const TriangleOptions& options, const Where&... where) {
     Collector collector(world, options);
-    if (is_finite(options.origin) && largest(options.origin) <= kMaxOrigin) each_face(world, where..., collector);
+    if (is_finite(options.origin) && largest(options.origin) <= kMaxTriangleOrigin)
+        each_face(world, where..., collector);
     return collector.take();
 }
 

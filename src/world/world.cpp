@@ -143,14 +143,9 @@ std::optional<FaceInfo> World::face_info(const FaceRef& ref) const {
 
 std::optional<Face> World::find_face(FaceId id) const {
     std::optional<Face> found;
-    const auto look = [&](const FaceView& face) {
-        if (face.id != id) return true;
-        found.emplace();
-        static_cast<FaceInfo&>(*found) = face;
-        found->corners.assign(face.corners.begin(), face.corners.end());
-        return false;
-    };
-    each_face(*this, look);
+    for_each_face(*data_, [&](const Block& block, const FaceRecord& face) {
+        if (face.id == id) found = describe_face(room_of_block(*data_, block), block, face);
+    });
     return found;
 }
 
