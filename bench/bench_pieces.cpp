@@ -7,6 +7,7 @@
 
 #include "cast/cast_sphere_polygon.h"
 #include "firma/queries.h"
+#include "firma/rooms.h"
 #include "support/sets.h"
 #include "support/walk.h"
 
@@ -139,6 +140,33 @@ void closest_in_world(benchmark::State& state) {
     }
 }
 BENCHMARK(closest_in_world);
+
+void find_face(benchmark::State& state) {
+    const FaceId last{std::uint32_t(world().face_count()) - 1};
+    for (auto _ : state) benchmark::DoNotOptimize(world().find_face(last));
+}
+BENCHMARK(find_face);
+
+void find_no_face(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(world().find_face({~0u - 1}));
+}
+BENCHMARK(find_no_face);
+
+void face_of_ref(benchmark::State& state) {
+    const FaceRef ref = world().find_face({std::uint32_t(world().face_count()) / 2})->ref();
+    for (auto _ : state) benchmark::DoNotOptimize(world().face(ref));
+}
+BENCHMARK(face_of_ref);
+
+void bounds_of_world(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(world().bounds());
+}
+BENCHMARK(bounds_of_world);
+
+void locate_outside(benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(locate(world(), {1e4, 1e4, 1e4}));
+}
+BENCHMARK(locate_outside);
 
 void build_world(benchmark::State& state) {
     for (auto _ : state) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Faces of a world, and what changed between two.
+#include "base/sort.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
 #include "firma/solid.h"
@@ -32,6 +33,30 @@ void FaceList::add(const FaceInfo& face, std::span<const Vec3> outline) {
 }
 
 namespace {
+
+FaceList all_of(const World& world) {
+    FaceList all;
+    all.faces.reserve(world.face_count());
+    each_face(world, [&](const FaceView& face) {
+        all.add(face, face.corners);
+        return true;
+    });
+    return all;
+}
+
+/// The same in order of id, their corners too.
+FaceList by_id(FaceList given) {
+    sort_range(given.faces, [](const firma_face& a, const firma_face& b) { return a.id < b.id; });
+    FaceList ordered;
+    ordered.corners.reserve(given.corners.size());
+    for (firma_face& face : given.faces) {
+        const auto first = given.corners.begin() + 3 * std::ptrdiff_t(face.first_corner);
+        face.first_corner = std::uint32_t(ordered.corners.size() / 3);
+        ordered.corners.insert(ordered.corners.end(), first, first + 3 * std::ptrdiff_t(face.corner_count));
+    }
+    ordered.faces = std::move(given.faces);
+    return ordered;
+}
 
 /// Faces by a caller's filter, null for all. `completed` gets whether the visitor let it come to an end.
 firma_code each_of(const World& world, const firma_face_filter* given, FaceVisitor visit, bool& completed,
@@ -79,7 +104,7 @@ firma_code firma_world_faces(firma_world world, firma_faces* faces) {
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         auto list = std::make_unique<FacesObject>();
-        for (const Face& face : object->world.faces()) list->list.add(face, face.corners);
+        list->list = by_id(all_of(object->world));
         return give(std::move(list), faces, function);
     });
 }

@@ -91,6 +91,7 @@ std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
 
 void Cells::set_room(std::uint32_t number, std::shared_ptr<const RoomRecord> record) {
     const std::uint32_t into = record->merged_into;
+    if (record->exterior) exterior_ = number;
     rooms_.set(number, std::move(record));
     if (into != number) join(number, into);
 }

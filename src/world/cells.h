@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -117,6 +118,10 @@ public:
         const std::uint32_t first = current_room(portal.made_between[0].value);
         return first == room ? current_room(portal.made_between[1].value) : first;
     }
+    /// The room that reaches to infinity, by now; nothing where rock does.
+    std::optional<std::uint32_t> exterior() const {
+        return exterior_ ? std::optional(current_room(*exterior_)) : std::nullopt;
+    }
     /// Whether the level says anything of rooms: false for one room, and nothing to say of it.
     bool known() const { return known_; }
     /// A sum over portals of all that they are.
@@ -166,6 +171,7 @@ private:
     /// Source: R. Tarjan, Efficiency of a good but not linear set union algorithm, 1975: union by rank.
     PersistentMap<std::uint64_t> joined_;
     std::shared_ptr<const PortalBoxes> boxes_;
+    std::optional<std::uint32_t> exterior_;  ///< as it was when it was set
     std::size_t closed_ = 0;
     std::uint64_t hash_ = 0;
     bool known_ = false;

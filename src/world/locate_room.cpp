@@ -38,8 +38,7 @@ Location in_room(const WorldData& data, std::uint32_t room) {
 Location outside(const WorldData& data) {
     if (data.rock_outside()) return {Where::kSolid, {}};
     if (data.cells.room_count() == 1) return in_room(data, 0);
-    for (std::uint32_t room = 0; room < data.cells.room_count(); ++room)
-        if (data.cells.room(room).exterior) return in_room(data, room);
+    if (const std::optional<std::uint32_t> room = data.cells.exterior()) return {Where::kAir, {*room}};
     return {};
 }
 
