@@ -16,6 +16,7 @@ LAYERS = [
     ['src/cast'],
     ['src/index'],
     ['src/solid'],
+    ['src/arrange'],
     ['src/carve', 'src/join'],
     ['src/world'],
     ['src/level', 'src/save', 'src/store'],

@@ -20,7 +20,6 @@
 namespace firma {
 namespace {
 
-constexpr int kMostTries = 64;
 /// One less than what says "no face".
 constexpr std::uint32_t kMostFaceIds = ~0u - 1;
 /// How many facets' worth of faces one step makes.
@@ -71,9 +70,6 @@ bool CutJob::step() {
         case Phase::kCheck:
             phase_ = judge_cutter();
             break;
-        case Phase::kMove:
-            phase_ = try_move();
-            break;
         case Phase::kGather:
             phase_ = gather();
             break;
@@ -82,6 +78,9 @@ bool CutJob::step() {
             break;
         case Phase::kCut:
             phase_ = cut_next_faces();
+            break;
+        case Phase::kArrange:
+            phase_ = arrange();
             break;
         case Phase::kLabel:
             phase_ = label();
@@ -110,12 +109,12 @@ double* CutJob::clock_of(Phase phase) {
     switch (phase) {
         case Phase::kPlace:
         case Phase::kCheck:
-        case Phase::kMove:
             return &times.place;
         case Phase::kGather:
         case Phase::kTile:
             return &times.gather;
         case Phase::kCut:
+        case Phase::kArrange:
             return &times.cut;
         case Phase::kLabel:
             return &times.label;
@@ -154,8 +153,8 @@ CutJob::Phase CutJob::place() {
         error_ = placed.error();
         return Phase::kEnd;
     }
-    mover_.start(std::move(placed).value());
-    make_cutter_solid(mover_.placed(), solid_cutter_);
+    make_cutter_solid(std::move(placed).value(), solid_cutter_);
+    arranger_.reset();
     for (int axis = 0; axis < 3; ++axis)
         if (solid_cutter_.box.extent(axis) > rules_.max_cutter_size)
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
@@ -181,12 +180,11 @@ CutJob::Phase CutJob::shrink(double hardness, const std::string& by, Phase other
     if (hardness >= 1) return refuse(ErrorCode::kInvalid, by + " may not be carved");
     if (report_.scale <= 1 - hardness) return otherwise;
     report_.scale = 1 - hardness;
-    report_.retries = 0;  // another cutter
     return Phase::kPlace;
 }
 
 CutJob::Phase CutJob::judge_cutter() {
-    if (std::optional<Error> fault = firma::check_cutter(mover_.placed(), &budget_)) {
+    if (std::optional<Error> fault = firma::check_cutter(solid_cutter_.placed, &budget_)) {
         status_ = CarveStatus::kRefused;
         error_ = std::move(*fault);
         return Phase::kEnd;
@@ -197,8 +195,8 @@ CutJob::Phase CutJob::judge_cutter() {
 CutJob::Phase CutJob::gather() {
     patch_.clear();
     facets_.clear();
-    // The cutter may be moved aside later: by so many steps of the input grid.
-    constexpr std::int32_t kSteps = (kFarthestMove + 1) * kSurfacePerInput;
+    // Facets' corners are rounded.
+    constexpr std::int32_t kSteps = kSurfacePerInput;
     const GridBox reach = grown(solid_cutter_.box, kSteps);
     std::vector<FacetPlace> others;
     gather_facets(index(), reach, solid_cutter_.bevelled, kSteps, facets_, others);
@@ -216,58 +214,64 @@ CutJob::Phase CutJob::gather() {
 CutJob::Phase CutJob::tile() {
     // A little less than faces were gathered in, so that each of which a part lies there has been, however it is
     // divided into facets, whose corners are rounded.
-    tile_faces(index(), solid_cutter_, kFarthestMove * kSurfacePerInput + kSurfacePerInput / 2, patch_);
+    tile_faces(index(), solid_cutter_, kSurfacePerInput / 2, patch_);
     // All planes now, so that from here on the patch is only read.
     for (std::uint32_t edge = 0; edge < patch_.edges.size(); ++edge)
         if (!patch_.edges[edge].split()) patch_.settle_planes(edge);
-    return start_cut();
-}
-
-CutJob::Phase CutJob::start_cut() {
-    input_.collects = mover_.is_large();
     face_cutter_.start();
     next_ = 0;
     return Phase::kCut;
 }
 
 CutJob::Phase CutJob::move_on(PhaseEnd end, Phase next) {
-    if (end.verdict == Verdict::kFine) return next;
-    // What touches may come to a contradiction elsewhere, where phases go on after it.
-    const bool broken = end.verdict == Verdict::kBroken && end.touching.empty();
-    return broken ? contradiction() : degenerate(std::move(end.touching));
-}
-
-CutJob::Phase CutJob::move_cutter_aside() {
-    if (report_.retries < kMostTries) return Phase::kMove;
-    return refuse(ErrorCode::kInvalid,
-                  "it stays in degenerate position however it is moved, " + std::to_string(kMostTries) + " times");
-}
-
-CutJob::Phase CutJob::degenerate(Touching touching) {
-    mover_.touched(touching);
-    return move_cutter_aside();
-}
-
-/// One try. A cutter that was moved must pass what it passed before.
-CutJob::Phase CutJob::try_move() {
-    switch (mover_.move(++report_.retries, solid_cutter_, budget_)) {
-        case CutterMover::Outcome::kTooManyPairs:
-            return too_many_pairs();
-        case CutterMover::Outcome::kUnsound:
-            return move_cutter_aside();
-        case CutterMover::Outcome::kMoved:
+    switch (end.verdict) {
+        case Verdict::kFine:
+            return next;
+        case Verdict::kDegenerate:
+            return start_arranging();
+        case Verdict::kBroken:
             break;
     }
-    if (const CarveZone* zone = zone_reached(0); zone && zone->hardness >= 1) return move_cutter_aside();
-    return start_cut();
+    return contradiction();
+}
+
+CutJob::Phase CutJob::start_arranging() {
+    arranger_ = std::make_unique<CutArranger>(input_, budget_, terms_.material);
+    return Phase::kArrange;
+}
+
+CutJob::Phase CutJob::arrange() {
+    const auto locate = [&](const ExactPoint& point) { return locate_point(point); };
+    switch (arranger_->step(locate)) {
+        case CutArranger::End::kGoesOn:
+            return Phase::kArrange;
+        case CutArranger::End::kFine:
+            return take_loops();
+        case CutArranger::End::kTooLarge:
+            return refuse(ErrorCode::kTooLarge, "it and the faces that it meets lie in more planes than one cut can hold");
+        case CutArranger::End::kPairs:
+            return too_many_pairs();
+        case CutArranger::End::kUnlocated:
+            return refuse(ErrorCode::kInvalid, "a part of it lies too near to a face to tell on which side");
+        case CutArranger::End::kBroken:
+            break;
+    }
+    return contradiction();
+}
+
+/// What no crossing tells.
+CutSide CutJob::locate_point(const ExactPoint& exact) const {
+    const Vec3 point = to_metres(exact.rounded());
+    // Facets lie within a few steps of the exact faces: nearer than that they cannot tell.
+    if (any_facet_near(index(), point, 16 / kSurfaceSteps)) return CutSide::kUnknown;
+    const Where where = firma::locate(solid_, point);
+    return where == Where::kSolid ? CutSide::kInside : where == Where::kAir ? CutSide::kOutside : CutSide::kUnknown;
 }
 
 CutJob::Phase CutJob::too_many_pairs() {
-    std::string reason = "it takes more than " + std::to_string(rules_.max_pairs) +
-                         " pairs of its triangles with each other and with faces of the world to cut it";
-    if (const int tries = report_.retries; tries > 0)
-        reason += ", in " + std::to_string(tries) + (tries > 1 ? " moves" : " move") + " out of degenerate position";
-    return refuse(ErrorCode::kTooLarge, std::move(reason));
+    return refuse(ErrorCode::kTooLarge, "it takes more than " + std::to_string(rules_.max_pairs) +
+                                            " pairs of its triangles with each other and with faces of the world to "
+                                            "cut it");
 }
 
 CutJob::Phase CutJob::contradiction() {
@@ -287,45 +291,42 @@ CutJob::Phase CutJob::cut_next_faces() {
         if (next_ == patch_.faces.size()) return order();
         const Verdict verdict = face_cutter_.cut_face(next_++);
         if (budget_.spent()) return too_many_pairs();
-        if (input_.stops_at(verdict)) return move_on({verdict, face_cutter_.touching()}, Phase::kCut);
+        if (verdict != Verdict::kFine) return move_on({verdict, {}}, Phase::kCut);
     }
     return Phase::kCut;
 }
 
 /// Once all faces are cut.
 CutJob::Phase CutJob::order() {
-    if (!face_cutter_.touching().empty()) return degenerate(face_cutter_.touching());
     return move_on(order_cuts(input_, face_cutter_.made(), order_), Phase::kLabel);
 }
 
 CutJob::Phase CutJob::label() {
-    const auto locate = [&](std::uint32_t vertex) {
-        const Vec3 point = to_metres(solid_cutter_.points[vertex].rounded());
-        // Facets lie within a few steps of the exact faces: nearer than that they cannot tell.
-        if (any_facet_near(index(), point, 16 / kSurfaceSteps)) return CutSide::kUnknown;
-        const Where where = firma::locate(solid_, point);
-        return where == Where::kSolid ? CutSide::kInside : where == Where::kAir ? CutSide::kOutside : CutSide::kUnknown;
-    };
+    const auto locate = [&](std::uint32_t vertex) { return locate_point(solid_cutter_.points[vertex]); };
     return move_on(label_vertices(input_, face_cutter_.made(), order_, locate, labels_), Phase::kTrace);
 }
 
 CutJob::Phase CutJob::trace() {
-    const Crossings& crossings = face_cutter_.made();
-    PhaseEnd end = trace_loops(input_, crossings, order_, labels_, loops_);
+    PhaseEnd end = trace_loops(input_, face_cutter_.made(), order_, labels_, loops_);
     if (end.verdict != Verdict::kFine) return move_on(std::move(end), Phase::kEnd);
-    report_.faces_cut = std::size_t(std::count(crossings.face_cut.begin(), crossings.face_cut.end(), 1));
-    if (loops_.gone.empty() && loops_.faces.empty()) {
+    return take_loops();
+}
+
+CutJob::Phase CutJob::take_loops() {
+    const std::vector<std::uint8_t>& cut = crossings().face_cut;
+    report_.faces_cut = std::size_t(std::count(cut.begin(), cut.end(), 1));
+    if (loops().gone.empty() && loops().faces.empty()) {
         status_ = CarveStatus::kNothing;
         return Phase::kEnd;
     }
-    kept_ = keep_pieces(patch_, loops_.gone);
+    kept_ = keep_pieces(patch_, loops().gone);
     return Phase::kRules;
 }
 
 CutJob::Phase CutJob::apply_materials() {
     double hardest = 0;
     std::uint32_t by = 0;
-    for (const std::uint32_t face : loops_.gone) {
+    for (const std::uint32_t face : loops().gone) {
         const std::uint32_t material = patch_.faces[face].facet.record().material;
         if (material >= rules_.hardness.size()) continue;
         if (!(rules_.hardness[material] > hardest)) continue;
@@ -335,31 +336,30 @@ CutJob::Phase CutJob::apply_materials() {
     NewSource source;
     source.edit = data().edits + 1;
     source.material = terms_.material;
-    face_maker_ = std::make_unique<FaceMaker>(input_, face_cutter_.made(), loops_, source);
+    face_maker_ = std::make_unique<FaceMaker>(input_, crossings(), loops(), source);
     next_ = 0;
-    sound_ = true;
     return hardest > 0 ? shrink(hardest, "material " + material_name(by), Phase::kFacets) : Phase::kFacets;
 }
 
 CutJob::Phase CutJob::make_next_faces() {
-    const auto cut = std::uint32_t(loops_.faces.size()), all = cut + std::uint32_t(kept_.pieces.size());
+    const auto cut = std::uint32_t(loops().faces.size()), all = cut + std::uint32_t(kept_.pieces.size());
     const std::uint32_t end = std::min(next_ + kFacesAStep, all);
     for (; next_ < end; ++next_) {
         const bool is_new = next_ < cut;
         const std::uint32_t piece = is_new ? 0 : kept_.pieces[next_ - cut];
-        const std::uint32_t corners = is_new ? loops_.faces[next_].use_count : patch_.faces[piece].use_count;
+        const std::uint32_t corners = is_new ? loops().faces[next_].use_count : patch_.faces[piece].use_count;
         if (corners > rules_.max_corners)
             return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(corners) +
                                                     " corners; the world allows " + std::to_string(rules_.max_corners));
-        if (is_new ? face_maker_->make(loops_.faces[next_]) : face_maker_->make_kept(piece)) continue;
-        if (!input_.collects) return degenerate(face_maker_->touching());
-        sound_ = false;
+        if (is_new)
+            face_maker_->make(loops().faces[next_]);
+        else
+            face_maker_->make_kept(piece);
     }
     if (face_maker_->made().faces.size() > rules_.max_new_faces)
         return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.max_new_faces) +
                                                 " new faces that the world allows");
-    if (next_ < all) return Phase::kFacets;
-    return sound_ ? Phase::kChange : degenerate(face_maker_->touching());
+    return next_ < all ? Phase::kFacets : Phase::kChange;
 }
 
 std::string CutJob::material_name(std::uint32_t material) const {
@@ -380,7 +380,7 @@ std::vector<FacetPlace> CutJob::facets_removed() {
         else
             gather_face(index(), face.facet, removed);
     };
-    for (const std::uint32_t at : loops_.gone)
+    for (const std::uint32_t at : loops().gone)
         if (patch_.faces[at].parent == ~0u) remove(at);  // else a piece: its parent goes
     for (const std::uint32_t at : kept_.replaced) remove(at);
     for (const FacetPlace& facet : facets_)
@@ -399,10 +399,10 @@ CutJob::Phase CutJob::make_change() {
         return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report_.faces_removed = removed;
     report_.faces_added = added;
-    report_.volume = volume_taken(view(), loops_);
+    report_.volume = volume_taken(view(), loops());
     std::uint32_t id = data().next_face;
     for (FaceSet::Entry& face : change_.added.faces) face.id = {id++};
-    change_.points = change_of_points(view(), loops_);
+    change_.points = change_of_points(view(), loops());
     status_ = CarveStatus::kDone;
     return Phase::kEnd;
 }

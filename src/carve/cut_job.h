@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "carve/arrange_cut.h"
 #include "carve/cut_faces.h"
-#include "carve/cutter_mover.h"
 #include "carve/label.h"
 #include "carve/make_faces.h"
 #include "carve/tile_faces.h"
@@ -54,10 +54,10 @@ private:
     enum class Phase : std::uint8_t {
         kPlace,
         kCheck,
-        kMove,
         kGather,
         kTile,
         kCut,
+        kArrange,
         kLabel,
         kTrace,
         kRules,
@@ -79,11 +79,11 @@ private:
     Phase make_change();
 
     Phase refuse(ErrorCode code, std::string reason);
-    Phase start_cut();
     Phase move_on(PhaseEnd end, Phase next);
-    Phase degenerate(Touching touching);
-    Phase move_cutter_aside();
-    Phase try_move();
+    Phase start_arranging();
+    Phase arrange();
+    Phase take_loops();
+    CutSide locate_point(const ExactPoint& point) const;
     Phase too_many_pairs();
     const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
@@ -92,7 +92,9 @@ private:
     std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
 
-    CutView view() const { return {input_, face_cutter_.made(), loops_}; }
+    const Crossings& crossings() const { return arranger_ ? arranger_->crossings() : face_cutter_.made(); }
+    const NewLoops& loops() const { return arranger_ ? arranger_->loops() : loops_; }
+    CutView view() const { return {input_, crossings(), loops()}; }
     const SolidData& data() const { return solid_.data(); }
     const Node* index() const { return data().faces.root.get(); }
 
@@ -108,23 +110,22 @@ private:
     SolidChange change_;
     Phase phase_ = Phase::kPlace;
 
-    CutterMover mover_;
     CutterSolid solid_cutter_;
     SolidPatch patch_;
     std::vector<FacetPlace> facets_;  ///< gathered
-    PairBudget budget_;               ///< of all tries together
+    PairBudget budget_;
 
-    // What the phases make, in their order: each reads what stands above, and writes its own. Filled anew by each try.
+    // What the phases make, in their order: each reads what stands above, and writes its own.
     CutInput input_;
     FaceCutter face_cutter_;
     CutOrder order_;
     Labels labels_;
     NewLoops loops_;
+    std::unique_ptr<CutArranger> arranger_;  ///< where the cutter touches: in place of the four above
     KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
 
     std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
-    bool sound_ = true;       ///< whether all facets made so far are
 };
 
 }  // namespace firma

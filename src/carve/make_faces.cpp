@@ -56,23 +56,24 @@ bool FaceMaker::runs_against(std::uint32_t number, const SolidEdge& stored) {
     return first.on_grid() && kept.on_grid() ? first.grid() != kept.grid() : first.rounded() != kept.rounded();
 }
 
-bool FaceMaker::make(const NewFace& face) {
-    return make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle});
+void FaceMaker::make(const NewFace& face) {
+    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle});
 }
 
-bool FaceMaker::make_kept(std::uint32_t index) {
+void FaceMaker::make_kept(std::uint32_t index) {
     const PatchFace& face = patch_.faces[index];
-    return make({Ref<const SolidPlane>(face.plane), patch_.uses(face), patch_.ends(face), index, ~0u});
+    make({Ref<const SolidPlane>(face.plane), patch_.uses(face), patch_.ends(face), index, ~0u});
 }
 
-bool FaceMaker::make(const Outline& outline) {
+void FaceMaker::make(const Outline& outline) {
     const std::span<const PatchUse> uses = outline.uses;
     points_.clear();
     for (const PatchUse& use : uses) points_.push_back(view_.point(view_.from(use)).rounded());
     const Plane& plane = outline.plane->plane;
     if (!facet_maker_.make(points_, outline.ends, plane.front_view(), facets_)) {
-        view_.face_touches(uses, touching_);
-        return false;
+        exact_.clear();
+        for (const PatchUse& use : uses) exact_.push_back(view_.point(view_.from(use)).approximate());
+        facet_maker_.make_folded(points_, exact_, outline.ends, plane.front_view(), facets_);
     }
 
     Ref<SolidFace> made(new SolidFace);
@@ -88,7 +89,6 @@ bool FaceMaker::make(const Outline& outline) {
     made->facets = std::uint32_t(facets_.first.size()) - 1;
     made->set_hash();
     add_facets(outline, *made);
-    return true;
 }
 
 std::uint32_t FaceMaker::corner(std::uint32_t number) {

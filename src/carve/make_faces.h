@@ -30,13 +30,10 @@ public:
     FaceMaker(const CutInput& in, const Crossings& crossings, const NewLoops& loops, const NewSource& source);
 
     /// One of `loops`.
-    /// @return false when the face's rounded corners do not make sound facets: degenerate position, and what the cutter
-    ///         has to do with the face is in touching()
-    bool make(const NewFace& face);
+    void make(const NewFace& face);
     /// A face of the patch, as it is.
-    bool make_kept(std::uint32_t face);
+    void make_kept(std::uint32_t face);
 
-    const Touching& touching() const { return touching_; }
     /// The facets made so far; ids are left open.
     const FaceSet& made() const { return made_; }
     /// Once: they are moved out.
@@ -51,7 +48,7 @@ private:
         std::uint32_t face, triangle;
     };
 
-    bool make(const Outline& outline);
+    void make(const Outline& outline);
     const Ref<const SolidVertex>& vertex(std::uint32_t number);
     const Ref<const SolidEdge>& edge(std::uint32_t number);
     bool runs_against(std::uint32_t number, const SolidEdge& stored);
@@ -63,11 +60,11 @@ private:
     const CutView view_;
     const NewSource source_;
     FaceSet made_;
-    Touching touching_;
     std::vector<Ref<const SolidVertex>> vertices_;
     std::vector<Ref<const SolidEdge>> edges_;
     std::vector<std::uint32_t> corners_;  ///< a vertex's place in made_.vertices; ~0: none yet
     std::vector<GridPoint> points_;
+    std::vector<Vec3> exact_;
     FacetMaker facet_maker_;
     Facets facets_;
 };

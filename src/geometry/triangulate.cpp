@@ -16,21 +16,71 @@ bool Triangulator::make(std::span<const GridPoint> points, std::span<const FlatP
            clipper_.clip(points, ring_, EarClipper::Takes::kEars, triangles);
 }
 
+void Triangulator::make_any(std::span<const GridPoint> points, std::span<const FlatPoint> flat,
+                            std::span<const std::uint32_t> loop_ends, Triangles& triangles) {
+    points_ = points;
+    triangles.clear();
+    link_loops(flat, loop_ends);
+    std::sort(holes_.begin(), holes_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return ring_[a].at < ring_[b].at; });
+    joined_.assign(flat.size(), 0);
+    std::fill(joined_.begin(), joined_.begin() + loop_ends[0], 1);
+    for (const std::uint32_t hole : holes_) join_anyhow(hole);
+    clipper_.clip(points, ring_, EarClipper::Takes::kAnything, triangles);
+}
+
+/// To what it touches, to what it sees, or to the nearest.
+void Triangulator::join_anyhow(std::uint32_t hole) {
+    std::uint32_t best = UINT32_MAX, from = hole;
+    double nearest = 0;
+    std::uint32_t k = hole;
+    do {  // a corner that both share
+        for (std::uint32_t rim = 0; rim < ring_.size(); ++rim)
+            if (joined_[rim] && ring_[rim].at == ring_[k].at && opens_to(ring_[rim], ring_[ring_[k].after].at)) {
+                best = rim;
+                from = k;
+            }
+        k = ring_[k].after;
+    } while (k != hole && best == UINT32_MAX);
+    if (best == UINT32_MAX) {
+        if (join(hole)) {
+            mark_joined(hole);
+            return;
+        }
+        for (std::uint32_t rim = 0; rim < ring_.size(); ++rim) {
+            if (!joined_[rim]) continue;
+            const double length = square_distance(points_[ring_[rim].point], points_[ring_[hole].point]);
+            if (best != UINT32_MAX && length >= nearest) continue;
+            nearest = length;
+            best = rim;
+        }
+    }
+    splice(best, from);
+    mark_joined(from);
+}
+
+/// The hole's corners, and the ends of the bridge, which were made last.
+void Triangulator::mark_joined(std::uint32_t hole) {
+    joined_.resize(ring_.size(), 1);
+    for (std::uint32_t k = hole; !joined_[k]; k = ring_[k].after) joined_[k] = 1;
+}
+
 /// @return false when a loop runs the wrong way around
 bool Triangulator::link_loops(std::span<const FlatPoint> flat, std::span<const std::uint32_t> loop_ends) {
     ring_.resize(flat.size());
     holes_.clear();
+    bool right = true;
     std::uint32_t begin = 0;
     for (const std::uint32_t end : loop_ends) {
         const auto loop = flat.subspan(begin, end - begin);
         const Int128 area = twice_area(loop);
         const bool outer = begin == 0;
-        if (outer ? area <= 0 : area >= 0) return false;
+        if (outer ? area <= 0 : area >= 0) right = false;
         if (!outer) holes_.push_back(begin + std::uint32_t(std::min_element(loop.begin(), loop.end()) - loop.begin()));
         link_ring(flat, begin, end, ring_);
         begin = end;
     }
-    return true;
+    return right;
 }
 
 /// Every hole is joined to what lies before its lowest corner: the outer loop and holes that have been joined. A bridge

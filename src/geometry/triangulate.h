@@ -25,6 +25,11 @@ public:
     bool make(std::span<const GridPoint> points, std::span<const FlatPoint> flat,
               std::span<const std::uint32_t> loop_ends, Triangles& triangles);
 
+    /// Loops that may touch, cross, or run the wrong way around: triangles that lie over each other or have no area, but
+    /// whose sides cancel but for the loops'.
+    void make_any(std::span<const GridPoint> points, std::span<const FlatPoint> flat,
+                  std::span<const std::uint32_t> loop_ends, Triangles& triangles);
+
 private:
     struct Rim {
         double length = 0;  ///< square of the bridge
@@ -38,6 +43,8 @@ private:
     bool link_loops(std::span<const FlatPoint> flat, std::span<const std::uint32_t> loop_ends);
     bool join_holes();
     bool join(std::uint32_t hole);
+    void join_anyhow(std::uint32_t hole);
+    void mark_joined(std::uint32_t hole);
     bool visible(std::uint32_t from, std::uint32_t to) const;
     bool opens_to(const RingCorner& corner, const FlatPoint& target) const;
     void splice(std::uint32_t rim, std::uint32_t hole);
@@ -45,6 +52,7 @@ private:
     std::span<const GridPoint> points_;
     std::vector<RingCorner> ring_;      ///< ends of bridges are there twice
     std::vector<std::uint32_t> holes_;  ///< the lowest corner of each, by u, then v
+    std::vector<std::uint8_t> joined_;  ///< a corner of the ring each: whether it is part of the outline, for make_any()
     std::vector<Rim> rims_;             ///< a heap of corners that a hole may be joined to
     EarClipper clipper_;
 };

@@ -14,7 +14,7 @@ constexpr std::uint32_t kNoEdge = ~0u;
 /// A half plane, turned by a right angle about the line, is the normal of the plane that it is known by.
 class LineAngles final : public SpokeAngles {
 public:
-    LineAngles(const LineTable& lines, const JoinTables& tables, std::uint32_t line)
+    LineAngles(const LineTable& lines, const ExactTables& tables, std::uint32_t line)
         : lines_(lines), tables_(tables), line_(line) {}
 
     int turn(PlaneId a, PlaneId b) const override { return lines_.turn(line_, a, b); }
@@ -26,7 +26,7 @@ public:
 
 private:
     const LineTable& lines_;
-    const JoinTables& tables_;
+    const ExactTables& tables_;
     const std::uint32_t line_;
 };
 
@@ -248,7 +248,7 @@ Arrangement Arranger::arrangement(std::span<const std::uint32_t> order) const {
     return made;
 }
 
-Arrangement arrange(const JoinTables& tables, std::span<const JoinPiece> faces, std::span<const ConvexPiece> portals,
+Arrangement arrange(const ExactTables& tables, std::span<const JoinPiece> faces, std::span<const ConvexPiece> portals,
                     std::vector<OpenEdge>& open) {
     LineTable lines(tables);
     Arranger arranger(tables, lines);

@@ -49,7 +49,7 @@ struct OpenEdge {
 /// Arranges polygons that come and go: only lines on which a side was added or removed are arranged anew.
 class Arranger {
 public:
-    Arranger(const JoinTables& tables, LineTable& lines) : lines_(lines), tables_(tables), sides_(lines) {}
+    Arranger(const ExactTables& tables, LineTable& lines) : lines_(lines), tables_(tables), sides_(lines) {}
 
     /// @param face  it bounds a solid, its front in the air, and overlaps no other face; else it is a portal, in the
     /// air
@@ -99,7 +99,7 @@ private:
     void note_open(std::uint32_t line, std::uint32_t piece);
 
     LineTable& lines_;
-    const JoinTables& tables_;
+    const ExactTables& tables_;
     SidesOnLines sides_;
     std::vector<Polygon> polygons_;
     std::vector<Division> divisions_;  ///< a side each
@@ -127,7 +127,7 @@ private:
 /// @param faces    polygons that bound a solid, their fronts in the air; none overlap
 /// @param portals  polygons in the air
 /// @param open     what keeps the faces from bounding a solid: empty when they do
-Arrangement arrange(const JoinTables& tables, std::span<const JoinPiece> faces, std::span<const ConvexPiece> portals,
+Arrangement arrange(const ExactTables& tables, std::span<const JoinPiece> faces, std::span<const ConvexPiece> portals,
                     std::vector<OpenEdge>& open);
 
 }  // namespace firma

@@ -20,7 +20,7 @@ inline bool is_solid(BrushKind kind) {
 
 class BrushBodies {
 public:
-    BrushBodies(const BrushLevel& level, JoinTables& tables) : level_(level), hider_(tables) {}
+    BrushBodies(const BrushLevel& level, ExactTables& tables) : level_(level), hider_(tables) {}
 
     /// By brush; without faces where a brush has no body.
     std::vector<BrushShape> shapes;

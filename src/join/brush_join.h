@@ -53,7 +53,7 @@ private:
         std::vector<std::vector<GridPoint>> facets;
     };
 
-    JoinTables& tables() { return made_->tables; }
+    ExactTables& tables() { return made_->tables; }
     void change(std::uint32_t brush);
     void redo();
     void make_shapes();

@@ -50,7 +50,7 @@ int side_of(const Plane& plane, const FarCorner& corner) {
 
 class PlaneClipper {
 public:
-    PlaneClipper(JoinTables& tables, std::span<const PlaneId> planes) : tables_(tables), planes_(planes) {
+    PlaneClipper(ExactTables& tables, std::span<const PlaneId> planes) : tables_(tables), planes_(planes) {
         for (int axis = 0; axis < 3; ++axis) {
             const Plane rim = axis_plane(axis, kRimSteps);
             rim_[axis][0] = tables.planes.add(rim);
@@ -131,7 +131,7 @@ private:
         return true;
     }
 
-    JoinTables& tables_;
+    ExactTables& tables_;
     std::span<const PlaneId> planes_;
     PlaneId rim_[3][2];
     std::vector<FarSide> sides_, kept_;
@@ -140,7 +140,7 @@ private:
 
 }  // namespace
 
-BrushFault make_brush_shape(JoinTables& tables, std::span<const PlaneId> planes, BrushShape& shape) {
+BrushFault make_brush_shape(ExactTables& tables, std::span<const PlaneId> planes, BrushShape& shape) {
     shape.faces.clear();
     shape.corners.clear();
     shape.box = {};

@@ -30,6 +30,6 @@ enum class BrushFault : std::uint8_t {
 inline constexpr std::size_t kMostBrushPlanes = 1024;
 
 /// @param planes  their fronts look out of the brush; ones that bound nothing do not matter, nor do repeated ones
-BrushFault make_brush_shape(JoinTables& tables, std::span<const PlaneId> planes, BrushShape& shape);
+BrushFault make_brush_shape(ExactTables& tables, std::span<const PlaneId> planes, BrushShape& shape);
 
 }  // namespace firma

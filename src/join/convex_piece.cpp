@@ -7,7 +7,7 @@
 
 namespace firma {
 
-void divide(JoinTables& tables, const ConvexPiece& piece, PlaneId by, ConvexPiece& behind, ConvexPiece& front) {
+void divide(ExactTables& tables, const ConvexPiece& piece, PlaneId by, ConvexPiece& behind, ConvexPiece& front) {
     FIRMA_ASSERT(!same_plane(by, piece.plane), "a polygon is divided by a plane that crosses its own");
     behind.plane = front.plane = piece.plane;
     behind.sides.clear();

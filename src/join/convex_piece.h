@@ -5,19 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "arrange/exact_tables.h"
 #include "geometry/grid_box.h"
-#include "join/point_table.h"
 
 namespace firma {
-
-/// Planes and points of the level at hand.
-struct JoinTables {
-    PlaneTable planes;
-    PointTable points{planes};
-
-    JoinTables() = default;
-    JoinTables(const JoinTables&) = delete;
-};
 
 /// A polygon's side: from its corner to the next one's, in the plane `plane`, which the polygon lies behind.
 struct PieceSide {
@@ -43,6 +34,6 @@ struct ConvexPiece {
 /// Divides a polygon by a plane that is not its own.
 ///
 /// @param behind, front  what lies on either side; without sides when nothing with area does
-void divide(JoinTables& tables, const ConvexPiece& piece, PlaneId by, ConvexPiece& behind, ConvexPiece& front);
+void divide(ExactTables& tables, const ConvexPiece& piece, PlaneId by, ConvexPiece& behind, ConvexPiece& front);
 
 }  // namespace firma

@@ -15,7 +15,7 @@ namespace firma {
 /// Cuts glass, clips, liquids, brushes that could not be joined, and surfaces.
 class LooseCutter {
 public:
-    LooseCutter(const BrushLevel& level, JoinTables& tables, BrushBodies& bodies, PortalCutter& cutter)
+    LooseCutter(const BrushLevel& level, ExactTables& tables, BrushBodies& bodies, PortalCutter& cutter)
         : level_(level), tables_(tables), bodies_(bodies), cutter_(cutter) {}
 
     /// @param left_out  brushes that are not in use, but have bodies
@@ -27,7 +27,7 @@ private:
     void cut_surfaces();
 
     const BrushLevel& level_;
-    JoinTables& tables_;
+    ExactTables& tables_;
     BrushBodies& bodies_;
     PortalCutter& cutter_;
     std::vector<LooseFacet> made_;

@@ -13,7 +13,7 @@ enum class Meeting {
 };
 
 /// @param edge  for kEdge: its corners
-Meeting meeting(const JoinTables& tables, const BrushShape& body, const ConvexPiece& piece, std::uint32_t (&edge)[2]) {
+Meeting meeting(const ExactTables& tables, const BrushShape& body, const ConvexPiece& piece, std::uint32_t (&edge)[2]) {
     const auto& points = tables.points;
     bool coplanar = false;
     for (const BrushShape::Face& face : body.faces) {
@@ -42,7 +42,7 @@ Meeting meeting(const JoinTables& tables, const BrushShape& body, const ConvexPi
 
 /// A plane of the body, other than the polygon's, that holds an edge of it which lies in the polygon.
 /// @return kNoPlane when the edge does not reach into the polygon
-PlaneId plane_of_edge(const JoinTables& tables, const BrushShape& body, const ConvexPiece& piece,
+PlaneId plane_of_edge(const ExactTables& tables, const BrushShape& body, const ConvexPiece& piece,
                       const std::uint32_t (&edge)[2]) {
     const auto& points = tables.points;
     for (const PieceSide& side : piece.sides)

@@ -17,7 +17,7 @@ struct CoplanarRule {
 /// Keeps its scratch from call to call.
 class FaceHider {
 public:
-    explicit FaceHider(JoinTables& tables) : tables_(tables) {}
+    explicit FaceHider(ExactTables& tables) : tables_(tables) {}
 
     /// Takes what the body hides off each of the pieces, which are replaced by what is left.
     /// What the body only stands on with an edge is divided there.
@@ -26,7 +26,7 @@ public:
 private:
     bool hide_one(const BrushShape& body, const CoplanarRule& rule, const ConvexPiece& piece);
 
-    JoinTables& tables_;
+    ExactTables& tables_;
     std::vector<ConvexPiece> left_, outside_;
     ConvexPiece rest_, behind_, front_;
 };

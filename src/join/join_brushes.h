@@ -49,7 +49,7 @@ struct JoinRound {
 };
 
 struct JoinedLevel {
-    JoinTables tables;
+    ExactTables tables;
     std::vector<JoinPiece> faces;          ///< of the solid, fronts in the air
     std::vector<JoinPiece> portal_pieces;  ///< in the air; a material is the portal's brush side
     Arrangement arrangement;               ///< of faces and, after them, portal pieces

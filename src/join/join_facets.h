@@ -16,7 +16,7 @@ namespace firma {
 /// Makes the facets of one polygon after the other. Keeps its scratch.
 class PolygonFacets {
 public:
-    explicit PolygonFacets(const JoinTables& tables) : tables_(tables) {}
+    explicit PolygonFacets(const ExactTables& tables) : tables_(tables) {}
 
     /// @param corners  the polygon's outline
     /// @param facets   replaced by its facets
@@ -24,7 +24,7 @@ public:
     bool make(PlaneId plane, std::span<const std::uint32_t> corners, std::vector<std::vector<GridPoint>>& facets);
 
 private:
-    const JoinTables& tables_;
+    const ExactTables& tables_;
     FacetMaker maker_;
     Facets made_;
     std::vector<GridPoint> points_;
@@ -46,7 +46,7 @@ struct JoinFacets {
 };
 
 /// @param planes       of each polygon of the arrangement
-JoinFacets make_join_facets(const JoinTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement);
+JoinFacets make_join_facets(const ExactTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement);
 
 /// Puts a facet into a set: a face like `face`, with corners of its own.
 void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry face);
@@ -54,7 +54,7 @@ void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry 
 /// Makes the exact faces of a joined solid: vertices, edges and planes are shared objects, each made once.
 class JoinFaceMaker {
 public:
-    JoinFaceMaker(const JoinTables& tables, std::span<const JoinPiece> faces, const Arrangement& arrangement,
+    JoinFaceMaker(const ExactTables& tables, std::span<const JoinPiece> faces, const Arrangement& arrangement,
                   const JoinFacets& facets);
 
     /// The face's exact form; null where its one facet says it all.
@@ -65,7 +65,7 @@ private:
     const Ref<const SolidVertex>& vertex(std::uint32_t point);
     const Ref<const SolidEdge>& edge(std::uint32_t index);
 
-    const JoinTables& tables_;
+    const ExactTables& tables_;
     const std::span<const JoinPiece> faces_;
     const Arrangement& arrangement_;
     const JoinFacets& facets_;

@@ -7,7 +7,7 @@
 
 namespace firma {
 
-std::vector<LooseFacet> make_loose_facets(const JoinTables& tables, const std::vector<JoinPiece>& pieces) {
+std::vector<LooseFacet> make_loose_facets(const ExactTables& tables, const std::vector<JoinPiece>& pieces) {
     std::vector<OpenEdge> open;  // most edges are: these pieces bound nothing
     const Arrangement arrangement = arrange(tables, pieces, {}, open);
     std::vector<PlaneId> planes;
@@ -26,7 +26,7 @@ std::vector<LooseFacet> make_loose_facets(const JoinTables& tables, const std::v
     return made;
 }
 
-ConvexPiece piece_of_corners(JoinTables& tables, const std::vector<InputPoint>& corners) {
+ConvexPiece piece_of_corners(ExactTables& tables, const std::vector<InputPoint>& corners) {
     const std::size_t count = corners.size();
     Plane plane;
     for (std::size_t k = 2; k < count && !plane.valid(); ++k)

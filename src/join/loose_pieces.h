@@ -24,10 +24,10 @@ struct LooseFacet {
 /// them.
 /// @param pieces  that do not overlap in one plane
 /// @return without rooms; pieces too thin for the grid have none
-std::vector<LooseFacet> make_loose_facets(const JoinTables& tables, const std::vector<JoinPiece>& pieces);
+std::vector<LooseFacet> make_loose_facets(const ExactTables& tables, const std::vector<JoinPiece>& pieces);
 
 /// The polygon as a piece: in the plane of its corners, its sides in planes along the plane's dominant axis.
 /// @param corners  on the input grid; convex, exactly planar, with area
-ConvexPiece piece_of_corners(JoinTables& tables, const std::vector<InputPoint>& corners);
+ConvexPiece piece_of_corners(ExactTables& tables, const std::vector<InputPoint>& corners);
 
 }  // namespace firma

@@ -236,7 +236,7 @@ int PieceMerger::turn(const ConvexPiece& in, std::size_t a, const ConvexPiece& o
                       tables_.planes.plane(out.sides[b].plane));
 }
 
-void merge_pieces(const JoinTables& tables, std::vector<JoinPiece>& pieces, const KeepSide& keep) {
+void merge_pieces(const ExactTables& tables, std::vector<JoinPiece>& pieces, const KeepSide& keep) {
     LineTable lines(tables);
     PieceMerger merger(tables, lines);
     for (std::uint32_t k = 0; k < pieces.size(); ++k) merger.add(std::move(pieces[k]), k);

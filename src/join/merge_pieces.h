@@ -32,7 +32,7 @@ using KeepSide = std::function<bool(std::uint32_t from, std::uint32_t to, PlaneI
 /// merge with what was added or removed, or with each other because of it.
 class PieceMerger {
 public:
-    PieceMerger(const JoinTables& tables, LineTable& lines) : tables_(tables), sides_(lines) {}
+    PieceMerger(const ExactTables& tables, LineTable& lines) : tables_(tables), sides_(lines) {}
 
     /// @param piece  overlaps no other in its plane
     /// @param order  a number that no other piece has
@@ -79,7 +79,7 @@ private:
     int turn(const ConvexPiece& in, std::size_t a, const ConvexPiece& out, std::size_t b) const;
     double square_length(std::uint32_t from, std::uint32_t to) const;
 
-    const JoinTables& tables_;
+    const ExactTables& tables_;
     SidesOnLines sides_;  ///< of pieces as they were added
     std::vector<Entry> entries_;
     std::vector<std::uint32_t> added_, removed_;  ///< since the last merge()
@@ -94,6 +94,6 @@ private:
 
 /// PieceMerger for pieces that stay as they are, in the order in which they stand.
 /// @param pieces  replaced by what they become
-void merge_pieces(const JoinTables& tables, std::vector<JoinPiece>& pieces, const KeepSide& keep);
+void merge_pieces(const ExactTables& tables, std::vector<JoinPiece>& pieces, const KeepSide& keep);
 
 }  // namespace firma

@@ -34,7 +34,7 @@ double facing(const Plane& a, const Plane& b) {
 
 }  // namespace
 
-PlaneMover::PlaneMover(const BrushLevel& level, JoinTables& tables) : level_(level), tables_(tables) {
+PlaneMover::PlaneMover(const BrushLevel& level, ExactTables& tables) : level_(level), tables_(tables) {
     grow();
 }
 

@@ -17,7 +17,7 @@ namespace firma {
 /// all brushes that have it at once: so neighbours stay neighbours.
 class PlaneMover {
 public:
-    PlaneMover(const BrushLevel& level, JoinTables& tables);
+    PlaneMover(const BrushLevel& level, ExactTables& tables);
 
     /// Takes in the sides that were added to the level.
     void grow();
@@ -64,7 +64,7 @@ private:
     void replace(PlaneId was, PlaneId is);
 
     const BrushLevel& level_;
-    JoinTables& tables_;
+    ExactTables& tables_;
     std::vector<PlaneId> plane_as_read_, plane_of_side_;
     std::vector<PlaneId> candidates_;           ///< that may be changed
     std::vector<PlaneId> axial_;                ///< that may not

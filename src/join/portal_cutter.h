@@ -13,7 +13,7 @@ namespace firma {
 
 class PortalCutter {
 public:
-    explicit PortalCutter(JoinTables& tables) : tables_(tables) {}
+    explicit PortalCutter(ExactTables& tables) : tables_(tables) {}
 
     /// @param portals  polygons in the air, from now on
     void set_portals(std::span<const JoinPiece> portals);
@@ -28,7 +28,7 @@ public:
     bool ends_at_portal(std::uint32_t from, std::uint32_t to, PlaneId plane) const;
 
 private:
-    JoinTables& tables_;
+    ExactTables& tables_;
     std::vector<PlaneId> planes_;  ///< of each portal
     BoxTree tree_;                 ///< of the same
     std::vector<std::uint32_t> near_;

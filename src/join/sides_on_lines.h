@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "join/line_table.h"
+#include "arrange/line_table.h"
+#include "join/convex_piece.h"
 
 namespace firma {
 

@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    JoinTables& tables() { return made_->tables; }
+    ExactTables& tables() { return made_->tables; }
 
     std::unique_ptr<DividedMesh> failed(const char* fault) {
         made_->fault = fault;

@@ -18,7 +18,7 @@
 namespace firma {
 
 struct DividedMesh {
-    JoinTables tables;
+    ExactTables tables;
     std::vector<JoinPiece> faces;    ///< of the solid; a source is an index into Level::faces
     std::vector<JoinPiece> portals;  ///< parts in the air; a source is an index into the portals
     Arrangement arrangement;         ///< of faces and, after them, portals

@@ -3,6 +3,7 @@
 #include "solid/make_facets.h"
 
 #include <array>
+#include <cmath>
 
 #include "geometry/convex_loop.h"
 #include "geometry/polygon_shape.h"
@@ -48,6 +49,28 @@ bool FacetMaker::make(std::span<const GridPoint> points, std::span<const std::ui
     if (!triangulator_.make(points, flat_, loop_ends, triangles_)) return false;
     merger_.merge(points, flat_, triangles_, facets);
     return true;
+}
+
+void FacetMaker::make_folded(std::span<const GridPoint> points, std::span<const Vec3> exact,
+                             std::span<const std::uint32_t> loop_ends, FlatView view, Facets& facets) {
+    constexpr double kFine = 0x1p24;  // of an input step: what exact corners are known to
+    flat_.clear();
+    for (const Vec3& p : exact)
+        flat_.push_back({std::int64_t(std::floor(p[view.u()] * kFine)), std::int64_t(std::floor(p[view.v()] * kFine))});
+    triangulator_.make_any(points, flat_, loop_ends, triangles_);
+    facets.corners.clear();
+    facets.first.assign(1, 0);
+    const auto& corners = triangles_.corners;
+    const auto has_sides = [&](std::size_t k) {
+        const GridPoint &a = points[corners[k]], &b = points[corners[k + 1]], &c = points[corners[k + 2]];
+        return a != b && b != c && c != a;
+    };
+    for (std::size_t k = 0; k < corners.size(); k += 3) {
+        // With a side of no length the other two cancel; but a face is found by its facets.
+        if (!has_sides(k) && !(k + 3 == corners.size() && facets.corners.empty())) continue;
+        for (std::size_t c = k; c < k + 3; ++c) facets.corners.push_back(corners[c]);
+        facets.first.push_back(std::uint32_t(facets.corners.size()));
+    }
 }
 
 /// Two triangles with area and a common diagonal lie on either side of it: nothing else needs checking.

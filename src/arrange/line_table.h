@@ -5,19 +5,22 @@
 #include <cstdint>
 #include <vector>
 
-#include "join/convex_piece.h"
+#include "arrange/exact_tables.h"
 
 namespace firma {
 
 class LineTable {
 public:
-    explicit LineTable(const JoinTables& tables) : tables_(tables) {}
+    explicit LineTable(const ExactTables& tables) : tables_(tables) {}
 
     /// The line in which two planes meet, that are not parallel.
     /// @param point  a point on it
     std::uint32_t add(PlaneId a, PlaneId b, std::uint32_t point);
 
     std::size_t size() const { return lines_.size(); }
+
+    /// One of two planes that meet in it.
+    PlaneId plane(std::uint32_t line, int k) const { return lines_[line].planes[k]; }
 
     /// Whether a.normal x b.normal runs the way the line does, for planes that meet in it. A line ascends along the
     /// axis of its largest component, whichever planes name it.
@@ -38,7 +41,7 @@ private:
 
     bool same(const Line& line, PlaneId a, PlaneId b, std::uint32_t point) const;
 
-    const JoinTables& tables_;
+    const ExactTables& tables_;
     std::vector<Line> lines_;
     FlatMap of_planes_, of_hash_;
 };

@@ -3,7 +3,7 @@
 //
 // Lines are found again by their Pluecker coordinates, which are unique up to a factor: taken modulo a prime and
 // divided by the first that is not zero, they are unique. What seems equal is compared exactly.
-#include "join/line_table.h"
+#include "arrange/line_table.h"
 
 #include <utility>
 

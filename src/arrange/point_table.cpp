@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // All points where planes of a level meet, each once.
-#include "join/point_table.h"
+#include "arrange/point_table.h"
 
 #include <algorithm>
 
@@ -34,6 +34,10 @@ std::uint32_t PointTable::add(PlaneId a, PlaneId b, PlaneId c) {
     return index;
 }
 
+std::uint32_t PointTable::add(const InputPoint& grid) {
+    return find_or_add({ExactPoint(grid), {kNoPlane, kNoPlane, kNoPlane}});
+}
+
 /// Equal points round to the same place; what lies there is compared exactly.
 std::uint32_t PointTable::find_or_add(const Entry& entry) {
     for (std::uint64_t key = point_key(entry.point.rounded());; key = next_key(key)) {
@@ -59,7 +63,7 @@ bool PointTable::same(const Entry& a, const Entry& b) const {
 int PointTable::side(PlaneId plane, std::uint32_t index) const {
     const Entry& entry = points_[index];
     for (const PlaneId own : entry.planes)
-        if (same_plane(own, plane)) return 0;
+        if (own != kNoPlane && same_plane(own, plane)) return 0;
     return exact_side(planes_.plane(plane), entry.point);
 }
 

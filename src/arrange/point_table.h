@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// All points where planes of a level meet, each once, whichever of its planes named it.
+// All points where planes of what is arranged meet, each once, whichever of its planes named it.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "base/flat_map.h"
-#include "join/plane_table.h"
+#include "arrange/plane_table.h"
 
 namespace firma {
 
@@ -18,6 +18,8 @@ public:
     /// @return its number; kNone when it lies outside the world
     std::uint32_t add(PlaneId a, PlaneId b, PlaneId c);
     static constexpr std::uint32_t kNone = ~0u;
+    /// A point of the input grid.
+    std::uint32_t add(const InputPoint& grid);
 
     const ExactPoint& point(std::uint32_t index) const { return points_[index].point; }
     /// Of one that is not on_grid().

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All planes of a level that is joined, each once.
-#include "join/plane_table.h"
+// All planes of what is arranged, each once.
+#include "arrange/plane_table.h"
 
 namespace firma {
 namespace {

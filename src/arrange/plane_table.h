@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All planes of a level that is joined, each once: equal planes have equal numbers.
+// All planes of what is arranged, each once: equal planes have equal numbers.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Lines divided at all points on them.
+#include "arrange/divide_lines.h"
+
+#include <algorithm>
+
+#include "base/sort.h"
+
+namespace firma {
+
+std::uint32_t DividedLines::place_of(std::uint32_t line, std::uint32_t point) const {
+    const std::vector<std::uint32_t>& on = (*points_on_)[line];
+    const auto at = std::lower_bound(on.begin(), on.end(), point, [&](std::uint32_t a, std::uint32_t b) {
+        return overlay_->lines.before(line, a, b);
+    });
+    return std::uint32_t(at - on.begin());
+}
+
+void DividedLines::divide(const Overlay& overlay, SpanFinder& spans) {
+    overlay_ = &overlay;
+    points_on_ = &spans.points_on();
+    pieces_.clear();
+    first_piece_.clear();
+    for (std::uint32_t line = 0; line < spans.points_on().size(); ++line) {
+        std::vector<std::uint32_t>& on = spans.points_on()[line];
+        sort_range(on, [&](std::uint32_t a, std::uint32_t b) { return overlay.lines.before(line, a, b); });
+        on.erase(std::unique(on.begin(), on.end()), on.end());
+        first_piece_.push_back(std::uint32_t(pieces_.size()));
+        for (std::size_t k = 0; k + 1 < on.size(); ++k) pieces_.push_back({line, on[k], on[k + 1]});
+    }
+    whole_edge_.assign(overlay.edges.size(), ~0u);
+    face_pieces_.clear();
+    first_.assign(1, 0);
+    for (std::uint32_t face = 0; face < overlay.faces.size(); ++face) {
+        if (spans.touched(face))
+            add_touched(face, spans.spans_of(face));
+        else
+            add_whole(face, spans);
+        first_.push_back(std::uint32_t(face_pieces_.size()));
+    }
+}
+
+/// Each piece once, in order.
+void DividedLines::add_touched(std::uint32_t, std::span<const FaceSpan> spans) {
+    const std::size_t first = face_pieces_.size();
+    for (const FaceSpan& span : spans) {
+        const std::uint32_t from = place_of(span.line, span.from), to = place_of(span.line, span.to);
+        for (std::uint32_t k = from; k < to; ++k)
+            face_pieces_.push_back({first_piece_[span.line] + k, span.covers, span.edge, span.reversed});
+    }
+    const auto mine = std::span(face_pieces_).subspan(first);
+    sort_range(mine, [](const FacePiece& a, const FacePiece& b) {
+        if (a.piece != b.piece) return a.piece < b.piece;
+        return a.edge != b.edge ? a.edge < b.edge : a.covers < b.covers;  // its own edges first
+    });
+    std::size_t kept = first;
+    for (std::size_t k = first; k < face_pieces_.size(); ++k) {
+        if (kept > first && face_pieces_[kept - 1].piece == face_pieces_[k].piece)
+            face_pieces_[kept - 1].covers |= face_pieces_[k].covers;
+        else
+            face_pieces_[kept++] = face_pieces_[k];
+    }
+    face_pieces_.resize(kept);
+}
+
+/// Of a face that nothing meets the edges may be divided all the same, as a neighbour is met.
+void DividedLines::add_whole(std::uint32_t index, SpanFinder& spans) {
+    const OverlayFace& face = overlay_->faces[index];
+    for (const OverlaySide& side : overlay_->sides(face)) {
+        const std::uint32_t line = spans.line_of(side.edge);
+        if (line == SpanFinder::kNoLine) {
+            std::uint32_t& piece = whole_edge_[side.edge];
+            if (piece == ~0u) {
+                piece = std::uint32_t(pieces_.size());
+                pieces_.push_back({Piece::kNoLine, overlay_->edges[side.edge].from, overlay_->edges[side.edge].to});
+            }
+            face_pieces_.push_back(
+                {piece, std::uint8_t(side.reversed ? kCoversRight : kCoversLeft), side.edge, false});
+            continue;
+        }
+        std::uint32_t from = place_of(line, overlay_->from(side)), to = place_of(line, overlay_->to(side));
+        const bool along = from < to;
+        if (!along) std::swap(from, to);
+        for (std::uint32_t k = from; k < to; ++k)
+            face_pieces_.push_back({first_piece_[line] + k, std::uint8_t(along ? kCoversLeft : kCoversRight),
+                                    side.edge, along == side.reversed});
+    }
+}
+
+}  // namespace firma

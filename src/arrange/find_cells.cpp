@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Faces divided along their pieces.
+#include "arrange/find_cells.h"
+
+namespace firma {
+namespace {
+
+/// A face that nothing meets, with its edges divided where others divide them.
+void add_whole(const Overlay& overlay, std::uint32_t index, std::span<const FacePiece> pieces,
+               const DividedLines& lines, CellSet& cells) {
+    const OverlayFace& face = overlay.faces[index];
+    Cell cell;
+    cell.face = index;
+    cell.first_use = std::uint32_t(cells.all_uses.size());
+    cell.first_loop = std::uint32_t(cells.loop_ends.size());
+    // Pieces come side by side, of each in the line's order.
+    std::size_t at = 0;
+    std::uint32_t side = 0;
+    for (const std::uint32_t end : overlay.ends(face)) {
+        for (; side < end; ++side) {
+            const OverlaySide& it = overlay.sides(face)[side];
+            std::size_t last = at;
+            while (last < pieces.size() && pieces[last].edge == it.edge &&
+                   (last == at || lines.piece(pieces[last].piece).from == lines.piece(pieces[last - 1].piece).to))
+                ++last;
+            const bool forward = pieces[at].covers == kCoversLeft;
+            for (std::size_t k = at; k < last; ++k) {
+                const FacePiece& piece = pieces[forward ? k : at + last - 1 - k];
+                cells.all_uses.push_back({piece.piece, forward, piece.reversed, piece.edge});
+            }
+            at = last;
+        }
+        cells.loop_ends.push_back(std::uint32_t(cells.all_uses.size()) - cell.first_use);
+    }
+    cell.use_count = std::uint32_t(cells.all_uses.size()) - cell.first_use;
+    cell.loop_count = face.loop_count;
+    cells.cells.push_back(cell);
+}
+
+}  // namespace
+
+bool add_cells(FlatEdges& flat, std::uint32_t face, std::span<const PieceUse> loops,
+               std::span<const std::uint32_t> ends, CellSet& cells) {
+    std::vector<std::uint32_t> outline_of;
+    if (!flat.group(loops, ends, outline_of)) return false;
+    for (std::uint32_t outline = 0; outline < ends.size(); ++outline) {
+        if (outline_of[outline] != outline) continue;
+        Cell cell;
+        cell.face = face;
+        cell.first_use = std::uint32_t(cells.all_uses.size());
+        cell.first_loop = std::uint32_t(cells.loop_ends.size());
+        const auto add = [&](std::uint32_t loop) {
+            const std::uint32_t first = loop == 0 ? 0 : ends[loop - 1];
+            cells.all_uses.insert(cells.all_uses.end(), loops.begin() + first, loops.begin() + ends[loop]);
+            cells.loop_ends.push_back(std::uint32_t(cells.all_uses.size()) - cell.first_use);
+            ++cell.loop_count;
+        };
+        add(outline);
+        for (std::uint32_t hole = 0; hole < ends.size(); ++hole)
+            if (hole != outline && outline_of[hole] == outline) add(hole);
+        cell.use_count = std::uint32_t(cells.all_uses.size()) - cell.first_use;
+        cells.cells.push_back(cell);
+    }
+    return true;
+}
+
+bool find_cells(Overlay& overlay, const SpanFinder& spans, const DividedLines& lines, CellSet& cells) {
+    cells = {};
+    FlatEdges flat(overlay, lines);
+    std::vector<PieceUse> uses, loops;
+    std::vector<std::uint32_t> ends;
+    for (std::uint32_t face = 0; face < overlay.faces.size(); ++face) {
+        cells.first_of_face.push_back(std::uint32_t(cells.cells.size()));
+        const auto pieces = lines.of_face(face);
+        if (!spans.touched(face)) {
+            add_whole(overlay, face, pieces, lines, cells);
+            continue;
+        }
+        uses.clear();
+        for (const FacePiece& piece : pieces) {
+            if (piece.covers & kCoversLeft) uses.push_back({piece.piece, true, piece.reversed, piece.edge});
+            if (piece.covers & kCoversRight) uses.push_back({piece.piece, false, piece.reversed, piece.edge});
+        }
+        flat.start(overlay.faces[face].plane);
+        if (!flat.trace(uses, loops, ends) || !add_cells(flat, face, loops, ends, cells)) return false;
+    }
+    cells.first_of_face.push_back(std::uint32_t(cells.cells.size()));
+    return true;
+}
+
+}  // namespace firma

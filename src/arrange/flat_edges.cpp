@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Directed pieces in one plane.
+#include "arrange/flat_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/sort.h"
+
+namespace firma {
+namespace {
+
+constexpr std::uint32_t kNone = ~0u;
+
+}  // namespace
+
+/// Another plane through the piece.
+PlaneId FlatEdges::across(const PieceUse& use) const {
+    const std::uint32_t line = lines_.piece(use.piece).line;
+    const PlaneId first = overlay_.lines.plane(line, 0);
+    return same_plane(first, plane_) ? overlay_.lines.plane(line, 1) : first;
+}
+
+/// Whether it runs along plane x across.
+bool FlatEdges::runs_with(const PieceUse& use) const {
+    return overlay_.lines.runs_along(lines_.piece(use.piece).line, plane_, across(use)) == use.forward;
+}
+
+/// Sign of the turn from one direction to another: (n x a) x (n x b) = n det(n, a, b).
+int FlatEdges::turn(const PieceUse& a, const PieceUse& b) const {
+    if (lines_.piece(a.piece).line == lines_.piece(b.piece).line) return 0;
+    const int sign =
+        exact_turn(overlay_.plane(plane_), overlay_.plane(across(a)), overlay_.plane(across(b)));
+    return runs_with(a) == runs_with(b) ? sign : -sign;
+}
+
+/// Whether a, turning clockwise from the way back along `in`, is met before b.
+bool FlatEdges::comes_before(const PieceUse& in, const PieceUse& a, const PieceUse& b) const {
+    const auto part = [&](const PieceUse& out) {
+        if (out.piece == in.piece) return 4;  // the way back itself: all the way around
+        const int sign = turn(in, out);  // against the way back all turns change sign
+        return 2 - sign;
+    };
+    const int part_a = part(a), part_b = part(b);
+    if (part_a != part_b) return part_a < part_b;
+    return turn(a, b) < 0;
+}
+
+bool FlatEdges::trace(std::span<const PieceUse> uses, std::vector<PieceUse>& loops, std::vector<std::uint32_t>& ends) {
+    loops.clear();
+    ends.clear();
+    order_.resize(uses.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    sort_range(order_, [&](std::uint32_t a, std::uint32_t b) {
+        const std::uint32_t of_a = from(uses[a]), of_b = from(uses[b]);
+        return of_a != of_b ? of_a < of_b : a < b;
+    });
+    next_.assign(uses.size(), kNone);
+    for (std::uint32_t k = 0; k < uses.size(); ++k) {
+        const std::uint32_t at = to(uses[k]);
+        auto out = std::lower_bound(order_.begin(), order_.end(), at,
+                                    [&](std::uint32_t use, std::uint32_t point) { return from(uses[use]) < point; });
+        std::uint32_t best = kNone;
+        for (; out != order_.end() && from(uses[*out]) == at; ++out)
+            if (best == kNone || comes_before(uses[k], uses[*out], uses[best])) best = *out;
+        if (best == kNone) return false;
+        next_[k] = best;
+    }
+    for (std::uint32_t first = 0; first < uses.size(); ++first) {
+        if (next_[first] == kNone) continue;
+        std::uint32_t use = first;
+        while (next_[use] != kNone) {
+            loops.push_back(uses[use]);
+            use = std::exchange(next_[use], kNone);
+        }
+        if (use != first) return false;  // two lead to one
+        ends.push_back(std::uint32_t(loops.size()));
+    }
+    return true;
+}
+
+std::uint32_t FlatEdges::meet(const PieceUse& use, PlaneId across_plane) {
+    return overlay_.tables.points.add(plane_, across(use), across_plane);
+}
+
+/// Whether what lies just left of a use lies in what a loop goes around. A ray beside the use's line, so little to the
+/// left that it passes all points of the line to their left, is followed on from the use.
+bool FlatEdges::encloses(std::span<const PieceUse> loop, const PieceUse& use) {
+    const PlaneId plane = across(use);
+    const std::uint32_t line = lines_.piece(use.piece).line;
+    const int left = runs_with(use) ? -1 : 1;  // left of plane x across lies behind across
+    const auto is_left = [&](std::uint32_t point) {
+        return overlay_.tables.points.side(plane, point) == left;
+    };
+    const std::uint32_t start = to(use);
+    bool inside = false;
+    bool here = is_left(from(loop[0]));
+    for (const PieceUse& side : loop) {
+        const std::uint32_t a = from(side), b = to(side);
+        const bool there = is_left(b);
+        if (here != there) {
+            const std::uint32_t right = here ? b : a;
+            const std::uint32_t at = overlay_.tables.points.side(plane, right) == 0 ? right : meet(side, plane);
+            const bool behind = use.forward ? overlay_.lines.before(line, at, start)
+                                            : overlay_.lines.before(line, start, at);
+            inside ^= !behind;
+        }
+        here = there;
+    }
+    return inside;
+}
+
+/// Mostly an area in double tells.
+bool FlatEdges::runs_left(std::span<const PieceUse> loop) {
+    const FlatView view = overlay_.plane(plane_).front_view();
+    const Vec3& start = overlay_.point(from(loop[0])).approximate();
+    double twice_area = 0, reach = 0, au = 0, av = 0;
+    for (const PieceUse& use : loop) {
+        const Vec3& p = overlay_.point(from(use)).approximate();
+        const double u = p[view.u()] - start[view.u()], v = p[view.v()] - start[view.v()];
+        twice_area += au * v - av * u;
+        reach = std::max({reach, std::fabs(u), std::fabs(v)});
+        au = u;
+        av = v;
+    }
+    // Each difference is off by 2^-24 at most, each term by 2^-21 of the reach and a few roundings of its square.
+    const double error = double(loop.size()) * reach * (0x1p-20 + 0x1p-45 * reach);
+    if (twice_area > error) return true;
+    if (twice_area < -error) return false;
+    return encloses(loop, loop[0]);
+}
+
+bool FlatEdges::group(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends,
+                      std::vector<std::uint32_t>& outline_of) {
+    outline_of.assign(ends.size(), kNone);
+    if (ends.size() == 1) {
+        outline_of[0] = 0;
+        return true;
+    }
+    const auto loop = [&](std::size_t k) {
+        const std::uint32_t first = k == 0 ? 0 : ends[k - 1];
+        return loops.subspan(first, ends[k] - first);
+    };
+    std::vector<std::uint32_t> outlines;
+    for (std::uint32_t k = 0; k < ends.size(); ++k) {
+        if (!runs_left(loop(k))) continue;
+        outline_of[k] = k;
+        outlines.push_back(k);
+    }
+    for (std::uint32_t k = 0; k < ends.size(); ++k) {
+        if (outline_of[k] != kNone) continue;
+        std::uint32_t best = kNone;
+        for (const std::uint32_t outline : outlines) {
+            if (outlines.size() > 1 && !encloses(loop(outline), loop(k)[0])) continue;
+            if (best == kNone || encloses(loop(best), loop(outline)[0])) best = outline;
+        }
+        if (best == kNone) return false;
+        outline_of[k] = best;
+    }
+    return true;
+}
+
+}  // namespace firma

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+// From labels to the faces of the result.
+#include "arrange/keep_cells.h"
+
+#include <algorithm>
+
+#include "base/disjoint_sets.h"
+#include "base/sort.h"
+
+namespace firma {
+namespace {
+
+constexpr std::uint32_t kNone = ~0u;
+
+class Keeper {
+public:
+    Keeper(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
+           const Selection& selection, Arranged& made)
+        : overlay_(overlay),
+          lines_(lines),
+          cells_(cells),
+          users_(users),
+          selection_(selection),
+          made_(made),
+          flat_(overlay, lines),
+          groups_(cells.cells.size()),
+          kept_(cells.cells.size(), Kept::kNot) {}
+
+    bool keep(std::span<const CellLabel> labels) {
+        uses_ = cells_.all_uses;
+        partner_.assign(uses_.size(), kNone);
+        next_.assign(uses_.size(), kNone);
+        chain_.assign(uses_.size(), kNone);
+        dissolved_.assign(uses_.size(), 0);
+        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell) {
+            const Cell& it = cells_.cells[cell];
+            kept_[cell] = selection_.keep(overlay_.faces[it.face].operand, labels[cell]);
+            for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
+                if (kept_[cell] == Kept::kTurned) uses_[use] = uses_[use].turned();
+                uses_[use].id = use;
+            }
+        }
+        if (nothing_changes()) {
+            made_.changes = false;
+            return true;
+        }
+        find_contacts();
+        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
+            if (users_.shared(piece)) merge_across(piece);
+        // Where faces became one, the rest of what lay between them goes too.
+        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
+            if (!users_.shared(piece)) merge_across(piece);
+        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
+            if (!(users_.shared(piece) ? pair_around(piece) : pair_by_edge(piece))) return false;
+        gather_groups();
+        for (std::uint32_t group = 0; group < members_first_.size() - 1; ++group)
+            if (!trace(group)) return false;
+        for (std::uint32_t group = 0; group < members_first_.size() - 1; ++group)
+            if (!write(group)) return false;
+        return true;
+    }
+
+private:
+    PlaneId plane_of(std::uint32_t cell) const {
+        const PlaneId plane = overlay_.faces[cells_.cells[cell].face].plane;
+        return kept_[cell] == Kept::kTurned ? from_behind(plane) : plane;
+    }
+    /// Whether all of the first solid stays, and nothing of another comes.
+    bool nothing_changes() const {
+        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell)
+            if ((overlay_.faces[cells_.cells[cell].face].operand == 0) != (kept_[cell] == Kept::kAsItIs)) return false;
+        return true;
+    }
+    bool is_kept(std::uint32_t use) const { return kept_[users_.cell_of(use)] != Kept::kNot; }
+    std::uint32_t group_of(std::uint32_t use) { return groups_.find(users_.cell_of(use)); }
+
+    /// Points that lie on pieces where both solids are.
+    void find_contacts() {
+        contact_.assign(overlay_.tables.points.size(), 0);
+        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) {
+            if (!users_.shared(piece)) continue;
+            contact_[lines_.piece(piece).from] = 1;
+            contact_[lines_.piece(piece).to] = 1;
+        }
+    }
+
+    /// What lies in one plane on both sides of the piece, and is alike, is one.
+    void merge_across(std::uint32_t piece) {
+        const auto uses = users_.at(piece);
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (!is_kept(uses[i]) || !uses_[uses[i]].forward || dissolved_[uses[i]]) continue;
+            const std::uint32_t a = users_.cell_of(uses[i]);
+            for (std::size_t j = 0; j < uses.size(); ++j) {
+                if (!is_kept(uses[j]) || uses_[uses[j]].forward || dissolved_[uses[j]]) continue;
+                const std::uint32_t b = users_.cell_of(uses[j]);
+                if (plane_of(a) != plane_of(b)) continue;
+                if (groups_.find(a) != groups_.find(b) && !(users_.shared(piece) && are_alike(a, b))) continue;
+                groups_.join(a, b);
+                dissolved_[uses[i]] = dissolved_[uses[j]] = 1;
+                break;
+            }
+        }
+    }
+
+    bool are_alike(std::uint32_t a, std::uint32_t b) const {
+        const std::uint32_t face_a = cells_.cells[a].face, face_b = cells_.cells[b].face;
+        return face_a == face_b || selection_.alike(face_a, face_b);
+    }
+
+    /// Each wedge of air between two faces is an edge.
+    bool pair_around(std::uint32_t piece) {
+        spokes_.clear();
+        for (const std::uint32_t use : users_.at(piece)) {
+            if (!is_kept(use) || dissolved_[use]) continue;
+            const std::uint32_t cell = users_.cell_of(use);
+            const bool forward = uses_[use].forward;
+            spokes_.push_back({use, cell, forward ? plane_of(cell) : from_behind(plane_of(cell)), forward, 0, 0});
+        }
+        if (spokes_.empty()) return true;
+        sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
+        for (std::size_t k = 0; k < spokes_.size(); ++k) {
+            const CellSpoke &here = spokes_[k], &next = spokes_[k + 1 < spokes_.size() ? k + 1 : 0];
+            if (here.air_after == next.air_after || here.half == next.half) return false;
+            if (!here.air_after) continue;
+            partner_[here.use] = next.use;
+            partner_[next.use] = here.use;
+        }
+        return true;
+    }
+
+    /// Where one solid is alone, its edges are what they were.
+    bool pair_by_edge(std::uint32_t piece) {
+        const auto uses = users_.at(piece);
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (!is_kept(uses[i]) || dissolved_[uses[i]] || partner_[uses[i]] != kNone) continue;
+            for (std::size_t j = i + 1; j < uses.size(); ++j) {
+                if (!is_kept(uses[j]) || dissolved_[uses[j]] || partner_[uses[j]] != kNone) continue;
+                const PieceUse &a = uses_[uses[i]], &b = uses_[uses[j]];
+                if (a.edge != b.edge || a.forward == b.forward) continue;
+                partner_[uses[i]] = uses[j];
+                partner_[uses[j]] = uses[i];
+                break;
+            }
+        }
+        return true;
+    }
+
+    /// Groups in order of their lowest cell, and the cells of each.
+    void gather_groups() {
+        std::vector<std::uint32_t> number(cells_.cells.size(), kNone);
+        std::uint32_t count = 0;
+        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell)
+            if (kept_[cell] != Kept::kNot && groups_.find(cell) == cell) number[cell] = count++;
+        members_first_.assign(count + 1, 0);
+        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell)
+            if (kept_[cell] != Kept::kNot) ++members_first_[number[groups_.find(cell)] + 1];
+        for (std::size_t k = 1; k < members_first_.size(); ++k) members_first_[k] += members_first_[k - 1];
+        members_.resize(members_first_.back());
+        std::vector<std::uint32_t> next(members_first_.begin(), members_first_.end() - 1);
+        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell)
+            if (kept_[cell] != Kept::kNot) members_[next[number[groups_.find(cell)]]++] = cell;
+    }
+    std::span<const std::uint32_t> members(std::uint32_t group) const {
+        return {members_.data() + members_first_[group], members_first_[group + 1] - members_first_[group]};
+    }
+
+    /// Sets what follows each use of the group.
+    bool trace(std::uint32_t group) {
+        group_uses_.clear();
+        for (const std::uint32_t cell : members(group)) {
+            const Cell& it = cells_.cells[cell];
+            for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use)
+                if (!dissolved_[use]) group_uses_.push_back(uses_[use]);
+        }
+        flat_.start(plane_of(members(group)[0]));
+        if (is_whole(group)) {
+            follow_cell(cells_.cells[members(group)[0]]);
+            return true;
+        }
+        if (!flat_.trace(group_uses_, loops_, ends_)) return false;
+        std::uint32_t first = 0;
+        for (const std::uint32_t end : ends_) {
+            for (std::uint32_t k = first; k < end; ++k) next_[loops_[k].id] = loops_[k + 1 < end ? k + 1 : first].id;
+            first = end;
+        }
+        return true;
+    }
+    /// Nothing was taken off a single cell, nor is it turned: its loops are what they were.
+    bool is_whole(std::uint32_t group) const {
+        const auto cells = members(group);
+        return cells.size() == 1 && kept_[cells[0]] == Kept::kAsItIs &&
+               group_uses_.size() == cells_.cells[cells[0]].use_count;
+    }
+    void follow_cell(const Cell& cell) {
+        std::uint32_t first = 0;
+        for (const std::uint32_t end : cells_.ends(cell)) {
+            for (std::uint32_t k = first; k < end; ++k)
+                next_[cell.first_use + k] = cell.first_use + (k + 1 < end ? k + 1 : first);
+            first = end;
+        }
+    }
+
+    /// Whether the point between a use and the next one is none of the result's: only their line passes there, between
+    /// the same two faces.
+    bool passes_through(std::uint32_t use) {
+        const std::uint32_t after = next_[use];
+        if (after == use) return false;
+        const std::uint32_t line = lines_.piece(uses_[use].piece).line;
+        if (line == Piece::kNoLine || lines_.piece(uses_[after].piece).line != line) return false;
+        const bool same_edge = uses_[use].edge != FacePiece::kNoEdge && uses_[use].edge == uses_[after].edge;
+        if (!same_edge && !contact_[flat_.to(uses_[use])]) return false;
+        const std::uint32_t there = partner_[use], there_after = partner_[after];
+        if (there == kNone || there_after == kNone) return same_edge && there == there_after;
+        return next_[there_after] == there && group_of(there) == group_of(there_after);
+    }
+
+    /// The number of the edge that a chain of uses makes, which begins with `first` and ends before a point that stays.
+    std::uint32_t edge_of(std::uint32_t first, std::uint32_t last) {
+        if (chain_[first] != kNone) return chain_[first];
+        const auto number = std::uint32_t(made_.edges.size());
+        ArrangedEdge edge;
+        edge.from = flat_.from(uses_[first]);
+        edge.to = flat_.to(uses_[last]);
+        edge.edge = whole_edge(first, last);
+        if (edge.edge != ArrangedEdge::kNoEdge) {
+            edge.from = overlay_.edges[edge.edge].from;
+            edge.to = overlay_.edges[edge.edge].to;
+        }
+        const std::uint32_t line = lines_.piece(uses_[first].piece).line;
+        for (int k = 0; k < 2; ++k)
+            edge.plane[k] = line == Piece::kNoLine ? overlay_.edges[uses_[first].edge].plane[k]
+                                                   : overlay_.lines.plane(line, k);
+        made_.edges.push_back(edge);
+        for (std::uint32_t use = first;; use = next_[use]) {
+            chain_[use] = number;
+            if (partner_[use] != kNone) chain_[partner_[use]] = number;
+            if (use == last) break;
+        }
+        return number;
+    }
+    /// The overlay's edge that a chain is, if it is one.
+    std::uint32_t whole_edge(std::uint32_t first, std::uint32_t last) const {
+        const std::uint32_t edge = uses_[first].edge;
+        if (edge == FacePiece::kNoEdge || !selection_.reusable(edge)) return ArrangedEdge::kNoEdge;
+        for (std::uint32_t use = first;; use = next_[use]) {
+            if (uses_[use].edge != edge) return ArrangedEdge::kNoEdge;
+            if (partner_[use] != kNone && uses_[partner_[use]].edge != edge) return ArrangedEdge::kNoEdge;
+            if (use == last) break;
+        }
+        const std::uint32_t from = flat_.from(uses_[first]), to = flat_.to(uses_[last]);
+        const OverlayEdge& it = overlay_.edges[edge];
+        const bool whole = (it.from == from && it.to == to) || (it.from == to && it.to == from);
+        return whole ? edge : ArrangedEdge::kNoEdge;
+    }
+
+    bool write(std::uint32_t group) {
+        const auto cells = members(group);
+        ArrangedFace face;
+        face.face = cells_.cells[cells[0]].face;
+        face.plane = plane_of(cells[0]);
+        flat_.start(face.plane);
+        // Loops of the uses that edges begin with.
+        loops_.clear();
+        ends_.clear();
+        sides_.clear();
+        seen_.resize(uses_.size(), 0);
+        for (const std::uint32_t cell : cells) {
+            const Cell& it = cells_.cells[cell];
+            for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
+                if (dissolved_[use] || seen_[use]) continue;
+                std::uint32_t start = use;
+                while (passes_through(start)) {
+                    start = next_[start];
+                    if (start == use) return false;  // a loop on one line
+                }
+                start = next_[start];
+                for (std::uint32_t at = start;;) {
+                    std::uint32_t last = at;
+                    seen_[last] = 1;
+                    while (passes_through(last)) {
+                        last = next_[last];
+                        seen_[last] = 1;
+                    }
+                    const std::uint32_t edge = edge_of(at, last);
+                    loops_.push_back(uses_[at]);
+                    sides_.push_back({edge, made_.edges[edge].from != flat_.from(uses_[at]) ||
+                                                made_.edges[edge].to != flat_.to(uses_[last])});
+                    at = next_[last];
+                    if (at == start) break;
+                }
+                ends_.push_back(std::uint32_t(loops_.size()));
+            }
+        }
+        if (stays_whole(face.face, sides_, cells)) {
+            made_.stays[face.face] = 1;
+            return true;
+        }
+        return add_faces(face);
+    }
+
+    /// Whether the face is the overlay's, with the same edges.
+    bool stays_whole(std::uint32_t index, std::span<const OverlaySide> sides, std::span<const std::uint32_t> cells) {
+        const OverlayFace& face = overlay_.faces[index];
+        if (sides.size() != face.side_count || kept_[cells[0]] == Kept::kTurned) return false;
+        wanted_.clear();
+        for (const OverlaySide& side : sides) {
+            const std::uint32_t edge = made_.edges[side.edge].edge;
+            if (edge == ArrangedEdge::kNoEdge) return false;
+            wanted_.push_back(edge);
+        }
+        std::vector<std::uint32_t> own;
+        for (const OverlaySide& side : overlay_.sides(face)) own.push_back(side.edge);
+        sort_range(wanted_);
+        sort_range(own);
+        return wanted_ == own;
+    }
+
+    bool add_faces(const ArrangedFace& like) {
+        std::vector<std::uint32_t> outline_of;
+        find_whole_loops();
+        if (!flat_.group(whole_loops_, piece_ends_, outline_of)) return false;
+        for (std::uint32_t outline = 0; outline < ends_.size(); ++outline) {
+            if (outline_of[outline] != outline) continue;
+            ArrangedFace face = like;
+            face.first_use = std::uint32_t(made_.all_uses.size());
+            face.first_loop = std::uint32_t(made_.loop_ends.size());
+            const auto add = [&](std::uint32_t loop) {
+                const std::uint32_t first = loop == 0 ? 0 : ends_[loop - 1];
+                made_.all_uses.insert(made_.all_uses.end(), sides_.begin() + first, sides_.begin() + ends_[loop]);
+                made_.loop_ends.push_back(std::uint32_t(made_.all_uses.size()) - face.first_use);
+                ++face.loop_count;
+            };
+            add(outline);
+            for (std::uint32_t hole = 0; hole < ends_.size(); ++hole)
+                if (hole != outline && outline_of[hole] == outline) add(hole);
+            face.use_count = std::uint32_t(made_.all_uses.size()) - face.first_use;
+            made_.faces.push_back(face);
+        }
+        return true;
+    }
+    /// The loops of the group at hand, piece by piece.
+    void find_whole_loops() {
+        whole_loops_.clear();
+        piece_ends_.clear();
+        for (std::size_t loop = 0; loop < ends_.size(); ++loop) {
+            const std::uint32_t start = loops_[loop == 0 ? 0 : ends_[loop - 1]].id;
+            std::uint32_t use = start;
+            do {
+                whole_loops_.push_back(uses_[use]);
+                use = next_[use];
+            } while (use != start);
+            piece_ends_.push_back(std::uint32_t(whole_loops_.size()));
+        }
+    }
+
+    Overlay& overlay_;
+    const DividedLines& lines_;
+    const CellSet& cells_;
+    const PieceUsers& users_;
+    const Selection& selection_;
+    Arranged& made_;
+    FlatEdges flat_;
+    DisjointSets groups_;
+    std::vector<Kept> kept_;
+    std::vector<PieceUse> uses_;           ///< of all cells, as they are kept
+    std::vector<std::uint32_t> partner_;   ///< of each use: the one beyond the edge
+    std::vector<std::uint32_t> next_;      ///< of each use: what follows in its loop
+    std::vector<std::uint32_t> chain_;     ///< of each use: its edge
+    std::vector<std::uint8_t> dissolved_;  ///< what lies beyond is the same face
+    std::vector<std::uint8_t> contact_, seen_;
+    std::vector<std::uint32_t> members_first_, members_;
+    std::vector<PieceUse> group_uses_, loops_, whole_loops_;
+    std::vector<std::uint32_t> ends_, piece_ends_, wanted_;  ///< of loops_, of whole_loops_
+    std::vector<OverlaySide> sides_;
+    std::vector<CellSpoke> spokes_;
+};
+
+}  // namespace
+
+bool keep_cells(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
+                std::span<const CellLabel> labels, const Selection& selection, Arranged& made) {
+    made = {};
+    made.stays.assign(overlay.faces.size(), 0);
+    return Keeper(overlay, lines, cells, users, selection, made).keep(labels);
+}
+
+}  // namespace firma

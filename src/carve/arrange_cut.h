@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A cut whose cutter touches what it cuts: the patch and the cutter as one arrangement, nothing moved.
+//
+// In place of cut_faces, order_cuts, label and trace_loops, and with the same outcome: crossings that are vertices, and
+// the loops of new faces.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "arrange/keep_cells.h"
+#include "carve/crossings.h"
+#include "carve/label.h"
+#include "carve/new_loops.h"
+#include "carve/pair_budget.h"
+
+namespace firma {
+
+/// Whether a point that lies off the solid's boundary lies in the solid; kUnknown when that cannot be told.
+using LocatePoint = std::function<CutSide(const ExactPoint& point)>;
+
+class CutArranger {
+public:
+    enum class End : std::uint8_t {
+        kFine,
+        kGoesOn,      ///< call step() again
+        kTooLarge,    ///< more planes than one arrangement holds
+        kPairs,       ///< the budget is spent
+        kBroken,      ///< the solid or the cutter crosses itself
+        kUnlocated,   ///< a part that meets nothing lies too near to the other solid to tell where
+    };
+
+    /// @param material  of the faces that the cutter leaves
+    CutArranger(const CutInput& in, PairBudget& budget, std::uint32_t material)
+        : in_(in), budget_(budget), material_(material), spans_(overlay_) {}
+
+    /// Does one piece of work.
+    End step(const LocatePoint& locate);
+
+    /// After kFine. They look at planes of this object.
+    const Crossings& crossings() const { return crossings_; }
+    const NewLoops& loops() const { return loops_; }
+    Crossings take_crossings() { return std::move(crossings_); }
+
+private:
+    enum class Phase : std::uint8_t { kStart, kPairs, kLines, kCells, kLabels, kKeep };
+
+    End start();
+    End meet_next();
+    End divide();
+    End label(const LocatePoint& locate);
+    End keep();
+
+    void add_patch();
+    void add_cutter();
+    std::uint32_t patch_point(std::uint32_t vertex);
+    std::uint32_t patch_edge(std::uint32_t edge);
+    CellLabel locate_cell(std::uint32_t cell, const LocatePoint& locate) const;
+    bool alike(std::uint32_t face, std::uint32_t other) const;
+    void write(const Arranged& arranged);
+    std::uint32_t vertex_of(std::uint32_t point);
+    bool of_world(std::uint32_t face) const { return face < world_face_.size(); }
+
+    const CutInput& in_;
+    PairBudget& budget_;
+    const std::uint32_t material_;
+    Phase phase_ = Phase::kStart;
+
+    Overlay overlay_;
+    std::vector<std::uint32_t> point_of_vertex_;  ///< of the patch
+    std::vector<std::uint32_t> edge_of_patch_;    ///< in the overlay; ~0: none
+    std::vector<std::uint32_t> patch_edge_;       ///< of an overlay's edge; ~0: one of the cutter's
+    std::vector<std::uint32_t> world_face_;       ///< the patch's, of the overlay's first faces
+    std::vector<std::uint32_t> group_face_;       ///< the overlay's, of a triangle
+    std::vector<std::uint32_t> triangle_of_;      ///< the lowest, of the overlay's faces after those
+    std::vector<std::uint32_t> vertex_of_point_;  ///< see cut_view.h; ~0: none yet
+    SpanFinder spans_;
+    DividedLines lines_;
+    CellSet cells_;
+    PieceUsers users_;
+    std::vector<CellLabel> labels_;
+    Crossings crossings_;
+    NewLoops loops_;
+    std::uint32_t next_ = 0;
+    std::vector<std::uint32_t> met_;
+};
+
+}  // namespace firma
