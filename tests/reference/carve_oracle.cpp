@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -263,17 +264,32 @@ Number in_common(const Prism<Number>& of_solid, const Prism<Number>& of_cutter) 
     return sign * (integral(clipped(shared, above), of_cutter.top) + integral(clipped(shared, below), of_solid.top));
 }
 
+/// Of a facet's whole face.
+GridBox box_of(const FacetPlace& place) {
+    if (const FaceOwner* owner = place.block->owner_of(place.record())) return owner->box;
+    GridBox box;
+    for (const std::uint16_t corner : place.block->corners_of(place.record())) box.add(place.block->vertices[corner]);
+    return box;
+}
+
+bool overlap(const GridBox& p, const GridBox& q) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::int64_t(p.high[axis]) + 2 < q.low[axis] || std::int64_t(q.high[axis]) + 2 < p.low[axis]) return false;
+    return true;
+}
+
+std::set<const Block*> blocks_of(std::span<const FacetPlace> facets) {
+    std::set<const Block*> blocks;
+    for (const FacetPlace& place : facets) blocks.insert(place.block);
+    return blocks;
+}
+
 /// A patch of the exact faces that lie over or under, or within, a box from its bottom up.
 SolidPatch column_of(const World& world, const GridBox& box) {
     SolidPatch patch;
     for (const FacetPlace& place : all_facets(world)) {
         if (!place.record().solid) continue;
-        GridBox own;
-        if (const FaceOwner* owner = place.block->owner_of(place.record()))
-            own = owner->box;
-        else
-            for (const std::uint16_t corner : place.block->corners_of(place.record()))
-                own.add(place.block->vertices[corner]);
+        const GridBox own = box_of(place);
         bool far = std::int64_t(own.high[2]) + 4 < box.low[2];
         for (int axis = 0; axis < 2; ++axis)
             far = far || std::int64_t(own.high[axis]) + 4 < box.low[axis] ||
@@ -420,10 +436,13 @@ bool same_solid(const World& a, const World& b) {
     // Area, moments along both axes of the projection along the dominant one, and second moments.
     using Measures = std::array<Real, 6>;
     std::map<PlaneKey, Measures> sums;
-    const auto add = [&](const World& world, int sign) {
+    const std::vector<FacetPlace> of_a = all_facets(a), of_b = all_facets(b);
+    // Versions share blocks; of a face that only one of them has no facet lies in a block of both.
+    const std::set<const Block*> blocks_a = blocks_of(of_a), blocks_b = blocks_of(of_b);
+    const auto add = [&](const std::vector<FacetPlace>& facets, const std::set<const Block*>& of_other, int sign) {
         SolidPatch patch;
-        for (const FacetPlace& place : all_facets(world))
-            if (place.record().solid) patch.add(place);
+        for (const FacetPlace& place : facets)
+            if (place.record().solid && !of_other.contains(place.block)) patch.add(place);
         for (const PatchFace& face : patch.faces) {
             const Plane& plane = face.plane->plane;
             const std::size_t along = std::size_t(plane.dominant_axis()), u = (along + 1) % 3, v = (along + 2) % 3;
@@ -443,8 +462,8 @@ bool same_solid(const World& a, const World& b) {
             });
         }
     };
-    add(a, 1);
-    add(b, -1);
+    add(of_a, blocks_b, 1);
+    add(of_b, blocks_a, -1);
     const Real least("1e-20");
     return std::all_of(sums.begin(), sums.end(), [&](const auto& entry) {
         return std::all_of(entry.second.begin(), entry.second.end(), [&](const Real& x) { return abs(x) < least; });
@@ -458,18 +477,14 @@ std::string doubled_face(const World& world, std::span<const FacetPlace> facets)
     const auto first_other = std::uint32_t(patch.faces.size());
     std::map<PlaneKey, std::vector<std::uint32_t>> in_plane;
     for (std::uint32_t f = 0; f < first_other; ++f) in_plane[key_of(patch.faces[f].plane->plane, true)];
+    GridBox near;
+    for (const PatchFace& face : patch.faces) near.add(face.box);
     for (const FacetPlace& place : all_facets(world))
-        if (place.record().solid) patch.add(place);
+        if (place.record().solid && overlap(box_of(place), near)) patch.add(place);
     for (std::uint32_t f = 0; f < patch.faces.size(); ++f) {
         const auto found = in_plane.find(key_of(patch.faces[f].plane->plane, true));
         if (found != in_plane.end()) found->second.push_back(f);
     }
-    const auto overlap = [](const GridBox& p, const GridBox& q) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (std::int64_t(p.high[axis]) + 2 < q.low[axis] || std::int64_t(q.high[axis]) + 2 < p.low[axis])
-                return false;
-        return true;
-    };
     for (const auto& [key, faces] : in_plane)
         for (std::size_t i = 0; i < faces.size() && faces[i] < first_other; ++i)
             for (std::size_t k = i + 1; k < faces.size(); ++k)

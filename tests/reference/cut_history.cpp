@@ -47,10 +47,12 @@ double winding(std::span<const Triangle> surface, const Vec3& point) {
 }
 
 CutHistory::Shape CutHistory::shape_of(std::vector<Triangle> surface, CarveKind kind) {
+    // Three corners of a facet may lie in a row.
+    std::erase_if(surface, [](const Triangle& t) { return !(length(cross(t[1] - t[0], t[2] - t[0])) > 0); });
     Shape shape{std::move(surface), {}, kind, {}};
     for (const Triangle& t : shape.surface) {
         const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-        shape.normals.push_back(length(normal) > 0 ? normal * (1 / length(normal)) : Vec3{});
+        shape.normals.push_back(normal * (1 / length(normal)));
         for (const Vec3& corner : t) shape.box.add(corner);
     }
     return shape;
