@@ -365,9 +365,9 @@ constexpr Contact kAllKinds[] = {Contact::kBlock,  Contact::kBlock,   Contact::k
 
 void contact_rooms(Rng& rng, const Level&, CutCase& it) {
     const bool pillars = rng.chance(0.5);
-    const CutLevel level = pillars ? room_with_pillars(rng, {}, kMetre / 4) : block_with_cavities(rng, {}, kMetre / 4);
+    const CutLevel level = pillars ? room_with_pillars(rng, {}, kMetre / 8) : block_with_cavities(rng, {}, kMetre / 8);
     it.level = level_of(level.faces);
-    it.cuts = ContactMaker(it.level, rng.chance(0.5) ? kMetre / 2 : kMetre / 4, rng).cuts(kAllKinds);
+    it.cuts = ContactMaker(it.level, any_unit(rng), rng).cuts(kAllKinds);
 }
 void contact_our_level(Rng& rng, const Level& ours, CutCase& it) {
     it.level = ours;

@@ -94,6 +94,13 @@ TEST(FoundInContact, APartThatMeetsNothingIsFound) {
     expect_volume(cut(first, prism({{1, 1, 1}, {1, 1, -1}, {1, -1, 1}}, {-1, 0, 0}), CarveKind::kFill), 4);
 }
 
+// The wall is longer than 8 m once the third is there, and is halved on the way.
+TEST(FoundInContact, BlocksThatGrowIntoAWallTooLongToStayWhole) {
+    World world = filled(World(), scenes::block_solid({4, 0, 0}, {10, 1, 1}));
+    world = filled(world, scenes::block_solid({0, 1, 0}, {5, 2, 1}));
+    expect_volume(cut(world, unit_cube(5, 1, 0), CarveKind::kFill), 12);
+}
+
 void expect_same_hash_back_and_forth(const World& world, const LatticeSolid& solid, CarveKind kind) {
     const World once = cut(world, solid, kind).world;
     const World back = cut(once, solid, kind == CarveKind::kFill ? CarveKind::kCarve : CarveKind::kFill).world;

@@ -37,7 +37,9 @@ std::vector<Map> read_maps(const full::FamilyOptions& options, const std::string
             std::fprintf(stderr, "%s\n", level.error().text().c_str());
             std::exit(2);
         }
-        Map map{name, make_world(level.value()).value(), make_world(level.value()).value(), {}};
+        // Their sky may be carved, too.
+        const auto made = [&] { return with_rules(make_world(level.value()).value(), {}).value(); };
+        Map map{name, made(), made(), {}};
         map.walls = scenes::cut_places(map.world).inside;
         maps.push_back(std::move(map));
     }

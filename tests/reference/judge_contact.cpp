@@ -128,8 +128,6 @@ bool ContactJudge::judge(const World& before, const CutOrder& order, const Carve
     const std::vector<Triangle> surface = triangles_of(result.world);
     for (int k = 0; k < options_.history_points; ++k)
         cut.judge_point(history_, surface, k % 2 ? history_.point_beside(rng) : point_around(*placed, rng));
-    // What went wrong once is told once.
-    if (!cut.holds()) history_ = CutHistory(result.world);
     if (!result.done()) return cut.holds();
     cut.judge_faces();
     cut.judge_again();

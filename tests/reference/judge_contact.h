@@ -21,6 +21,9 @@ public:
     bool judge(const World& before, const scenes::CutOrder& order, const CarveResult& result, scenes::Rng& rng,
                const std::string& where, CutTally& tally);
 
+    /// What went wrong once is told once: from here on points lie where this world has them.
+    void start_again(const World& world) { history_ = CutHistory(world); }
+
 private:
     CutHistory history_;
     const JudgeOptions options_;

@@ -467,6 +467,7 @@ CutTally judge_cuts(World world, World again, std::span<const CutOrder> cuts, co
             }
         }
         if (!holds && tally.failed == failed) ++tally.failed;
+        if (contact && tally.failed > failed) contact->start_again(world);
         before_last = before;
     }
     // Equal logs, equal bytes.
