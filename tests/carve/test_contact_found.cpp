@@ -101,6 +101,14 @@ TEST(FoundInContact, BlocksThatGrowIntoAWallTooLongToStayWhole) {
     expect_volume(cut(world, unit_cube(5, 1, 0), CarveKind::kFill), 12);
 }
 
+// The box's sides are longer than 8 m; one of them lies in the block's plane.
+TEST(FoundInContact, ALargeBoxFlushWithABlockItHolds) {
+    const World block = filled(World(), scenes::block_solid({-7, -6, -1}, {-1, -4, 1}));
+    expect_volume(cut(block, scenes::block_solid({-2, -8, -10}, {4, 10, 8}), CarveKind::kFill), 1944 + 24 - 4);
+    const World flush = filled(World(), scenes::block_solid({-7, -8, -1}, {-1, -6, 1}));
+    expect_volume(cut(flush, scenes::block_solid({-2, -8, -10}, {4, 10, 8}), CarveKind::kFill), 1944 + 24 - 4);
+}
+
 void expect_same_hash_back_and_forth(const World& world, const LatticeSolid& solid, CarveKind kind) {
     const World once = cut(world, solid, kind).world;
     const World back = cut(once, solid, kind == CarveKind::kFill ? CarveKind::kCarve : CarveKind::kFill).world;

@@ -13,6 +13,7 @@
 #include "tests/carve/cutters.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/cut_history.h"
+#include "tests/reference/judge_contact.h"
 #include "tests/reference/judge_cube_grid.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/world_facets.h"
@@ -151,6 +152,30 @@ TEST(ContactJudge, TellsSolidsOfEqualAreasAndMomentsApart) {
     EXPECT_TRUE(reference::same_solid(block, block));
     EXPECT_FALSE(reference::same_solid(block, two_boxes(4 + 1.0 / 4096)));
     EXPECT_FALSE(reference::same_solid(block, two_boxes(3)));
+}
+
+TEST(ContactJudge, FindsTheResultOfAnotherCut) {
+    const World world = two_boxes(4);
+    scenes::CutOrder order{test::box_mesh({0, 0, 0}, {0.5, 0.5, 1}).cutter().value(), {}, CarveKind::kCarve};
+    scenes::CutOrder other = order;
+    other.pose.position.x = 0.125;
+    reference::JudgeOptions options = contact_sample();
+    options.back = 1;
+    options.history_points = 40;
+    const auto holds = [&](const CarveResult& result) {
+        scenes::Rng rng(1);
+        reference::CutTally tally;
+        return reference::ContactJudge(world, options).judge(world, order, result, rng, "here", tally);
+    };
+    CarveResult right = reference::make_cut(world, order);
+    EXPECT_TRUE(holds(right));
+    EXPECT_FALSE(holds(reference::make_cut(world, other)));
+    right.report.retries = 1;
+    EXPECT_FALSE(holds(right));
+    CarveResult none;
+    none.status = CarveStatus::kNothing;
+    none.world = world;
+    EXPECT_FALSE(holds(none));
 }
 
 TEST(ContactJudge, KnowsWherePointsLieByLevelAndCutters) {
