@@ -9,6 +9,7 @@
 #include "firma/solid.h"
 #include "scenes/lattice_solids.h"
 #include "tests/carve/cutters.h"
+#include "tests/reference/judge_cut.h"
 
 namespace firma {
 namespace {
@@ -16,10 +17,14 @@ namespace {
 using scenes::LatticeSolid;
 using scenes::Steps;
 
-/// A solid in whole metres, as a cutter where it is.
-CarveResult cut(const World& world, const LatticeSolid& solid, CarveKind kind) {
+class FoundInContact : public testing::Test {
+    const reference::ContradictionsReported reported_;
+};
+
+/// A solid in whole steps, metres if nothing else is said, as a cutter where it is.
+CarveResult cut(const World& world, const LatticeSolid& solid, CarveKind kind, std::int64_t step = scenes::kMetre) {
     Pose pose;
-    const Cutter cutter = scenes::cutter_of(scenes::scaled(solid, scenes::kMetre), "solid", pose.position);
+    const Cutter cutter = scenes::cutter_of(scenes::scaled(solid, step), "solid", pose.position);
     return kind == CarveKind::kFill ? fill(world, cutter, pose) : carve(world, cutter, pose);
 }
 
@@ -52,13 +57,13 @@ void expect_second_cavity(const LatticeSolid& second) {
     expect_volume(cut(first, second, CarveKind::kCarve), 510);
 }
 
-TEST(FoundInContact, ACavityThatSharesAnEdgeWithAnother) {
+TEST_F(FoundInContact, ACavityThatSharesAnEdgeWithAnother) {
     expect_second_cavity(unit_cube(1, 1, 0));
 }
-TEST(FoundInContact, ACavityThatSharesAVertexWithAnother) {
+TEST_F(FoundInContact, ACavityThatSharesAVertexWithAnother) {
     expect_second_cavity(unit_cube(1, 1, 1));
 }
-TEST(FoundInContact, ACavityThatSharesPartOfAnEdgeWithAnother) {
+TEST_F(FoundInContact, ACavityThatSharesPartOfAnEdgeWithAnother) {
     const World first = cut(rock(), scenes::block_solid({0, 0, -1}, {1, 1, 2}), CarveKind::kCarve).world;
     expect_volume(cut(first, unit_cube(1, 1, 0), CarveKind::kCarve), 508);
 }
@@ -68,45 +73,59 @@ void expect_two_solids(const LatticeSolid& one, const LatticeSolid& other, doubl
     expect_volume(cut(filled(World(), other), one, CarveKind::kFill), volume);
 }
 
-TEST(FoundInContact, CubesThatShareAnEdge) {
+TEST_F(FoundInContact, CubesThatShareAnEdge) {
     expect_two_solids(unit_cube(0, 0, 0), unit_cube(1, 1, 0), 2);
 }
-TEST(FoundInContact, CubesThatShareAVertex) {
+TEST_F(FoundInContact, CubesThatShareAVertex) {
     expect_two_solids(unit_cube(0, 0, 0), unit_cube(1, 1, 1), 2);
 }
-TEST(FoundInContact, BlocksThatSharePartOfAnEdge) {
+TEST_F(FoundInContact, BlocksThatSharePartOfAnEdge) {
     expect_two_solids(scenes::block_solid({0, 0, -1}, {1, 1, 2}), unit_cube(1, 1, 0), 4);
 }
-TEST(FoundInContact, BlocksThatSharePartsOfAnEdgeFromItsEnd) {
+TEST_F(FoundInContact, BlocksThatSharePartsOfAnEdgeFromItsEnd) {
     expect_two_solids(scenes::block_solid({0, 0, 0}, {1, 1, 2}), unit_cube(1, 1, 0), 3);
 }
 // Their faces along it lie in one plane on one side.
-TEST(FoundInContact, WedgesThatShareAnEdge) {
+TEST_F(FoundInContact, WedgesThatShareAnEdge) {
     expect_two_solids(prism({{0, 1, 0}, {2, 1, 0}, {0, 1, 2}}, {0, 1, 0}),
                       prism({{0, 1, 0}, {0, 1, -1}, {2, 1, 0}}, {0, -2, 0}), 2 + 2);
 }
-TEST(FoundInContact, TetrahedraThatSharePartOfAnEdge) {
+TEST_F(FoundInContact, TetrahedraThatSharePartOfAnEdge) {
     expect_two_solids(scenes::tetrahedron({1, -1, 0}, {-1, -2, 0}, {0, -2, 0}, {1, -1, -1}),
                       scenes::tetrahedron({1, -1, -1}, {3, -1, 0}, {1, 1, 1}, {1, -1, 1}), 1.0 / 6 + 4.0 / 3);
 }
-TEST(FoundInContact, APartThatMeetsNothingIsFound) {
+TEST_F(FoundInContact, APartThatMeetsNothingIsFound) {
     const World first = filled(World(), prism({{0, 0, -1}, {0, 1, -1}, {2, 0, -1}}, {0, 0, -2}));
     expect_volume(cut(first, prism({{1, 1, 1}, {1, 1, -1}, {1, -1, 1}}, {-1, 0, 0}), CarveKind::kFill), 4);
 }
 
 // The wall is longer than 8 m once the third is there, and is halved on the way.
-TEST(FoundInContact, BlocksThatGrowIntoAWallTooLongToStayWhole) {
+TEST_F(FoundInContact, BlocksThatGrowIntoAWallTooLongToStayWhole) {
     World world = filled(World(), scenes::block_solid({4, 0, 0}, {10, 1, 1}));
     world = filled(world, scenes::block_solid({0, 1, 0}, {5, 2, 1}));
     expect_volume(cut(world, unit_cube(5, 1, 0), CarveKind::kFill), 12);
 }
 
 // The box's sides are longer than 8 m; one of them lies in the block's plane.
-TEST(FoundInContact, ALargeBoxFlushWithABlockItHolds) {
+TEST_F(FoundInContact, ALargeBoxFlushWithABlockItHolds) {
     const World block = filled(World(), scenes::block_solid({-7, -6, -1}, {-1, -4, 1}));
     expect_volume(cut(block, scenes::block_solid({-2, -8, -10}, {4, 10, 8}), CarveKind::kFill), 1944 + 24 - 4);
     const World flush = filled(World(), scenes::block_solid({-7, -8, -1}, {-1, -6, 1}));
     expect_volume(cut(flush, scenes::block_solid({-2, -8, -10}, {4, 10, 8}), CarveKind::kFill), 1944 + 24 - 4);
+}
+
+TEST_F(FoundInContact, SlopesThatMeetInAVertexAndAnEdge) {
+    constexpr std::int64_t kStep = scenes::kMetre / 64;
+    const LatticeSolid one = scenes::tetrahedron({112, -240, -80}, {-104, -296, -48}, {107, -86, -16}, {16, -240, -80});
+    const LatticeSolid two = scenes::tetrahedron({-8, -208, -48}, {110, -204, 8}, {80, -104, -56}, {-104, -296, -48});
+    const LatticeSolid wedge = prism({{16, -112, -90}, {16, -208, -90}, {48, -112, -90}}, {0, 0, 64});
+    const World first = cut(World(), one, CarveKind::kFill, kStep).world;
+    const CarveResult both = cut(first, two, CarveKind::kFill, kStep);
+    ASSERT_TRUE(both.done()) << both.error.text();
+    test::expect_sound_world(both.world);
+    const CarveResult all = cut(both.world, wedge, CarveKind::kFill, kStep);
+    EXPECT_TRUE(all.done()) << all.error.text();
+    test::expect_sound_world(all.world);
 }
 
 void expect_same_hash_back_and_forth(const World& world, const LatticeSolid& solid, CarveKind kind) {
@@ -118,7 +137,7 @@ void expect_same_hash_back_and_forth(const World& world, const LatticeSolid& sol
     test::expect_sound_world(forth);
 }
 
-TEST(FoundInContact, BackAndForthGivesTheSameHash) {
+TEST_F(FoundInContact, BackAndForthGivesTheSameHash) {
     // Three cells upright, and one beside the middle one: an edge of the block lies on one of theirs.
     const World block = filled(World(), scenes::block_solid({0, 0, 1}, {3, 1, 4}));
     expect_same_hash_back_and_forth(block, scenes::cells_solid({{-1, -1, 0}, {-1, -1, 1}, {-1, 0, 0}}),

@@ -387,6 +387,10 @@ void report_contradictions() {
     });
 }
 
+ContradictionsReported::~ContradictionsReported() {
+    set_assert_handler(nullptr);
+}
+
 CarveResult make_cut(const World& world, const CutOrder& order) {
     return order.kind == CarveKind::kFill ? fill(world, order.cutter, order.pose)
                                           : carve(world, order.cutter, order.pose);

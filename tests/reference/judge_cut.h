@@ -88,6 +88,11 @@ CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::ui
 /// From now on the library's asserts of contradictions do not end the program: the judge tells of them, with what it
 /// takes to see them again.
 void report_contradictions();
+/// The same for as long as this lives: for a test among others.
+struct ContradictionsReported {
+    ContradictionsReported() { report_contradictions(); }
+    ~ContradictionsReported();
+};
 
 CarveResult make_cut(const World& world, const scenes::CutOrder& order);
 
