@@ -120,15 +120,11 @@ private:
         Pose pose = order_.pose;
         pose.scale *= result_.report.scale;
         Result<PlacedCutter> placed = place_cutter(order_.cutter, pose);
-        if (placed && result_.report.retries > 0 && placed.value().vertices.size() > kMostMovedWhole)
-            return fail("a large cutter was moved in part: this judge cannot tell where to");
-        if (placed && result_.report.retries > 0) placed = move_cutter(placed.value(), result_.report.retries);
         if (placed) placed_ = std::move(placed).value();
     }
 
     void count_refusal() {
-        // As asked for, before any move: what was moved could be placed.
-        const bool unplaceable = result_.report.retries == 0 && (!placed_ || check_cutter(*placed_));
+        const bool unplaceable = !placed_ || check_cutter(*placed_);
         const bool blamed = !result_.reproduction.empty() ||
                             result_.error.reason.find("degenerate position") != std::string::npos ||
                             result_.error.reason.find("contradict") != std::string::npos;
