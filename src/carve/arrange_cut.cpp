@@ -346,25 +346,6 @@ void CutArranger::write(const Arranged& arranged) {
                                 {overlay_.tables.planes.stored(edge.plane[0]).get(),
                                  overlay_.tables.planes.stored(edge.plane[1]).get()}});
     }
-    if (getenv("DBG")) {
-        for (const ArrangedFace& face : arranged.faces) {
-            fprintf(stderr, "face of %u:", face.face);
-            for (const OverlaySide& use : arranged.uses(face)) {
-                const ArrangedEdge& e = arranged.edges[use.edge];
-                const GridPoint p = overlay_.point(use.reversed ? e.to : e.from).rounded();
-                fprintf(stderr, " (%g %g %g)%s", p.x / 262144., p.y / 262144., p.z / 262144., e.edge != ~0u ? "*" : "");
-            }
-            fprintf(stderr, "\n");
-        }
-        for (std::uint32_t face = 0; face < world_face_.size(); ++face) {
-            fprintf(stderr, "world %u %s:", face, arranged.stays[face] ? "stays" : "gone");
-            for (const OverlaySide& side : overlay_.sides(overlay_.faces[face])) {
-                const GridPoint p = overlay_.point(overlay_.from(side)).rounded();
-                fprintf(stderr, " (%g %g %g)%u", p.x / 262144., p.y / 262144., p.z / 262144., side.edge);
-            }
-            fprintf(stderr, "\n");
-        }
-    }
     for (const ArrangedFace& face : arranged.faces) {
         NewFace made;
         made.first_use = std::uint32_t(loops_.all_uses.size());

@@ -119,13 +119,10 @@ private:
 
     void place() {
         placed_ = placed_cutter(order_, result_.report);
-        if (!placed_ && result_.done() && order_.cutter.vertices().size() > kMostMovedWhole)
-            fail("a large cutter was moved in part: this judge cannot tell where to");
     }
 
     void count_refusal() {
-        // As asked for, before any move: what was moved could be placed.
-        const bool unplaceable = result_.report.retries == 0 && (!placed_ || check_cutter(*placed_));
+        const bool unplaceable = !placed_ || check_cutter(*placed_);
         const bool blamed = !result_.reproduction.empty() ||
                             result_.error.reason.find("degenerate position") != std::string::npos ||
                             result_.error.reason.find("contradict") != std::string::npos;
@@ -400,10 +397,6 @@ std::optional<PlacedCutter> placed_cutter(const CutOrder& order, const CarveRepo
     Pose pose = order.pose;
     pose.scale *= report.scale;
     Result<PlacedCutter> placed = place_cutter(order.cutter, pose);
-    if (placed && report.retries > 0) {
-        if (placed.value().vertices.size() > kMostMovedWhole) return std::nullopt;
-        placed = move_cutter(placed.value(), report.retries);
-    }
     if (!placed) return std::nullopt;
     return std::move(placed).value();
 }
