@@ -32,6 +32,7 @@ public:
         next_.assign(uses_.size(), kNone);
         chain_.assign(uses_.size(), kNone);
         dissolved_.assign(uses_.size(), 0);
+        crowded_.assign(uses_.size(), 0);
         for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell) {
             const Cell& it = cells_.cells[cell];
             kept_[cell] = selection_.keep(overlay_.faces[it.face].operand, labels[cell]);
@@ -68,7 +69,8 @@ private:
     /// Whether all of the first solid stays, and nothing of another comes.
     bool nothing_changes() const {
         for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell)
-            if ((overlay_.faces[cells_.cells[cell].face].operand == 0) != (kept_[cell] == Kept::kAsItIs)) return false;
+            if (kept_[cell] != (overlay_.faces[cells_.cells[cell].face].operand == 0 ? Kept::kAsItIs : Kept::kNot))
+                return false;
         return true;
     }
     bool is_kept(std::uint32_t use) const { return kept_[users_.cell_of(use)] != Kept::kNot; }
@@ -124,6 +126,7 @@ private:
             if (!here.air_after) continue;
             partner_[here.use] = next.use;
             partner_[next.use] = here.use;
+            crowded_[here.use] = crowded_[next.use] = spokes_.size() > 2;
         }
         return true;
     }
@@ -230,6 +233,7 @@ private:
         for (int k = 0; k < 2; ++k)
             edge.plane[k] = line == Piece::kNoLine ? overlay_.edges[uses_[first].edge].plane[k]
                                                    : overlay_.lines.plane(line, k);
+        edge.doubled = is_doubled(first, last);
         made_.edges.push_back(edge);
         for (std::uint32_t use = first;; use = next_[use]) {
             chain_[use] = number;
@@ -238,12 +242,19 @@ private:
         }
         return number;
     }
+    bool is_doubled(std::uint32_t first, std::uint32_t last) const {
+        for (std::uint32_t use = first;; use = next_[use]) {
+            const std::uint32_t edge = uses_[use].edge;
+            if (crowded_[use] || (edge != FacePiece::kNoEdge && overlay_.edges[edge].doubled)) return true;
+            if (use == last) return false;
+        }
+    }
     /// The overlay's edge that a chain is, if it is one.
     std::uint32_t whole_edge(std::uint32_t first, std::uint32_t last) const {
         const std::uint32_t edge = uses_[first].edge;
         if (edge == FacePiece::kNoEdge || !selection_.reusable(edge)) return ArrangedEdge::kNoEdge;
         for (std::uint32_t use = first;; use = next_[use]) {
-            if (uses_[use].edge != edge) return ArrangedEdge::kNoEdge;
+            if (uses_[use].edge != edge || crowded_[use] > overlay_.edges[edge].doubled) return ArrangedEdge::kNoEdge;
             if (partner_[use] != kNone && uses_[partner_[use]].edge != edge) return ArrangedEdge::kNoEdge;
             if (use == last) break;
         }
@@ -367,6 +378,7 @@ private:
     std::vector<std::uint32_t> next_;      ///< of each use: what follows in its loop
     std::vector<std::uint32_t> chain_;     ///< of each use: its edge
     std::vector<std::uint8_t> dissolved_;  ///< what lies beyond is the same face
+    std::vector<std::uint8_t> crowded_;    ///< of each use: there are other edges at its piece
     std::vector<std::uint8_t> contact_, seen_;
     std::vector<std::uint32_t> members_first_, members_;
     std::vector<PieceUse> group_uses_, loops_, whole_loops_;

@@ -15,6 +15,7 @@ struct ArrangedEdge {
     std::uint32_t from = 0, to = 0;          ///< points
     PlaneId plane[2] = {kNoPlane, kNoPlane};  ///< that meet in it
     std::uint32_t edge = kNoEdge;             ///< the overlay's that it is, whole
+    bool doubled = false;                     ///< there are, or may be, others between the same points
     static constexpr std::uint32_t kNoEdge = ~0u;
 };
 

@@ -21,6 +21,7 @@ inline constexpr std::size_t kOperands = 2;
 struct OverlayEdge {
     std::uint32_t from = 0, to = 0;              ///< points
     PlaneId plane[2] = {kNoPlane, kNoPlane};     ///< that meet in it
+    bool doubled = false;                        ///< there are others between the same points
 };
 
 /// How a loop uses an edge.

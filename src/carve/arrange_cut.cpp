@@ -77,6 +77,7 @@ std::uint32_t CutArranger::patch_edge(std::uint32_t index) {
     made.from = patch_point(edge.vertex[0]);
     made.to = patch_point(edge.vertex[1]);
     for (int k = 0; k < 2; ++k) made.plane[k] = overlay_.tables.planes.add(edge.plane[k]->plane);
+    made.doubled = edge.doubled;
     patch_edge_.push_back(index);
     return known = overlay_.add_edge(made);
 }
@@ -344,7 +345,8 @@ void CutArranger::write(const Arranged& arranged) {
         loops_.edges.push_back({vertex_of(edge.from),
                                 vertex_of(edge.to),
                                 {overlay_.tables.planes.stored(edge.plane[0]).get(),
-                                 overlay_.tables.planes.stored(edge.plane[1]).get()}});
+                                 overlay_.tables.planes.stored(edge.plane[1]).get()},
+                                edge.doubled});
     }
     for (const ArrangedFace& face : arranged.faces) {
         NewFace made;

@@ -117,4 +117,9 @@ std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudge
     return std::nullopt;
 }
 
+std::optional<Crossing> find_crossing(const PlacedCutter& placed) {
+    if (is_star_shaped(placed)) return std::nullopt;
+    return find_crossing_pair(placed);
+}
+
 }  // namespace firma

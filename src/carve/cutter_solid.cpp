@@ -19,11 +19,29 @@ Ref<const SolidPlane> new_plane(const Plane& plane) {
     return Ref<const SolidPlane>(new SolidPlane(plane));
 }
 
-/// 1: the segment from the point to `outside` crosses the triangle; 0: it does not; -1: it meets an edge or ends on it.
+/// Of a point in the triangle's plane, exactly.
+bool in_triangle(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point) {
+    const auto& corners = cutter.triangle(t);
+    int side[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const InputPoint& a = cutter.placed.vertices[corners[k]];
+        const InputPoint& b = cutter.placed.vertices[corners[k < 2 ? k + 1 : 0]];
+        const Plane upright = edge_plane(a, b, cutter.planes[t]->plane);
+        // All corners lie on one side.
+        side[k] = exact_side(upright, point) *
+                  exact_side(upright, ExactPoint(cutter.placed.vertices[corners[k < 1 ? 2 : k - 1]]));
+    }
+    return side[0] >= 0 && side[1] >= 0 && side[2] >= 0;
+}
+
+/// 1: the segment from the point to `outside`, which is not on the triangle, crosses it; 0: it does not; -1: it meets an
+/// edge, or begins on the triangle.
 int crosses(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point, const InputPoint& outside) {
     const Plane& plane = cutter.planes[t]->plane;
     const int here = exact_side(plane, point), there = exact_side(plane, ExactPoint(outside));
-    if (here == 0 || there == 0) return -1;
+    if (here == 0 && there == 0) return -1;
+    if (here == 0) return in_triangle(cutter, t, point) ? -1 : 0;
+    if (there == 0) return 0;
     if (here == there) return 0;
     const auto& corners = cutter.triangle(t);
     int side[3];

@@ -44,6 +44,7 @@ const Ref<const SolidEdge>& FaceMaker::edge(std::uint32_t number) {
         fresh->vertex[0] = vertex(part.from);
         fresh->vertex[1] = vertex(part.to);
         for (std::size_t k = 0; k < 2; ++k) fresh->plane[k] = Ref<const SolidPlane>(part.plane[k]);
+        fresh->doubled = part.doubled;
     }
     return made = Ref<const SolidEdge>(fresh.get());
 }

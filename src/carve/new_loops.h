@@ -14,6 +14,7 @@ namespace firma {
 struct NewEdge {
     std::uint32_t from, to;
     const SolidPlane* plane[2];  ///< the patch's and the cutter's
+    bool doubled = false;        ///< there are, or may be, others between the same vertices
 };
 
 /// A face that the cut makes.
