@@ -81,7 +81,6 @@ void cut_both(Race& race, int rooms, CraterPlaces places, std::size_t from, cons
     for (std::size_t k = from; k < from + kTurn; ++k) {
         PlacedCutter placed = place_cutter(cutter, crater_pose(rooms, places, k)).value();
         // Where Firma moved the cutter out of degenerate position, CGAL subtracts the moved one.
-        if (race.tries[k] > 0) placed = move_cutter(placed, race.tries[k]).value();
         Mesh other = mesh_of(placed);
         double before = thread_seconds();
         {

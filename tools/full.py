@@ -36,7 +36,7 @@ LEVEL = [f'src/level/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 's
 # All scenes but those of levels with rooms.
 OF_ROOMS = ('brush_piles.', 'divided_building.', 'level_cuts.')
 SCENES = [f'scenes/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'scenes'))) if not name.startswith(OF_ROOMS)]
-CARVE_SOURCES = CAST_SOURCES + SCENES + LEVEL + ['src/carve', 'levels/first.obj']
+CARVE_SOURCES = CAST_SOURCES + SCENES + LEVEL + ['src/arrange', 'src/carve', 'levels/first.obj']
 
 
 def reference(*names):
@@ -44,7 +44,7 @@ def reference(*names):
 
 
 ORACLE = reference('exact_number', 'exact_polygon', 'exact_oracle', 'judge', 'judge_scene', 'surely_apart')
-JUDGE_CUT = reference('carve_oracle', 'directed_edges', 'judge_cut', 'judge_rooms', 'world_facets')
+JUDGE_CUT = reference('carve_oracle', 'cut_history', 'directed_edges', 'judge_contact', 'judge_cut', 'judge_rooms', 'world_facets')
 CARVED = ORACLE + JUDGE_CUT + reference('judge_carved_casts')
 JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
 
@@ -83,6 +83,15 @@ def watertight(seed, count):
 
 def carve(seed, count):
     return [f'{BUILD}/full_carve', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
+def contact(seed, count):
+    subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
+    return [f'{BUILD}/full_contact', '--count', str(count), '--seed', str(seed), '--threads', '2', '--maps', 'build/openarena']
+
+
+def cube_grid(seed, count):
+    return [f'{BUILD}/full_cube_grid', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
 def index(seed, count):
@@ -137,7 +146,14 @@ CLAIMS = [
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
-          CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
+          CARVE_SOURCES + ['tests/full/full_carve.cpp', 'tests/full/family_run.h', 'tests/full/options.h'] + JUDGE_CUT, 'test', carve, 'full_carve'),
+    Claim('contact_cuts', 'cuts in forced contact, none refused, none moved, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',
+          CARVE_SOURCES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map', 'tests/openarena_maps.h', 'tests/full/full_contact.cpp',
+                           'tests/full/family_run.h', 'tests/full/options.h'] + JUDGE_CUT, 'test', contact, 'full_contact'),
+    # All in one chunk: three edges, ordered and in three random orders.
+    Claim('cube_grid', 'grids of 10 x 10 x 10 cubes filled one by one and carved again: nothing is left, none refused, none moved', 12, 12, 'grids',
+          CARVE_SOURCES + ['tests/full/full_cube_grid.cpp', 'tests/full/options.h'] + reference('judge_cube_grid') + JUDGE_CUT, 'test', cube_grid,
+          'full_cube_grid'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
@@ -171,7 +187,7 @@ CLAIMS = [
     Claim('sanitized', 'tests that take seconds each, under the address and undefined behaviour sanitizers; none fails', HEAVY_TESTS, HEAVY_TESTS, 'tests',
           ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'bindings/c', 'tests', 'CMakeLists.txt', 'CMakePresets.json', 'cmake'], 'sanitize', sanitized),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
-          CAST_SOURCES + LEVEL + ['src/carve'] + fuzzer('carve', 'bytes'), 'sanitize', fuzz('carve'), 'fuzz_carve'),
+          CAST_SOURCES + LEVEL + ['src/arrange', 'src/carve'] + fuzzer('carve', 'bytes'), 'sanitize', fuzz('carve'), 'fuzz_carve'),
     Claim('fuzz_read_obj', 'seconds of fuzzing the .obj reader and check, no crash, hang or broken level', 600, 300, 'seconds',
           READ_SOURCES + fuzzer('read_obj', 'expect_sound_obj', 'expect_sound_level'), 'sanitize', fuzz('read_obj'), 'fuzz_read_obj'),
     Claim('fuzz_obj_mesh', 'seconds of fuzzing .obj meshes made of any bytes, no crash, hang or broken level', 600, 300, 'seconds',

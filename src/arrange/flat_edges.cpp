@@ -12,7 +12,7 @@
 namespace firma {
 namespace {
 
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kNoUse = ~0u;
 
 }  // namespace
 
@@ -57,23 +57,23 @@ bool FlatEdges::trace(std::span<const PieceUse> uses, std::vector<PieceUse>& loo
         const std::uint32_t of_a = from(uses[a]), of_b = from(uses[b]);
         return of_a != of_b ? of_a < of_b : a < b;
     });
-    next_.assign(uses.size(), kNone);
+    next_.assign(uses.size(), kNoUse);
     for (std::uint32_t k = 0; k < uses.size(); ++k) {
         const std::uint32_t at = to(uses[k]);
         auto out = std::lower_bound(order_.begin(), order_.end(), at,
                                     [&](std::uint32_t use, std::uint32_t point) { return from(uses[use]) < point; });
-        std::uint32_t best = kNone;
+        std::uint32_t best = kNoUse;
         for (; out != order_.end() && from(uses[*out]) == at; ++out)
-            if (best == kNone || comes_before(uses[k], uses[*out], uses[best])) best = *out;
-        if (best == kNone) return false;
+            if (best == kNoUse || comes_before(uses[k], uses[*out], uses[best])) best = *out;
+        if (best == kNoUse) return false;
         next_[k] = best;
     }
     for (std::uint32_t first = 0; first < uses.size(); ++first) {
-        if (next_[first] == kNone) continue;
+        if (next_[first] == kNoUse) continue;
         std::uint32_t use = first;
-        while (next_[use] != kNone) {
+        while (next_[use] != kNoUse) {
             loops.push_back(uses[use]);
-            use = std::exchange(next_[use], kNone);
+            use = std::exchange(next_[use], kNoUse);
         }
         if (use != first) return false;  // two lead to one
         ends.push_back(std::uint32_t(loops.size()));
@@ -134,7 +134,7 @@ bool FlatEdges::runs_left(std::span<const PieceUse> loop) {
 
 bool FlatEdges::group(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends,
                       std::vector<std::uint32_t>& outline_of) {
-    outline_of.assign(ends.size(), kNone);
+    outline_of.assign(ends.size(), kNoUse);
     if (ends.size() == 1) {
         outline_of[0] = 0;
         return true;
@@ -150,13 +150,13 @@ bool FlatEdges::group(std::span<const PieceUse> loops, std::span<const std::uint
         outlines.push_back(k);
     }
     for (std::uint32_t k = 0; k < ends.size(); ++k) {
-        if (outline_of[k] != kNone) continue;
-        std::uint32_t best = kNone;
+        if (outline_of[k] != kNoUse) continue;
+        std::uint32_t best = kNoUse;
         for (const std::uint32_t outline : outlines) {
             if (outlines.size() > 1 && !encloses(loop(outline), loop(k)[0])) continue;
-            if (best == kNone || encloses(loop(best), loop(outline)[0])) best = outline;
+            if (best == kNoUse || encloses(loop(best), loop(outline)[0])) best = outline;
         }
-        if (best == kNone) return false;
+        if (best == kNoUse) return false;
         outline_of[k] = best;
     }
     return true;

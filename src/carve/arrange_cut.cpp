@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNone = ~0u;
 constexpr std::size_t kMostPlanes = 1u << 21;  // see arrange/point_table.cpp
-constexpr std::uint64_t kPairsAStep = 32;
+constexpr std::uint64_t kPairsAtATime = 32;
 
 /// A point of a piece between its ends: where its line meets a plane across an axis, at the roundest place there.
 bool point_within(const Overlay& overlay, const Plane& p, const Plane& q, std::uint32_t from, std::uint32_t to,
@@ -195,7 +195,7 @@ CutArranger::End CutArranger::start() {
 
 CutArranger::End CutArranger::meet_next() {
     const std::uint64_t before = budget_.taken();
-    for (; next_ < world_face_.size() && budget_.taken() - before < kPairsAStep; ++next_) {
+    for (; next_ < world_face_.size() && budget_.taken() - before < kPairsAtATime; ++next_) {
         in_.cutter.tree.for_each_meeting(grown(overlay_.faces[next_].box, 1), [&](std::uint32_t triangle) {
             const std::uint32_t face = group_face_[triangle];
             if (met_[face] == next_) return false;
@@ -345,25 +345,6 @@ void CutArranger::write(const Arranged& arranged) {
                                 vertex_of(edge.to),
                                 {overlay_.tables.planes.stored(edge.plane[0]).get(),
                                  overlay_.tables.planes.stored(edge.plane[1]).get()}});
-    }
-    if (getenv("DBG")) {
-        for (const ArrangedFace& face : arranged.faces) {
-            fprintf(stderr, "face of %u:", face.face);
-            for (const OverlaySide& use : arranged.uses(face)) {
-                const ArrangedEdge& e = arranged.edges[use.edge];
-                const GridPoint p = overlay_.point(use.reversed ? e.to : e.from).rounded();
-                fprintf(stderr, " (%g %g %g)%s", p.x / 262144., p.y / 262144., p.z / 262144., e.edge != ~0u ? "*" : "");
-            }
-            fprintf(stderr, "\n");
-        }
-        for (std::uint32_t face = 0; face < world_face_.size(); ++face) {
-            fprintf(stderr, "world %u %s:", face, arranged.stays[face] ? "stays" : "gone");
-            for (const OverlaySide& side : overlay_.sides(overlay_.faces[face])) {
-                const GridPoint p = overlay_.point(overlay_.from(side)).rounded();
-                fprintf(stderr, " (%g %g %g)%u", p.x / 262144., p.y / 262144., p.z / 262144., side.edge);
-            }
-            fprintf(stderr, "\n");
-        }
     }
     for (const ArrangedFace& face : arranged.faces) {
         NewFace made;

@@ -2,7 +2,6 @@
 // First whether the surface is a star around its middle, which nearly every crater is; then pair by pair.
 #include "carve/check_crossing.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "index/box_tree.h"
@@ -116,31 +115,6 @@ std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudge
         if (found) return crossing;
     }
     return std::nullopt;
-}
-
-std::optional<Crossing> find_crossing_with(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
-                                           const BoxTree& tree, PairBudget* budget) {
-    const auto is_one = [&](std::uint32_t u) { return std::binary_search(triangles.begin(), triangles.end(), u); };
-    Crossing crossing;
-    for (const std::uint32_t t : triangles) {
-        GridBox box;
-        for (const std::uint32_t corner : placed.triangles[t]) box.add(to_surface(placed.vertices[corner]));
-        const bool found = tree.for_each_meeting(box, [&](std::uint32_t u) {
-            if (u == t || (u < t && is_one(u))) return false;
-            if (budget && !budget->take()) return true;
-            if (!polygons_cross(placed.vertices, polygon_of(placed, t), polygon_of(placed, u))) return false;
-            crossing = {std::min(t, u), std::max(t, u)};
-            return true;
-        });
-        if (budget && budget->spent()) return std::nullopt;
-        if (found) return crossing;
-    }
-    return std::nullopt;
-}
-
-std::optional<Crossing> find_crossing(const PlacedCutter& placed) {
-    if (is_star_shaped(placed)) return std::nullopt;
-    return find_crossing_pair(placed);
 }
 
 }  // namespace firma

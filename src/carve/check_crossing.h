@@ -42,10 +42,4 @@ bool is_star_shaped(const PlacedCutter& placed);
 /// @param budget  may be null; once spent(), nothing is known
 std::optional<Crossing> find_crossing_pair(const PlacedCutter& placed, PairBudget* budget = nullptr);
 
-/// The same, of pairs with at least one of some triangles.
-/// @param tree       over triangle_boxes()
-/// @param triangles  in rising order
-std::optional<Crossing> find_crossing_with(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
-                                           const BoxTree& tree, PairBudget* budget = nullptr);
-
 }  // namespace firma

@@ -108,12 +108,4 @@ std::optional<Error> check_cutter(const PlacedCutter& placed, PairBudget* budget
     return verdict_on(placed, find_crossing_pair(placed, budget), budget);
 }
 
-// Whether the shells are turned rightly is asked anew of all: a small one may have turned over, or left a large one
-// without crossing it where it now is.
-std::optional<Error> check_moved_cutter(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
-                                        const BoxTree& tree, PairBudget* budget) {
-    if (is_star_shaped(placed)) return std::nullopt;
-    return verdict_on(placed, find_crossing_with(placed, triangles, tree, budget), budget);
-}
-
 }  // namespace firma

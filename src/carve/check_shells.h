@@ -23,11 +23,4 @@ std::optional<std::uint32_t> find_wrong_shell(const PlacedCutter& placed, PairBu
 /// @return nothing; kInvalid with the triangles; kTooLarge once the budget is spent
 std::optional<Error> check_cutter(const PlacedCutter& placed, PairBudget* budget = nullptr);
 
-/// The same for one of which only some triangles moved since it passed: two that did not are not looked at again.
-///
-/// @param triangles  in rising order
-/// @param tree       over triangle_boxes()
-std::optional<Error> check_moved_cutter(const PlacedCutter& placed, std::span<const std::uint32_t> triangles,
-                                        const BoxTree& tree, PairBudget* budget = nullptr);
-
 }  // namespace firma

@@ -33,15 +33,4 @@ struct Crossings {
     std::vector<std::uint8_t> face_cut;  ///< whether a patch face has a segment
 };
 
-inline void triangle_touches(const CutterSolid& cutter, std::uint32_t triangle, Touching& touching) {
-    for (const std::uint32_t v : cutter.triangle(triangle)) touching.push_back(v);
-}
-
-/// The cutter's element that makes a crossing: a triangle that an edge of the world meets, or an edge.
-inline void crossing_touches(const CutterSolid& cutter, const CutPoint& crossing, Touching& touching) {
-    if (crossing.of_world) return triangle_touches(cutter, crossing.face, touching);
-    touching.push_back(cutter.edges[crossing.edge].a);
-    touching.push_back(cutter.edges[crossing.edge].b);
-}
-
 }  // namespace firma

@@ -28,7 +28,6 @@ void FaceCutter::start() {
     made_.points.reserve(usual);
     world_crossings_.reserve(usual / 2);
     cutter_crossings_.reserve(usual / 2);
-    touching_.clear();
     made_.points.clear();
     world_crossings_.clear();
     cutter_crossings_.clear();
@@ -147,9 +146,8 @@ Verdict FaceCutter::cut_face(std::uint32_t index) {
     // Exact corners lie within half a step of the rounded ones.
     cutter_.tree.for_each_meeting(grown(face.box, 1), [&](std::uint32_t triangle) {
         if (!budget_.take()) return true;
-        const Verdict pair = cut_pair(index, triangle);
-        if (pair != Verdict::kFine) verdict = pair;
-        return in_.stops_at(pair);
+        verdict = cut_pair(index, triangle);
+        return verdict != Verdict::kFine;
     });
     return verdict;
 }
@@ -167,15 +165,10 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
     const PatchFace& face = patch_.faces[index];
     const auto& corners = cutter_.triangle(triangle);
     int corner_side[3];
-    bool touches = false;
     for (std::size_t k = 0; k < 3; ++k) {
         corner_side[k] = side_of_face(corners[k], face);
-        if (corner_side[k] != 0) continue;
-        touches = true;
-        touching_.push_back(corners[k]);
-        if (!in_.collects) break;
+        if (corner_side[k] == 0) return Verdict::kDegenerate;
     }
-    if (touches) return Verdict::kDegenerate;
     if (corner_side[0] == corner_side[1] && corner_side[1] == corner_side[2]) return Verdict::kFine;
 
     const auto uses = patch_.uses(face);
@@ -184,10 +177,7 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
     bool front = false, back = false;
     for (const PatchUse& use : uses) {
         const int side = side_of_triangle(patch_.from(use), triangle);
-        if (side == 0) {
-            triangle_touches(cutter_, triangle, touching_);
-            return Verdict::kDegenerate;
-        }
+        if (side == 0) return Verdict::kDegenerate;
         (side > 0 ? front : back) = true;
         face_sides_.push_back(std::int8_t(side));
     }
@@ -220,10 +210,7 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
 Verdict FaceCutter::emit(std::uint32_t face, std::uint32_t triangle) {
     const Plane& t = cutter_.planes[triangle]->plane;
     const auto before = [&](const OnLine& a, const OnLine& b) { return order(a, b, t); };
-    if (!sort_along(line_.begin(), line_.end(), before)) {
-        triangle_touches(cutter_, triangle, touching_);
-        return Verdict::kDegenerate;
-    }
+    if (!sort_along(line_.begin(), line_.end(), before)) return Verdict::kDegenerate;
     bool in_face = false, in_triangle = false;
     const OnLine* last = nullptr;
     for (const OnLine& here : line_) {

@@ -17,18 +17,16 @@ class FaceCutter {
 public:
     /// @param budget  a pair of a face and a triangle takes one; looking at all corners of a face one for every 64
     FaceCutter(const CutInput& in, PairBudget& budget)
-        : in_(in), patch_(in.patch), cutter_(in.cutter), budget_(budget) {}
+        : patch_(in.patch), cutter_(in.cutter), budget_(budget) {}
 
     /// Forgets what it made, but keeps the memory.
     void start();
 
-    /// Stops at the first degenerate pair unless the cut collects them, and when the budget is spent: then nothing is
-    /// known.
+    /// Stops at the first degenerate pair, and when the budget is spent: then nothing is known.
     Verdict cut_face(std::uint32_t face);
 
     /// Of all faces cut since the start.
     const Crossings& made() const { return made_; }
-    const Touching& touching() const { return touching_; }
 
 private:
     struct OnLine {
@@ -50,12 +48,10 @@ private:
     std::uint32_t vertex_of(std::uint32_t crossing);
     std::uint32_t new_vertex(std::uint32_t crossing);
 
-    const CutInput& in_;
     const SolidPatch& patch_;
     const CutterSolid& cutter_;
     PairBudget& budget_;
     Crossings made_;
-    Touching touching_;
     FlatMap world_crossings_, cutter_crossings_;  ///< by edge and face
     FlatMap met_at_;                              ///< by triangle and place, those of world edges
     const Plane* face_plane_ = nullptr;

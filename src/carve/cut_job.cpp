@@ -223,8 +223,8 @@ CutJob::Phase CutJob::tile() {
     return Phase::kCut;
 }
 
-CutJob::Phase CutJob::move_on(PhaseEnd end, Phase next) {
-    switch (end.verdict) {
+CutJob::Phase CutJob::move_on(Verdict verdict, Phase next) {
+    switch (verdict) {
         case Verdict::kFine:
             return next;
         case Verdict::kDegenerate:
@@ -291,7 +291,7 @@ CutJob::Phase CutJob::cut_next_faces() {
         if (next_ == patch_.faces.size()) return order();
         const Verdict verdict = face_cutter_.cut_face(next_++);
         if (budget_.spent()) return too_many_pairs();
-        if (verdict != Verdict::kFine) return move_on({verdict, {}}, Phase::kCut);
+        if (verdict != Verdict::kFine) return move_on(verdict, Phase::kCut);
     }
     return Phase::kCut;
 }
@@ -307,8 +307,8 @@ CutJob::Phase CutJob::label() {
 }
 
 CutJob::Phase CutJob::trace() {
-    PhaseEnd end = trace_loops(input_, face_cutter_.made(), order_, labels_, loops_);
-    if (end.verdict != Verdict::kFine) return move_on(std::move(end), Phase::kEnd);
+    const Verdict verdict = trace_loops(input_, face_cutter_.made(), order_, labels_, loops_);
+    if (verdict != Verdict::kFine) return move_on(verdict, Phase::kEnd);
     return take_loops();
 }
 

@@ -79,7 +79,7 @@ private:
     Phase make_change();
 
     Phase refuse(ErrorCode code, std::string reason);
-    Phase move_on(PhaseEnd end, Phase next);
+    Phase move_on(Verdict verdict, Phase next);
     Phase start_arranging();
     Phase arrange();
     Phase take_loops();

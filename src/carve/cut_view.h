@@ -44,17 +44,6 @@ public:
     std::uint32_t from(const PatchUse& use) const { return end(use, false); }
     std::uint32_t to(const PatchUse& use) const { return end(use, true); }
 
-    /// What the cutter has to do with the corners of a new face.
-    void face_touches(std::span<const PatchUse> loops, Touching& touching) const {
-        for (const PatchUse& use : loops) {
-            const std::uint32_t vertex = from(use);
-            if (vertex >= first_real())
-                crossing_touches(cutter_, crossing(vertex), touching);
-            else if (vertex >= first_cutter_vertex())
-                touching.push_back(vertex - first_cutter_vertex());
-        }
-    }
-
 private:
     std::uint32_t end(const PatchUse& use, bool last) const {
         const bool second = use.reversed != last;

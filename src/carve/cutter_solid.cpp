@@ -87,34 +87,6 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     cutter.bevelled = bevel(cutter);
 }
 
-std::vector<std::uint32_t> update_cutter_solid(PlacedCutter placed, std::span<const std::uint32_t> vertices,
-                                               CutterSolid& cutter) {
-    cutter.placed = std::move(placed);
-    const PlacedCutter& it = cutter.placed;
-    std::vector<bool> moved(it.vertices.size(), false);
-    for (const std::uint32_t v : vertices) {
-        moved[v] = true;
-        cutter.points[v] = ExactPoint(it.vertices[v]);
-    }
-    std::vector<std::uint32_t> triangles;
-    cutter.box = {};
-    for (std::uint32_t t = 0; t < it.triangles.size(); ++t) {
-        const auto& [a, b, c] = it.triangles[t];
-        if (moved[a] || moved[b] || moved[c]) {
-            triangles.push_back(t);
-            cutter.planes[t] = plane_of(it, t);
-            cutter.boxes[t] = box_of(cutter, t);
-        }
-        cutter.box.add(cutter.boxes[t]);
-    }
-    for (const std::uint32_t t : triangles)
-        for (const std::uint32_t e : it.topology->triangle_edges[t])
-            cutter.edges[e] = edge_of_planes(cutter, it.topology->edges[e]);
-    cutter.tree.refit(cutter.boxes);
-    cutter.bevelled = bevel(cutter);
-    return triangles;
-}
-
 namespace {
 
 /// A point outside the cutter's box, beside it along one axis; nothing where that would be outside the world. No two

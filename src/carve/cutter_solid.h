@@ -38,13 +38,6 @@ struct CutterSolid {
 /// @param cutter  replaced; keeps its memory
 void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter);
 
-/// Puts moved vertices into a cutter made before: what does not touch them stays as it is.
-/// @param placed    the same cutter but for those
-/// @param vertices  that may have moved
-/// @return the triangles at them, in rising order
-std::vector<std::uint32_t> update_cutter_solid(PlacedCutter placed, std::span<const std::uint32_t> vertices,
-                                               CutterSolid& cutter);
-
 /// Whether a point lies inside: 1 or -1; 0 when that cannot be told, as the point lies on the surface or every line
 /// tried meets an edge. Exact for points of three planes too, which mesh_shells.h and see_first() are not.
 int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point);

@@ -112,40 +112,32 @@ Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrd
     return Verdict::kFine;
 }
 
-PhaseEnd label_cutter(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+Verdict label_cutter(const CutInput& in, const Crossings& crossings, const CutOrder& order,
                       const LocateInSolid& locate, std::vector<CutSide>& labels) {
     const CutterSolid& cutter = in.cutter;
     labels.assign(cutter.points.size(), CutSide::kUnknown);
     const auto ends = [&](std::uint32_t edge) { return std::pair(cutter.edges[edge].a, cutter.edges[edge].b); };
-    if (!label_ends_of_cut_edges(in, crossings, order, order.cutter_cuts, ends, labels)) return {Verdict::kBroken, {}};
-    PhaseEnd end;
+    if (!label_ends_of_cut_edges(in, crossings, order, order.cutter_cuts, ends, labels)) return Verdict::kBroken;
     Flood flood(labels);
     for (std::uint32_t edge = 0; edge < cutter.edges.size(); ++edge)
         if (order.cutter_cuts[edge].count == 0) flood.count(cutter.edges[edge].a, cutter.edges[edge].b);
     flood.ready();
-    if (!flood.spread_all()) return {Verdict::kBroken, {}};
+    if (!flood.spread_all()) return Verdict::kBroken;
     for (std::uint32_t v = 0; v < labels.size(); ++v) {
         if (labels[v] != CutSide::kUnknown) continue;
         labels[v] = locate(v);
-        if (labels[v] == CutSide::kUnknown) {
-            end.touching.push_back(v);
-            end.verdict = Verdict::kDegenerate;
-            if (!in.collects) return end;
-            labels[v] = CutSide::kOutside;  // whatever it is: the rest of its shell need not be asked
-        }
-        if (flood.spread(v)) continue;
-        end.verdict = Verdict::kBroken;
-        return end;
+        if (labels[v] == CutSide::kUnknown) return Verdict::kDegenerate;
+        if (!flood.spread(v)) return Verdict::kBroken;
     }
-    return end;
+    return Verdict::kFine;
 }
 
 }  // namespace
 
-PhaseEnd label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+Verdict label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
                         const LocateInSolid& locate, Labels& labels) {
     const Verdict world = label_world(in, crossings, order, labels.world);
-    if (world != Verdict::kFine) return {world, {}};
+    if (world != Verdict::kFine) return world;
     return label_cutter(in, crossings, order, locate, labels.cutter);
 }
 

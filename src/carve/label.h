@@ -23,7 +23,7 @@ using LocateInSolid = std::function<CutSide(std::uint32_t cutter_vertex)>;
 /// Labels all vertices: from the edges that are cut, along those that are not, and by a test of one vertex where no
 /// edge of a component is cut.
 /// @param labels  replaced; keeps its memory
-PhaseEnd label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
-                        const LocateInSolid& locate, Labels& labels);
+Verdict label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
+                       const LocateInSolid& locate, Labels& labels);
 
 }  // namespace firma

@@ -2,8 +2,6 @@
 // Crossings in their order along each edge.
 #include "carve/order_cuts.h"
 
-#include <utility>
-
 #include "carve/sort_along.h"
 
 namespace firma {
@@ -23,13 +21,12 @@ public:
     Orderer(const CutInput& in, const Crossings& crossings, CutOrder& order)
         : in_(in), crossings_(crossings), order_(order) {}
 
-    PhaseEnd order() {
+    Verdict order() {
         order_.along.clear();
         order_.world_cuts.assign(in_.patch.edges.size(), {});
         order_.cutter_cuts.assign(in_.cutter.edges.size(), {});
-        order_edges(true, order_.world_cuts);
-        if (!in_.stops_at(end_.verdict)) order_edges(false, order_.cutter_cuts);
-        return std::move(end_);
+        const Verdict verdict = order_edges(true, order_.world_cuts);
+        return verdict == Verdict::kFine ? order_edges(false, order_.cutter_cuts) : verdict;
     }
 
 private:
@@ -41,21 +38,14 @@ private:
             const Plane& plane = plane_crossed(in_, at_a);
             return -exact_side(plane, crossings_.points[b].point) * exact_side(plane, start_of(in_, at_a));
         };
-        if (!sort_along(begin, begin + range.count, before)) {
-            for (std::uint32_t k = 1; k < range.count; ++k) {
-                if (before(begin[k - 1], begin[k]) > 0) continue;
-                crossing_touches(in_.cutter, crossings_.points[begin[k - 1]], end_.touching);
-                crossing_touches(in_.cutter, crossings_.points[begin[k]], end_.touching);
-            }
-            return Verdict::kDegenerate;
-        }
+        if (!sort_along(begin, begin + range.count, before)) return Verdict::kDegenerate;
         for (std::uint32_t k = 1; k < range.count; ++k)
             if (enters(in_, crossings_.points[begin[k - 1]]) == enters(in_, crossings_.points[begin[k]]))
                 return Verdict::kBroken;
         return Verdict::kFine;
     }
 
-    void order_edges(bool of_world, std::vector<CutOrder::Range>& ranges) {
+    Verdict order_edges(bool of_world, std::vector<CutOrder::Range>& ranges) {
         for (const std::uint32_t crossing : crossings_.met)
             if (crossings_.points[crossing].of_world == of_world) ++ranges[crossings_.points[crossing].edge].count;
         std::uint32_t total = std::uint32_t(order_.along.size());
@@ -73,15 +63,14 @@ private:
         for (const CutOrder::Range& range : ranges) {
             if (range.count == 0) continue;
             const Verdict verdict = order_along(range);
-            if (verdict != Verdict::kFine) end_.verdict = verdict;
-            if (in_.stops_at(verdict)) return;
+            if (verdict != Verdict::kFine) return verdict;
         }
+        return Verdict::kFine;
     }
 
     const CutInput& in_;
     const Crossings& crossings_;
     CutOrder& order_;
-    PhaseEnd end_;
 };
 
 }  // namespace
@@ -90,7 +79,7 @@ bool enters(const CutInput& in, const CutPoint& crossing) {
     return exact_side(plane_crossed(in, crossing), start_of(in, crossing)) > 0;
 }
 
-PhaseEnd order_cuts(const CutInput& in, const Crossings& crossings, CutOrder& order) {
+Verdict order_cuts(const CutInput& in, const Crossings& crossings, CutOrder& order) {
     return Orderer(in, crossings, order).order();
 }
 

@@ -21,7 +21,7 @@ struct CutOrder {
 
 /// Orders the crossings along every edge; they must alternate between entering and leaving.
 /// @param order  replaced; keeps its memory
-PhaseEnd order_cuts(const CutInput& in, const Crossings& crossings, CutOrder& order);
+Verdict order_cuts(const CutInput& in, const Crossings& crossings, CutOrder& order);
 
 /// Whether the edge goes inward here: it starts in front of the plane that it crosses.
 bool enters(const CutInput& in, const CutPoint& crossing);

@@ -6,15 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "base/random.h"
 #include "carve/cutter_data.h"
 #include "geometry/grid_orient.h"
 
 namespace firma {
 namespace {
-
-/// Input steps from the middle of the world to its rim.
-constexpr std::int32_t kRimSteps = std::int32_t(kWorldRim * kInputSteps);
 
 Error error_at(const std::string& name, std::string place, ErrorCode code, std::string reason) {
     if (!name.empty()) place = place.empty() ? name : name + ": " + place;
@@ -53,25 +49,6 @@ std::optional<Turn> turn_of(const Quaternion& rotation, double scale) {
     return turn;
 }
 
-/// Hashes two numbers of 32 bits after those before.
-void add_to_hash(std::uint64_t& hash, std::uint32_t a, std::uint32_t b) {
-    hash = (hash ^ (std::uint64_t(a) << 32 | b)) * 0x9E3779B97F4A7C15ull;
-    hash ^= hash >> 29;
-}
-
-std::uint64_t hash_of(const PlacedCutter& placed) {
-    std::uint64_t hash = placed.triangles.size();
-    for (const InputPoint& v : placed.vertices) {
-        add_to_hash(hash, std::uint32_t(v.x), std::uint32_t(v.y));
-        add_to_hash(hash, std::uint32_t(v.z), 0);
-    }
-    for (const auto& [a, b, c] : placed.triangles) {
-        add_to_hash(hash, a, b);
-        add_to_hash(hash, c, 0);
-    }
-    return mix_bits(hash);
-}
-
 /// The cutter on the grid, if it still is one.
 Result<PlacedCutter> finish(PlacedCutter placed) {
     const InputPoint origin = placed.vertices[0];
@@ -87,37 +64,7 @@ Result<PlacedCutter> finish(PlacedCutter placed) {
     }
     if (volume <= 0)
         return error_at(placed.name, "", ErrorCode::kInvalid, "encloses no volume on the grid of 1/4096 m");
-    placed.hash = hash_of(placed);
     return placed;
-}
-
-/// The first tries move little; a place that was cut again and again needs more room.
-std::int32_t farthest_move(int tries) {
-    const int doublings = tries <= 16 ? 0 : tries <= 32 ? 1 : tries <= 48 ? 2 : 3;
-    return kLeastMove << doublings;
-}
-
-/// An axis along which a vertex looks outward by less than this part of its largest has no outward.
-constexpr double kFlat = 0.25;
-
-/// At each vertex the sum of its triangles' normals.
-std::vector<Vec3> outward(const PlacedCutter& placed) {
-    std::vector<Vec3> out(placed.vertices.size());
-    const auto corner = [&](std::uint32_t v) {
-        const InputPoint& p = placed.vertices[v];
-        return Vec3{double(p.x), double(p.y), double(p.z)};
-    };
-    for (const auto& [a, b, c] : placed.triangles) {
-        const Vec3 normal = cross(corner(b) - corner(a), corner(c) - corner(a));
-        for (const std::uint32_t v : {a, b, c}) out[v] = out[v] + normal;
-    }
-    return out;
-}
-
-bool in_world(const InputPoint& p) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (p[axis] < -kRimSteps || p[axis] >= kRimSteps) return false;
-    return true;
 }
 
 }  // namespace
@@ -145,54 +92,6 @@ Result<PlacedCutter> place_cutter(const Cutter& cutter, const Pose& pose) {
     placed.triangles = data.triangles;
     placed.topology = std::shared_ptr<const CutterTopology>(cutter.data(), &data.topology);
     return finish(std::move(placed));
-}
-
-Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
-    Random random(placed.hash ^ mix_bits(std::uint64_t(tries)));
-    const std::int32_t farthest = farthest_move(tries);
-    const std::vector<Vec3> out = outward(placed);
-    PlacedCutter moved = placed;
-    for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
-        std::uint64_t bits = random.next();
-        for (int axis = 0; axis < 3; ++axis, bits >>= 21) {
-            const auto draw = [&](std::int32_t count) {
-                return std::int32_t((bits & 0x1FFFFF) * std::uint64_t(count) >> 21);
-            };
-            // Outward by one step at least, where there is an outward along this axis.
-            const double along = out[k][axis];
-            const std::int32_t by = std::fabs(along) < kFlat * largest(out[k]) ? draw(2 * farthest + 1) - farthest
-                                    : along > 0                                ? 1 + draw(farthest)
-                                                                               : -1 - draw(farthest);
-            moved.vertices[k][axis] += by;
-        }
-        if (!in_world(moved.vertices[k])) return outside(placed.name, k);
-    }
-    return finish(std::move(moved));
-}
-
-Result<PlacedCutter> move_vertices(const PlacedCutter& placed, const PlacedCutter& before,
-                                   std::span<const std::uint32_t> vertices, int tries) {
-    Random random(placed.hash ^ mix_bits(std::uint64_t(tries)));
-    const std::int32_t farthest = std::min(1 + tries / 2, kFarthestMove);
-    std::int32_t steps[3], flat_steps[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::uint64_t bits = random.next();
-        steps[axis] = 1 + std::int32_t((bits >> 32) % std::uint64_t(farthest));
-        flat_steps[axis] = bits & 1 ? steps[axis] : -steps[axis];
-    }
-    const std::vector<Vec3> out = outward(placed);
-    PlacedCutter moved = before;
-    for (const std::uint32_t k : vertices) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const double along = out[k][axis];
-            const bool flat = std::fabs(along) < kFlat * largest(out[k]);
-            moved.vertices[k][axis] = placed.vertices[k][axis] + (flat        ? flat_steps[axis]
-                                                                  : along > 0 ? steps[axis]
-                                                                              : -steps[axis]);
-        }
-        if (!in_world(moved.vertices[k])) return outside(placed.name, k);
-    }
-    return finish(std::move(moved));
 }
 
 }  // namespace firma

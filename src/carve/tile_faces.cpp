@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 #include "base/sort.h"
 #include "carve/gather.h"
@@ -12,6 +13,8 @@
 
 namespace firma {
 namespace {
+
+constexpr int kMostTried = 8;
 
 /// The axis along which a box is longest, and how long it is there.
 std::pair<int, double> longest_axis(const GridBox& box) {
@@ -24,7 +27,12 @@ std::pair<int, double> longest_axis(const GridBox& box) {
 class Tiler {
 public:
     Tiler(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch)
-        : root_(root), box_(grown(cutter.box, steps)), bevelled_(cutter.bevelled), steps_(steps), patch_(patch) {}
+        : root_(root),
+          box_(grown(cutter.box, steps)),
+          bevelled_(cutter.bevelled),
+          steps_(steps),
+          largest_(std::max(kLargestTile, kLargestInCutters * longest_axis(cutter.box).second)),
+          patch_(patch) {}
 
     void tile() {
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face)
@@ -36,41 +44,62 @@ public:
     }
 
 private:
+    /// Where a loop changes from one side of a plane to the other: at a corner, or within the edge that begins there.
+    struct Crossing {
+        std::uint32_t corner = 0;       ///< in uses_
+        bool at_corner = false;
+        bool to_front = false;
+        GridPoint place;
+        std::uint32_t next = 0;         ///< of the same loop
+        std::uint32_t partner = 0;      ///< at the other end of the part of the line that lies in the face
+        std::uint32_t vertex = 0;
+        PatchUse before, after;         ///< halves of the edge
+    };
+
     bool too_large(std::uint32_t index) {
         const PatchFace& face = patch_.faces[index];
-        if (face.loop_count != 1 || longest_axis(face.box).second <= kLargestTile || !boxes_meet(face.box, box_))
+        if (face.loop_count == 0 || longest_axis(face.box).second <= largest_ || !boxes_meet(face.box, box_))
             return false;
         loop_.clear();
-        for (const PatchUse& use : patch_.uses(face))
+        for (const PatchUse& use : patch_.uses(face).first(patch_.ends(face)[0]))
             loop_.push_back(patch_.vertices[patch_.from(use)].point.approximate());
         return polygon_reaches_into(loop_, box_) && polygon_reaches_into(loop_, bevelled_, steps_);
     }
 
-    /// The face's loop with every split edge as its halves.
-    void expand(const PatchFace& face, std::vector<PatchUse>& uses) const {
-        uses.clear();
-        for (const PatchUse& use : patch_.uses(face)) expand(use, uses);
+    /// The face's loops with every split edge as its halves.
+    void expand(const PatchFace& face) {
+        uses_.clear();
+        ends_.clear();
+        std::uint32_t k = 0;
+        for (const std::uint32_t end : patch_.ends(face)) {
+            for (; k < end; ++k) expand(patch_.uses(face)[k]);
+            ends_.push_back(std::uint32_t(uses_.size()));
+        }
     }
-    void expand(const PatchUse& use, std::vector<PatchUse>& uses) const {
+    void expand(const PatchUse& use) {
         const PatchEdge& edge = patch_.edges[use.edge];
-        if (!edge.split()) return uses.push_back(use);
-        expand({edge.half[use.reversed], use.reversed}, uses);
-        expand({edge.half[!use.reversed], use.reversed}, uses);
+        if (!edge.split()) return uses_.push_back(use);
+        expand({edge.half[use.reversed], use.reversed});
+        expand({edge.half[!use.reversed], use.reversed});
     }
 
+    /// At the roundest place within its middle half: so cuts share what others were divided by, in whichever order.
     void halve(std::uint32_t index) {
         const GridBox box = patch_.faces[index].box;
         const int axis = longest_axis(box).first;
-        const std::int64_t middle = (std::int64_t(box.low[axis]) + box.high[axis]) / 2;
-        const std::int64_t step = (std::int64_t(box.high[axis]) - box.low[axis]) / 16;
-        expand(patch_.faces[index], uses_);
-        for (const int steps : {0, 1, -1, 2, -2}) {
-            const auto at = std::int32_t((middle + steps * step) / kSurfacePerInput);
-            const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, at)));
-            sides_.clear();
-            for (const PatchUse& use : uses_)
-                sides_.push_back(exact_side(plane->plane, patch_.vertices[patch_.from(use)].point));
-            if (sign_changes() == 2 && !crowds(plane->plane)) return divide(index, plane);
+        const std::int64_t low = box.low[axis], quarter = (std::int64_t(box.high[axis]) - low) / 4;
+        const std::int64_t first = (low + quarter) / kSurfacePerInput + 1;
+        const std::int64_t last = (low + 3 * quarter) / kSurfacePerInput - 1;
+        expand(patch_.faces[index]);
+        int left = kMostTried;
+        for (int bits = 30; bits >= 0 && left > 0; --bits) {
+            const std::int64_t step = std::int64_t(1) << bits;
+            for (std::int64_t k = (first + step - 1) >> bits; k << bits <= last && left > 0; ++k) {
+                if (k % 2 == 0 && bits < 30) continue;  // rounder yet: tried before
+                --left;
+                const Ref<const SolidPlane> plane(new SolidPlane(axis_plane(axis, std::int32_t(k << bits))));
+                if (divides_in_two(plane->plane)) return divide(index, plane);
+            }
         }
     }
 
@@ -80,79 +109,146 @@ private:
         return true;
     }
 
-    /// Whether a vertex that the plane makes would lie within a step of the input grid of another one: rounded, such a
-    /// piece may have no sound facets, wherever the cutter is moved.
-    bool crowds(const Plane& plane) {
-        std::vector<GridPoint> made;
-        for (std::size_t k = 0; k < uses_.size(); ++k) {
-            const int here = sides_[k], there = sides_[(k + 1) % sides_.size()];
+    /// Whether what lies on either side is one piece, and no vertex that the plane makes lies within a step of the input
+    /// grid of another one: rounded, such a piece may have no sound facets.
+    bool divides_in_two(const Plane& plane) {
+        sides_.clear();
+        for (const PatchUse& use : uses_) sides_.push_back(exact_side(plane, patch_.vertices[patch_.from(use)].point));
+        crossings_.clear();
+        std::uint32_t first = 0;
+        for (const std::uint32_t end : ends_) {
+            if (!cross_loop(plane, first, end)) return false;
+            first = end;
+        }
+        return pair_crossings() && loops_on(true) == 1 && loops_on(false) == 1;
+    }
+
+    bool cross_loop(const Plane& plane, std::uint32_t first, std::uint32_t end) {
+        const auto first_crossing = std::uint32_t(crossings_.size());
+        for (std::uint32_t k = first; k < end; ++k) {
+            const int here = sides_[k], there = sides_[k + 1 < end ? k + 1 : first];
             const GridPoint from = patch_.vertices[patch_.from(uses_[k])].point.rounded();
-            if (here == 0) made.push_back(from);
-            if (here * there >= 0) continue;
-            patch_.settle_planes(uses_[k].edge);
-            const PatchEdge& edge = patch_.edges[uses_[k].edge];
-            const GridPoint point = ExactPoint(edge.plane[0]->plane, edge.plane[1]->plane, plane).rounded();
-            if (near(point, from) || near(point, patch_.vertices[patch_.to(uses_[k])].point.rounded())) return true;
-            made.push_back(point);
-        }
-        return made.size() == 2 && near(made[0], made[1]);
-    }
-
-    int sign_changes() const {
-        int last = 0, changes = 0;
-        for (std::size_t k = 0; k < 2 * sides_.size(); ++k) {  // once around to find a sign, once to count
-            const int side = sides_[k % sides_.size()];
-            if (side == 0) continue;
-            if (k >= sides_.size() && side != last) ++changes;
-            last = side;
-        }
-        return changes;
-    }
-
-    /// Goes around, from corner to corner: where the side changes, a piece ends and the other goes on.
-    void divide(std::uint32_t index, const Ref<const SolidPlane>& plane) {
-        std::vector<PatchUse> piece[2];  // behind the plane, and in front
-        std::uint32_t crossing[2];       // where the loop goes to the front, and to the back
-        const std::size_t count = uses_.size();
-        std::size_t first = 0;
-        while (sides_[first] == 0) ++first;
-        int at = sides_[first];
-        for (std::size_t k = 0; k < count; ++k) {
-            const PatchUse use = uses_[(first + k) % count];
-            const int next = sides_[(first + k + 1) % count];
-            if (next == -at) {
-                const auto [before, after] = split_edge(use, plane);
-                piece[at > 0].push_back(before);
-                crossing[at < 0] = patch_.to(before);
-                at = next;
-                piece[at > 0].push_back(after);
+            Crossing made;
+            made.corner = k;
+            made.to_front = there > 0;
+            made.next = std::uint32_t(crossings_.size()) + 1;
+            if (here == 0) {
+                if (sides_[k > first ? k - 1 : end - 1] * there >= 0) return false;  // it touches the plane there
+                made.at_corner = true;
+                made.place = from;
+            } else if (here * there < 0) {
+                patch_.settle_planes(uses_[k].edge);
+                const PatchEdge& edge = patch_.edges[uses_[k].edge];
+                made.place = ExactPoint(edge.plane[0]->plane, edge.plane[1]->plane, plane).rounded();
+                if (near(made.place, from) || near(made.place, patch_.vertices[patch_.to(uses_[k])].point.rounded()))
+                    return false;
+            } else {
                 continue;
             }
-            piece[at > 0].push_back(use);
-            if (next != 0 || !changes_at((first + k + 1) % count, at)) continue;
-            crossing[at < 0] = patch_.to(use);
-            at = -at;
+            crossings_.push_back(made);
         }
-        // crossing[1]: to the front; crossing[0]: to the back. The new edge closes both pieces.
-        const std::uint32_t inner = add_edge(crossing[0], crossing[1], patch_.faces[index].plane, patch_.keep(plane));
-        close(piece[1], {inner, false});
-        close(piece[0], {inner, true});
-        for (const std::vector<PatchUse>& uses : piece) add_piece(index, uses);
+        if (crossings_.size() > first_crossing) crossings_.back().next = first_crossing;
+        return true;
+    }
+
+    /// Along the line every other part lies in the face.
+    bool pair_crossings() {
+        GridBox all;
+        for (const Crossing& it : crossings_) all.add(it.place);
+        if (crossings_.size() < 2) return false;
+        const int axis = longest_axis(all).first;
+        order_.clear();
+        for (std::uint32_t k = 0; k < crossings_.size(); ++k) order_.push_back(k);
+        sort_range(order_, [&](std::uint32_t a, std::uint32_t b) {
+            const std::int32_t at_a = crossings_[a].place[axis], at_b = crossings_[b].place[axis];
+            return at_a != at_b ? at_a < at_b : a < b;
+        });
+        for (std::size_t k = 0; k + 1 < order_.size(); ++k)
+            if (std::int64_t(crossings_[order_[k + 1]].place[axis]) - crossings_[order_[k]].place[axis] <
+                kSurfacePerInput)
+                return false;
+        for (std::size_t k = 0; k + 1 < order_.size(); k += 2) {
+            Crossing &a = crossings_[order_[k]], &b = crossings_[order_[k + 1]];
+            if (a.to_front == b.to_front) return false;
+            a.partner = order_[k + 1];
+            b.partner = order_[k];
+        }
+        return order_.size() % 2 == 0;
+    }
+
+    /// How many loops the parts on one side make, with those of the line.
+    int loops_on(bool front) {
+        int count = 0;
+        seen_.assign(crossings_.size(), false);
+        for (std::uint32_t start = 0; start < crossings_.size(); ++start) {
+            if (seen_[start] || crossings_[start].to_front != front) continue;
+            ++count;
+            for (std::uint32_t at = start; !seen_[at]; at = crossings_[crossings_[at].next].partner) seen_[at] = true;
+        }
+        return count;
+    }
+
+    void divide(std::uint32_t index, const Ref<const SolidPlane>& plane) {
+        const SolidPlane* across = patch_.keep(plane);
+        for (Crossing& it : crossings_) {
+            it.after = uses_[it.corner];
+            if (it.at_corner) {
+                it.vertex = patch_.from(it.after);
+            } else {
+                std::tie(it.before, it.after) = split_edge(uses_[it.corner], plane);
+                it.vertex = patch_.to(it.before);
+            }
+        }
+        inner_.assign(crossings_.size(), 0);
+        for (std::uint32_t k = 0; k < crossings_.size(); ++k)
+            if (const std::uint32_t partner = crossings_[k].partner; k < partner)
+                inner_[k] = inner_[partner] =
+                    add_edge(crossings_[k].vertex, crossings_[partner].vertex, patch_.faces[index].plane, across);
+        for (const bool front : {false, true}) {
+            std::vector<PatchUse> uses;
+            std::vector<std::uint32_t> ends;
+            add_outline(front, uses);
+            ends.push_back(std::uint32_t(uses.size()));
+            std::uint32_t first = 0;
+            for (const std::uint32_t end : ends_) {
+                if (lies_wholly(first, end, front)) {
+                    uses.insert(uses.end(), uses_.begin() + first, uses_.begin() + end);
+                    ends.push_back(std::uint32_t(uses.size()));
+                }
+                first = end;
+            }
+            add_piece(index, uses, ends);
+        }
         patch_.faces[index].replaced = true;
     }
 
-    /// Whether the loop, on the plane at corner k, leaves it on the other side than `at`.
-    bool changes_at(std::size_t k, int at) const {
-        while (sides_[k] == 0) k = (k + 1) % sides_.size();
-        return sides_[k] != at;
+    /// Along the loops on one side, and from each to the next along the plane.
+    void add_outline(bool front, std::vector<PatchUse>& uses) const {
+        std::uint32_t start = 0;
+        while (crossings_[start].to_front != front) ++start;
+        std::uint32_t at = start;
+        do {
+            const Crossing &begins = crossings_[at], &ends = crossings_[begins.next];
+            uses.push_back(begins.after);
+            for (std::uint32_t k = after(begins.corner); k != ends.corner; k = after(k)) uses.push_back(uses_[k]);
+            if (!ends.at_corner) uses.push_back(ends.before);
+            const std::uint32_t edge = inner_[begins.next];
+            uses.push_back({edge, patch_.edges[edge].vertex[0] != ends.vertex});
+            at = ends.partner;
+        } while (at != start);
     }
-
-    /// Puts the closing edge where the piece's loop has its gap.
-    void close(std::vector<PatchUse>& uses, const PatchUse& closing) {
-        std::size_t gap = 0;
-        while (patch_.from(uses[gap]) != patch_.to(closing)) ++gap;
-        std::rotate(uses.begin(), uses.begin() + std::ptrdiff_t(gap), uses.end());
-        uses.push_back(closing);
+    std::uint32_t after(std::uint32_t corner) const {
+        std::uint32_t first = 0;
+        for (const std::uint32_t end : ends_) {
+            if (corner < end) return corner + 1 < end ? corner + 1 : first;
+            first = end;
+        }
+        return 0;
+    }
+    bool lies_wholly(std::uint32_t first, std::uint32_t end, bool front) const {
+        for (std::uint32_t k = first; k < end; ++k)
+            if (sides_[k] != (front ? 1 : -1)) return false;
+        return true;
     }
 
     std::uint32_t add_edge(std::uint32_t a, std::uint32_t b, const SolidPlane* p, const SolidPlane* q) {
@@ -186,10 +282,6 @@ private:
         return {{a, false}, {b, false}};
     }
 
-    void add_piece(std::uint32_t index, const std::vector<PatchUse>& uses) {
-        const std::uint32_t ends[] = {std::uint32_t(uses.size())};
-        add_piece(index, uses, ends);
-    }
     void add_piece(std::uint32_t index, std::span<const PatchUse> uses, std::span<const std::uint32_t> ends) {
         const PatchFace& whole = patch_.faces[index];
         patch_.add_piece(whole.parent == ~0u ? index : whole.parent, uses, ends);
@@ -214,14 +306,8 @@ private:
         bool any = false;
         for (const PatchUse& use : patch_.uses(face)) any |= patch_.edges[use.edge].split();
         if (!any) return;
-        std::vector<PatchUse> uses;
-        std::vector<std::uint32_t> ends;
-        std::uint32_t k = 0;
-        for (const std::uint32_t end : patch_.ends(face)) {
-            for (; k < end; ++k) expand(patch_.uses(face)[k], uses);
-            ends.push_back(std::uint32_t(uses.size()));
-        }
-        add_piece(index, uses, ends);
+        expand(face);
+        add_piece(index, uses_, ends_);
         patch_.faces[index].replaced = true;
     }
 
@@ -229,12 +315,18 @@ private:
     const GridBox box_;
     const BevelledBox& bevelled_;
     const std::int32_t steps_;
+    const double largest_;  ///< a face may be so long, metres
     SolidPatch& patch_;
     bool split_any_ = false;
     std::vector<std::uint32_t> split_;
-    std::vector<PatchUse> uses_;
-    std::vector<int> sides_;
     std::vector<Vec3> loop_;  ///< input steps
+    // Of the face at hand:
+    std::vector<PatchUse> uses_;
+    std::vector<std::uint32_t> ends_;
+    std::vector<int> sides_;
+    std::vector<Crossing> crossings_;
+    std::vector<std::uint32_t> order_, inner_;
+    std::vector<bool> seen_;
 };
 
 }  // namespace

@@ -12,12 +12,14 @@
 
 namespace firma {
 
-/// A face that a cut touches is at most this long along any axis, where halving can make it so, metres.
+/// A face that a cut touches is at most so many times as long as the cutter along any axis, or this long, metres; where
+/// halving can make it so.
+inline constexpr double kLargestInCutters = 4;
 inline constexpr double kLargestTile = 8;
 
 /// Halves large faces by axis planes, again and again, only the pieces that reach into the cutter's bevelled box. The
 /// faces they are pieces of, and neighbours whose edges are split by it, become `replaced`; pieces name their `parent`.
-/// A face with holes, or one that a plane would cut into more than two, is left whole.
+/// A face that no plane tried cuts into just two is left whole.
 ///
 /// @param root   of an index over the solid, where neighbours are looked for; null for no faces
 /// @param steps  how far the cutter may be moved yet along each axis, surface steps

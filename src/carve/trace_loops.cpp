@@ -23,24 +23,19 @@ public:
           cutter_(in.cutter),
           out_of_(view_.vertex_count()) {}
 
-    PhaseEnd trace() {
+    Verdict trace() {
         split_edges();
         add_segments();
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face) {
             if (patch_.faces[face].replaced) continue;
-            if (!goes_on(trace_world(face))) return std::move(end_);
+            if (const Verdict verdict = trace_world(face); verdict != Verdict::kFine) return verdict;
         }
         for (std::uint32_t t = 0; t < cutter_.planes.size(); ++t)
-            if (!goes_on(trace_cutter(t))) break;
-        return std::move(end_);
+            if (const Verdict verdict = trace_cutter(t); verdict != Verdict::kFine) return verdict;
+        return Verdict::kFine;
     }
 
 private:
-    bool goes_on(Verdict verdict) {
-        if (verdict != Verdict::kFine) end_.verdict = verdict;
-        return !in_.stops_at(verdict);
-    }
-
     struct Parts {
         std::uint32_t first = 0, count = 0;  ///< new edges, in order along the old one
     };
@@ -154,7 +149,7 @@ private:
 
     /// Follows the pieces around: each has one that comes next.
     Verdict trace_pieces(const NewFace& like) {
-        if (!find_next(like)) return Verdict::kBroken;
+        if (const Verdict found = find_next(like); found != Verdict::kFine) return found;
         loops_.clear();
         loop_ends_.clear();
         for (std::uint32_t first = 0; first < pieces_.size(); ++first) {
@@ -166,13 +161,11 @@ private:
                 loop_ends_.push_back(std::uint32_t(loops_.size()));
         }
         if (loops_.empty()) return Verdict::kFine;
-        const Verdict verdict = group_loops(view_, like, loops_, loop_ends_, made_);
-        if (verdict == Verdict::kDegenerate) view_.face_touches(loops_, end_.touching);
-        return verdict;
+        return group_loops(view_, like, loops_, loop_ends_, made_);
     }
 
     /// Mostly each vertex has one way out and one way in.
-    bool find_next(const NewFace& like) {
+    Verdict find_next(const NewFace& like) {
         next_.assign(pieces_.size(), kNoPiece);
         same_start_.assign(pieces_.size(), kNoPiece);
         bool several = false;
@@ -182,23 +175,26 @@ private:
             same_start_[k] = out - 1;  // none: kNoPiece
             out = k + 1;
         }
-        bool whole = true;
-        std::size_t ends = 0;
-        for (std::uint32_t k = 0; k < pieces_.size() && whole; ++k) {
+        Verdict found = Verdict::kFine;
+        for (std::uint32_t k = 0; k < pieces_.size() && found == Verdict::kFine; ++k) {
             next_[k] = out_of_[view_.to(pieces_[k])] - 1;
-            whole = next_[k] != kNoPiece;
-            if (whole && several && same_start_[next_[k]] != kNoPiece) whole = choose_next(k, like);
+            if (next_[k] == kNoPiece)
+                found = Verdict::kBroken;
+            else if (several && same_start_[next_[k]] != kNoPiece && !choose_next(k, like))
+                found = Verdict::kDegenerate;
         }
         for (const PatchUse& piece : pieces_) out_of_[view_.from(piece)] = 0;
-        if (!whole) return false;
+        if (found != Verdict::kFine) return found;
         used_.assign(pieces_.size(), 0);
+        std::size_t ends = 0;
         for (const std::uint32_t next : next_) ends += used_[next]++ != 0;
-        return ends == 0;
+        return ends == 0 ? Verdict::kFine : Verdict::kBroken;
     }
 
     /// Where solids touch along a line that crosses this face there are several ways out of one vertex. The inside of
-    /// the face lies to the left of a piece: the next one is the first met when the way back turns clockwise. All of
-    /// them are segments, and run along face normal x triangle normal.
+    /// the face lies to the left of a piece: the next one is the first met when the way back turns clockwise. Segments
+    /// run along face normal x triangle normal.
+    /// @return false where others are among them: a loop of the face itself comes to the vertex twice
     bool choose_next(std::uint32_t piece, const NewFace& like) {
         if (!is_segment(piece)) return false;
         std::uint32_t best = kNoPiece;
@@ -237,7 +233,6 @@ private:
     const Labels& labels_;
     NewLoops& made_;
     const CutView view_;
-    PhaseEnd end_;
     const SolidPatch& patch_;
     const CutterSolid& cutter_;
     std::vector<Parts> world_parts_, cutter_parts_;
@@ -253,8 +248,8 @@ private:
 
 }  // namespace
 
-PhaseEnd trace_loops(const CutInput& in, const Crossings& crossings, const CutOrder& order, const Labels& labels,
-                     NewLoops& loops) {
+Verdict trace_loops(const CutInput& in, const Crossings& crossings, const CutOrder& order, const Labels& labels,
+                    NewLoops& loops) {
     loops.edges.clear();
     loops.all_uses.clear();
     loops.loop_ends.clear();

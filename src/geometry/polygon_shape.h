@@ -21,6 +21,8 @@ struct PolygonShape {
     Vec3 normal;  ///< twice the area long, square metres; components rounded once from their exact values
     double normal_length = 0;
 
+    /// Not so of a facet that rounding flattened: all of it lies on its neighbours.
+    bool has_area() const { return normal_length > 0; }
     std::size_t next(std::size_t k) const { return k + 1 < corners.size() ? k + 1 : 0; }
     Vec3 unit_normal() const { return normal * (1 / normal_length); }
 };

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "base/assert.h"
 
 namespace firma {
 namespace {
@@ -24,20 +23,6 @@ BoxTree::BoxTree(std::span<const GridBox> boxes) {
     for (std::size_t k = 0; k < boxes.size(); ++k) items_.push_back({boxes[k], std::uint32_t(k)});
     nodes_.reserve(boxes.size());
     if (!boxes.empty()) build(0, std::uint32_t(boxes.size()), 0);
-}
-
-void BoxTree::refit(std::span<const GridBox> boxes) {
-    FIRMA_ASSERT(boxes.size() == items_.size(), "a tree is refitted with as many boxes as it was built of");
-    for (Item& item : items_) item.box = boxes[item.number];
-    // Children stand behind their parents.
-    for (std::size_t at = nodes_.size(); at-- > 0;) {
-        Node& node = nodes_[at];
-        node.box = {};
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) node.box.add(items_[k].box);
-        if (node.count != 0) continue;
-        node.box.add(nodes_[at + 1].box);
-        node.box.add(nodes_[node.first].box);
-    }
 }
 
 void BoxTree::build(std::uint32_t first, std::uint32_t count, int depth) {

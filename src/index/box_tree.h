@@ -26,9 +26,6 @@ public:
     /// @param boxes  none empty; numbered as they stand
     explicit BoxTree(std::span<const GridBox> boxes);
 
-    /// Takes new boxes, as many as before, without putting them into another order: for some that moved a little.
-    void refit(std::span<const GridBox> boxes);
-
     std::size_t size() const { return items_.size(); }
     /// Memory beside the object itself.
     std::size_t bytes() const { return items_.capacity() * sizeof(Item) + nodes_.capacity() * sizeof(Node); }

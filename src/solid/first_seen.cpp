@@ -30,6 +30,7 @@ bool FirstSeen::facets(const IndexedFacets& facets, std::uint32_t first, std::ui
     const Block& block = as_block(facets);
     for (std::uint32_t k = first; k < first + count; ++k) {
         const FaceShape shape(block, block.faces[k]);
+        if (!shape.polygon.has_area()) continue;
         const Contact contact = cast_sweep_polygon(sweep_, shape.polygon, Sides::kBoth, latest_, nullptr);
         if (!contact.touched() || (best_.touched() && contact.t >= latest_)) continue;
         best_ = contact;

@@ -44,6 +44,7 @@ struct NearFacets {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
             if (!(block.faces[slot].mask & mask)) continue;
             const FaceShape shape(block, block.faces[slot]);
+            if (!shape.polygon.has_area()) continue;
             const Closest closest = closest_to(point - shape.polygon.corners[0], shape.polygon);
             if (found.takes(point, shape.polygon, closest) && found.keep(block, slot, shape.polygon, closest))
                 return true;

@@ -37,6 +37,7 @@ struct ShowFaces {
             const FaceRecord& record = block.faces[slot];
             if (!wanted(block, record)) continue;
             const FaceShape shape(block, record);
+            if (!shape.polygon.has_area()) continue;
             if (!visit({face_info(room, block, record, shape.polygon), shape.polygon.corners})) return ended = true;
         }
         return false;

@@ -87,6 +87,7 @@ public:
             if (!boxes_.enters(box_of_face(block, face), found_.latest, nearest)) continue;
             ++counts.faces;
             const FaceShape shape(block, face);
+            if (!shape.polygon.has_area()) continue;
             const Sides sides = face.two_sided ? Sides::kBoth : options_.sides;
             const Contact contact = cast_sweep_polygon(sweep_, shape.polygon, sides, found_.latest, &counts);
             if (contact.touched() && found_({contact, &block, slot})) return ended = true;

@@ -208,7 +208,7 @@ bool crosses(const PlacedCutter& cutter) {
     return found;
 }
 
-TEST(FindCrossing, OurShapesDoNotAtAnySizeNorWhenMoved) {
+TEST(FindCrossing, OurShapesDoNotAtAnySize) {
     int stars = 0, all = 0;
     for (const CutterShape shape :
          {CutterShape::kRocky, CutterShape::kSpiky, CutterShape::kDrill, CutterShape::kWedge, CutterShape::kBox})
@@ -216,11 +216,9 @@ TEST(FindCrossing, OurShapesDoNotAtAnySizeNorWhenMoved) {
             for (std::uint64_t seed = 0; seed < 12; ++seed) {
                 const Pose pose{.position = {5, 6, 7}, .rotation = random_turn(seed), .scale = radius};
                 const PlacedCutter cutter = place_cutter(make_crater(shape, seed), pose).value();
-                const PlacedCutter moved = move_cutter(cutter, int(seed) + 1).value();
                 EXPECT_FALSE(crosses(cutter)) << cutter.name << seed;
-                EXPECT_FALSE(crosses(moved)) << cutter.name << seed;
-                stars += is_star_shaped(cutter) + is_star_shaped(moved);
-                all += 2;
+                stars += is_star_shaped(cutter);
+                ++all;
             }
     EXPECT_EQ(stars, all) << "the quick way settles them";
 }

@@ -80,26 +80,6 @@ TEST(BoxTree, TheWholeWorldAndCentresThatHalveForever) {
     expect_same_as_looking(boxes, asked);
 }
 
-TEST(BoxTree, RefittedItFindsTheNewBoxes) {
-    scenes::Rng rng(5);
-    std::vector<GridBox> boxes;
-    for (int k = 0; k < 700; ++k) boxes.push_back(random_box(rng, 1000, 50));
-    BoxTree tree(boxes);
-    for (int round = 0; round < 4; ++round) {
-        for (std::size_t k = 0; k < boxes.size(); ++k)
-            if (rng.chance(0.2)) boxes[k] = random_box(rng, 1000, 50);
-        tree.refit(boxes);
-        for (int k = 0; k < 50; ++k) {
-            const GridBox asked = random_box(rng, 1000, 200);
-            std::vector<std::uint32_t> found = found_by(tree, asked), met;
-            std::sort(found.begin(), found.end());
-            for (std::uint32_t b = 0; b < boxes.size(); ++b)
-                if (boxes_meet(boxes[b], asked)) met.push_back(b);
-            EXPECT_EQ(found, met);
-        }
-    }
-}
-
 TEST(BoxTree, StopsWhenTold) {
     scenes::Rng rng(3);
     std::vector<GridBox> boxes;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "firma/carve.h"
+#include "scenes/contact_families.h"
 #include "scenes/cut_families.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/world_facets.h"
@@ -66,6 +67,27 @@ TEST(CarveOracle, RoundedSumsAreTheExactOnesToManyDigits) {
             }
             EXPECT_GT(compared, 0) << name;
         }
+}
+
+// Faces in one plane, edges on edges, vertices on faces: of levels that no cut has touched.
+TEST(CarveOracle, RoundedSumsAreTheExactOnesInContact) {
+    const Level ours = scenes::make_cut_case(scenes::cut_families()[3], 1, 0, {}).level;
+    for (const scenes::CutFamily& family : scenes::contact_families()) {
+        if (family.name == "contact_our_level" || family.name == "contact_terrain") continue;  // of many faces
+        const scenes::CutCase it = scenes::make_cut_case(family, 4, 2, ours);
+        const World world = make_world(it.level).value();
+        int compared = 0;
+        for (const scenes::CutOrder& order : it.cuts) {
+            const PlacedCutter placed = place_cutter(order.cutter, order.pose).value();
+            if (placed.triangles.size() > 150 || compared == 3) continue;
+            const Real rounded = volume_within(world, placed);
+            const Fraction exact = exact_volume_within(world, placed);
+            const Real error = abs(rounded - Real(numerator(exact)) / Real(denominator(exact)));
+            EXPECT_LT(error, volume_of(placed) * Real("1e-40")) << family.name;
+            ++compared;
+        }
+        EXPECT_GT(compared, 0) << family.name;
+    }
 }
 
 TEST(CarveOracle, SeesWhatIsMissing) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -263,17 +264,32 @@ Number in_common(const Prism<Number>& of_solid, const Prism<Number>& of_cutter) 
     return sign * (integral(clipped(shared, above), of_cutter.top) + integral(clipped(shared, below), of_solid.top));
 }
 
+/// Of a facet's whole face.
+GridBox box_of(const FacetPlace& place) {
+    if (const FaceOwner* owner = place.block->owner_of(place.record())) return owner->box;
+    GridBox box;
+    for (const std::uint16_t corner : place.block->corners_of(place.record())) box.add(place.block->vertices[corner]);
+    return box;
+}
+
+bool overlap(const GridBox& p, const GridBox& q) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::int64_t(p.high[axis]) + 2 < q.low[axis] || std::int64_t(q.high[axis]) + 2 < p.low[axis]) return false;
+    return true;
+}
+
+std::set<const Block*> blocks_of(std::span<const FacetPlace> facets) {
+    std::set<const Block*> blocks;
+    for (const FacetPlace& place : facets) blocks.insert(place.block);
+    return blocks;
+}
+
 /// A patch of the exact faces that lie over or under, or within, a box from its bottom up.
 SolidPatch column_of(const World& world, const GridBox& box) {
     SolidPatch patch;
     for (const FacetPlace& place : all_facets(world)) {
         if (!place.record().solid) continue;
-        GridBox own;
-        if (const FaceOwner* owner = place.block->owner_of(place.record()))
-            own = owner->box;
-        else
-            for (const std::uint16_t corner : place.block->corners_of(place.record()))
-                own.add(place.block->vertices[corner]);
+        const GridBox own = box_of(place);
         bool far = std::int64_t(own.high[2]) + 4 < box.low[2];
         for (int axis = 0; axis < 2; ++axis)
             far = far || std::int64_t(own.high[axis]) + 4 < box.low[axis] ||
@@ -334,6 +350,64 @@ Real six_times_volume_of(std::span<const FacetPlace> facets, const InputPoint& o
     return sum;
 }
 
+using PlaneKey = std::array<std::string, 4>;
+
+/// @param both_ways  planes that look opposite ways have the same key
+PlaneKey key_of(const Plane& plane, bool both_ways) {
+    const std::int64_t* n = plane.normal;
+    const bool turned = both_ways && (n[0] != 0 ? n[0] < 0 : n[1] != 0 ? n[1] < 0 : n[2] < 0);
+    PlaneKey key;
+    for (std::size_t axis = 0; axis < 3; ++axis) key[axis] = std::to_string(turned ? -n[axis] : n[axis]);
+    key[3] = number<Real>(turned ? -plane.offset() : plane.offset()).str(0, std::ios_base::fixed);
+    return key;
+}
+
+/// A triangle of a face's fans, as seen along an axis: counter-clockwise, and how it counts.
+struct FlatTriangle {
+    Real x[3], y[3];
+    int sign = 0;
+};
+
+std::vector<FlatTriangle> flat_fans(const SolidPatch& patch, const PatchFace& face, std::size_t along,
+                                    const InputPoint& origin) {
+    const std::size_t u = (along + 1) % 3, v = (along + 2) % 3;
+    std::vector<FlatTriangle> flat;
+    fans<Real>(patch, face, origin, [&](const auto& a, const auto& b, const auto& c) {
+        FlatTriangle t{{a[u], b[u], c[u]}, {a[v], b[v], c[v]}, 0};
+        const Real area = twice_area(t.x, t.y);
+        if (abs(area) < negligible<Real>()) return;
+        t.sign = area > 0 ? 1 : -1;
+        if (t.sign < 0) {
+            std::swap(t.x[1], t.x[2]);
+            std::swap(t.y[1], t.y[2]);
+        }
+        flat.push_back(std::move(t));
+    });
+    return flat;
+}
+
+/// Twice the area that two faces of one plane, whichever way they look, have in common; square steps, projected.
+Real shared_area(const SolidPatch& patch, const PatchFace& p, const PatchFace& q) {
+    const std::size_t along = std::size_t(p.plane->plane.dominant_axis());
+    const InputPoint origin = to_input(p.box.low);
+    Real sum = 0;
+    const std::vector<FlatTriangle> of_p = flat_fans(patch, p, along, origin),
+                                    of_q = flat_fans(patch, q, along, origin);
+    for (const FlatTriangle& s : of_p)
+        for (const FlatTriangle& t : of_q) {
+            Polygon<Real> shared;
+            for (int k = 0; k < 3; ++k) shared.push_back({s.x[k], s.y[k]});
+            for (int k = 0; k < 3 && shared.size() > 2; ++k) {
+                const int next = k < 2 ? k + 1 : 0;
+                const Real ux = t.x[next] - t.x[k], uy = t.y[next] - t.y[k];
+                shared = clipped(
+                    shared, [&](const Real& x, const Real& y) { return Real(ux * (y - t.y[k]) - uy * (x - t.x[k])); });
+            }
+            sum += s.sign * t.sign * integral(shared, Heights<Real>{0, 0, Real(1) / 3});
+        }
+    return abs(sum);
+}
+
 /// Of a triangle, in half turns around a full sphere's two.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double la = length(a), lb = length(b), lc = length(c);
@@ -359,33 +433,72 @@ Real volume_lost(std::span<const FacetPlace> gone, std::span<const FacetPlace> c
 }
 
 bool same_solid(const World& a, const World& b) {
-    using Key = std::array<std::string, 4>;
-    using Measures = std::array<Real, 4>;  // area, moments along each axis: of the projection along the dominant axis
-    std::map<Key, Measures> sums;
-    const auto add = [&](const World& world, int sign) {
+    // Area, moments along both axes of the projection along the dominant one, and second moments.
+    using Measures = std::array<Real, 6>;
+    std::map<PlaneKey, Measures> sums;
+    const std::vector<FacetPlace> of_a = all_facets(a), of_b = all_facets(b);
+    // Versions share blocks; of a face that only one of them has no facet lies in a block of both.
+    const std::set<const Block*> blocks_a = blocks_of(of_a), blocks_b = blocks_of(of_b);
+    const auto add = [&](const std::vector<FacetPlace>& facets, const std::set<const Block*>& of_other, int sign) {
         SolidPatch patch;
-        for (const FacetPlace& place : all_facets(world))
-            if (place.record().solid) patch.add(place);
+        for (const FacetPlace& place : facets)
+            if (place.record().solid && !of_other.contains(place.block)) patch.add(place);
         for (const PatchFace& face : patch.faces) {
             const Plane& plane = face.plane->plane;
             const std::size_t along = std::size_t(plane.dominant_axis()), u = (along + 1) % 3, v = (along + 2) % 3;
-            Key key;
-            for (std::size_t axis = 0; axis < 3; ++axis) key[axis] = std::to_string(plane.normal[axis]);
-            key[3] = number<Real>(plane.offset()).str(0, std::ios_base::fixed);
-            Measures& sum = sums[key];
+            Measures& sum = sums[key_of(plane, false)];
             fans<Real>(patch, face, {}, [&](const auto& p, const auto& q, const auto& r) {
                 const Real area = sign * ((q[u] - p[u]) * (r[v] - p[v]) - (r[u] - p[u]) * (q[v] - p[v]));
+                const Real x[3] = {p[u], q[u], r[u]}, y[3] = {p[v], q[v], r[v]};
+                const Real all_x = x[0] + x[1] + x[2], all_y = y[0] + y[1] + y[2];
                 sum[0] += area;
-                for (std::size_t axis = 0; axis < 3; ++axis) sum[axis + 1] += area * (p[axis] + q[axis] + r[axis]);
+                sum[1] += area * all_x;
+                sum[2] += area * all_y;
+                for (int k = 0; k < 3; ++k) {
+                    sum[3] += area * x[k] * (all_x + x[k]);
+                    sum[4] += area * y[k] * (all_y + y[k]);
+                    sum[5] += area * (x[k] * all_y + x[k] * y[k]);
+                }
             });
         }
     };
-    add(a, 1);
-    add(b, -1);
+    add(of_a, blocks_b, 1);
+    add(of_b, blocks_a, -1);
     const Real least("1e-20");
     return std::all_of(sums.begin(), sums.end(), [&](const auto& entry) {
         return std::all_of(entry.second.begin(), entry.second.end(), [&](const Real& x) { return abs(x) < least; });
     });
+}
+
+std::string doubled_face(const World& world, std::span<const FacetPlace> facets) {
+    SolidPatch patch;
+    for (const FacetPlace& place : facets)
+        if (place.record().solid) patch.add(place);
+    const auto first_other = std::uint32_t(patch.faces.size());
+    std::map<PlaneKey, std::vector<std::uint32_t>> in_plane;
+    for (std::uint32_t f = 0; f < first_other; ++f) in_plane[key_of(patch.faces[f].plane->plane, true)];
+    GridBox near;
+    for (const PatchFace& face : patch.faces) near.add(face.box);
+    for (const FacetPlace& place : all_facets(world))
+        if (place.record().solid && overlap(box_of(place), near)) patch.add(place);
+    for (std::uint32_t f = 0; f < patch.faces.size(); ++f) {
+        const auto found = in_plane.find(key_of(patch.faces[f].plane->plane, true));
+        if (found != in_plane.end()) found->second.push_back(f);
+    }
+    for (const auto& [key, faces] : in_plane)
+        for (std::size_t i = 0; i < faces.size() && faces[i] < first_other; ++i)
+            for (std::size_t k = i + 1; k < faces.size(); ++k)
+                if (overlap(patch.faces[faces[i]].box, patch.faces[faces[k]].box) &&
+                    shared_area(patch, patch.faces[faces[i]], patch.faces[faces[k]]) > Real("1e-12")) {
+                    const PatchFace& face = patch.faces[faces[i]];
+                    const auto at = patch.vertices[patch.from(patch.uses(face)[0])].point;
+                    const Point<Real> corner = relative<Real>(at, {});
+                    std::string text = "a face lies on another one, near (";
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        text += (axis ? ", " : "") + Real(corner[axis] / 4096).str(12);
+                    return text + ")";
+                }
+    return "";
 }
 
 double winding(std::span<const FacetPlace> facets, const Vec3& point) {

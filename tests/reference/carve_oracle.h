@@ -10,6 +10,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <span>
+#include <string>
 
 #include "carve/place_cutter.h"
 #include "firma/world.h"
@@ -31,9 +32,15 @@ Real volume_of(const PlacedCutter& cutter);
 /// How much more solid `before` has than `after`, cubic metres, by the exact faces of facets that only one of them has.
 Real volume_lost(std::span<const FacetPlace> gone, std::span<const FacetPlace> come, const PlacedCutter& near);
 
-/// Whether two worlds have the same solid, however their faces are divided: in every plane the same area, and the same
-/// moments of it, of the exact faces that are not facet by facet the same.
+/// Whether two worlds have the same solid, however their faces are divided: in every plane, by the way that they look,
+/// the exact faces have the same area and the same moments of it up to the second order.
 bool same_solid(const World& a, const World& b);
+
+/// Whether faces of these facets lie on other faces of the world, looking the same way or the opposite one: a skin
+/// without volume, or a face twice. In exact arithmetic's digits, by the areas that two faces of a plane share.
+/// @param facets  of the world
+/// @return a corner of a face that does, in words; empty when none does
+std::string doubled_face(const World& world, std::span<const FacetPlace> facets);
 
 /// How often the surface of the solid winds around a point, by solid angles over all facets: 0 in air and 1 in the
 /// solid, or -1 and 0 in a world whose outside is rock. In double, so for points well clear of the surface.

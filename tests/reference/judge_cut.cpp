@@ -17,6 +17,7 @@
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/directed_edges.h"
+#include "tests/reference/judge_contact.h"
 #include "tests/reference/judge_rooms.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
@@ -30,9 +31,9 @@ using scenes::Rng;
 constexpr std::size_t kFailuresKept = 8;
 
 /// Digits out, so that like reasons count together.
-std::string reason_of(const Error& error) {
+std::string kind_of(const std::string& reason) {
     std::string text;
-    for (const char c : error.reason) {
+    for (const char c : reason) {
         if (c >= '0' && c <= '9') {
             if (text.empty() || text.back() != '#') text += '#';
         } else if (c != '.' && c != '-') {
@@ -112,23 +113,16 @@ public:
 
 private:
     void fail(const std::string& what) {
-        tally_.fail(where_ + ": " + what);
+        tally_.fail(where_, what);
         failed_ = true;
     }
 
     void place() {
-        Pose pose = order_.pose;
-        pose.scale *= result_.report.scale;
-        Result<PlacedCutter> placed = place_cutter(order_.cutter, pose);
-        if (placed && result_.report.retries > 0 && placed.value().vertices.size() > kMostMovedWhole)
-            return fail("a large cutter was moved in part: this judge cannot tell where to");
-        if (placed && result_.report.retries > 0) placed = move_cutter(placed.value(), result_.report.retries);
-        if (placed) placed_ = std::move(placed).value();
+        placed_ = placed_cutter(order_, result_.report);
     }
 
     void count_refusal() {
-        // As asked for, before any move: what was moved could be placed.
-        const bool unplaceable = result_.report.retries == 0 && (!placed_ || check_cutter(*placed_));
+        const bool unplaceable = !placed_ || check_cutter(*placed_);
         const bool blamed = !result_.reproduction.empty() ||
                             result_.error.reason.find("degenerate position") != std::string::npos ||
                             result_.error.reason.find("contradict") != std::string::npos;
@@ -329,8 +323,10 @@ bool disjoint(const CutOrder& a, const CutOrder& b) {
 
 }  // namespace
 
-void CutTally::fail(const std::string& text) {
-    if (failures.size() < kFailuresKept) failures.push_back(text);
+void CutTally::fail(const std::string& where, const std::string& what) {
+    if (failures.size() < kFailuresKept) failures.push_back(where + ": " + what);
+    Refusals& like = kinds[kind_of(what)];
+    if (++like.count == 1) like.first = where;
 }
 
 void CutTally::add(const CutTally& other) {
@@ -356,12 +352,21 @@ void CutTally::add(const CutTally& other) {
     shared_edges += other.shared_edges;
     carve_seconds += other.carve_seconds;
     failed += other.failed;
-    for (const auto& [reason, some] : other.refusals) {
-        Refusals& mine = refusals[reason];
-        mine.count += some.count;
-        if (mine.first.empty()) mine.first = some.first;
-    }
-    for (const std::string& text : other.failures) fail(text);
+    again += other.again;
+    reversed += other.reversed;
+    grown += other.grown;
+    history_points += other.history_points;
+    const auto add_kinds = [](const std::map<std::string, Refusals>& from, std::map<std::string, Refusals>& to) {
+        for (const auto& [reason, some] : from) {
+            Refusals& mine = to[reason];
+            mine.count += some.count;
+            if (mine.first.empty()) mine.first = some.first;
+        }
+    };
+    add_kinds(other.refusals, refusals);
+    add_kinds(other.kinds, kinds);
+    for (const std::string& text : other.failures)
+        if (failures.size() < kFailuresKept) failures.push_back(text);
 }
 
 std::string open_edge(const World& world, std::uint64_t* shared_edges) {
@@ -384,6 +389,14 @@ CarveResult make_cut(const World& world, const CutOrder& order) {
                                           : carve(world, order.cutter, order.pose);
 }
 
+std::optional<PlacedCutter> placed_cutter(const CutOrder& order, const CarveReport& report) {
+    Pose pose = order.pose;
+    pose.scale *= report.scale;
+    Result<PlacedCutter> placed = place_cutter(order.cutter, pose);
+    if (!placed) return std::nullopt;
+    return std::move(placed).value();
+}
+
 CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::string& where, CutTally& tally,
                       const JudgeOptions& options) {
     const std::uint64_t hash = hash_world(world);
@@ -395,7 +408,7 @@ CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::
     tally.nothing += result.status == CarveStatus::kNothing;
     if (result.status == CarveStatus::kRefused) {
         ++tally.refused;
-        CutTally::Refusals& like = tally.refusals[reason_of(result.error)];
+        CutTally::Refusals& like = tally.refusals[kind_of(result.error.reason)];
         if (++like.count == 1) like.first = where;
     }
     tally.retries += std::uint64_t(result.report.retries);
@@ -406,7 +419,7 @@ CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::
     bool failed = judge.failed();
     const auto expect = [&](bool holds, const std::string& what) {
         if (holds) return;
-        tally.fail(where + ": " + what);
+        tally.fail(where, what);
         failed = true;
     };
     expect(hash_world(world) == hash, "the world before is not as it was");
@@ -425,28 +438,36 @@ CutTally judge_cuts(World world, World again, std::span<const CutOrder> cuts, co
     CutTally tally;
     World before_last = world;
     Rng rng(seed);
+    std::optional<ContactJudge> contact;
+    if (options.contact) contact.emplace(world, options);
     cuts = cuts.first(std::min(cuts.size(), options.most_cuts));
     for (std::size_t k = 0; k < cuts.size(); ++k) {
         const World before = world;
         const std::string where = name + " cut=" + std::to_string(k);
+        const std::uint64_t failed = tally.failed;
         const CarveResult result = judge_cut(world, cuts[k], rng, where, tally, options);
-        if (k > 0 && disjoint(cuts[k - 1], cuts[k]) && rng.chance(0.5)) {
+        bool holds = !contact || contact->judge(before, cuts[k], result, rng, where, tally);
+        const bool commutes =
+            k > 0 && (disjoint(cuts[k - 1], cuts[k]) || (contact && cuts[k - 1].kind == cuts[k].kind));
+        if (commutes && rng.chance(0.5)) {
             const World other = make_cut(make_cut(before_last, cuts[k]).world, cuts[k - 1]).world;
             ++tally.commuted;
             const bool same_facets = hash_of_surface(other) == hash_of_surface(world);
             tally.reseamed += !same_facets;
             if (!same_facets && !reference::same_solid(other, world)) {
-                tally.fail(where + ": another solid when made before cut " + std::to_string(k - 1));
-                ++tally.failed;
+                tally.fail(where, "another solid when made before cut " + std::to_string(k - 1));
+                holds = false;
             }
         }
+        if (!holds && tally.failed == failed) ++tally.failed;
+        if (contact && tally.failed > failed) contact->start_again(world);
         before_last = before;
     }
     // Equal logs, equal bytes.
     for (const CutOrder& cut : cuts) again = make_cut(again, cut).world;
     tally.replayed += cuts.size();
     if (hash_world(again) != hash_world(world)) {
-        tally.fail(name + ": made again from the level it ends in another world");
+        tally.fail(name, "made again from the level it ends in another world");
         ++tally.failed;
     }
     return tally;
@@ -460,7 +481,7 @@ CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::ui
     const Result<World> made = make_world(it.level);
     if (!made) {
         CutTally tally;
-        tally.fail(name + ": " + made.error().text());
+        tally.fail(name, made.error().text());
         ++tally.failed;
         return tally;
     }

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "carve/place_cutter.h"
 #include "firma/carve.h"
 #include "scenes/cut_families.h"
 #include "scenes/rng.h"
@@ -31,12 +33,18 @@ struct CutTally {
     std::uint64_t ways = 0;          ///< of worlds with rooms: pairs of points in the air
     std::uint64_t joined = 0;        ///< cuts that made several rooms one
     std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
+    // Of cuts in contact.
+    std::uint64_t again = 0;           ///< made again where they were
+    std::uint64_t reversed = 0;        ///< followed by the opposite one, and made again
+    std::uint64_t grown = 0;           ///< of those, of more exact faces than before
+    std::uint64_t history_points = 0;  ///< that lie where the level and all cutters put them
     double carve_seconds = 0;
     struct Refusals {
         std::uint64_t count = 0;
         std::string first;  ///< the cut that met it first
     };
     std::map<std::string, Refusals> refusals;  ///< by reason, numbers left out
+    std::map<std::string, Refusals> kinds;     ///< of failures, likewise
     std::uint64_t failed = 0;                  ///< cuts with at least one failure
     std::vector<std::string> failures;         ///< the first few
 
@@ -44,7 +52,8 @@ struct CutTally {
     std::uint64_t refused_in_place() const { return refused - unplaceable; }
 
     void add(const CutTally& other);
-    void fail(const std::string& text);
+    /// @param where  what it takes to see it again
+    void fail(const std::string& where, const std::string& what);
 };
 
 struct JudgeOptions {
@@ -52,6 +61,9 @@ struct JudgeOptions {
     double slices = 0.25;  ///< share of cuts made again in slices
     bool volume = true;
     std::size_t most_cuts = ~std::size_t(0);  ///< of a case
+    bool contact = false;                     ///< judged by judge_contact.h too, and no cut may be moved or refused
+    int history_points = 24;                  ///< of a cut in contact
+    double back = 0.5;                        ///< share of cuts in contact made back and forth
 };
 
 /// Makes a cut and judges it.
@@ -78,6 +90,9 @@ CutTally judge_case(const scenes::CutFamily& family, std::uint64_t seed, std::ui
 void report_contradictions();
 
 CarveResult make_cut(const World& world, const scenes::CutOrder& order);
+
+/// A cutter as an edit had it at last: shrunk by rules, and moved; nothing when that cannot be told.
+std::optional<PlacedCutter> placed_cutter(const scenes::CutOrder& order, const CarveReport& report);
 
 /// The first directed edge of the solid's facets, of all rooms, that is not used as often the other way; empty when all
 /// are.
