@@ -16,6 +16,16 @@ const MOST = 2000;
 
 const sum = (list) => list.reduce((all, one) => all + one, 0);
 
+/** 'sound', or the first fault of Firma's world. */
+function checked(world) {
+    try {
+        world.check();
+        return 'sound';
+    } catch (error) {
+        return error.message;
+    }
+}
+
 /** Cut by cut, who begins alternates. */
 function compete(firma, library, name, exponent, cuts) {
     const { block, tool, poses } = makeSweep(name, exponent);
@@ -47,7 +57,6 @@ for (const warm of TOOLS) {
 for (const name of TOOLS)
     for (let exponent = 0; exponent <= LARGEST_SWEEP; exponent += quick ? LARGEST_SWEEP : 1) {
         const { ours, theirs, laps } = compete(firma, library, name, exponent, quick ? 10 : SWEEP_CUTS);
-        ours.world.check();
         const left = ours.world.measure().volume;
         const theirsLeft = theirs.level.volume();
         rows.push([
@@ -61,6 +70,7 @@ for (const name of TOOLS)
             count(theirs.level.numTri()),
             (left / 8 ** exponent).toFixed(15),
             number(Math.abs(theirsLeft / left - 1)),
+            checked(ours.world),
         ]);
         ours.release();
         theirs.release();
@@ -68,6 +78,6 @@ for (const name of TOOLS)
 const speed = ['Firma', 'manifold'].flatMap((who) => ['median', 'p99', 'sum'].map((what) => `${who} ${what} ms`));
 const ratios = ['median', 'p99', 'sum'].map((what) => `manifold to Firma, ${what}`);
 const answers = ['refused by Firma', 'moved by Firma', 'not cut by manifold', 'facets of Firma', 'triangles of manifold'];
-const volumes = ['volume left by Firma, share of the block', 'manifold differs by'];
+const volumes = ['volume left by Firma, share of the block', 'manifold differs by', "Firma's check"];
 await finish('node_sweeps', ['tool', 'scale m', 'cuts', ...speed, ...ratios, ...answers, ...volumes], rows, csv);
 process.exit(0);

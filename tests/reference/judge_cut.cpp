@@ -117,9 +117,7 @@ private:
         failed_ = true;
     }
 
-    void place() {
-        placed_ = placed_cutter(order_, result_.report);
-    }
+    void place() { placed_ = placed_cutter(order_, result_.report); }
 
     void count_refusal() {
         const bool unplaceable = !placed_ || check_cutter(*placed_);
