@@ -50,6 +50,7 @@ int measure(const Settings& settings) {
         for (int exponent = 0; exponent <= scenes::kLargestSweep; exponent += settings.quick ? 13 : 1) {
             const Row row = run(tool, exponent, cuts, most);
             const auto fault = check_world(row.world);
+            const auto solid_fault = check_solid(row.world);
             const double block = std::ldexp(1.0, 3 * exponent), left = measure_solid(row.world).volume / block;
             char volume[32];
             std::snprintf(volume, sizeof volume, "%.15f", left);
@@ -58,7 +59,10 @@ int measure(const Settings& settings) {
                        number(quantile(row.milliseconds, 0.99)),
                        number(std::accumulate(row.milliseconds.begin(), row.milliseconds.end(), 0.0)),
                        count(row.refused), count(row.moved), count(row.world.solid().face_count()), volume,
-                       number(std::fabs(row.taken / block + left - 1)), fault ? fault->what : "sound"});
+                       number(std::fabs(row.taken / block + left - 1)),
+                       fault         ? fault->what
+                       : solid_fault ? solid_fault->what
+                                     : "sound"});
         }
     return table.finish(settings.csv) ? 0 : 1;
 }
