@@ -5,6 +5,7 @@
 #   bench/run_all.sh [name ...]        only these: the article's questions (formulas inside boxes edges tree subdivision
 #                                      stop_distance), first_level pieces carve carve_allocations carve_cgal
 #                                      carve_rebuild carved_casts versions levels save store peers openarena node
+#                                      sweeps cgal_exact
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -27,7 +28,8 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions levels save store openarena peers node
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions levels save store openarena peers node \
+    sweeps cgal_exact
 for name in "$@"; do
     echo "--- $name"
     case $name in
@@ -39,8 +41,8 @@ for name in "$@"; do
         peers) bench/peers/run.sh ;;
         node) bench/node/run.sh --csv "$results" ;;
         carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB
-        carve_cgal)  # only where there is CGAL
-            [ ! -x build/bench/bin/bench_carve_cgal ] || build/bench/bin/bench_carve_cgal --csv "$results" ;;
+        carve_cgal | cgal_exact)  # only where there is CGAL
+            [ ! -x "build/bench/bin/bench_$name" ] || "build/bench/bin/bench_$name" --csv "$results" ;;
         *) "build/bench/bin/bench_$name" --csv "$results" ;;
     esac
 done

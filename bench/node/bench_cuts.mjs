@@ -6,70 +6,11 @@
 import { fileURLToPath } from 'node:url';
 import initManifold from 'manifold-3d';
 import { loadFirma } from '../../bindings/js/src/index.js';
-import { clock, count, finish, median, number, quantile, ratio, settings, times } from './race.mjs';
+import { FirmaCutter, ManifoldCutter, timed } from './cutters.mjs';
+import { count, finish, median, number, quantile, ratio, settings, times } from './race.mjs';
 import { bumpyRooms, craterPose, placed, rockyBall } from './scene.mjs';
 
 const TURN = 5;
-
-class FirmaCutter {
-    taken = 0;
-    retries = 0;
-    refused = 0;
-    constructor(firma, mesh, ball) {
-        this.world = firma.worldFromMesh(mesh);
-        this.cutter = firma.cutterFromMesh(ball.positions, ball.corners);
-    }
-    cut(pose) {
-        const { world, report } = this.world.carve(this.cutter, pose);
-        this.world.release();
-        this.world = world;
-        this.taken += report.volume;
-        this.retries += report.retries;
-        this.refused += report.status === 'refused';
-    }
-    release() {
-        this.world.release();
-        this.cutter.release();
-    }
-}
-
-/** Manifold evaluates lazily: numTri() makes it cut. */
-class ManifoldCutter {
-    failed = 0;
-    constructor(library, mesh, ball) {
-        this.library = library;
-        this.ball = ball;
-        this.level = this.solid(mesh);
-        this.before = this.level.volume();
-    }
-    solid({ positions, corners }) {
-        const mesh = new this.library.Mesh({ numProp: 3, vertProperties: Float32Array.from(positions), triVerts: corners });
-        const solid = new this.library.Manifold(mesh);
-        if (solid.status() !== 'NoError') throw new Error(`manifold-3d: ${solid.status()}`);
-        return solid;
-    }
-    /** @param solid the crater where Firma puts it */
-    cut(solid) {
-        const after = this.level.subtract(solid);
-        if (after.numTri() === 0) ++this.failed;
-        this.level.delete();
-        solid.delete();
-        this.level = after;
-    }
-    get taken() {
-        return this.before - this.level.volume();
-    }
-    release() {
-        this.level.delete();
-    }
-}
-
-function timed(list, run) {
-    const before = clock();
-    const made = run();
-    list.push(clock() - before);
-    return made;
-}
 
 /** A few cuts by each in turn; who begins alternates. */
 function compete(firma, ours, theirs, rooms, inCorner, cuts) {
@@ -80,7 +21,7 @@ function compete(firma, ours, theirs, rooms, inCorner, cuts) {
             () => poses.forEach((pose) => timed(laps.ours, () => ours.cut(pose))),
             () =>
                 poses.forEach((pose) => {
-                    const mesh = placed(theirs.ball, pose);
+                    const mesh = placed(theirs.tool, pose);
                     const solid = timed(laps.placing, () => theirs.solid(mesh));
                     timed(laps.theirs, () => theirs.cut(solid));
                 }),

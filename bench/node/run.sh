@@ -19,3 +19,4 @@ cd bench/node
 npm ci --omit=optional --no-fund --no-audit --silent
 node bench_casts.mjs "${arguments[@]}"
 node bench_cuts.mjs "${arguments[@]}"
+node bench_sweeps.mjs "${arguments[@]}"

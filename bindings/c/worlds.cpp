@@ -240,6 +240,18 @@ firma_code firma_world_hash_solid(firma_world world, uint64_t* hash) {
     });
 }
 
+firma_code firma_world_same_solid(firma_world a, firma_world b, uint32_t* same) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!same) return bad_call(function, kNull);
+        const WorldObject* one = find<WorldObject>(a.id, function);
+        if (!one) return FIRMA_ERROR_BAD_HANDLE;
+        const WorldObject* two = find<WorldObject>(b.id, function);
+        if (!two) return FIRMA_ERROR_BAD_HANDLE;
+        *same = same_solid(one->world, two->world);
+        return FIRMA_OK;
+    });
+}
+
 firma_code firma_world_hash_regions(firma_world world, firma_region_hash* hashes, size_t capacity, size_t* count) {
     return guarded(__func__, [&, function = __func__] {
         if (!count || (!hashes && capacity)) return bad_call(function, kNull);

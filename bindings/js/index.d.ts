@@ -717,6 +717,12 @@ export interface World extends Handle {
     /** Of the solid's set of points alone: equal for equal solids, however they came about. Kept as edits go. */
     hashSolid(): bigint;
     /**
+     * Whether the solids of two worlds are the same set of points, exactly, however their surfaces are divided. Ids,
+     * materials, rooms and faces that are castable only do not count. Different hashes of solids cost nothing; else the
+     * cost grows with the faces of what the worlds do not share.
+     */
+    sameSolid(other: World): boolean;
+    /**
      * Of each cube of 32 m with anything in it: so two machines can find where their worlds differ. Kept as edits go:
      * costs the cubes that hold or held anything, whatever the faces.
      */

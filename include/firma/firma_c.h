@@ -281,6 +281,10 @@ FIRMA_API firma_code firma_world_get_facts(firma_world world, firma_world_facts*
 FIRMA_API firma_code firma_world_hash(firma_world world, uint64_t* hash);
 /* Of the solid's set of points alone: equal for equal solids, however they came about. Kept as edits go. */
 FIRMA_API firma_code firma_world_hash_solid(firma_world world, uint64_t* hash);
+/* Sets `same` to 1 when the solids of two worlds are the same set of points, exactly, however their surfaces are
+ * divided, else to 0. Ids, materials, rooms and faces that are castable only do not count. Different hashes of solids
+ * cost nothing; else the cost grows with the faces of what the worlds do not share. */
+FIRMA_API firma_code firma_world_same_solid(firma_world a, firma_world b, uint32_t* same);
 
 /* Of a cube of 32 m: from region * 32 m to (region + 1) * 32 m along each axis. */
 typedef struct firma_region_hash {

@@ -58,9 +58,17 @@ LineDirection LineDirection::along(const GridPoint& from, const GridPoint& to) {
 }
 
 LineDirection LineDirection::of(const Plane& a, const Plane& b) {
+    Int128 along[3];
+    for (int axis = 0; axis < 3; ++axis) along[axis] = normal_minor(a, b, (axis + 1) % 3, (axis + 2) % 3);
     LineDirection direction;
-    for (int axis = 0; axis < 3; ++axis)
-        direction.along_[axis] = residue(normal_minor(a, b, (axis + 1) % 3, (axis + 2) % 3));
+    const auto take = [&] {
+        for (int axis = 0; axis < 3; ++axis) direction.along_[axis] = residue(along[axis]);
+        return direction.along_[0] == 0 && direction.along_[1] == 0 && direction.along_[2] == 0;
+    };
+    // Planes name a direction but for a factor. One that the prime divides would leave no ratio, where other planes
+    // through the line leave one.
+    while (take() && (along[0] != 0 || along[1] != 0 || along[2] != 0))
+        for (Int128& component : along) component /= std::int64_t(kPrime);
     return direction;
 }
 

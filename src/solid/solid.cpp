@@ -7,6 +7,7 @@
 #include "solid/first_seen.h"
 #include "solid/hash_points.h"
 #include "solid/measure_boundary.h"
+#include "solid/same_boundary.h"
 #include "solid/solid_data.h"
 #include "solid/solid_face.h"
 
@@ -146,6 +147,13 @@ SolidMeasures measure_solid(const Solid& solid) {
 
 std::uint64_t hash_solid(const Solid& solid) {
     return mix_bits(solid.data().point_sum + std::uint64_t(solid.rock_outside()));
+}
+
+bool same_solid(const Solid& a, const Solid& b) {
+    const SolidData &one = a.data(), &two = b.data();
+    if (&one == &two) return true;
+    return one.rock_outside == two.rock_outside && one.point_sum == two.point_sum &&
+           same_boundary(one.faces.root.get(), two.faces.root.get());
 }
 
 std::vector<RegionHash> hash_regions(const Solid& solid) {

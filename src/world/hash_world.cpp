@@ -35,6 +35,10 @@ std::uint64_t hash_solid(const World& world) {
     return hash_solid(world.solid());
 }
 
+bool same_solid(const World& a, const World& b) {
+    return same_solid(a.solid(), b.solid());
+}
+
 std::optional<SolidFault> check_solid(const World& world) {
     return check_solid(world.solid());
 }

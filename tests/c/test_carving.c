@@ -101,6 +101,11 @@ static void test_job(firma_world room, firma_cutter cutter) {
     firma_carve_report report = {.size = sizeof report};
     CHECK_OK(firma_job_result(job, &in_slices, &report));
     CHECK(report.status == FIRMA_CARVE_DONE && hash_of(at_once) == hash_of(in_slices));
+    uint32_t same = 9;
+    CHECK_OK(firma_world_same_solid(at_once, in_slices, &same));
+    CHECK(same == 1);
+    CHECK_OK(firma_world_same_solid(at_once, room, &same));
+    CHECK(same == 0);
     CHECK_OK(firma_job_release(job));
     CHECK_OK(firma_world_release(in_slices));
     CHECK_OK(firma_world_release(at_once));

@@ -162,6 +162,14 @@ static void test_hashes(firma_world room) {
     const firma_world other = make_room();
     CHECK_OK(firma_world_hash_solid(other, &again));
     CHECK(again == solid_hash);
+    uint32_t same = 9;
+    CHECK_OK(firma_world_same_solid(room, other, &same));
+    CHECK(same == 1);
+    CHECK_FAILS(firma_world_same_solid(room, other, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    const firma_world none = {0};
+    CHECK_FAILS(firma_world_same_solid(room, none, &same), FIRMA_ERROR_BAD_HANDLE, "no world");
+    CHECK_FAILS(firma_world_same_solid(none, room, &same), FIRMA_ERROR_BAD_HANDLE, "no world");
+    CHECK(same == 1);
     firma_region_hash regions[4];
     size_t count = 9;
     CHECK_OK(firma_world_hash_regions(room, regions, 4, &count));

@@ -116,9 +116,9 @@ TEST(CarveOracle, SolidsAreTheSameOrNot) {
     const Cutter rock = make_crater(CutterShape::kRocky, 3), box = make_crater(CutterShape::kBox, 0);
     const World one = carve(carve(block, rock, here).world, box, there).world;
     const World other = carve(carve(block, box, there).world, rock, here).world;
-    EXPECT_TRUE(same_solid(one, other));
-    EXPECT_FALSE(same_solid(one, carve(block, rock, here).world));
-    EXPECT_FALSE(same_solid(one, block));
+    EXPECT_TRUE(reference::same_solid(one, other));
+    EXPECT_FALSE(reference::same_solid(one, carve(block, rock, here).world));
+    EXPECT_FALSE(reference::same_solid(one, block));
 }
 
 TEST(CarveOracle, Winding) {

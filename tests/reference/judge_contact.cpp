@@ -22,7 +22,7 @@ CutOrder opposite(CutOrder order) {
 
 /// By the reference, by hash and by volume: what of them says otherwise; empty when all say the same solid.
 std::string differs(const World& a, const World& b) {
-    if (!same_solid(a, b)) return "another solid";
+    if (!reference::same_solid(a, b)) return "another solid";
     if (hash_solid(a) != hash_solid(b)) return "the same solid of another hash";
     const double one = measure_solid(a).volume, other = measure_solid(b).volume;
     // Of sums of 100 bits, in steps of the grid; rounded once or twice.
@@ -53,7 +53,7 @@ public:
     void judge_faces() {
         const std::string doubled = doubled_face(after_, compare_facets(before_, after_).come);
         if (!doubled.empty()) fail(doubled);
-        if (same_solid(before_, after_)) fail("done, and yet the solid is the same");
+        if (reference::same_solid(before_, after_)) fail("done, and yet the solid is the same");
     }
 
     void judge_again() {

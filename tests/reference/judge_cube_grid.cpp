@@ -102,7 +102,8 @@ CubeGridVerdict judge_cube_grid(const CubeGrid& grid) {
         const auto carved = [&](const Cell& cell) { return !kept(cell); };
         const World left = judge.edit(full, judge.cells(3, carved), CarveKind::kCarve, cells.size());
         const World built = judge.edit(World(), judge.cells(4, kept), CarveKind::kFill, 0);
-        if (!same_solid(left, built)) judge.fail(std::string(name) + ": another solid than what was built alone");
+        if (!reference::same_solid(left, built))
+            judge.fail(std::string(name) + ": another solid than what was built alone");
         if (hash_solid(left) != hash_solid(built)) judge.fail(std::string(name) + ": another hash_solid");
         if (measure_solid(left).volume != measure_solid(built).volume)
             judge.fail(std::string(name) + ": another volume");

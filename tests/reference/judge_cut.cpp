@@ -117,9 +117,7 @@ private:
         failed_ = true;
     }
 
-    void place() {
-        placed_ = placed_cutter(order_, result_.report);
-    }
+    void place() { placed_ = placed_cutter(order_, result_.report); }
 
     void count_refusal() {
         const bool unplaceable = !placed_ || check_cutter(*placed_);
@@ -458,7 +456,7 @@ CutTally judge_cuts(World world, World again, std::span<const CutOrder> cuts, co
             ++tally.commuted;
             const bool same_facets = hash_of_surface(other) == hash_of_surface(world);
             tally.reseamed += !same_facets;
-            if (!same_facets && !same_solid(other, world)) {
+            if (!same_facets && !reference::same_solid(other, world)) {
                 tally.fail(where, "another solid when made before cut " + std::to_string(k - 1));
                 holds = false;
             }

@@ -684,5 +684,27 @@ TEST(HashSolid, CarvedAndFilledAgainByTheSameShapeItIsAsBefore) {
     }
 }
 
+/// Planes whose cross product is 2^61 - 1 times the line's direction, and others through the same line.
+TEST(HashPoints, DirectionsThatThePrimeDivides) {
+    const auto plane = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        Plane made;
+        made.normal[0] = x;
+        made.normal[1] = y;
+        made.normal[2] = z;
+        return made;
+    };
+    const Plane p = plane(std::int64_t(1) << 31, 1, -1), q = plane(1, std::int64_t(1) << 30, -(std::int64_t(1) << 30));
+    const auto hash = [&](const LineDirection& direction) {
+        PointHash sums;
+        sums.start_face(p, 1);
+        sums.add_edge({0, 0, 0}, {0, 64, 64}, direction);
+        return sums_of(sums.finish());
+    };
+    const Sums expected = hash(LineDirection::of(plane(0, 1, -1), plane(1, 1, -1)));
+    EXPECT_EQ(hash(LineDirection::along({0, 0, 0}, {0, 64, 64})), expected);
+    EXPECT_EQ(hash(LineDirection::of(p, q)), expected);
+    EXPECT_EQ(hash(LineDirection::of(q, p)), expected);
+}
+
 }  // namespace
 }  // namespace firma

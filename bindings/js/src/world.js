@@ -102,6 +102,12 @@ export class World extends Handle {
         return core.u64[core.at.out >>> 3];
     }
 
+    sameSolid(other) {
+        const core = this[CORE];
+        core.run('firma_world_same_solid', this[ID], idOf(other, core, 'sameSolid', 'world'), core.at.out);
+        return core.getU32(core.at.out) !== 0;
+    }
+
     hashRegions() {
         const core = this[CORE];
         const ask = (at, room) => {

@@ -108,6 +108,7 @@ test('a cut, its report, and the world before', () => {
         keep(filled).check();
         assert.equal(fill.status, 'done');
         assert.ok(fill.volume < 0);
+        assert.deepEqual([world.sameSolid(after), after.sameSolid(filled), after.sameSolid(keep(after.copy()))], [false, false, true]);
     });
 });
 

@@ -145,6 +145,12 @@ test('faces by filter and by hit; hashes', () => {
         assert.throws(() => world.face({ id: 0 }), { code: 'BAD_CALL' });
 
         assert.equal(typeof world.hashSolid(), 'bigint');
+        assert.equal(world.sameSolid(world), true);
+        inBox({}, (other) => {
+            assert.equal(world.sameSolid(other), true);
+            assert.throws(() => world.sameSolid(other.hash()), { code: 'BAD_HANDLE' });
+        });
+        assert.throws(() => world.sameSolid(), { code: 'BAD_HANDLE' });
         const regions = world.hashRegions();
         assert.deepEqual(regions.map((one) => one.region), [[0, 0, 0]]);
         assert.ok(regions[0].faces !== 0n && regions[0].points !== 0n);

@@ -28,6 +28,7 @@ const callsOf = ({ world, cutter, job, edit, store, level }) => ({
     copy: () => world.copy(),
     facts: () => world.facts(),
     hash: () => world.hash(),
+    sameSolid: () => world.sameSolid(world),
     check: () => world.check(),
     measure: () => world.measure(),
     memory: () => world.memory(),
