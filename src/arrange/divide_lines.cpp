@@ -74,16 +74,15 @@ void DividedLines::add_whole(std::uint32_t index, SpanFinder& spans) {
                 piece = std::uint32_t(pieces_.size());
                 pieces_.push_back({Piece::kNoLine, overlay_->edges[side.edge].from, overlay_->edges[side.edge].to});
             }
-            face_pieces_.push_back(
-                {piece, std::uint8_t(side.reversed ? kCoversRight : kCoversLeft), side.edge, false});
+            face_pieces_.push_back({piece, std::uint8_t(side.reversed ? kCoversRight : kCoversLeft), side.edge, false});
             continue;
         }
         std::uint32_t from = place_of(line, overlay_->from(side)), to = place_of(line, overlay_->to(side));
         const bool along = from < to;
         if (!along) std::swap(from, to);
         for (std::uint32_t k = from; k < to; ++k)
-            face_pieces_.push_back({first_piece_[line] + k, std::uint8_t(along ? kCoversLeft : kCoversRight),
-                                    side.edge, along == side.reversed});
+            face_pieces_.push_back({first_piece_[line] + k, std::uint8_t(along ? kCoversLeft : kCoversRight), side.edge,
+                                    along == side.reversed});
     }
 }
 

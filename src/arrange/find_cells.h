@@ -22,7 +22,9 @@ struct CellSet {
     std::vector<std::uint32_t> loop_ends;
     std::vector<std::uint32_t> first_of_face;  ///< and one more
 
-    std::span<const PieceUse> uses(const Cell& cell) const { return {all_uses.data() + cell.first_use, cell.use_count}; }
+    std::span<const PieceUse> uses(const Cell& cell) const {
+        return {all_uses.data() + cell.first_use, cell.use_count};
+    }
     std::span<const std::uint32_t> ends(const Cell& cell) const {
         return {loop_ends.data() + cell.first_loop, cell.loop_count};
     }

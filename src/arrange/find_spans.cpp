@@ -131,7 +131,8 @@ void SpanFinder::lend(std::uint32_t from, std::uint32_t to) {
                 last_from = lent[k].from;
                 last_to = lent[k].to;
                 for (const Interval& interval : intervals) {
-                    const std::uint32_t first = lines.before(line, last_from, interval.from) ? interval.from : last_from;
+                    const std::uint32_t first =
+                        lines.before(line, last_from, interval.from) ? interval.from : last_from;
                     const std::uint32_t last = lines.before(line, last_to, interval.to) ? last_to : interval.to;
                     if (!lines.before(line, first, last)) continue;
                     emit(to, line, {first, last, interval.covers});

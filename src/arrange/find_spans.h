@@ -16,10 +16,10 @@ namespace firma {
 struct FaceSpan {
     std::uint32_t face = 0;
     std::uint32_t line = 0;
-    std::uint32_t from = 0, to = 0;    ///< points, in the line's order
-    std::uint8_t covers = 0;           ///< Cover
-    std::uint32_t edge = kNoEdge;      ///< the face's own, along which it runs
-    bool reversed = false;             ///< that edge runs against the line
+    std::uint32_t from = 0, to = 0;  ///< points, in the line's order
+    std::uint8_t covers = 0;         ///< Cover
+    std::uint32_t edge = kNoEdge;    ///< the face's own, along which it runs
+    bool reversed = false;           ///< that edge runs against the line
     static constexpr std::uint32_t kNoEdge = ~0u;
 };
 

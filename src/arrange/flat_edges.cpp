@@ -31,8 +31,7 @@ bool FlatEdges::runs_with(const PieceUse& use) const {
 /// Sign of the turn from one direction to another: (n x a) x (n x b) = n det(n, a, b).
 int FlatEdges::turn(const PieceUse& a, const PieceUse& b) const {
     if (lines_.piece(a.piece).line == lines_.piece(b.piece).line) return 0;
-    const int sign =
-        exact_turn(overlay_.plane(plane_), overlay_.plane(across(a)), overlay_.plane(across(b)));
+    const int sign = exact_turn(overlay_.plane(plane_), overlay_.plane(across(a)), overlay_.plane(across(b)));
     return runs_with(a) == runs_with(b) ? sign : -sign;
 }
 
@@ -40,7 +39,7 @@ int FlatEdges::turn(const PieceUse& a, const PieceUse& b) const {
 bool FlatEdges::comes_before(const PieceUse& in, const PieceUse& a, const PieceUse& b) const {
     const auto part = [&](const PieceUse& out) {
         if (out.piece == in.piece) return 4;  // the way back itself: all the way around
-        const int sign = turn(in, out);  // against the way back all turns change sign
+        const int sign = turn(in, out);       // against the way back all turns change sign
         return 2 - sign;
     };
     const int part_a = part(a), part_b = part(b);
@@ -91,9 +90,7 @@ bool FlatEdges::encloses(std::span<const PieceUse> loop, const PieceUse& use) {
     const PlaneId plane = across(use);
     const std::uint32_t line = lines_.piece(use.piece).line;
     const int left = runs_with(use) ? -1 : 1;  // left of plane x across lies behind across
-    const auto is_left = [&](std::uint32_t point) {
-        return overlay_.tables.points.side(plane, point) == left;
-    };
+    const auto is_left = [&](std::uint32_t point) { return overlay_.tables.points.side(plane, point) == left; };
     const std::uint32_t start = to(use);
     bool inside = false;
     bool here = is_left(from(loop[0]));
@@ -103,8 +100,8 @@ bool FlatEdges::encloses(std::span<const PieceUse> loop, const PieceUse& use) {
         if (here != there) {
             const std::uint32_t right = here ? b : a;
             const std::uint32_t at = overlay_.tables.points.side(plane, right) == 0 ? right : meet(side, plane);
-            const bool behind = use.forward ? overlay_.lines.before(line, at, start)
-                                            : overlay_.lines.before(line, start, at);
+            const bool behind =
+                use.forward ? overlay_.lines.before(line, at, start) : overlay_.lines.before(line, start, at);
             inside ^= !behind;
         }
         here = there;

@@ -231,8 +231,8 @@ private:
         }
         const std::uint32_t line = lines_.piece(uses_[first].piece).line;
         for (int k = 0; k < 2; ++k)
-            edge.plane[k] = line == Piece::kNoLine ? overlay_.edges[uses_[first].edge].plane[k]
-                                                   : overlay_.lines.plane(line, k);
+            edge.plane[k] =
+                line == Piece::kNoLine ? overlay_.edges[uses_[first].edge].plane[k] : overlay_.lines.plane(line, k);
         edge.doubled = is_doubled(first, last);
         made_.edges.push_back(edge);
         for (std::uint32_t use = first;; use = next_[use]) {

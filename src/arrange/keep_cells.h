@@ -12,7 +12,7 @@
 namespace firma {
 
 struct ArrangedEdge {
-    std::uint32_t from = 0, to = 0;          ///< points
+    std::uint32_t from = 0, to = 0;           ///< points
     PlaneId plane[2] = {kNoPlane, kNoPlane};  ///< that meet in it
     std::uint32_t edge = kNoEdge;             ///< the overlay's that it is, whole
     bool doubled = false;                     ///< there are, or may be, others between the same points
@@ -29,10 +29,10 @@ struct ArrangedFace {
 struct Arranged {
     bool changes = true;  ///< else the result is the first operand, and nothing else is set
     std::vector<ArrangedEdge> edges;
-    std::vector<ArrangedFace> faces;     ///< in order of `face`
-    std::vector<OverlaySide> all_uses;   ///< of `edges`
+    std::vector<ArrangedFace> faces;    ///< in order of `face`
+    std::vector<OverlaySide> all_uses;  ///< of `edges`
     std::vector<std::uint32_t> loop_ends;
-    std::vector<std::uint8_t> stays;     ///< of each of the overlay's faces: whether it is one of the result, as it was
+    std::vector<std::uint8_t> stays;  ///< of each of the overlay's faces: whether it is one of the result, as it was
 
     std::span<const OverlaySide> uses(const ArrangedFace& face) const {
         return {all_uses.data() + face.first_use, face.use_count};

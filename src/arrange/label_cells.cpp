@@ -110,10 +110,9 @@ private:
             }
             for (std::size_t k = first; k < end; ++k) {
                 const CellSpoke& spoke = spokes_[k];
-                const CellLabel label = end - first == 2
-                                            ? spokes_[first].air_after == spokes_[first + 1].air_after
-                                                  ? CellLabel::kSame
-                                                  : CellLabel::kOpposite
+                const CellLabel label = end - first == 2 ? spokes_[first].air_after == spokes_[first + 1].air_after
+                                                               ? CellLabel::kSame
+                                                               : CellLabel::kOpposite
                                         : solid[1 - spoke.operand] ? CellLabel::kIn
                                                                    : CellLabel::kOut;
                 if (!set(spoke.cell, label)) return false;

@@ -24,12 +24,12 @@ enum class CellLabel : std::uint8_t {
 
 /// A cell's side at a piece.
 struct CellSpoke {
-    std::uint32_t use = 0;        ///< in CellSet::all_uses
+    std::uint32_t use = 0;  ///< in CellSet::all_uses
     std::uint32_t cell = 0;
-    PlaneId half = kNoPlane;      ///< the plane, turned so that the cell lies left of the piece
-    bool air_after = false;       ///< turning from it about the piece, counter-clockwise: else its solid
+    PlaneId half = kNoPlane;  ///< the plane, turned so that the cell lies left of the piece
+    bool air_after = false;   ///< turning from it about the piece, counter-clockwise: else its solid
     std::uint8_t operand = 0;
-    std::uint8_t part = 0;        ///< of the circle
+    std::uint8_t part = 0;  ///< of the circle
 };
 
 /// The sides at each piece.

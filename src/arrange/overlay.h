@@ -19,9 +19,9 @@ namespace firma {
 inline constexpr std::size_t kOperands = 2;
 
 struct OverlayEdge {
-    std::uint32_t from = 0, to = 0;              ///< points
-    PlaneId plane[2] = {kNoPlane, kNoPlane};     ///< that meet in it
-    bool doubled = false;                        ///< there are others between the same points
+    std::uint32_t from = 0, to = 0;           ///< points
+    PlaneId plane[2] = {kNoPlane, kNoPlane};  ///< that meet in it
+    bool doubled = false;                     ///< there are others between the same points
 };
 
 /// How a loop uses an edge.
@@ -32,10 +32,10 @@ struct OverlaySide {
 
 struct OverlayFace {
     PlaneId plane = kNoPlane;
-    std::uint8_t operand = 0;                       ///< whose it is
-    std::uint32_t first_side = 0, side_count = 0;   ///< of all loops in a row
-    std::uint32_t first_loop = 0, loop_count = 0;   ///< ends, counted from first_side; the first loop is the outer one
-    GridBox box;                                    ///< of its corners, rounded
+    std::uint8_t operand = 0;                      ///< whose it is
+    std::uint32_t first_side = 0, side_count = 0;  ///< of all loops in a row
+    std::uint32_t first_loop = 0, loop_count = 0;  ///< ends, counted from first_side; the first loop is the outer one
+    GridBox box;                                   ///< of its corners, rounded
 };
 
 class Overlay {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/flat_map.h"
 #include "arrange/plane_table.h"
+#include "base/flat_map.h"
 
 namespace firma {
 

@@ -63,8 +63,8 @@ const std::vector<Interval>& LineWalk::finish(std::uint32_t line) {
         if (inside != 0) {
             const bool above = inside & kAbove, below = inside & kBelow;
             const bool left = left_is_below ? below : above, right = left_is_below ? above : below;
-            intervals_.push_back({events_[k - 1].point, point,
-                                  std::uint8_t((left ? kCoversLeft : 0) | (right ? kCoversRight : 0))});
+            intervals_.push_back(
+                {events_[k - 1].point, point, std::uint8_t((left ? kCoversLeft : 0) | (right ? kCoversRight : 0))});
         }
         inside ^= events_[k].toggles;
         for (; k + 1 < events_.size() && events_[k + 1].point == point; ++k) inside ^= events_[k + 1].toggles;

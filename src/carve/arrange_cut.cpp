@@ -278,7 +278,8 @@ bool CutArranger::alike(std::uint32_t face, std::uint32_t other) const {
     if (!of_world(other)) return a.material == material_ && a.mask == ~0u && !a.two_sided;
     const FaceRecord& b = record(other);
     return b.edit != 0 && a.material == b.material && a.mask == b.mask && a.two_sided == b.two_sided &&
-           in_.patch.faces[world_face_[face]].facet.block->part == in_.patch.faces[world_face_[other]].facet.block->part;
+           in_.patch.faces[world_face_[face]].facet.block->part ==
+               in_.patch.faces[world_face_[other]].facet.block->part;
 }
 
 CutArranger::End CutArranger::keep() {
@@ -300,13 +301,7 @@ CutArranger::End CutArranger::keep() {
         return Kept::kNot;
     };
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
-    selection.reusable = [this](std::uint32_t edge) {
-        const std::uint32_t patch_edge = patch_edge_[edge];
-        if (patch_edge == kNone) return false;
-        for (const std::uint32_t vertex : in_.patch.edges[patch_edge].vertex)
-            if (vertex_of_point_[point_of_vertex_[vertex]] != vertex) return false;
-        return true;
-    };
+    selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
     Arranged arranged;
     if (!keep_cells(overlay_, lines_, cells_, users_, labels_, selection, arranged)) return End::kBroken;
     if (arranged.changes) write(arranged);
@@ -342,11 +337,11 @@ void CutArranger::write(const Arranged& arranged) {
             continue;
         }
         number[k] = first_new + std::uint32_t(loops_.edges.size());
-        loops_.edges.push_back({vertex_of(edge.from),
-                                vertex_of(edge.to),
-                                {overlay_.tables.planes.stored(edge.plane[0]).get(),
-                                 overlay_.tables.planes.stored(edge.plane[1]).get()},
-                                edge.doubled});
+        loops_.edges.push_back(
+            {vertex_of(edge.from),
+             vertex_of(edge.to),
+             {overlay_.tables.planes.stored(edge.plane[0]).get(), overlay_.tables.planes.stored(edge.plane[1]).get()},
+             edge.doubled});
     }
     for (const ArrangedFace& face : arranged.faces) {
         NewFace made;

@@ -24,11 +24,11 @@ class CutArranger {
 public:
     enum class End : std::uint8_t {
         kFine,
-        kGoesOn,      ///< call step() again
-        kTooLarge,    ///< more planes than one arrangement holds
-        kPairs,       ///< the budget is spent
-        kBroken,      ///< the solid or the cutter crosses itself
-        kUnlocated,   ///< a part that meets nothing lies too near to the other solid to tell where
+        kGoesOn,     ///< call step() again
+        kTooLarge,   ///< more planes than one arrangement holds
+        kPairs,      ///< the budget is spent
+        kBroken,     ///< the solid or the cutter crosses itself
+        kUnlocated,  ///< a part that meets nothing lies too near to the other solid to tell where
     };
 
     /// @param material  of the faces that the cutter leaves

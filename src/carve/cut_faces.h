@@ -16,8 +16,7 @@ namespace firma {
 class FaceCutter {
 public:
     /// @param budget  a pair of a face and a triangle takes one; looking at all corners of a face one for every 64
-    FaceCutter(const CutInput& in, PairBudget& budget)
-        : patch_(in.patch), cutter_(in.cutter), budget_(budget) {}
+    FaceCutter(const CutInput& in, PairBudget& budget) : patch_(in.patch), cutter_(in.cutter), budget_(budget) {}
 
     /// Forgets what it made, but keeps the memory.
     void start();

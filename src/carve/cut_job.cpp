@@ -248,7 +248,8 @@ CutJob::Phase CutJob::arrange() {
         case CutArranger::End::kFine:
             return take_loops();
         case CutArranger::End::kTooLarge:
-            return refuse(ErrorCode::kTooLarge, "it and the faces that it meets lie in more planes than one cut can hold");
+            return refuse(ErrorCode::kTooLarge,
+                          "it and the faces that it meets lie in more planes than one cut can hold");
         case CutArranger::End::kPairs:
             return too_many_pairs();
         case CutArranger::End::kUnlocated:

@@ -34,8 +34,8 @@ bool in_triangle(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& p
     return side[0] >= 0 && side[1] >= 0 && side[2] >= 0;
 }
 
-/// 1: the segment from the point to `outside`, which is not on the triangle, crosses it; 0: it does not; -1: it meets an
-/// edge, or begins on the triangle.
+/// 1: the segment from the point to `outside`, which is not on the triangle, crosses it; 0: it does not; -1: it meets
+/// an edge, or begins on the triangle.
 int crosses(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point, const InputPoint& outside) {
     const Plane& plane = cutter.planes[t]->plane;
     const int here = exact_side(plane, point), there = exact_side(plane, ExactPoint(outside));

@@ -112,8 +112,8 @@ Verdict label_world(const CutInput& in, const Crossings& crossings, const CutOrd
     return Verdict::kFine;
 }
 
-Verdict label_cutter(const CutInput& in, const Crossings& crossings, const CutOrder& order,
-                      const LocateInSolid& locate, std::vector<CutSide>& labels) {
+Verdict label_cutter(const CutInput& in, const Crossings& crossings, const CutOrder& order, const LocateInSolid& locate,
+                     std::vector<CutSide>& labels) {
     const CutterSolid& cutter = in.cutter;
     labels.assign(cutter.points.size(), CutSide::kUnknown);
     const auto ends = [&](std::uint32_t edge) { return std::pair(cutter.edges[edge].a, cutter.edges[edge].b); };
@@ -135,7 +135,7 @@ Verdict label_cutter(const CutInput& in, const Crossings& crossings, const CutOr
 }  // namespace
 
 Verdict label_vertices(const CutInput& in, const Crossings& crossings, const CutOrder& order,
-                        const LocateInSolid& locate, Labels& labels) {
+                       const LocateInSolid& locate, Labels& labels) {
     const Verdict world = label_world(in, crossings, order, labels.world);
     if (world != Verdict::kFine) return world;
     return label_cutter(in, crossings, order, locate, labels.cutter);

@@ -46,14 +46,14 @@ public:
 private:
     /// Where a loop changes from one side of a plane to the other: at a corner, or within the edge that begins there.
     struct Crossing {
-        std::uint32_t corner = 0;       ///< in uses_
+        std::uint32_t corner = 0;  ///< in uses_
         bool at_corner = false;
         bool to_front = false;
         GridPoint place;
-        std::uint32_t next = 0;         ///< of the same loop
-        std::uint32_t partner = 0;      ///< at the other end of the part of the line that lies in the face
+        std::uint32_t next = 0;     ///< of the same loop
+        std::uint32_t partner = 0;  ///< at the other end of the part of the line that lies in the face
         std::uint32_t vertex = 0;
-        PatchUse before, after;         ///< halves of the edge
+        PatchUse before, after;  ///< halves of the edge
     };
 
     bool too_large(std::uint32_t index) {
@@ -109,8 +109,8 @@ private:
         return true;
     }
 
-    /// Whether what lies on either side is one piece, and no vertex that the plane makes lies within a step of the input
-    /// grid of another one: rounded, such a piece may have no sound facets.
+    /// Whether what lies on either side is one piece, and no vertex that the plane makes lies within a step of the
+    /// input grid of another one: rounded, such a piece may have no sound facets.
     bool divides_in_two(const Plane& plane) {
         sides_.clear();
         for (const PatchUse& use : uses_) sides_.push_back(exact_side(plane, patch_.vertices[patch_.from(use)].point));

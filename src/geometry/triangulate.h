@@ -25,8 +25,8 @@ public:
     bool make(std::span<const GridPoint> points, std::span<const FlatPoint> flat,
               std::span<const std::uint32_t> loop_ends, Triangles& triangles);
 
-    /// Loops that may touch, cross, or run the wrong way around: triangles that lie over each other or have no area, but
-    /// whose sides cancel but for the loops'.
+    /// Loops that may touch, cross, or run the wrong way around: triangles that lie over each other or have no area,
+    /// but whose sides cancel but for the loops'.
     void make_any(std::span<const GridPoint> points, std::span<const FlatPoint> flat,
                   std::span<const std::uint32_t> loop_ends, Triangles& triangles);
 
@@ -52,8 +52,9 @@ private:
     std::span<const GridPoint> points_;
     std::vector<RingCorner> ring_;      ///< ends of bridges are there twice
     std::vector<std::uint32_t> holes_;  ///< the lowest corner of each, by u, then v
-    std::vector<std::uint8_t> joined_;  ///< a corner of the ring each: whether it is part of the outline, for make_any()
-    std::vector<Rim> rims_;             ///< a heap of corners that a hole may be joined to
+    std::vector<std::uint8_t>
+        joined_;             ///< a corner of the ring each: whether it is part of the outline, for make_any()
+    std::vector<Rim> rims_;  ///< a heap of corners that a hole may be joined to
     EarClipper clipper_;
 };
 

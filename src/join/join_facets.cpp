@@ -20,7 +20,8 @@ bool PolygonFacets::make(PlaneId plane, std::span<const std::uint32_t> corners,
     return true;
 }
 
-JoinFacets make_join_facets(const ExactTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement) {
+JoinFacets make_join_facets(const ExactTables& tables, std::span<const PlaneId> planes,
+                            const Arrangement& arrangement) {
     JoinFacets made;
     PolygonFacets maker(tables);
     std::vector<std::uint32_t> corners;
@@ -45,8 +46,8 @@ void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry 
     set.faces.push_back(face);
 }
 
-JoinFaceMaker::JoinFaceMaker(const ExactTables& tables, std::span<const JoinPiece> faces, const Arrangement& arrangement,
-                             const JoinFacets& facets)
+JoinFaceMaker::JoinFaceMaker(const ExactTables& tables, std::span<const JoinPiece> faces,
+                             const Arrangement& arrangement, const JoinFacets& facets)
     : tables_(tables), faces_(faces), arrangement_(arrangement), facets_(facets) {
     vertices_.resize(tables.points.size());
     edges_.resize(arrangement.edges.size());

@@ -32,8 +32,8 @@ public:
     bool make(std::span<const GridPoint> points, std::span<const std::uint32_t> loop_ends, FlatView view,
               Facets& facets);
 
-    /// What make() refuses: triangles of the loops as they lie exactly, then rounded. They cover the face, but rounding may
-    /// fold some over others, or leave them without area; their sides cancel all the same, but for the loops'.
+    /// What make() refuses: triangles of the loops as they lie exactly, then rounded. They cover the face, but rounding
+    /// may fold some over others, or leave them without area; their sides cancel all the same, but for the loops'.
     ///
     /// @param exact  the corners before rounding, input steps [n]
     void make_folded(std::span<const GridPoint> points, std::span<const Vec3> exact,

@@ -45,7 +45,7 @@ void SolidPatch::clear() {
     all_uses.clear();
     loop_ends.clear();
     kept_planes_.clear();
-    for (FlatMap* map : {&face_of_, &vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
+    for (FlatMap* map : {&face_of_, &vertex_of_point_, &vertex_of_place_, &edge_of_pair_, &edge_of_stored_})
         map->clear();
 }
 
@@ -68,7 +68,7 @@ void SolidPatch::reserve(std::size_t face_count) {
     edges.reserve(3 * face_count);
     all_uses.reserve(4 * face_count);
     face_of_.reserve(face_count);
-    for (FlatMap* map : {&vertex_of_point_, &vertex_of_stored_, &edge_of_pair_, &edge_of_stored_})
+    for (FlatMap* map : {&vertex_of_point_, &vertex_of_place_, &edge_of_pair_, &edge_of_stored_})
         map->reserve(face_count);
 }
 
@@ -90,18 +90,35 @@ std::uint32_t SolidPatch::grid_vertex(const InputPoint& point) {
     }
 }
 
+namespace {
+
+bool is_point(const ExactPoint& point, const ExactPoint& of_planes) {
+    for (int k = 0; k < 3; ++k)
+        if (exact_side(*of_planes.plane(k), point) != 0) return false;
+    return true;
+}
+
+}  // namespace
+
+/// Cuts may have stored one point as several vertices, some of them as three planes that meet in a point of the grid.
 std::uint32_t SolidPatch::stored_vertex(const SolidVertex& vertex) {
-    if (vertex.point.on_grid()) {
-        const std::uint32_t known = grid_vertex(vertex.point.grid());
+    const ExactPoint& point = vertex.point;
+    const GridPoint place = point.rounded();
+    if (on_input_grid(place) && (point.on_grid() || is_point(ExactPoint(to_input(place)), point))) {
+        const std::uint32_t known = grid_vertex(to_input(place));
         if (!vertices[known].stored) vertices[known].stored = &vertex;
         return known;
     }
-    std::uint32_t& known = vertex_of_stored_.at(key_of(&vertex, 0));
-    if (known == FlatMap::kNone) {
-        known = std::uint32_t(vertices.size());
-        vertices.push_back({vertex.point, &vertex, {}});
+    for (std::uint64_t key = point_key(place);; key = next_key(key)) {
+        std::uint32_t& known = vertex_of_place_.at(key);
+        if (known == FlatMap::kNone) {
+            known = std::uint32_t(vertices.size());
+            vertices.push_back({point, &vertex, {}});
+            return known;
+        }
+        const PatchVertex& other = vertices[known];
+        if (other.stored == &vertex || (other.point.rounded() == place && is_point(other.point, point))) return known;
     }
-    return known;
 }
 
 std::uint32_t SolidPatch::edge_between(std::uint32_t a, std::uint32_t b) {

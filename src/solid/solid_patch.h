@@ -101,7 +101,7 @@ private:
     void finish(std::uint32_t face);
 
     std::vector<Ref<const SolidPlane>> kept_planes_;
-    FlatMap face_of_, vertex_of_point_, vertex_of_stored_, edge_of_pair_, edge_of_stored_;
+    FlatMap face_of_, vertex_of_point_, vertex_of_place_, edge_of_pair_, edge_of_stored_;
 };
 
 }  // namespace firma
