@@ -160,7 +160,7 @@ Result<PlacedCutter> move_cutter(const PlacedCutter& placed, int tries) {
             };
             // Outward by one step at least, where there is an outward along this axis.
             const double along = out[k][axis];
-            const std::int32_t by = std::fabs(along) < kFlat * largest(out[k]) ? draw(2 * farthest + 1) - farthest
+            const std::int32_t by = std::fabs(along) < kFlat * max_abs(out[k]) ? draw(2 * farthest + 1) - farthest
                                     : along > 0                                ? 1 + draw(farthest)
                                                                                : -1 - draw(farthest);
             moved.vertices[k][axis] += by;
@@ -185,7 +185,7 @@ Result<PlacedCutter> move_vertices(const PlacedCutter& placed, const PlacedCutte
     for (const std::uint32_t k : vertices) {
         for (int axis = 0; axis < 3; ++axis) {
             const double along = out[k][axis];
-            const bool flat = std::fabs(along) < kFlat * largest(out[k]);
+            const bool flat = std::fabs(along) < kFlat * max_abs(out[k]);
             moved.vertices[k][axis] = placed.vertices[k][axis] + (flat        ? flat_steps[axis]
                                                                   : along > 0 ? steps[axis]
                                                                               : -steps[axis]);

@@ -128,14 +128,14 @@ bool FaceChecker::certain(std::span<const std::uint32_t> vertices, const GridJud
     for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
         const Vec3 a = mesh_.nearest[vertices[k]] - first, b = mesh_.nearest[vertices[k + 1]] - first;
         normal = normal + cross(a, b);
-        size = std::max({size, largest(a), largest(b)});
+        size = std::max({size, max_abs(a), max_abs(b)});
     }
-    const double rim = largest(first) + size;
+    const double rim = max_abs(first) + size;
     if (!(rim >= 1e-100 && rim <= 1e100)) return false;
     // A difference is off by at most 2^-51 rim, a product of two by 2^-50 rim size and a little: six of them a corner.
     const double error = 0x1p-44 * rim * size * double(vertices.size());
     const Vec3 snapped{double(snapped_normal[0]), double(snapped_normal[1]), double(snapped_normal[2])};
-    return dot(normal, snapped) > 4 * error * largest(snapped);
+    return dot(normal, snapped) > 4 * error * max_abs(snapped);
 }
 
 }  // namespace
