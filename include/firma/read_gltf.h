@@ -87,7 +87,10 @@ FIRMA_EXPORT Result<GltfLevel> read_gltf(const std::string& path, const GltfOpti
 /// that corners that were meant to meet differ in their last bits. Faults and positions are exact on the grid, sources
 /// as the level has them; notes are those of the level: dropped and divided. Costs as check_obj(), with the level's
 /// vertices and corners.
-FIRMA_EXPORT MeshCheck check_gltf(const GltfLevel& gltf);
+/// @return kInvalid or kTooLarge, as make_world(), for a level that no reader makes: a face that is not convex and
+///         planar, or whose corners, material, group or texture are not there; kInvalid for other than one of
+///         GltfLevel::note_places for each note
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_gltf(const GltfLevel& gltf);
 
 /// Indices are into GltfLevel::portals.
 using GltfRooms = PortalReport;
