@@ -108,7 +108,7 @@ public:
     /// A version of the history, undone ones included; nothing when it is not kept. Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
     /// Costs a binary search among the versions kept; never allocates.
-    FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
+    [[nodiscard]] FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
     /// What is kept. Kept up by the calls that change it: costs the same however much that is; never allocates.
     FIRMA_EXPORT StoreHistory history() const;
 
