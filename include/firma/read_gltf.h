@@ -81,6 +81,7 @@ FIRMA_EXPORT Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::
 
 /// The same of a file, read into memory first; buffers may lie in files beside it or below.
 /// @return kCannotRead with the system's reason, else as above
+/// Costs reading the file, held in memory until it returns, and the same.
 FIRMA_EXPORT Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options = {});
 
 /// Checks the level as it was snapped, not the file's own floats: nodes place a vertex by products that are rounded, so

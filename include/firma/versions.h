@@ -55,8 +55,8 @@ struct WorldDiff {
 /// nothing (read twice, or with an index built anew) cost all faces of both, in time and memory. Tiles cost one entry
 /// for each tile in a changed face's box, and sorting them.
 ///
-/// @param tile_size  metres, for `tiles`, at least kMinTileSize; anything smaller (0, say) or not finite leaves them
-///                   out.
+/// @param tile_size  metres, for `tiles`, at least kMinTileSize; anything smaller (0, say) or not finite is no error,
+///                   and `tiles` stays empty.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
 ///                   makes a long list; one of more than kMaxTiles is left out, and too_many_tiles is set.
 [[nodiscard]] FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
