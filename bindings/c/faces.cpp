@@ -165,8 +165,10 @@ firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         auto list = std::make_unique<FacesObject>();
-        if (const std::optional<Face> face = object->world.face({{id}, {corner[0], corner[1], corner[2]}}))
-            list->list.add(*face, face->corners);
+        const std::optional<Face> face = object->world.face({{id}, {corner[0], corner[1], corner[2]}});
+        if (!face)
+            return fail(FIRMA_ERROR_INVALID, function, "the world has no such face: cut since, or of another world");
+        list->list.add(*face, face->corners);
         return give(std::move(list), faces, function);
     });
 }
