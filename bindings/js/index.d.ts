@@ -400,12 +400,11 @@ export interface CastOptions {
     mask?: number;
     /** Whether faces are met from behind too. */
     bothSides?: boolean;
-    /** Metres; the world's unless given. */
+    /** Metres, finite; the world's unless given, and where it is negative. */
     contactOffset?: number;
     /**
      * The room that the start lies in, and the cast goes on through portals; or 'locate': it finds out; 'any' (the
-     * default): all rooms are asked. From the air, clear of all faces, the answer is the same. A room that is not there
-     * is a bad number.
+     * default): all rooms are asked. From the air, clear of all faces, the answer is the same.
      */
     room?: number | 'any' | 'locate';
 }
@@ -486,8 +485,8 @@ export interface NearOptions {
 }
 
 /**
- * 'invalid': a number of the input is non-finite or out of range, nothing was asked. 'touching': at the start, and
- * moving closer.
+ * 'invalid': a number of the input is non-finite or out of range, or the world does not have the room: nothing was
+ * asked. 'touching': at the start, and moving closer.
  */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
@@ -762,8 +761,8 @@ export interface World extends Handle {
     findFace(id: number): Face | null;
 
     /**
-     * The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. What casts cost grows
-     * with the logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for
+     * The first touch. Numbers of the input that are not finite or too large, a negative radius, and a room that is not
+     * there give status 'invalid'; a contact offset that is not finite throws INVALID. What casts cost grows with the logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for
      * castAny(), up to where visit ends it for castEach(), along all of it for castAll(). By room it is the faces of
      * the rooms reached alone, and the box of each of their portals; room 'locate' adds locate(). Of many casts
      * castBatch() costs least, as it makes no objects. With `passed` or `passedPortals`, where more than 64 rooms are

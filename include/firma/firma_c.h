@@ -596,7 +596,7 @@ typedef struct firma_cast_options {
     uint32_t sides;        /* 0: the front, where the face does not say both; 1: both sides of all */
     uint32_t room;         /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
                               FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
-    double contact_offset; /* metres; negative takes the world's */
+    double contact_offset; /* metres, finite; negative takes the world's */
     uint32_t* passed;      /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
                               `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
     size_t passed_capacity;
@@ -617,8 +617,8 @@ typedef struct firma_hit {
     double point[3];      /* of the surface */
     double normal[3];     /* unit, from `point` toward the centre */
     double face_normal[3];
-    uint32_t status;  /* firma_status; FIRMA_INVALID: a number of the input is non-finite or out of range, nothing was
-                         asked */
+    uint32_t status;  /* firma_status; FIRMA_INVALID: a number of the input is non-finite or out of range, or the world
+                         does not have the room: nothing was asked */
     uint32_t feature; /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
     uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
@@ -648,7 +648,9 @@ typedef struct firma_cast_counts {
     uint64_t nodes, boxes, faces, precise;
 } firma_cast_counts;
 
-/* The first touch. Bad numbers give FIRMA_OK with status FIRMA_INVALID. `counts` may be null. */
+/* The first touch. Bad numbers in the input, and a room that the world does not have, give FIRMA_OK with status
+ * FIRMA_INVALID; options that make no sense, as a contact offset that is not finite, FIRMA_ERROR_INVALID. `counts` may
+ * be null. */
 FIRMA_API firma_code firma_cast(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                 firma_hit* hit, firma_cast_counts* counts);
 /* Whether there is any touch: firma_status. */
