@@ -912,6 +912,7 @@ static inline firma_code firma_in_solid(firma_world world, const double point[3]
 #define faces_looked_at candidate_faces
 #define faces_gone faces_removed
 #define faces_new faces_added
+#define part_of merged_into
 #define gone removed
 #define gone_count removed_count
 #define come added
