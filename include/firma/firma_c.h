@@ -830,7 +830,9 @@ typedef struct firma_diff_view {
     size_t portals_added_count, portals_removed_count;
     const uint32_t* portals_changed; /* of both, with other rooms, polygons or names */
     size_t portals_changed_count;
-    double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
+    double low[3], high[3];          /* bounds of all that changed; low > high when nothing did */
+    const firma_face* removed_faces; /* `removed` as the world before had them, with room and source; without corners
+                                        (corner_count 0), which firma_world_face() of that world has */
 } firma_diff_view;
 
 /* What changed from one world to another. `tile_size` metres, 0 for no tiles; FIRMA_ERROR_INVALID for one below 1/16.
