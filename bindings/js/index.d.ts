@@ -762,11 +762,12 @@ export interface World extends Handle {
 
     /**
      * The first touch. Numbers of the input that are not finite or too large, a negative radius, and a room that is not
-     * there give status 'invalid'; a contact offset that is not finite throws INVALID. What casts cost grows with the logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for
-     * castAny(), up to where visit ends it for castEach(), along all of it for castAll(). By room it is the faces of
-     * the rooms reached alone, and the box of each of their portals; room 'locate' adds locate(). Of many casts
-     * castBatch() costs least, as it makes no objects. With `passed` or `passedPortals`, where more than 64 rooms are
-     * reached, the cast is made twice.
+     * there give status 'invalid'; a contact offset that is not finite throws INVALID. What casts cost grows with the
+     * logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for castAny(), up
+     * to where visit ends it for castEach(), along all of it for castAll(). By room it is the faces of the rooms
+     * reached alone, and the box of each of their portals; room 'locate' adds locate(). Of many casts castBatch() costs
+     * least, as it makes no objects. With `passed` or `passedPortals`, where more than 64 rooms are reached, the cast
+     * is made twice.
      */
     cast(input: CastInput, options?: SingleCastOptions): Hit;
     /**
