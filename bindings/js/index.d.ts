@@ -7,6 +7,11 @@
 // Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
 // not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
 //
+// One rule says where a failure shows: where the answer has a status (cast(), castBatch()), bad numbers of the input and
+// a room that is not there give status 'invalid'; everywhere else they throw, OUT_OF_RANGE for the numbers, INVALID for
+// the room. Options that make no sense, and faces, portals and materials that the world does not have, throw INVALID
+// everywhere. A search that finds nothing has not failed: it returns null, false or nothing in a list.
+//
 // Costs. A call costs what the module does for it, as said at each, and copying: arguments into the module's memory,
 // answers out of it, into arrays and objects of their own. Every World, Level, Cutter, Job, Edit and Store returned is
 // a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
@@ -739,10 +744,10 @@ export interface World extends Handle {
      */
     faces(filter?: FaceFilter): Faces;
     /**
-     * The face of a hit, or another; null when this world has no such face: cut since, or of another world. Costs a
-     * walk through the index.
+     * The face of a hit, or another. Costs a walk through the index.
+     * @throws {FirmaError} INVALID for a miss, and where this world has no such face: cut since, or of another world
      */
-    face(ref: FaceRef): Face | null;
+    face(ref: FaceRef): Face;
     /**
      * Copies of faces as triangles, for a renderer or another engine's collider. Costs the faces that the options take,
      * sorting them, an object for each (Triangles.sources), and with texture coordinates a search for each.
@@ -776,12 +781,16 @@ export interface World extends Handle {
      *     another world
      */
     hitInfo(hit: Hit): HitInfo;
-    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
+    /**
+     * Whether there is any touch.
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, INVALID for a room that is not
+     *     there
+     */
     castAny(input: CastInput, options?: CastOptions): boolean;
     /**
      * Every face and closed portal met along the whole path, by fraction, then id. Costs an object for each, and
      * sorting them; where they are more than some 1,400, the cast is made twice.
-     * @throws {FirmaError} OUT_OF_RANGE as castAny()
+     * @throws {FirmaError} OUT_OF_RANGE, INVALID as castAny()
      */
     castAll(input: CastInput, options?: CastOptions): Hit[];
     /**
@@ -790,7 +799,7 @@ export interface World extends Handle {
      * call out of the module.
      * @param visit returns the fraction up to which to look on: hit.fraction asks for nothing later than this hit; true
      *     or nothing: on as before; false or 0: enough
-     * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE as castAny()
+     * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE, INVALID as castAny()
      */
     castEach(input: CastInput, visit: (hit: Hit) => number | boolean | void, options?: CastOptions): boolean;
     /**
@@ -805,8 +814,8 @@ export interface World extends Handle {
      * Faces that a closed ball touches, by id, then closed portals. Costs a walk through the index to the faces near
      * the ball, an object for each that it touches, and sorting them; where these are more than some 2,200, it is asked
      * twice. By room, where any portal of the world is closed, also a look at each portal of the room, as closest().
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, a negative radius, or a room
-     *     that is not there
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, or a negative radius; INVALID
+     *     for a room that is not there
      */
     overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
     /**
@@ -818,8 +827,8 @@ export interface World extends Handle {
      * The nearest point of all faces and closed portals within `reach` metres, anywhere unless given; null when there
      * is none. Costs a walk through the index to the faces about as near as the nearest; a short reach where nothing is
      * near costs least.
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, a negative reach, or a room
-     *     that is not there
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, or a negative reach; INVALID
+     *     for a room that is not there
      */
     closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 

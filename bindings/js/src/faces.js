@@ -3,6 +3,9 @@
 import { DIFF_VIEW, FACE, FACE_FILTER, FACES_VIEW } from './layout.js';
 import { object, region, vector, word } from './arguments.js';
 
+/** What ids of faces are where there is none. */
+export const NO_FACE = 0xffffffff;
+
 /** @param faces, corners addresses; @param count, cornerCount how many there are */
 function getFaces(core, faces, count, corners, cornerCount) {
     const words = (offset) => {
@@ -52,6 +55,14 @@ export function putFaceFilter(core, lent, filter, place) {
     core.setU32(at + FACE_FILTER.box, box);
     core.setU32(at + FACE_FILTER.region, cube);
     return at;
+}
+
+/** What names a face: { face, corner } or { id, corner }. @returns its id, NO_FACE for null, and where the corner is */
+export function putFaceRef(core, ref, place) {
+    const { id, face = id, corner } = object(ref, place, 'the face');
+    const at = core.at.out;
+    core.i32.set(vector(corner, 3, place, 'its corner'), at >>> 2);
+    return [face === null ? NO_FACE : word(face, place, 'its id'), at];
 }
 
 /** The first of faces as an object; null where there is none. */

@@ -139,8 +139,9 @@ test('faces by filter and by hit; hashes', () => {
         assert.deepEqual(face, world.findFace(hit.face));
         assert.deepEqual(face, world.face(face));
         assert.deepEqual(face, world.face({ face: hit.face, corner: hit.corner }));
-        assert.equal(world.face({ ...hit, corner: [1, 2, 3] }), null);
-        assert.equal(world.face(world.cast({ ...toWall, path: [-1e-3, 0, 0] })), null); // a miss
+        throwsCode('INVALID', () => world.face({ ...hit, corner: [1, 2, 3] }), /no such face/);
+        throwsCode('INVALID', () => world.face(world.cast({ ...toWall, path: [-1e-3, 0, 0] })), /no such face/); // a miss
+        assert.equal(world.findFace(1234), null); // a search
         assert.throws(() => world.face(), { code: 'BAD_CALL' });
         assert.throws(() => world.face({ id: 0 }), { code: 'BAD_CALL' });
 
@@ -299,7 +300,9 @@ test('overlap, closest, locate', () => {
         assert.deepEqual([behind.direction, behind.depth], [[-1, 0, 0], 0.75], 'out of the solid');
         assert.deepEqual(world.overlap([7, 4, 7], 1.5, { mask: 0 }), []);
         assert.equal(world.overlap([7, 4, 7], 1.5, { room: 0 }).length, 2);
-        throwsCode('OUT_OF_RANGE', () => world.overlap([7, 4, 7], 1.5, { room: 1 }), /no such room/);
+        throwsCode('INVALID', () => world.overlap([7, 4, 7], 1.5, { room: 1 }), /no room 1/);
+        throwsCode('INVALID', () => world.overlapEach([7, 4, 7], 1.5, () => true, { room: 1 }), /no room 1/);
+        throwsCode('INVALID', () => world.closest([7, 4, 7], 1, { room: 1 }), /no room 1/);
         assert.deepEqual(world.closest([4, 4, 1]).point, [4, 4, 0]);
         assert.equal(world.closest([4, 4, 1]).distance, 1);
         assert.equal(world.closest([4, 4, 1]).feature, 'face');
