@@ -246,8 +246,8 @@ export interface WorldFacts {
     edits: number;
 }
 
-/** Faces, an array for each of their properties; face k has corners firstCorners[k] and on, cornerCounts[k] of them. */
-export interface Faces {
+/** Faces without their outlines, an array for each of their properties. */
+export interface FaceInfos {
     /** Of the world's lifetime: a face keeps its id until an edit touches it. */
     ids: Uint32Array;
     /** Unit, three for each. */
@@ -262,11 +262,15 @@ export interface Faces {
     flags: Uint32Array;
     /** That they look into. */
     rooms: Uint32Array;
+    /** The first corner of each, three integers, in steps of 1/262144 m: where World.face() looks for it. */
+    firstPoints: Int32Array;
+}
+
+/** Faces with their outlines; face k has corners firstCorners[k] and on, cornerCounts[k] of them. */
+export interface Faces extends FaceInfos {
     /** Counted in points. */
     firstCorners: Uint32Array;
     cornerCounts: Uint32Array;
-    /** The first corner of each, three integers, in steps of 1/262144 m: where World.face() looks for it. */
-    firstPoints: Int32Array;
     /** Three for each; convex, counter-clockwise seen from the front. */
     corners: Float64Array;
 }
@@ -642,6 +646,8 @@ export interface CarveResult {
 export interface Diff {
     /** Ids of faces. */
     removed: Uint32Array;
+    /** The same faces as the world before had them, with rooms and sources; its face() has their outlines. */
+    removedFaces: FaceInfos;
     /** In order of id. */
     added: Faces;
     /** Rooms that a face left or came to, that became part of another, or that one world only has. */

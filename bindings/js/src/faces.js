@@ -6,8 +6,8 @@ import { object, region, vector, word } from './arguments.js';
 /** What ids of faces are where there is none. */
 export const NO_FACE = 0xffffffff;
 
-/** @param faces, corners addresses; @param count, cornerCount how many there are */
-function getFaces(core, faces, count, corners, cornerCount) {
+/** What faces are besides their outlines. @param faces the address of the first; @param count how many there are */
+function getFaceInfos(core, faces, count) {
     const words = (offset) => {
         const all = new Uint32Array(count);
         for (let k = 0, at = (faces + offset) >>> 2; k < count; ++k, at += FACE.sizeof / 4) all[k] = core.u32[at];
@@ -32,9 +32,18 @@ function getFaces(core, faces, count, corners, cornerCount) {
         masks: words(FACE.mask),
         flags: words(FACE.flags),
         rooms: words(FACE.room),
+        firstPoints: points,
+    };
+}
+
+/** @param faces, corners addresses; @param count, cornerCount how many there are */
+function getFaces(core, faces, count, corners, cornerCount) {
+    const words = (offset) =>
+        Uint32Array.from({ length: count }, (_, k) => core.getU32(faces + k * FACE.sizeof + offset));
+    return {
+        ...getFaceInfos(core, faces, count),
         firstCorners: words(FACE.firstCorner),
         cornerCounts: words(FACE.cornerCount),
-        firstPoints: points,
         corners: core.f64.slice(corners >>> 3, (corners >>> 3) + 3 * cornerCount),
     };
 }
@@ -105,6 +114,7 @@ export function takeDiff(core, handle) {
         const tiles = get('tiles') >>> 2;
         return {
             removed: words('removed'),
+            removedFaces: getFaceInfos(core, get('removedFaces'), get('removedCount')),
             added: getFaces(core, get('added'), get('addedCount'), get('corners'), get('cornerCount')),
             rooms: core.u32.slice(get('rooms') >>> 2, (get('rooms') >>> 2) + get('roomCount')),
             opened: words('opened'),

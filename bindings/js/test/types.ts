@@ -15,6 +15,7 @@ import {
     type Diff,
     type Entity,
     type Face,
+    type FaceInfos,
     type Faces,
     type Hit,
     type HitInfo,
@@ -151,6 +152,8 @@ edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
 const diff: Diff = world.diff(after, 1);
 const corners: Float64Array = diff.added.corners;
+const left: FaceInfos = diff.removedFaces;
+const rooms: number = left.rooms.length + left.sources.length;
 world.withRules({
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],
