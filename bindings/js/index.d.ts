@@ -763,11 +763,11 @@ export interface World extends Handle {
     /**
      * How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an
      * edit made, and where the file says nothing, its unit is 'metres': straight along the axis nearest to its normal.
-     * @param face a hit: costs a walk through the index, and a search among the faces of the file; or an id: then all
-     *     faces are searched
+     * @param face one of a hit or of faces: costs a walk through the index, and a search among the faces of the file;
+     *     or an id: then all faces are searched
      * @throws {FirmaError} INVALID for a face that the world does not have
      */
-    texture(face: Hit | number): Texture;
+    texture(face: FaceRef | number): Texture;
     /** Null when the world has no such face. Goes through all faces of the world. */
     findFace(id: number): Face | null;
 

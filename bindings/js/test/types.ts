@@ -93,7 +93,9 @@ const regions: number = world.hashRegions()[0]!.region[0] + Number(world.hashSol
 const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
 const run: TriangleRun | undefined = triangles.runs[0];
 const units: TextureUnit[] = world.triangles({ uvs: true, textureSizes: [64, 64] }).sources.map((source) => source.uvUnit);
-const lies: Texture = world.texture(0);
+const lies: Texture = world.texture(face);
+world.texture(world.closest([1, 2, 3]) ?? 0);
+world.texture({ id: 0, corner: new Int32Array(3) });
 const laid: number = lies.uAxis[0] + lies.uOffset + triangles.uvs[0]! + units.length;
 const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
