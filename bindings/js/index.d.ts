@@ -750,6 +750,14 @@ export interface World extends Handle {
      */
     faces(filter?: FaceFilter): Faces;
     /**
+     * Faces one by one, in no particular order, until visit returns false: all of them by {}. What `visit` throws ends
+     * it and is thrown. Takes no memory of the module but for a filter. Costs the walk through the index down to the
+     * faces, of a room its faces, and each an object and a call out of the module.
+     * @returns whether visit let it come to an end: true also where there was no face to show
+     * @throws {FirmaError} INVALID for a room that is not there, OUT_OF_RANGE for a box that is not finite
+     */
+    eachFace(filter: FaceFilter | undefined, visit: (face: Face) => boolean | void): boolean;
+    /**
      * The face of a hit, or another. Costs a walk through the index.
      * @throws {FirmaError} INVALID for a miss, and where this world has no such face: cut since, or of another world
      */

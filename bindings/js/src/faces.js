@@ -91,6 +91,12 @@ export function onlyFace(found) {
     };
 }
 
+/** A face that firma_wasm_each_face() shows, by the addresses of the face and of its corners. */
+export function getShownFace(core, at) {
+    const face = core.getU32(at);
+    return onlyFace(getFaces(core, face, 1, core.getU32(at + 4), core.getU32(face + FACE.cornerCount)));
+}
+
 /** What a firma_faces handle shows; releases it. */
 export function takeFaces(core, handle) {
     try {

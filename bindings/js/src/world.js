@@ -22,7 +22,7 @@ import {
     withPassed,
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
-import { onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
+import { getShownFace, onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
 import { findByName, getNeighbours, getPath, getPortal, getRoom, locate, NO_ROOM } from './rooms.js';
 import { putRules } from './rules.js';
 import { takeTexture, takeTriangles } from './triangles.js';
@@ -143,6 +143,17 @@ export class World extends Handle {
             const at = putFaceFilter(core, lent, filter, 'faces');
             return takeFaces(core, makeHandle(core, 'firma_world_faces_in', this[ID], at));
         });
+    }
+
+    eachFace(filter, visit) {
+        const core = this[CORE];
+        if (typeof visit !== 'function') throw badCall('eachFace', 'visit must be a function');
+        const ask = (at) => (visit(getShownFace(core, at)) === false ? 0 : 1);
+        core.borrow((lent) => {
+            const at = putFaceFilter(core, lent, filter, 'eachFace');
+            core.runVisited(ask, 'firma_wasm_each_face', this[ID], at, core.at.out);
+        });
+        return core.getU32(core.at.out) !== 0;
     }
 
     triangles(options) {

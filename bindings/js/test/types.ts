@@ -108,6 +108,8 @@ if (hit.status === 'nothing') throw new Error();
 const any: boolean = world.castAny(input);
 const all: Hit[] = world.castAll(input, { mask: 1 });
 const met: boolean = world.castEach(input, (h) => (h.material === STOPS_WALK ? 1 : h.fraction), { mask: STOPS_SIGHT });
+const whole: boolean = world.eachFace({ room: 0 }, (f) => f.corners.length < 12);
+const every: boolean = world.eachFace(undefined, (f) => console.log(f.id)) || whole;
 const touched: boolean = world.overlapEach([1, 2, 3], 1, (o) => o.depth < 1) || met;
 const again: Face = world.face(hit);
 const batch: HitBatch = world.castBatch(new Float64Array(7), { counts: {} }, new HitBatch());
