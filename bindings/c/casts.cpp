@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "bindings/c/batch_tasks.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
 #include "firma/rooms.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Compares each face as written with the same face on the grid, both judged exactly; in double where that is certain.
-#include "level/check_faces.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "geometry/judge_outline.h"
 #include "geometry/polygon_shape.h"
+#include "level/check_mesh_parts.h"
 #include "level/divide_polygon.h"
 #include "level/exact_points.h"
 
