@@ -49,7 +49,7 @@ function getFaces(core, faces, count, corners, cornerCount) {
 }
 
 /** { room }, { box: { low, high } } or { region } as the C API has it. @returns the address of the struct */
-export function putFaceFilter(core, lent, filter, place) {
+export function putFaceFilter(core, lent, filter = {}, place) {
     object(filter, place, 'the filter', ['room', 'box', 'region']);
     const room = filter.room === undefined ? 0xffffffff : word(filter.room, place, 'room');
     let [box, cube] = [0, 0];
