@@ -114,7 +114,7 @@ quietly cmake --build "$build"
 quietly cmake --install "$build" --prefix "$work/static_prefix"
 quietly cmake "$build" -DFIRMA_BUILD_GLTF=OFF
 quietly cmake --build "$build"
-quietly cmake --install "$build" --prefix "$work/no_gltf"
+quietly cmake --install "$build" --prefix "$work/plain"
 quietly cmake "$build" -DFIRMA_SHARED=ON -DFIRMA_BUILD_GLTF=ON
 [ -z "$(find "$work/static_prefix" -name '*.so*')" ] || fail "shared libraries without FIRMA_SHARED"
 alone=$(dirname "$(find "$work/static_prefix" -name firma.pc)")
@@ -127,11 +127,11 @@ quietly cmake -S "$work/tests/installed" -B "$work/alone" -G Ninja -DCMAKE_PREFI
 
 # ---- without glTF: no header whose functions no library has
 
-diff <(cd include/firma && ls | grep -v '^read_gltf\.h$') <(cd "$work/no_gltf/include/firma" && find . -type f -printf '%P\n' | sort) || fail "other headers installed without glTF"
-[ -z "$(find "$work/no_gltf" -name '*gltf*')" ] || fail "something of glTF is installed without it"
-no_gltf=$(dirname "$(find "$work/no_gltf" -name firma.pc)")
-(cd "$work/tests" && quietly $CXX -std=c++20 crater.cpp -o "$work/no_gltf_cpp" $(PKG_CONFIG_PATH=$no_gltf pkg-config --cflags --libs firma))
-must_print "pkg-config, C++, without glTF" "$work/no_gltf_cpp" "$level" "$work/saved.firma"
+diff <(cd include/firma && ls | grep -v '^read_gltf\.h$') <(cd "$work/plain/include/firma" && find . -type f -printf '%P\n' | sort) || fail "other headers installed without glTF"
+[ -z "$(find "$work/plain" -name '*gltf*')" ] || fail "something of glTF is installed without it"
+plain=$(dirname "$(find "$work/plain" -name firma.pc)")
+(cd "$work/tests" && quietly $CXX -std=c++20 crater.cpp -o "$work/plain_cpp" $(PKG_CONFIG_PATH=$plain pkg-config --cflags --libs firma))
+must_print "pkg-config, C++, without glTF" "$work/plain_cpp" "$level" "$work/saved.firma"
 
 # ---- Python
 
