@@ -221,7 +221,7 @@ void write_level(const World& world, const LoadedLevel& loaded, const CarveArgum
         out.write(text);  // throws where that is not possible
         return true;
     };
-    write_obj(world, put, leaves_out(loaded, arguments) ? ObjFaces::kSolid : ObjFaces::kAll);
+    take(write_obj(world, put, leaves_out(loaded, arguments) ? ObjFaces::kSolid : ObjFaces::kAll));
 }
 
 Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally, const World& world) {

@@ -211,9 +211,9 @@ int run(const CastArguments& arguments) {
     if (arguments.json) {
         print(json_text(json_of(arguments, loaded, tally, threads, times)));
     } else if (may_print_beside(arguments.out)) {
-        print(fmt::format("{}: {} casts in {}: {} hit, {} touching, {} miss\n", arguments.out, grouped(queries.size()),
-                          seconds_text(times.casting), grouped(tally.hit), grouped(tally.touching),
-                          grouped(tally.miss)));
+        print(fmt::format("{}: {} casts in {}: {} hit, {} initial overlap, {} miss\n", arguments.out,
+                          grouped(queries.size()), seconds_text(times.casting), grouped(tally.hit),
+                          grouped(tally.touching), grouped(tally.miss)));
     }
     return 0;
 }

@@ -307,7 +307,7 @@ Json json_of(const std::string& path, const Findings& found, bool all) {
 }
 
 MeshCheck mesh_check(const LevelArguments& level) {
-    if (names_gltf(level.path)) return check_gltf(take(read_gltf(level.path, gltf_options(level))));
+    if (names_gltf(level.path)) return take(check_gltf(take(read_gltf(level.path, gltf_options(level)))));
     return take(check_mesh(level.path, read_options(level)));
 }
 

@@ -227,8 +227,8 @@ std::string text_for_people(const LoadedLevel& loaded, const Results& results, c
     row("faces", grouped(loaded.world.face_count()));
     row("time to read", seconds_text(loaded.read_seconds));
     row("time to build", seconds_text(loaded.build_seconds));
-    row("casts", fmt::format("{}: {} hit, {} touching, {} miss", grouped(results.hits.size()), grouped(results.hit),
-                             grouped(results.touching), grouped(results.miss)));
+    row("casts", fmt::format("{}: {} hit, {} initial overlap, {} miss", grouped(results.hits.size()),
+                             grouped(results.hit), grouped(results.touching), grouped(results.miss)));
     row("casts a second",
         fmt::format("{} on one thread, {} on {}", grouped(std::uint64_t(rate(results.hits.size(), results.seconds))),
                     grouped(std::uint64_t(rate(results.hits.size(), results.parallel_seconds))), results.threads));

@@ -4,7 +4,11 @@
 include(CMakePackageConfigHelpers)
 set(FIRMA_CONFIG_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/firma)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/firma DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+# No header without its library: firma.h includes read_gltf.h where it is there.
+if(NOT TARGET firma_gltf)
+  set(no_gltf PATTERN "read_gltf.h" EXCLUDE)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/firma DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" ${no_gltf})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # What of a list of targets there is.

@@ -7,5 +7,5 @@ const firma = await loadFirma();
 const world = firma.worldFromObj(await readFile('levels/first.obj'), { name: 'first.obj' });
 const hit = world.cast({ centre: [35, 29, 2], radius: 0.5, path: [0, 0, 10] });
 const { report } = world.carve(firma.crater('rocky', 1), { position: hit.point, scale: 0.5 });
-const material = world.facts().materials[hit.material];
+const material = world.material(hit.material);
 console.log(`met ${material} after ${(10 * hit.fraction).toFixed(3)} m, carved ${report.volume.toFixed(3)} m3`);

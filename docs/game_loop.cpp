@@ -61,7 +61,7 @@ void move(const World& world, std::vector<Particle>& particles) {
         inputs.push_back({{one.position, 0}, one.velocity * kStep});
     }
     std::vector<Hit> hits(inputs.size());
-    cast_batch(world, inputs, hits, {.mask = firma::kStopsShots});
+    if (!cast_batch(world, inputs, hits, {.mask = firma::kStopsShots})) return;
     for (std::size_t k = 0; k < hits.size(); ++k) {
         Particle& one = particles[k];
         one.position = one.position + inputs[k].path * hits[k].safe_fraction;

@@ -119,7 +119,7 @@ int main() {
     print_shot("the same shot", after, cast(after, shot, {.mask = firma::kStopsShots}));
     print_shot("without the crater it", world, cast(world, shot, {.mask = firma::kStopsShots}));  // undo
 
-    if (const auto error = save_world(after, "build/guide.firma")) fail(error->text());
+    must(save_world(after, "build/guide.firma"));
     const World loaded = must(firma::load_world("build/guide.firma"));
     std::printf("saved, loaded: hash %016" PRIx64 ", %s\n", hash_world(loaded),
                 hash_world(loaded) == hash_world(after) ? "the same" : "another one");

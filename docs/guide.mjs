@@ -35,7 +35,7 @@ function walk(world, ball, to) {
 function shoot(who, world, shot) {
   const hit = world.cast(shot, { mask: STOPS_SHOTS });
   if (hit.hit) {
-    const material = world.facts().materials[hit.material];
+    const material = world.material(hit.material);
     console.log(`${who} meets ${material} of ${world.room(world.hitInfo(hit).room).name} at ${print(hit.point)}`);
   } else {
     console.log(`${who} meets nothing`);

@@ -12,7 +12,7 @@ if (hit.status === 'miss') {
   console.log('nothing in the way');
 } else {
   const stop = ball.centre[2] + ball.path[2] * hit.safeFraction;
-  const material = world.facts().materials[hit.material];
+  const material = world.material(hit.material);
   console.log(`met ${material} after ${hit.fraction.toFixed(3)} of the path; stops at z = ${stop.toFixed(3)}`);
 }
 world.release();

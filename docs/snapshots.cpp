@@ -46,7 +46,8 @@ int main() {
     std::printf("%d after one redone\n", int(kept.version()));
 
     // A file outlives the process: the same world, to the bit.
-    if (const auto error = firma::save_world(kept, "build/kept.firma")) return std::puts(error->text().c_str()), 1;
+    const auto saved = firma::save_world(kept, "build/kept.firma");
+    if (!saved) return std::puts(saved.error().text().c_str()), 1;
     const firma::Result<firma::World> back = firma::load_world("build/kept.firma");
     if (!back) return std::puts(back.error().text().c_str()), 1;
     std::puts(hash_world(back.value()) == hash_world(kept) ? "saved, and read back to the bit" : "not the same");

@@ -56,7 +56,7 @@ Box region_of(const Box& bounds, std::span<const DrawnCast> casts) {
     Box level = bounds;
     if (level.empty()) level.add(Vec3{});
     const Vec3 size = level.high - level.low;
-    const double largest_side = std::max(largest(size), 1e-3);
+    const double largest_side = std::max(max_abs(size), 1e-3);
     Box reached = level;
     for (const DrawnCast& cast : casts) add_to(reached, cast);
     for (int axis = 0; axis < 3; ++axis) {

@@ -97,7 +97,7 @@ void add_casts(Legend& legend, const LegendFacts& facts) {
         "<circle class=\"end miss\" cx=\"18\" r=\"1.6\"/>",
         "miss (" + grouped_number(count.miss) + ")");
     legend.sample("<circle class=\"contact touching\" r=\"2.4\"/><path class=\"normal\" d=\"M0,0 10,-7\"/>",
-                  "touching at the start (" + grouped_number(count.touching) + ")");
+                  "initial overlap (" + grouped_number(count.touching) + ")");
     legend.sample("<circle class=\"ball hit begin\" cx=\"-11\" r=\"7\"/><circle class=\"ball hit\" cx=\"10\" r=\"7\"/>",
                   "sphere at start, at contact");
     legend.words(grouped_number(facts.plan.casts_drawn) + " of " + grouped_number(count.all) +

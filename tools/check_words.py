@@ -19,7 +19,12 @@ PROSE = [
     (r'\bbins?\b', 'node or leaf (bins are the article\'s alone)'),
     (r'\b(visits|visited|visiting|to visit)\b', 'traverse, or go through'),
     (r'\b(looked|looks) at\b|\b(casts|craters|cuts|edits) look at\b', 'candidate faces, or test, or read'),
+    (r'\bvisit (a|an|the|all|each|every|any|no|some|its|their|only|more|fewer|nodes|leaves|faces|rooms)\b', 'traverse, or go through'),
     (r'\bgone\b', 'removed'),
+    (r'\b(faces|portals|rooms) (that )?(come|came)\b(?! (from|to|out|in|back|before|after|by|with|down|of)\b)', 'added'),
+    (r'\btouching\b', 'initial overlap, or touch'),
+    (r'\bunsure\b', 'unclassified, or unknown'),
+    (r'\b(most|largest|least|greatest|smallest)_\w+', 'max_ or min_'),
     (r'\bno ray t(old|ells)\b', 'unclassified'),
     (r'\b(shelf|shelves)\b', 'size class'),
     (r'\bdress(ed|es|ing)?\b', 'fill'),
@@ -28,7 +33,7 @@ PROSE = [
     (r'\bno good\b', 'non-finite or out of range'),
 ]
 # Where the code is described as a building.
-HOUSE = [(r'\b(wings?|storeys?|roofs?|rooftop)\b', 'module or layer'), (r'\bthe (new |whole )?house\b', 'the code')]
+HOUSE = [(r'\b(wings?|floors|storeys?|roofs?|rooftop)\b', 'module or layer'), (r'\bthe (new |whole )?house\b', 'the code')]
 HOUSE_FILES = ('architecture.md', 'CONTRIBUTING.md', 'README.md', 'STATUS.md', 'install.md')
 # Names of public headers.
 NAMES = [
@@ -48,12 +53,17 @@ NAMES = [
 # Words that are right where they stand: (file's end, text on the line).
 RIGHT = [
     ('benchmarks.md', "the article's"),  # its own words
-    ('benchmarks.md', '|'),              # tables, with the columns' names
     ('migration.md', '|'),               # what was called what
+    ('index.d.ts', "'touching'"),        # status words, as programs read them
+    ('verb_cast.cpp', 'miss, hit, or touching'),
+    ('read_hits.cpp', 'neither miss, hit nor touching'),
+    ('verb_info.cpp', 'greatest_shift'),  # a key
+    ('plan_legend.cpp', 'class='),        # of the picture's style
     ('coming_from.md', '|'),             # other engines' words
 ]
-# Fenced blocks, blocks indented by four blanks after an empty line, comments (of tables that a program fills).
-MARKDOWN_CODE = re.compile(r'^```.*?^```|(?<=\n\n)(?: {4}[^\n]*(?:\n|\Z))+|<!--.*?-->', re.S | re.M)
+# Fenced blocks, blocks indented by four blanks after an empty line, comments; the tables under those that say "table",
+# which a program fills.
+MARKDOWN_CODE = re.compile(r'^```.*?^```|(?<=\n\n)(?: {4}[^\n]*(?:\n|\Z))+|<!-- table [^\n]*-->\n(?:\|[^\n]*(?:\n|\Z))*|<!--.*?-->', re.S | re.M)
 SPAN = re.compile(r'`[^`\n]*`|\]\([^)]*\)|https?:\S+')
 STRING = re.compile(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', re.S)
 JS_STRING = re.compile(r"'((?:[^'\\\n]|\\.)*)'|`((?:[^`\\]|\\.)*)`|\"((?:[^\"\\\n]|\\.)*)\"", re.S)

@@ -112,7 +112,10 @@ must_print "pkg-config, C, static" "$work/pc_c_static" "$level" "$work/saved.fir
 quietly cmake "$build" -DFIRMA_SHARED=OFF
 quietly cmake --build "$build"
 quietly cmake --install "$build" --prefix "$work/static_prefix"
-quietly cmake "$build" -DFIRMA_SHARED=ON
+quietly cmake "$build" -DFIRMA_BUILD_GLTF=OFF
+quietly cmake --build "$build"
+quietly cmake --install "$build" --prefix "$work/plain"
+quietly cmake "$build" -DFIRMA_SHARED=ON -DFIRMA_BUILD_GLTF=ON
 [ -z "$(find "$work/static_prefix" -name '*.so*')" ] || fail "shared libraries without FIRMA_SHARED"
 alone=$(dirname "$(find "$work/static_prefix" -name firma.pc)")
 (cd "$work/tests" && quietly $CC crater.c -o "$work/alone_c" $(PKG_CONFIG_PATH=$alone pkg-config --cflags --libs firma_c))
@@ -121,6 +124,14 @@ must_print "pkg-config, C, where there are static libraries alone" "$work/alone_
 [ "$("$work/alone_gltf")" = "glTF: 1 face, met after 0.5" ] || fail "glTF by pkg-config, static"
 quietly cmake -S "$work/tests/installed" -B "$work/alone" -G Ninja -DCMAKE_PREFIX_PATH="$work/static_prefix" -DBUILD_SHARED_LIBS=ON
 ! cmake -S "$work/tests/installed" -B "$work/none" -DCMAKE_PREFIX_PATH="$work/static_prefix" -DFORM=shared >"$log" 2>&1 || fail "shared libraries are found that are not there"
+
+# ---- without glTF: no header whose functions no library has
+
+diff <(cd include/firma && ls | grep -v '^read_gltf\.h$') <(cd "$work/plain/include/firma" && find . -type f -printf '%P\n' | sort) || fail "other headers installed without glTF"
+[ -z "$(find "$work/plain" -name '*gltf*')" ] || fail "something of glTF is installed without it"
+plain=$(dirname "$(find "$work/plain" -name firma.pc)")
+(cd "$work/tests" && quietly $CXX -std=c++20 crater.cpp -o "$work/plain_cpp" $(PKG_CONFIG_PATH=$plain pkg-config --cflags --libs firma))
+must_print "pkg-config, C++, without glTF" "$work/plain_cpp" "$level" "$work/saved.firma"
 
 # ---- Python
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Packs the JavaScript package, installs it into an empty folder, and runs users' programs over it there: node, node 18,
-# vite, esbuild, a page without a packer. Ends non-zero on any failure. Installs what is missing (apt, npm).
+# Packs the JavaScript package, installs it into an empty folder, and runs users' programs over it there: the node that
+# is installed (20 or later), node 18, vite, esbuild, a page without a packer. Ends non-zero on any failure. Installs
+# what is missing (apt, npm).
 #
 #   tools/test_npm.sh [LINE]     LINE: what the programs must print, as tools/test_install.sh shows it
 set -euo pipefail
@@ -54,6 +55,7 @@ cd "$user"
 quietly npm install --no-package-lock --no-audit --no-fund
 quietly npm install --no-save --no-package-lock --no-audit --no-fund "$package"
 
+[[ $(node --version) =~ ^v([0-9]+)\. ]] && [ "${BASH_REMATCH[1]}" -ge 20 ] || fail "node is $(node --version), not 20 or later"
 must_print "node $(node --version)" node node.mjs first.obj
 [[ $(node_modules/.bin/node --version) = v18.* ]] || fail "node 18 is $(node_modules/.bin/node --version)"
 must_print "node 18" node_modules/.bin/node node.mjs first.obj

@@ -91,9 +91,9 @@ bool read_case(const std::string& base, ExactCase& exact) {
 }
 
 double tolerance_of(const ExactCase& exact, const scenes::CastQuery& move, const std::vector<std::uint32_t>& faces) {
-    double size = std::max(largest(move.sphere.centre), largest(move.sphere.centre + move.path));
+    double size = std::max(max_abs(move.sphere.centre), max_abs(move.sphere.centre + move.path));
     for (const std::uint32_t face : faces)
-        for (const Vec3& corner : exact.faces[face]) size = std::max(size, largest(corner));
+        for (const Vec3& corner : exact.faces[face]) size = std::max(size, max_abs(corner));
     return 1e-9 * std::max(1.0, size / 1000);
 }
 

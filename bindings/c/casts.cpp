@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Questions to a world. Those that answer one struct take no memory, no lock, and count no reference.
 #include <algorithm>
+#include <string>
 #include <vector>
 
-#include "bindings/c/batch_tasks.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
 #include "firma/rooms.h"
@@ -19,7 +19,14 @@ void add(const CastCounts& counts, firma_cast_counts& out) {
     out.precise += counts.precise;
 }
 
-constexpr const char* kBadSphere = "a number is not finite or too large, the radius negative, or there is no such room";
+/// Says why nothing could be asked: the room, or else the numbers.
+firma_code not_asked(const World& world, RoomId room, const char* numbers, const char* function) {
+    if (room != kAnyRoom && room.value >= world.room_count())
+        return fail(FIRMA_ERROR_INVALID, function, "the world has no room " + std::to_string(room.value));
+    return fail(FIRMA_ERROR_OUT_OF_RANGE, function, numbers);
+}
+
+constexpr const char* kBadSphere = "a number is not finite or too large, or the radius negative";
 
 /// What one call of a batch's work does.
 constexpr std::size_t kCastsATask = 256;
@@ -113,7 +120,7 @@ firma_code firma_cast_all(firma_world world, const firma_cast_input* input, cons
         if (const firma_code code = read_options(options, chosen, function)) return code;
         std::vector<Hit> found;
         if (cast_all(object->world, sphere_of(*input), vec(input->path), found, chosen) == Status::kInvalid)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
+            return not_asked(object->world, chosen.room == kLocateRoom ? kAnyRoom : chosen.room, kBadSphere, function);
         put_some(found, hits, capacity, count, put_hit);
         return FIRMA_OK;
     });
@@ -207,7 +214,7 @@ firma_code firma_overlap(firma_world world, const double centre[3], double radiu
         if (const firma_code code = read_options(options, chosen, function)) return code;
         std::vector<Overlap> near;
         if (overlap(object->world, {{centre[0], centre[1], centre[2]}, radius}, near, chosen) == Status::kInvalid)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
+            return not_asked(object->world, chosen.room, kBadSphere, function);
         put_some(near, found, capacity, count, put_overlap);
         return FIRMA_OK;
     });
@@ -229,7 +236,7 @@ firma_code firma_overlap_each(firma_world world, const double centre[3], double 
         };
         const World held = object->world;  // which the visitor may release
         const Status met = overlap_each(held, {{centre[0], centre[1], centre[2]}, radius}, show, chosen);
-        if (met == Status::kInvalid) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, kBadSphere);
+        if (met == Status::kInvalid) return not_asked(held, chosen.room, kBadSphere, function);
         if (found) *found = met != Status::kMiss;
         return FIRMA_OK;
     });
@@ -246,8 +253,8 @@ firma_code firma_closest(firma_world world, const double point[3], double reach,
         const NearFace nearest =
             reach >= 0 ? closest(object->world, {point[0], point[1], point[2]}, reach, chosen) : NearFace{};
         if (!(reach >= 0) || nearest.status == Status::kInvalid)
-            return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
-                        "a number is not finite or too large, the reach negative, or there is no such room");
+            return not_asked(object->world, chosen.room, "a number is not finite or too large, or the reach negative",
+                             function);
         *found = nearest.found();
         if (nearest.found()) put_near(nearest, *near);
         return FIRMA_OK;

@@ -45,6 +45,9 @@ firma_code read_options(const firma_cast_options* given, CastOptions& cast, firm
 firma_code read_options(const firma_near_options* given, NearOptions& near, const char* function);
 firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function);
 
+/// The caller's hook that batches are spread over, of firma_set_tasks(); `run` null: in the calling thread.
+Tasks batch_tasks();
+
 Pose pose_of(const firma_pose& pose);
 void put_hit(const Hit& hit, firma_hit& out);
 void put_near(const NearFace& near, firma_near& out);

@@ -165,8 +165,10 @@ firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         auto list = std::make_unique<FacesObject>();
-        if (const std::optional<Face> face = object->world.face({{id}, {corner[0], corner[1], corner[2]}}))
-            list->list.add(*face, face->corners);
+        const std::optional<Face> face = object->world.face({{id}, {corner[0], corner[1], corner[2]}});
+        if (!face)
+            return fail(FIRMA_ERROR_INVALID, function, "the world has no such face: cut since, or of another world");
+        list->list.add(*face, face->corners);
         return give(std::move(list), faces, function);
     });
 }
@@ -223,7 +225,10 @@ firma_code firma_world_diff(firma_world before, firma_world after, double tile_s
             return fail(FIRMA_ERROR_INVALID, function, "the size of a tile must be 0, or 1/16 m and more");
         auto made = std::make_unique<DiffObject>();
         made->diff = diff_worlds(first->world, second->world, tile_size);
-        for (const FaceInfo& face : made->diff.removed) made->removed.push_back(face.id.value);
+        for (const FaceInfo& face : made->diff.removed) {
+            made->removed.push_back(face.id.value);
+            made->removed_faces.push_back(plain(face, 0, 0));
+        }
         for (const FaceInfo& face : made->diff.added)
             if (const std::optional<Face> whole = second->world.face(face.ref()))
                 made->added.add(*whole, whole->corners);
@@ -240,6 +245,7 @@ firma_code firma_diff_get_view(firma_diff diff, firma_diff_view* out) {
         static_assert(sizeof(Tile) == 3 * sizeof(std::int32_t));
         firma_diff_view view{};
         view.removed = object->removed.data();
+        view.removed_faces = object->removed_faces.data();
         view.removed_count = object->removed.size();
         view.added = object->added.faces.data();
         view.added_count = object->added.faces.size();

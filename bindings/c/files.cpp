@@ -43,8 +43,8 @@ firma_code load(const char* path, const firma_world_options* options, firma_worl
 }
 
 firma_code save(const World& world, const char* path, const SaveOptions& options, const char*) {
-    const std::optional<Error> error = save_world(world, path, options);
-    return error ? fail(*error) : FIRMA_OK;
+    const Result<FirmaWritten> saved = save_world(world, path, options);
+    return saved ? FIRMA_OK : fail(saved.error());
 }
 
 #endif

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Version, errors, hooks.
-#include "bindings/c/batch_tasks.h"
-#include "bindings/c/calls.h"
+#include <cstddef>
+#include <mutex>
+#include <new>
+
+#include "base/lock.h"
+#include "bindings/c/convert.h"
 #include "firma/memory.h"
 
 namespace firma::c {
@@ -10,7 +14,28 @@ namespace {
 constexpr std::size_t kLongestMessage = 2047;
 thread_local char message[kLongestMessage + 1];
 
+struct BatchHook {
+    Lock lock;
+    Tasks tasks{};
+};
+
+BatchHook& batch_hook() {
+    alignas(BatchHook) static std::byte place[sizeof(BatchHook)];  // never destroyed, never without memory
+    static auto& only = *new (place) BatchHook;
+    return only;
+}
+
+void set_batch_tasks(const firma_tasks& tasks) {
+    const std::lock_guard<Lock> guard(batch_hook().lock);
+    batch_hook().tasks = {tasks.run, tasks.user};
+}
+
 }  // namespace
+
+Tasks batch_tasks() {
+    const std::lock_guard<Lock> guard(batch_hook().lock);
+    return batch_hook().tasks;
+}
 
 firma_code fail(firma_code code, std::string_view place, std::string_view reason) noexcept {
     std::size_t length = 0;

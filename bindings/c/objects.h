@@ -64,6 +64,7 @@ struct DiffObject final : Object {
     static constexpr const char* kNoun = "diff";
     WorldDiff diff;
     std::vector<std::uint32_t> removed;
+    std::vector<firma_face> removed_faces;
     FaceList added;
 };
 

@@ -62,7 +62,7 @@ firma_code firma_world_locate(firma_world world, const double point[3], uint32_t
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const Vec3 at{point[0], point[1], point[2]};
-        if (!is_finite(at) || largest(at) > kLargestNumber)
+        if (!is_finite(at) || max_abs(at) > kLargestNumber)
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a coordinate is not finite or too large");
         const Location found = locate(object->world, at);
         static_assert(int(Where::kAir) == FIRMA_AIR && int(Where::kSolid) == FIRMA_SOLID &&

@@ -76,7 +76,7 @@ firma_code firma_world_triangles(firma_world world, const firma_triangle_options
             return fail(FIRMA_ERROR_INVALID, function, "either a room or a region, not both");
         if (in_room && options->room >= object->world.room_count())
             return fail(FIRMA_ERROR_INVALID, function, "the world has no such room");
-        if (!is_finite(vec(options->origin)) || largest(vec(options->origin)) > kMaxTriangleOrigin)
+        if (!is_finite(vec(options->origin)) || max_abs(vec(options->origin)) > kMaxTriangleOrigin)
             return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the origin is not finite or too large");
         std::vector<std::array<double, 2>> sizes(std::min(options->texture_size_count, materials_of(object->world)));
         for (std::size_t k = 0; k < sizes.size(); ++k)

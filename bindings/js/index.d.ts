@@ -7,6 +7,11 @@
 // Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
 // not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
 //
+// One rule says where a failure shows: where the answer has a status (cast(), castBatch()), bad numbers of the input and
+// a room that is not there give status 'invalid'; everywhere else they throw, OUT_OF_RANGE for the numbers, INVALID for
+// the room. Options that make no sense, and faces, portals and materials that the world does not have, throw INVALID
+// everywhere. A search that finds nothing has not failed: it returns null, false or nothing in a list.
+//
 // Costs. A call costs what the module does for it, as said at each, and copying: arguments into the module's memory,
 // answers out of it, into arrays and objects of their own. Every World, Level, Cutter, Job, Edit and Store returned is
 // a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
@@ -241,8 +246,8 @@ export interface WorldFacts {
     edits: number;
 }
 
-/** Faces, an array for each of their properties; face k has corners firstCorners[k] and on, cornerCounts[k] of them. */
-export interface Faces {
+/** Faces without their outlines, an array for each of their properties. */
+export interface FaceInfos {
     /** Of the world's lifetime: a face keeps its id until an edit touches it. */
     ids: Uint32Array;
     /** Unit, three for each. */
@@ -257,11 +262,15 @@ export interface Faces {
     flags: Uint32Array;
     /** That they look into. */
     rooms: Uint32Array;
+    /** The first corner of each, three integers, in steps of 1/262144 m: where World.face() looks for it. */
+    firstPoints: Int32Array;
+}
+
+/** Faces with their outlines; face k has corners firstCorners[k] and on, cornerCounts[k] of them. */
+export interface Faces extends FaceInfos {
     /** Counted in points. */
     firstCorners: Uint32Array;
     cornerCounts: Uint32Array;
-    /** The first corner of each, three integers, in steps of 1/262144 m: where World.face() looks for it. */
-    firstPoints: Int32Array;
     /** Three for each; convex, counter-clockwise seen from the front. */
     corners: Float64Array;
 }
@@ -400,12 +409,11 @@ export interface CastOptions {
     mask?: number;
     /** Whether faces are met from behind too. */
     bothSides?: boolean;
-    /** Metres; the world's unless given. */
+    /** Metres, finite; the world's unless given, and where it is negative. */
     contactOffset?: number;
     /**
      * The room that the start lies in, and the cast goes on through portals; or 'locate': it finds out; 'any' (the
-     * default): all rooms are asked. From the air, clear of all faces, the answer is the same. A room that is not there
-     * is a bad number.
+     * default): all rooms are asked. From the air, clear of all faces, the answer is the same.
      */
     room?: number | 'any' | 'locate';
 }
@@ -486,8 +494,8 @@ export interface NearOptions {
 }
 
 /**
- * 'invalid': a number of the input is non-finite or out of range, nothing was asked. 'touching': at the start, and
- * moving closer.
+ * 'invalid': a number of the input is non-finite or out of range, or the world does not have the room: nothing was
+ * asked. 'touching': at the start, and moving closer.
  */
 export type Status = 'miss' | 'hit' | 'touching' | 'invalid';
 export type Feature = 'face' | 'edge' | 'vertex';
@@ -638,6 +646,8 @@ export interface CarveResult {
 export interface Diff {
     /** Ids of faces. */
     removed: Uint32Array;
+    /** The same faces as the world before had them, with rooms and sources; its face() has their outlines. */
+    removedFaces: FaceInfos;
     /** In order of id. */
     added: Faces;
     /** Rooms that a face left or came to, that became part of another, or that one world only has. */
@@ -746,10 +756,18 @@ export interface World extends Handle {
      */
     faces(filter?: FaceFilter): Faces;
     /**
-     * The face of a hit, or another; null when this world has no such face: cut since, or of another world. Costs a
-     * walk through the index.
+     * Faces one by one, in no particular order, until visit returns false: all of them by {}. What `visit` throws ends
+     * it and is thrown. Takes no memory of the module but for a filter. Costs the walk through the index down to the
+     * faces, of a room its faces, and each an object and a call out of the module.
+     * @returns whether visit let it come to an end: true also where there was no face to show
+     * @throws {FirmaError} INVALID for a room that is not there, OUT_OF_RANGE for a box that is not finite
      */
-    face(ref: FaceRef): Face | null;
+    eachFace(filter: FaceFilter | undefined, visit: (face: Face) => boolean | void): boolean;
+    /**
+     * The face of a hit, or another. Costs a walk through the index.
+     * @throws {FirmaError} INVALID for a miss, and where this world has no such face: cut since, or of another world
+     */
+    face(ref: FaceRef): Face;
     /**
      * Copies of faces as triangles, for a renderer or another engine's collider. Costs the faces that the options take,
      * sorting them, an object for each (Triangles.sources), and with texture coordinates a search for each.
@@ -759,21 +777,22 @@ export interface World extends Handle {
     /**
      * How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an
      * edit made, and where the file says nothing, its unit is 'metres': straight along the axis nearest to its normal.
-     * @param face a hit: costs a walk through the index, and a search among the faces of the file; or an id: then all
-     *     faces are searched
+     * @param face one of a hit or of faces: costs a walk through the index, and a search among the faces of the file;
+     *     or an id: then all faces are searched
      * @throws {FirmaError} INVALID for a face that the world does not have
      */
-    texture(face: Hit | number): Texture;
+    texture(face: FaceRef | number): Texture;
     /** Null when the world has no such face. Goes through all faces of the world. */
     findFace(id: number): Face | null;
 
     /**
-     * The first touch. Numbers that are not finite, or a negative radius, give status 'invalid'. What casts cost grows
-     * with the logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for
-     * castAny(), up to where visit ends it for castEach(), along all of it for castAll(). By room it is the faces of
-     * the rooms reached alone, and the box of each of their portals; room 'locate' adds locate(). Of many casts
-     * castBatch() costs least, as it makes no objects. With `passed` or `passedPortals`, where more than 64 rooms are
-     * reached, the cast is made twice.
+     * The first touch. Numbers of the input that are not finite or too large, a negative radius, and a room that is not
+     * there give status 'invalid'; a contact offset that is not finite throws INVALID. What casts cost grows with the
+     * logarithm of the faces, and with the faces near the path: up to the first touch here, up to any for castAny(), up
+     * to where visit ends it for castEach(), along all of it for castAll(). By room it is the faces of the rooms
+     * reached alone, and the box of each of their portals; room 'locate' adds locate(). Of many casts castBatch() costs
+     * least, as it makes no objects. With `passed` or `passedPortals`, where more than 64 rooms are reached, the cast
+     * is made twice.
      */
     cast(input: CastInput, options?: SingleCastOptions): Hit;
     /**
@@ -782,12 +801,16 @@ export interface World extends Handle {
      *     another world
      */
     hitInfo(hit: Hit): HitInfo;
-    /** Whether there is any touch. @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range */
+    /**
+     * Whether there is any touch.
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, INVALID for a room that is not
+     *     there
+     */
     castAny(input: CastInput, options?: CastOptions): boolean;
     /**
      * Every face and closed portal met along the whole path, by fraction, then id. Costs an object for each, and
      * sorting them; where they are more than some 1,400, the cast is made twice.
-     * @throws {FirmaError} OUT_OF_RANGE as castAny()
+     * @throws {FirmaError} OUT_OF_RANGE, INVALID as castAny()
      */
     castAll(input: CastInput, options?: CastOptions): Hit[];
     /**
@@ -796,7 +819,7 @@ export interface World extends Handle {
      * call out of the module.
      * @param visit returns the fraction up to which to look on: hit.fraction asks for nothing later than this hit; true
      *     or nothing: on as before; false or 0: enough
-     * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE as castAny()
+     * @returns whether visit was given anything @throws {FirmaError} OUT_OF_RANGE, INVALID as castAny()
      */
     castEach(input: CastInput, visit: (hit: Hit) => number | boolean | void, options?: CastOptions): boolean;
     /**
@@ -811,8 +834,8 @@ export interface World extends Handle {
      * Faces that a closed ball touches, by id, then closed portals. Costs a walk through the index to the faces near
      * the ball, an object for each that it touches, and sorting them; where these are more than some 2,200, it is asked
      * twice. By room, where any portal of the world is closed, also a look at each portal of the room, as closest().
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, a negative radius, or a room
-     *     that is not there
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, or a negative radius; INVALID
+     *     for a room that is not there
      */
     overlap(centre: Vector, radius: number, options?: NearOptions): Overlap[];
     /**
@@ -824,8 +847,8 @@ export interface World extends Handle {
      * The nearest point of all faces and closed portals within `reach` metres, anywhere unless given; null when there
      * is none. Costs a walk through the index to the faces about as near as the nearest; a short reach where nothing is
      * near costs least.
-     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, a negative reach, or a room
-     *     that is not there
+     * @throws {FirmaError} OUT_OF_RANGE for numbers that are non-finite or out of range, or a negative reach; INVALID
+     *     for a room that is not there
      */
     closest(point: Vector, reach?: number, options?: NearOptions): Near | null;
 

@@ -86,6 +86,18 @@ firma_code firma_wasm_overlap_each(firma_world world, const double centre[3], do
         [](const firma_near* near, void*) { return uint32_t(firma_host_visit(near) != 0); }, nullptr, found);
 }
 
+firma_code firma_wasm_each_face(firma_world world, const firma_face_filter* filter, uint32_t* completed) {
+    struct Shown {
+        const firma_face* face;
+        const double* corners;
+    };
+    const auto show = [](const firma_face* face, const double* corners, void*) {
+        const Shown shown{face, corners};
+        return uint32_t(firma_host_visit(&shown) != 0);
+    };
+    return firma_world_each_face(world, filter, show, nullptr, completed);
+}
+
 int clock_gettime(clockid_t, timespec* time) {
     const double us = firma_host_now();
     time->tv_sec = time_t(us / 1e6);

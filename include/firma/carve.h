@@ -106,7 +106,7 @@ public:
 
     /// The world after all edits, its version one above the first one's; the first one itself when none was done.
     /// Costs the same for every world and every number of edits.
-    FIRMA_EXPORT World finish() const;
+    [[nodiscard]] FIRMA_EXPORT World finish() const;
 
 private:
     World before_, now_;

@@ -62,7 +62,8 @@ private:
 };
 
 /// A crater shape of mean radius about 1 around the origin, which sees every point of its surface. The same numbers
-/// from the same seed on every machine. Costs the shape's triangles, which allocate; make it once and place it often.
+/// from the same seed on every machine; for what is no shape, a cutter that is not valid(). Costs the shape's
+/// triangles, which allocate; make it once and place it often.
 [[nodiscard]] FIRMA_EXPORT Cutter make_crater(CutterShape shape, std::uint64_t seed);
 
 /// A cutter from a mesh. An inside-out one is turned over; vertices that no triangle uses are left out.

@@ -10,6 +10,11 @@
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
+ * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
+ * firma_cast_each(), firma_cast_batch()), bad numbers of the input and a room that the world does not have give
+ * FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code, FIRMA_ERROR_OUT_OF_RANGE for the numbers,
+ * FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces, portals and materials that the world does
+ * not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing has not failed: it says so in its output.
  *
  * Structs. Those that begin with `size` may grow in later versions: set it to the struct's sizeof, also in structs that
  * a call fills (`firma_room room = {.size = sizeof room};`). A caller that was compiled with an older, shorter struct
@@ -397,8 +402,8 @@ FIRMA_API firma_code firma_world_faces_in(firma_world world, const firma_face_fi
  * it may be null. */
 FIRMA_API firma_code firma_world_each_face(firma_world world, const firma_face_filter* filter, firma_face_visitor visit,
                                            void* user, uint32_t* completed);
-/* The face of a hit, a firma_near or a firma_face by its id and first corner; none in the list when the world has no
- * such face: cut since, or of another world. Costs a walk through the index. */
+/* The face of a hit, a firma_near or a firma_face by its id and first corner: a list of one. FIRMA_ERROR_INVALID when
+ * the world has no such face: cut since, or of another world. Costs a walk through the index. */
 FIRMA_API firma_code firma_world_face(firma_world world, uint32_t id, const int32_t corner[3], firma_faces* faces);
 /* One face by its id; none in the list when the world has no such face. Goes through all faces of the world. */
 FIRMA_API firma_code firma_world_find_face(firma_world world, uint32_t id, firma_faces* faces);
@@ -595,7 +600,7 @@ typedef struct firma_cast_options {
     uint32_t sides;        /* 0: the front, where the face does not say both; 1: both sides of all */
     uint32_t room;         /* the one that the start lies in, and the cast goes on through portals; or FIRMA_ANY_ROOM,
                               FIRMA_LOCATE_ROOM. From the air, clear of faces, the answer is the same: docs/rooms.md */
-    double contact_offset; /* metres; negative takes the world's */
+    double contact_offset; /* metres, finite; negative takes the world's */
     uint32_t* passed;      /* gets the rooms that firma_cast() passes, in the order in which they are reached, the first
                               `passed_capacity` of them; may be null when that is 0. Of no use to the other calls */
     size_t passed_capacity;
@@ -616,8 +621,8 @@ typedef struct firma_hit {
     double point[3];      /* of the surface */
     double normal[3];     /* unit, from `point` toward the centre */
     double face_normal[3];
-    uint32_t status;  /* firma_status; FIRMA_INVALID: a number of the input is non-finite or out of range, nothing was
-                         asked */
+    uint32_t status;  /* firma_status; FIRMA_INVALID: a number of the input is non-finite or out of range, or the world
+                         does not have the room: nothing was asked */
     uint32_t feature; /* firma_feature */
     uint32_t feature_index; /* corner of the vertex, or of the edge's first corner */
     uint32_t face;          /* FIRMA_NO_FACE for a miss, and where a closed portal was met */
@@ -647,7 +652,9 @@ typedef struct firma_cast_counts {
     uint64_t nodes, boxes, faces, precise;
 } firma_cast_counts;
 
-/* The first touch. Bad numbers give FIRMA_OK with status FIRMA_INVALID. `counts` may be null. */
+/* The first touch. Bad numbers in the input, and a room that the world does not have, give FIRMA_OK with status
+ * FIRMA_INVALID; options that make no sense, as a contact offset that is not finite, FIRMA_ERROR_INVALID. `counts` may
+ * be null. */
 FIRMA_API firma_code firma_cast(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                 firma_hit* hit, firma_cast_counts* counts);
 /* Whether there is any touch: firma_status. */
@@ -655,7 +662,8 @@ FIRMA_API firma_code firma_cast_any(firma_world world, const firma_cast_input* i
                                     uint32_t* status);
 /* Every face and closed portal met along the whole path, by fraction, then id. `count` gets how many there are; the
  * first `capacity` of them are written (`hits` may be null when that is 0). Takes memory for all of them, and sorts
- * them. FIRMA_ERROR_OUT_OF_RANGE where firma_cast() gives FIRMA_INVALID. */
+ * them. Where firma_cast() gives FIRMA_INVALID: FIRMA_ERROR_OUT_OF_RANGE for numbers, FIRMA_ERROR_INVALID for a room
+ * that the world does not have. */
 FIRMA_API firma_code firma_cast_all(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
                                     firma_hit* hits, size_t capacity, size_t* count);
 /* Gets one hit at a time, good until it returns. Returns the fraction up to which to look on: 1 goes on as before,
@@ -697,7 +705,8 @@ FIRMA_API void firma_near_options_defaults(firma_near_options* options);
 
 /* Faces that a closed ball touches, in order of id, then closed portals; as for firma_cast_all(). For a centre behind a
  * one-sided face the way out is that face's normal. FIRMA_ERROR_OUT_OF_RANGE for numbers that are not finite or too
- * large, a negative radius, and a room that the world does not have. Takes memory for all it finds, and sorts it. */
+ * large, and a negative radius; FIRMA_ERROR_INVALID for a room that the world does not have. Takes memory for all it
+ * finds, and sorts it. */
 FIRMA_API firma_code firma_overlap(firma_world world, const double centre[3], double radius,
                                    const firma_near_options* options, firma_near* found, size_t capacity,
                                    size_t* count);
@@ -708,7 +717,8 @@ FIRMA_API firma_code firma_overlap_each(firma_world world, const double centre[3
                                         const firma_near_options* options, firma_overlap_visitor visit, void* user,
                                         uint32_t* found);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
- * FIRMA_ERROR_OUT_OF_RANGE as above, and for a negative reach. A short reach where nothing is near costs least. */
+ * Errors as above, and FIRMA_ERROR_OUT_OF_RANGE for a negative reach. A short reach where nothing is near costs
+ * least. */
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
                                    const firma_near_options* options, firma_near* near, uint32_t* found);
 
@@ -824,7 +834,9 @@ typedef struct firma_diff_view {
     size_t portals_added_count, portals_removed_count;
     const uint32_t* portals_changed; /* of both, with other rooms, polygons or names */
     size_t portals_changed_count;
-    double low[3], high[3]; /* bounds of all that changed; low > high when nothing did */
+    double low[3], high[3];          /* bounds of all that changed; low > high when nothing did */
+    const firma_face* removed_faces; /* `removed` as the world before had them, with room and source; without corners
+                                        (corner_count 0), which firma_world_face() of that world has */
 } firma_diff_view;
 
 /* What changed from one world to another. `tile_size` metres, 0 for no tiles; FIRMA_ERROR_INVALID for one below 1/16.
@@ -906,6 +918,7 @@ static inline firma_code firma_in_solid(firma_world world, const double point[3]
 #define faces_looked_at candidate_faces
 #define faces_gone faces_removed
 #define faces_new faces_added
+#define part_of merged_into
 #define gone removed
 #define gone_count removed_count
 #define come added

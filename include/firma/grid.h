@@ -42,7 +42,7 @@ FIRMA_INLINE Vec3 to_metres(const GridPoint& p) {
 /// @return the point in surface steps (a multiple of 64 in each coordinate); nothing when a coordinate is not finite,
 ///         or lies outside the world once rounded.
 /// Costs the same for every point; never allocates.
-FIRMA_EXPORT std::optional<GridPoint> snap(const Vec3& point);
+[[nodiscard]] FIRMA_EXPORT std::optional<GridPoint> snap(const Vec3& point);
 
 /// Distances in metres. Nothing in a cast depends on them but `safe_fraction`.
 struct Tolerance {

@@ -40,6 +40,6 @@ struct MemorySource {
 /// For the whole process, and only before the pool took anything: call it first thing in main().
 /// @return false once it is too late, or when a function is missing; then nothing changes
 /// Costs nothing by itself; what the source costs, every slab costs.
-FIRMA_EXPORT bool set_memory_source(const MemorySource& source);
+[[nodiscard]] FIRMA_EXPORT bool set_memory_source(const MemorySource& source);
 
 }  // namespace firma

@@ -120,8 +120,8 @@ struct Tasks {
 ///         had; then every hit is kInvalid
 /// Costs its casts, 256 of them a piece of work. Allocates once, some bytes for each piece, for options.counts, and
 /// once where tasks are given and there are several pieces.
-FIRMA_EXPORT bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
-                             const CastOptions& options = {}, const Tasks* tasks = nullptr);
+[[nodiscard]] FIRMA_EXPORT bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
+                                           const CastOptions& options = {}, const Tasks* tasks = nullptr);
 
 /// What questions without motion are limited to.
 struct NearOptions {

@@ -81,13 +81,17 @@ FIRMA_EXPORT Result<GltfLevel> read_gltf(std::span<const std::byte> bytes, std::
 
 /// The same of a file, read into memory first; buffers may lie in files beside it or below.
 /// @return kCannotRead with the system's reason, else as above
+/// Costs reading the file, held in memory until it returns, and the same.
 FIRMA_EXPORT Result<GltfLevel> read_gltf(const std::string& path, const GltfOptions& options = {});
 
 /// Checks the level as it was snapped, not the file's own floats: nodes place a vertex by products that are rounded, so
 /// that corners that were meant to meet differ in their last bits. Faults and positions are exact on the grid, sources
 /// as the level has them; notes are those of the level: dropped and divided. Costs as check_obj(), with the level's
 /// vertices and corners.
-FIRMA_EXPORT MeshCheck check_gltf(const GltfLevel& gltf);
+/// @return kInvalid or kTooLarge, as make_world(), for a level that no reader makes: a face that is not convex and
+///         planar, or whose corners, material, group or texture are not there; kInvalid for other than one of
+///         GltfLevel::note_places for each note
+[[nodiscard]] FIRMA_EXPORT Result<MeshCheck> check_gltf(const GltfLevel& gltf);
 
 /// Indices are into GltfLevel::portals.
 using GltfRooms = PortalReport;

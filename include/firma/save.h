@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,16 +50,21 @@ inline constexpr std::uint32_t kFirmaFileVersion = 2;
 FIRMA_EXPORT Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
 
 /// Whether bytes begin as those of a .firma file do, of whatever version. Reads the first few bytes only.
-FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
+[[nodiscard]] FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
+
+/// What save_world() wrote.
+struct FirmaWritten {
+    std::uint64_t bytes = 0;
+};
 
 /// Saves a world: the file appears whole or not at all. Bytes go beside it, into a file of its name with ".part"
 /// behind, which is flushed and renamed; then the folder is flushed. Killed at any moment it leaves what was there
 /// before, and at most the ".part", which the next save of that name takes over. Several saves of one name at once, by
 /// threads or processes, wait for each other. A link is followed, and an error where it leads nowhere; the mode of a
 /// file that was there is kept.
-/// @return nothing on success; kCannotWrite with the system's reason; kInvalid for an empty path
+/// @return how much was written; kCannotWrite with the system's reason; kInvalid for an empty path
 /// Costs pack_world(), all of whose bytes are held in memory, writing them, and two flushes that wait for the disk.
-[[nodiscard]] FIRMA_EXPORT std::optional<Error> save_world(const World& world, const std::string& path,
+[[nodiscard]] FIRMA_EXPORT Result<FirmaWritten> save_world(const World& world, const std::string& path,
                                                            const SaveOptions& options = {});
 
 /// Reads a file into memory, and from there as unpack_world() does. A file that something else changes or cuts short
@@ -70,7 +74,7 @@ FIRMA_EXPORT bool is_firma_file(std::span<const std::byte> bytes);
 /// Costs reading all of it and unpack_world(); of a file that is no .firma file no more than a mebibyte is read.
 FIRMA_EXPORT Result<World> load_world(const std::string& path);
 
-/// What was written.
+/// What write_obj() wrote.
 struct ObjWritten {
     std::size_t faces = 0;
     std::size_t vertices = 0;
@@ -97,15 +101,16 @@ using TextSink = std::function<bool(std::string_view)>;
 /// takes.
 ///
 /// @param put  gets some 64 KiB at a time
-/// @return nothing once `put` failed
+/// @return kCannotWrite once `put` failed, which is not called again
 /// Costs all faces, and sorting them and their corners; takes memory for both, not for the text.
-FIRMA_EXPORT std::optional<ObjWritten> write_obj(const World& world, const TextSink& put,
-                                                 ObjFaces which = ObjFaces::kAll);
+[[nodiscard]] FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const TextSink& put,
+                                                        ObjFaces which = ObjFaces::kAll);
 
 /// The same into a file, which appears whole or not at all: it is written beside its place, under a name that ends in
 /// ".part", then renamed.
 /// @return kCannotWrite with the system's reason
 /// Costs the same, writing the text, and flushes as of save_world().
-FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFaces which = ObjFaces::kAll);
+[[nodiscard]] FIRMA_EXPORT Result<ObjWritten> write_obj(const World& world, const std::string& path,
+                                                        ObjFaces which = ObjFaces::kAll);
 
 }  // namespace firma

@@ -172,7 +172,7 @@ struct LevelSolidity {
 };
 
 /// What of a level make_world() can make carvable, and why not the rest. Closed pieces can, exactly as snapped: each
-/// edge used equally often each way, no crossing, no touching but for common edges and vertices, one-sided faces.
+/// edge used equally often each way, no crossing, no contact but for common edges and vertices, one-sided faces.
 /// @param level  one that make_world() refuses has no solid face and no note
 /// Grows with the faces, and with the pairs of them whose boxes meet, up to a limit of so many a face: what would take
 /// more is kTooComplex.

@@ -68,7 +68,9 @@ struct TriangleOptions {
 
 /// The triangles of all faces of a world, of a room, or of a region. None is without area on the surface grid. The same
 /// worlds give the same triangles in the same order, however their faces are kept.
-/// @return none for a room or region that is not there, or an origin that is not finite or beyond kMaxTriangleOrigin
+/// @return an empty mesh, and no error, for a room that is not there, a region that holds nothing, an origin that is
+/// not
+///         finite or beyond kMaxTriangleOrigin
 /// Costs some hundred nanoseconds a face, and sorting them; with texture coordinates a search a face besides, and,
 /// where a face of the file had no one projection and was divided, a look at all of its pieces for each. Of a room it
 /// costs that room's faces, of a region the walk through the index down to it and the faces there. Takes memory for the

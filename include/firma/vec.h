@@ -60,10 +60,14 @@ FIRMA_INLINE double length(const Vec3& a) {
 }
 
 /// The largest absolute coordinate.
-FIRMA_INLINE double largest(const Vec3& a) {
+FIRMA_INLINE double max_abs(const Vec3& a) {
     const double x = std::fabs(a.x), y = std::fabs(a.y), z = std::fabs(a.z);
     const double xy = x < y ? y : x;
     return xy < z ? z : xy;
+}
+/// Its name in version 0.1; the next version has it no more.
+[[deprecated("max_abs()")]] FIRMA_INLINE double largest(const Vec3& a) {
+    return max_abs(a);
 }
 
 /// By the bits, so that no option for floating point decides. (A program built with -ffast-math promises that it has

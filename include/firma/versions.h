@@ -55,8 +55,8 @@ struct WorldDiff {
 /// nothing (read twice, or with an index built anew) cost all faces of both, in time and memory. Tiles cost one entry
 /// for each tile in a changed face's box, and sorting them.
 ///
-/// @param tile_size  metres, for `tiles`, at least kMinTileSize; anything smaller (0, say) or not finite leaves them
-///                   out.
+/// @param tile_size  metres, for `tiles`, at least kMinTileSize; anything smaller (0, say) or not finite is no error,
+///                   and `tiles` stays empty.
 ///                   A long face slanted across many tiles counts for each in its box, so a size far below the faces'
 ///                   makes a long list; one of more than kMaxTiles is left out, and too_many_tiles is set.
 [[nodiscard]] FIRMA_EXPORT WorldDiff diff_worlds(const World& before, const World& after, double tile_size = 0);
@@ -108,7 +108,7 @@ public:
     /// A version of the history, undone ones included; nothing when it is not kept. Numbers name versions of
     /// one line: when some were undone and others published instead, their numbers are used again.
     /// Costs a binary search among the versions kept; never allocates.
-    FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
+    [[nodiscard]] FIRMA_EXPORT std::optional<World> at(std::uint64_t version) const;
     /// What is kept. Kept up by the calls that change it: costs the same however much that is; never allocates.
     FIRMA_EXPORT StoreHistory history() const;
 

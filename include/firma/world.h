@@ -141,18 +141,18 @@ struct WorldOptions {
 /// can be carved is found at the cost of level_solidity().
 [[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Level& level, const WorldOptions& options = {});
 
-/// Faces by visitor; none is left out, and none comes twice. Nothing is allocated. They cost what is looked through:
-/// the index down to the box, the faces of the room, the index down to the region.
-/// @return whether the visitor let it come to an end
-
-/// All.
+/// All faces by visitor, once each.
+/// @return whether the visitor let it come to an end, here and below: true also where there was no face to show
+/// Costs all faces, up to the one that the visitor ends it at. Never allocates.
 FIRMA_EXPORT bool each_face(const World& world, FaceVisitor visit);
 /// Those whose own box shares a point with a box (metres, closed). A box that is empty or not finite has none.
+/// Costs a walk through the index down to the faces near the box. Never allocates.
 FIRMA_EXPORT bool each_face(const World& world, const Box& box, FaceVisitor visit);
 /// Those that look into a room, or into the one that it became part of. A room that is not there has none; kAnyRoom has
-/// all.
+/// all. Costs the faces of the room. Never allocates.
 FIRMA_EXPORT bool each_face(const World& world, RoomId room, FaceVisitor visit);
-/// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region.
+/// Those of a region: whose lowest corner lies in this cube of 32 m (RegionHash::region). Each face is in one region; a
+/// region that holds nothing has none. Costs a walk through the index down to the faces there. Never allocates.
 FIRMA_EXPORT bool each_face(const World& world, const Region& region, FaceVisitor visit);
 
 /// How the texture lies on a face, as the level's file says it: that of the file's face that it was cut from. Edits

@@ -76,11 +76,13 @@ private:
     bool is_kept(std::uint32_t use) const { return kept_[users_.cell_of(use)] != Kept::kNot; }
     std::uint32_t group_of(std::uint32_t use) { return groups_.find(users_.cell_of(use)); }
 
-    /// Points that lie on pieces where both solids are.
+    /// Points that lie on pieces where both solids are, and the faces there.
     void find_contacts() {
         contact_.assign(overlay_.tables.points.size(), 0);
+        met_.assign(overlay_.faces.size(), 0);
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) {
             if (!users_.shared(piece)) continue;
+            for (const std::uint32_t use : users_.at(piece)) met_[cells_.cells[users_.cell_of(use)].face] = 1;
             contact_[lines_.piece(piece).from] = 1;
             contact_[lines_.piece(piece).to] = 1;
         }
@@ -96,13 +98,22 @@ private:
                 if (!is_kept(uses[j]) || uses_[uses[j]].forward || dissolved_[uses[j]]) continue;
                 const std::uint32_t b = users_.cell_of(uses[j]);
                 if (plane_of(a) != plane_of(b)) continue;
-                if (groups_.find(a) != groups_.find(b) && !(users_.shared(piece) && are_alike(a, b))) continue;
+                if (groups_.find(a) != groups_.find(b) && !(may_merge(uses[i], uses[j]) && are_alike(a, b))) continue;
                 groups_.join(a, b);
                 dissolved_[uses[i]] = dissolved_[uses[j]] = 1;
+                contact_[lines_.piece(piece).from] = contact_[lines_.piece(piece).to] = 1;
                 break;
             }
         }
     }
+
+    /// Across what both solids share, or across an edge of a face that changes anyhow.
+    bool may_merge(std::uint32_t use, std::uint32_t other) const {
+        if (users_.shared(uses_[use].piece)) return true;
+        return uses_[use].edge != FacePiece::kNoEdge && uses_[use].edge == uses_[other].edge &&
+               (meets_other(use) || meets_other(other));
+    }
+    bool meets_other(std::uint32_t use) const { return met_[cells_.cells[users_.cell_of(use)].face] != 0; }
 
     bool are_alike(std::uint32_t a, std::uint32_t b) const {
         const std::uint32_t face_a = cells_.cells[a].face, face_b = cells_.cells[b].face;
@@ -380,6 +391,7 @@ private:
     std::vector<std::uint8_t> dissolved_;  ///< what lies beyond is the same face
     std::vector<std::uint8_t> crowded_;    ///< of each use: there are other edges at its piece
     std::vector<std::uint8_t> contact_, seen_;
+    std::vector<std::uint8_t> met_;  ///< of the overlay's faces: whether they have a piece that both solids share
     std::vector<std::uint32_t> members_first_, members_;
     std::vector<PieceUse> group_uses_, loops_, whole_loops_;
     std::vector<std::uint32_t> ends_, piece_ends_, wanted_;  ///< of loops_, of whole_loops_

@@ -191,7 +191,7 @@ std::optional<AirGrid> AirGrid::make(const BrushLevel& level, std::size_t max_ce
         }
         for (std::size_t k = 0; k < body.planes.size(); ++k)
             for (const Vec3& corner : winding(body.planes, k, 4 * kWorldRim)) body.box.add(corner);
-        if (body.box.empty() || largest(body.box.low) > kWorldRim || largest(body.box.high) > kWorldRim) continue;
+        if (body.box.empty() || max_abs(body.box.low) > kWorldRim || max_abs(body.box.high) > kWorldRim) continue;
         any_solid |= solid;
         bodies.push_back(std::move(body));
     }

@@ -91,7 +91,7 @@ private:
         if (!through) return;
         double shift = 0;
         for (const Vec3& corner : corners_) {
-            if (largest(corner) * scale_ > kWorldRim) continue;  // of a face without an end
+            if (max_abs(corner) * scale_ > kWorldRim) continue;  // of a face without an end
             shift = std::max(shift, std::fabs(dot(through->normal, corner * scale_) - through->distance));
             if (best_ && shift >= best_->shift) return;
         }

@@ -105,7 +105,7 @@ private:
             std::vector<Vec3> corners = winding(planes, k, 2 * kWorldRim / scale_);
             out_.of_side[sides[k]].area = area(corners);
             merge_corners(corners, kSameCorner);
-            std::erase_if(corners, [&](const Vec3& c) { return largest(c) * scale_ > kWorldRim; });  // without an end
+            std::erase_if(corners, [&](const Vec3& c) { return max_abs(c) * scale_ > kWorldRim; });  // without an end
             if (!exact_[sides[k]] && !corners.empty()) turned_.push_back({sides[k], std::move(corners)});
         }
     }

@@ -2,6 +2,8 @@
 // From loops in one plane to faces.
 #include "carve/group_loops.h"
 
+#include <algorithm>
+
 #include "geometry/flat_loop.h"
 
 namespace firma {
@@ -23,8 +25,9 @@ public:
         std::vector<std::size_t> outer;
         for (std::size_t loop = 0; loop < ends_.size(); ++loop) {
             area[loop] = twice_area(corners(loop));
-            if (area[loop] == 0) return Verdict::kDegenerate;
-            if (area[loop] > 0) outer.push_back(loop);
+            const int turns = surely_turns(corners(loop));
+            if (turns == 0) return Verdict::kDegenerate;
+            if (turns > 0) outer.push_back(loop);
         }
         if (outer.empty()) return Verdict::kDegenerate;
         std::vector<std::vector<std::size_t>> holes(outer.size());
@@ -33,7 +36,12 @@ public:
             std::size_t best = outer.size();
             for (std::size_t k = 0; k < outer.size(); ++k) {
                 const bool smaller = best == outer.size() || area[outer[k]] < area[outer[best]];
-                if (outer.size() == 1 || (smaller && encloses(corners(outer[k]), corners_[start(loop)]))) best = k;
+                if (outer.size() == 1) {
+                    best = k;
+                } else if (smaller) {
+                    if (too_near(corners(outer[k]), corners_[start(loop)])) return Verdict::kDegenerate;
+                    if (encloses(corners(outer[k]), corners_[start(loop)])) best = k;
+                }
             }
             if (best == outer.size()) return Verdict::kDegenerate;
             holes[best].push_back(loop);
@@ -46,6 +54,21 @@ private:
     std::size_t start(std::size_t loop) const { return loop == 0 ? 0 : ends_[loop - 1]; }
     std::span<const FlatPoint> corners(std::size_t loop) const {
         return std::span(corners_).subspan(start(loop), ends_[loop] - start(loop));
+    }
+
+    /// Whether a corner lies so near to a loop that, rounded, it may have changed to the other side.
+    static bool too_near(std::span<const FlatPoint> loop, const FlatPoint& p) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const FlatPoint &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
+            if (std::max(a.u, b.u) + 2 < p.u || std::min(a.u, b.u) - 2 > p.u || std::max(a.v, b.v) + 2 < p.v ||
+                std::min(a.v, b.v) - 2 > p.v)
+                continue;
+            // Twice the area with the side: within two steps of its line.
+            const Int128 area = turn(a, b, p);
+            const Int128 length = Int128(a.u < b.u ? b.u - a.u : a.u - b.u) + (a.v < b.v ? b.v - a.v : a.v - b.v);
+            if ((area < 0 ? -area : area) <= 2 * length) return true;
+        }
+        return false;
     }
 
     /// Loops around air run counter-clockwise.

@@ -208,6 +208,7 @@ std::string_view cutter_shape_name(CutterShape shape) {
 }
 
 Cutter make_crater(CutterShape shape, std::uint64_t seed) {
+    if (cutter_shape_name(shape).empty()) return {};
     const Mesh mesh = shape_mesh(shape, seed);
     Result<Cutter> cutter = make_cutter(mesh.vertices, mesh.triangles, std::string(cutter_shape_name(shape)));
     FIRMA_ASSERT(cutter.ok(), "a shape of ours is closed");

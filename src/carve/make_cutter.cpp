@@ -36,7 +36,7 @@ std::optional<Error> check_numbers(std::span<const Vec3> vertices, std::span<con
                 return Error{ErrorCode::kMalformed, triangle_text(t),
                              "names vertex " + std::to_string(corner) + " of " + std::to_string(vertices.size())};
             const Vec3& v = vertices[corner];
-            if (!is_finite(v) || largest(v) > kLargestNumber)
+            if (!is_finite(v) || max_abs(v) > kLargestNumber)
                 return Error{ErrorCode::kOutOfRange, "vertex " + std::to_string(corner),
                              "a number is not finite, or too large"};
         }
@@ -68,7 +68,7 @@ void copy_used(std::span<const Vec3> vertices, std::span<const CutterTriangle> t
 int volume_sign(const CutterData& data) {
     const Vec3 origin = data.vertices[0];
     double reach = 0;
-    for (const Vec3& v : data.vertices) reach = std::max(reach, largest(v - origin));
+    for (const Vec3& v : data.vertices) reach = std::max(reach, max_abs(v - origin));
     if (!(reach >= kSmallestNumber)) return 0;
     double sum = 0, size = 0;
     const auto around = [&](std::uint32_t v) {
@@ -78,7 +78,7 @@ int volume_sign(const CutterData& data) {
     for (const auto& [a, b, c] : data.triangles) {
         const Vec3 p = around(a), q = around(b), r = around(c);
         sum += dot(p, cross(q, r));
-        size += largest(p) * largest(q) * largest(r);
+        size += max_abs(p) * max_abs(q) * max_abs(r);
     }
     // Each determinant is six products of three parts, none of which exceeds the factors of `size`; differences and
     // quotients add three roundings to each part, and the sum one a triangle.

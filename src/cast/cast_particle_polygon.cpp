@@ -27,7 +27,7 @@ struct Projected {
 Projected project(const Sweep& sweep, const Vec3& corner) {
     const Vec3 w = corner - sweep.start;
     return {w[sweep.axis_u] - sweep.shear_u * w[sweep.axis_k], w[sweep.axis_v] - sweep.shear_v * w[sweep.axis_k],
-            largest(w)};
+            max_abs(w)};
 }
 
 /// A projected coordinate is off by at most 6 roundoffs of the corner's size and at most twice that size; so two

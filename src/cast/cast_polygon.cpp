@@ -27,7 +27,7 @@ PolygonHit cast_polygon(const Sphere& sphere, const Vec3& path, std::span<const 
 
 bool overlap(const Sphere& sphere, std::span<const Vec3> corners) {
     if (!is_finite(sphere.centre) || !(sphere.radius >= 0) || !usable_corners(corners)) return false;
-    if (!(largest(sphere.centre) <= kLargestNumber && sphere.radius <= kLargestNumber)) return false;
+    if (!(max_abs(sphere.centre) <= kLargestNumber && sphere.radius <= kLargestNumber)) return false;
     const PolygonShape polygon = make_shape(corners);
     if (!(polygon.normal_length > 0)) return false;
     return ball_meets(sphere.centre, sphere.radius, polygon, closest_to(sphere.centre - corners[0], polygon));

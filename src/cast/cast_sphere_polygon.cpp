@@ -51,7 +51,7 @@ class PathBox {
 public:
     PathBox(const Sweep& sweep, double latest) {
         const Vec3 end = sweep.at(latest);
-        const double size = largest(sweep.start) + largest(end) + sweep.radius + kWorldRim;
+        const double size = max_abs(sweep.start) + max_abs(end) + sweep.radius + kWorldRim;
         const double margin = sweep.radius + rounding(64) * size;
         for (int axis = 0; axis < 3; ++axis) {
             const bool forward = sweep.start[axis] < end[axis];

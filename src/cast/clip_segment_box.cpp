@@ -27,7 +27,7 @@ bool within_other_axes(const Vec3& p, const Box& box, int skipped) {
 }
 
 Box grown_by_rounding(Box box, const Vec3& start, const Vec3& path) {
-    const double size = largest(start) + largest(path) + largest(box.low) + largest(box.high);
+    const double size = max_abs(start) + max_abs(path) + max_abs(box.low) + max_abs(box.high);
     const double margin = rounding(16) * size;
     for (int axis = 0; axis < 3; ++axis) {
         box.low[axis] -= margin;

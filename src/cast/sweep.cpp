@@ -25,7 +25,7 @@ Vec3 without_dust(Vec3 v) {
 }
 
 bool usable(const Vec3& v) {
-    return is_finite(v) && largest(v) <= kLargestNumber;
+    return is_finite(v) && max_abs(v) <= kLargestNumber;
 }
 
 void set_projection(Sweep& sweep) {
@@ -48,7 +48,7 @@ void set_projection(Sweep& sweep) {
 Status make_sweep(const Sphere& sphere, const Vec3& path, Sweep& sweep) {
     if (!usable(sphere.centre) || !usable(path)) return Status::kInvalid;
     if (!(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
-    const double size = largest(path);
+    const double size = max_abs(path);
     if (size < kShortestPath) return Status::kMiss;
 
     sweep.start = without_dust(sphere.centre);

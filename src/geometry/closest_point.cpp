@@ -47,7 +47,7 @@ constexpr double kTogether = 0x1p-16;
 /// Whether `other` is nearer than `best`. Just beside a corner, its sides and the corner itself are as far to rounding;
 /// of feet that lie together there the one farther along its side is the nearer.
 bool nearer(const Closest& other, const Closest& best, double size, const PolygonShape& polygon) {
-    const bool together = largest(other.offset - best.offset) < kTogether * size;
+    const bool together = max_abs(other.offset - best.offset) < kTogether * size;
     if (!together || std::fabs(other.distance - best.distance) > rounding(16) * size)
         return other.distance < best.distance;
     return foot_from_end(other, polygon) > foot_from_end(best, polygon);
@@ -57,7 +57,7 @@ bool nearer(const Closest& other, const Closest& best, double size, const Polygo
 
 Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon) {
     Closest best = closest_on_side(w, polygon, 0);
-    const double size = best.distance + largest(w);
+    const double size = best.distance + max_abs(w);
     for (std::size_t k = 1; k < polygon.corners.size(); ++k) {
         const Closest other = closest_on_side(w, polygon, k);
         if (nearer(other, best, size, polygon)) best = other;

@@ -93,7 +93,7 @@ ExactPoint::ExactPoint(const Plane& a, const Plane& b, const Plane& c) : planes_
     FIRMA_ASSERT(m.w.sign() > 0, "the three planes of a point meet in one: ask exact_turn() first");
     const double w = m.w.to_double();
     approximate_ = {m.x.to_double() / w, m.y.to_double() / w, m.z.to_double() / w};
-    FIRMA_ASSERT(largest(approximate_) <= kRimSteps + kApproximation, "points lie within the world");
+    FIRMA_ASSERT(max_abs(approximate_) <= kRimSteps + kApproximation, "points lie within the world");
     rounded_ = {round_to_surface(approximate_.x, m.x, m.w), round_to_surface(approximate_.y, m.y, m.w),
                 round_to_surface(approximate_.z, m.z, m.w)};
 }

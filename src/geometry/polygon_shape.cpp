@@ -64,7 +64,7 @@ constexpr double kSquareStep = 1 / (kSurfaceSteps * kSurfaceSteps);
 bool usable_corners(std::span<const Vec3> corners) {
     if (corners.size() < 3) return false;
     for (const Vec3& corner : corners)
-        if (!is_finite(corner) || largest(corner) > kWorldRim) return false;
+        if (!is_finite(corner) || max_abs(corner) > kWorldRim) return false;
     return true;
 }
 

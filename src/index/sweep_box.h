@@ -21,7 +21,7 @@ namespace firma {
 /// A sweep's radius, and far more than what rounding can amount to on its way through a world.
 inline double grown_radius(const Sweep& sweep) {
     constexpr double kMargin = 0x1p-44;
-    const double size = largest(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim;
+    const double size = max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim;
     return sweep.radius + kMargin * size;
 }
 

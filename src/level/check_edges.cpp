@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Whether a mesh is closed, and whom to blame where it is not.
-#include "level/check_edges.h"
-
 #include <algorithm>
 #include <tuple>
 
 #include "base/edge_sides.h"
+#include "level/check_mesh_parts.h"
 #include "level/find_t_joints.h"
 
 namespace firma {

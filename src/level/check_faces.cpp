@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Compares each face as written with the same face on the grid, both judged exactly; in double where that is certain.
-#include "level/check_faces.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "geometry/judge_outline.h"
 #include "geometry/polygon_shape.h"
+#include "level/check_mesh_parts.h"
 #include "level/divide_polygon.h"
 #include "level/exact_points.h"
 
@@ -128,14 +127,14 @@ bool FaceChecker::certain(std::span<const std::uint32_t> vertices, const GridJud
     for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
         const Vec3 a = mesh_.nearest[vertices[k]] - first, b = mesh_.nearest[vertices[k + 1]] - first;
         normal = normal + cross(a, b);
-        size = std::max({size, largest(a), largest(b)});
+        size = std::max({size, max_abs(a), max_abs(b)});
     }
-    const double rim = largest(first) + size;
+    const double rim = max_abs(first) + size;
     if (!(rim >= 1e-100 && rim <= 1e100)) return false;
     // A difference is off by at most 2^-51 rim, a product of two by 2^-50 rim size and a little: six of them a corner.
     const double error = 0x1p-44 * rim * size * double(vertices.size());
     const Vec3 snapped{double(snapped_normal[0]), double(snapped_normal[1]), double(snapped_normal[2])};
-    return dot(normal, snapped) > 4 * error * largest(snapped);
+    return dot(normal, snapped) > 4 * error * max_abs(snapped);
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 // Checks a mesh whose positions are known exactly.
 #include "level/check_mesh_core.h"
 
-#include "level/check_edges.h"
-#include "level/check_faces.h"
+#include "level/check_mesh_parts.h"
 #include "level/weld_positions.h"
 
 namespace firma {

@@ -33,7 +33,7 @@ class TJointFinder {
 public:
     TJointFinder(const ExactMesh& mesh, const WeldedPositions& welded) : mesh_(mesh), welded_(welded) {
         double size = 0;
-        for (const std::uint32_t vertex : welded.vertex) size = std::max(size, largest(mesh.nearest[vertex]));
+        for (const std::uint32_t vertex : welded.vertex) size = std::max(size, max_abs(mesh.nearest[vertex]));
         // Outside these limits doubles hold too little of the numbers: then everything counts as near everything.
         const bool trusted = size >= 1e-100 && size <= 1e100;
         if (!trusted) slack_ = 1;
@@ -110,8 +110,8 @@ private:
         if (position == edge_[0] || position == edge_[1]) return false;
         const Vec3 part = points_[position] - a_;
         const Vec3 area = cross(along_, part);
-        const double reach = slack_ * (largest(along_) + largest(part) + slack_);
-        if (largest(area) > reach || dot(part, along_) < -reach) return false;
+        const double reach = slack_ * (max_abs(along_) + max_abs(part) + slack_);
+        if (max_abs(area) > reach || dot(part, along_) < -reach) return false;
         return lies_on_exactly(position);
     }
 

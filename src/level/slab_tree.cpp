@@ -65,7 +65,7 @@ void SlabTree::choose_directions(std::span<const MeshPolygon> polygons) {
         for (std::size_t c = 0; c < counted.size(); ++c)
             if (counted[c].second == cells[k]) sums[c] = sums[c] + unit(polygons[k].normal);
     for (const Vec3& sum : sums) {
-        const Vec3 scaled = sum * (kLength / largest(sum));
+        const Vec3 scaled = sum * (kLength / max_abs(sum));
         const Direction direction{nearest(scaled.x), nearest(scaled.y), nearest(scaled.z)};
         const bool axis = (direction.x != 0) + (direction.y != 0) + (direction.z != 0) == 1;
         if (!axis && directions_.size() < kMostDirections) directions_.push_back(direction);

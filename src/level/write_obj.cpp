@@ -121,12 +121,13 @@ Error cannot_write(const std::string& path, int reason) {
 
 }  // namespace
 
-std::optional<ObjWritten> write_obj(const World& world, const TextSink& put, ObjFaces which) {
+Result<ObjWritten> write_obj(const World& world, const TextSink& put, ObjFaces which) {
     const std::vector<PlacedFace> faces = faces_by_id(world.data(), which);
     const std::vector<GridPoint> points = different_corners(faces);
     TextPieces out(put);
     out.text() = "# Written by Firma. Metres; all digits are exact, multiples of 1/262144.\n";
-    if (!write_vertices(points, out) || !write_faces(world, faces, points, out) || !out.flush(0)) return std::nullopt;
+    if (!write_vertices(points, out) || !write_faces(world, faces, points, out) || !out.flush(0))
+        return Error{ErrorCode::kCannotWrite, "", "the sink took no more"};
     return ObjWritten{faces.size(), points.size(), out.bytes()};
 }
 
@@ -138,7 +139,7 @@ Result<ObjWritten> write_obj(const World& world, const std::string& path, ObjFac
             reason = file.write(std::as_bytes(std::span(text)));
             return reason == 0;
         };
-        if (const std::optional<ObjWritten> done = write_obj(world, put, which)) written = *done;
+        if (const Result<ObjWritten> done = write_obj(world, put, which)) written = done.value();
         return reason;
     });
     if (failed) return cannot_write(path, failed);

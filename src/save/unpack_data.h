@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a saved world has besides faces: counters, tolerance, options, materials, rules.
+// What a saved world has besides faces: counters, tolerance, options, materials, rules, records of rooms, portals.
 #pragma once
 
 #include <algorithm>
@@ -22,5 +22,9 @@ struct UnpackedData {
 
 /// Check the Damage before using it.
 UnpackedData unpack_data(Sections& sections, Damage& damage);
+
+/// Adds records of rooms, and portals. Check the Damage before using them. check_world() does the rest: which rooms and
+/// polygons are sound.
+void unpack_portals(Sections& sections, UnpackedData& unpacked, Damage& damage);
 
 }  // namespace firma

@@ -17,7 +17,7 @@ constexpr double kRounding = 0x1p-40;
 /// A normal as edits make them: of length 1 but for rounding, along the plane's.
 bool suits(const Vec3& normal, const Plane& plane) {
     const Vec3 n = plane.direction();
-    if (!is_finite(normal) || largest(normal) > 2) return false;
+    if (!is_finite(normal) || max_abs(normal) > 2) return false;
     return std::fabs(dot(normal, normal) - 1) <= kRounding && dot(normal, n) >= (1 - kRounding) * length(n);
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Records of rooms, and portals, of a saved world. Counts are compared with what is there before memory is taken.
-#include "save/unpack_portals.h"
-
 #include "save/sections.h"
+#include "save/unpack_data.h"
 
 namespace firma {
 namespace {

@@ -8,7 +8,6 @@
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"
 #include "save/unpack_index.h"
-#include "save/unpack_portals.h"
 #include "save/unpack_textures.h"
 #include "solid/append_faces.h"
 

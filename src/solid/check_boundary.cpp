@@ -97,10 +97,10 @@ private:
                 if (patch_.to(uses[k]) != patch_.from(next)) return report_vertex("a loop is open", patch_.to(uses[k]));
                 loop_.push_back(project(patch_.vertices[patch_.from(uses[k])].point.rounded(), view));
             }
-            const Int128 area = twice_area(loop_);
-            if (first == 0 && area <= 0)
+            const int turn = surely_turns(loop_);
+            if (first == 0 && turn < 0)
                 return report_vertex("the outer loop runs against the normal", patch_.from(uses[first]));
-            if (first != 0 && area >= 0)
+            if (first != 0 && turn > 0)
                 return report_vertex("a hole runs the same way as the outer loop", patch_.from(uses[first]));
             first = end;
         }

@@ -32,7 +32,7 @@ struct NearFacets {
 
     /// Distances to faces are rounded, so boxes a little farther are looked into as well.
     bool within(double distance) const {
-        return distance <= found.reach + rounding(64) * (largest(point) + 4 * kWorldRim);
+        return distance <= found.reach + rounding(64) * (max_abs(point) + 4 * kWorldRim);
     }
     bool enter(const Bin& bin, double& nearest) const {
         nearest = distance_to(bin.box, point);

@@ -147,7 +147,7 @@ struct KeepNearest {
 };
 
 bool usable(const Vec3& point) {
-    return is_finite(point) && largest(point) <= kLargestNumber;
+    return is_finite(point) && max_abs(point) <= kLargestNumber;
 }
 
 bool is_there(const World& world, RoomId room) {

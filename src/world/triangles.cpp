@@ -105,7 +105,7 @@ private:
 template <class... Where>
 TriangleMesh collect(const World& world, const TriangleOptions& options, const Where&... where) {
     Collector collector(world, options);
-    if (is_finite(options.origin) && largest(options.origin) <= kMaxTriangleOrigin)
+    if (is_finite(options.origin) && max_abs(options.origin) <= kMaxTriangleOrigin)
         each_face(world, where..., collector);
     return collector.take();
 }

@@ -47,6 +47,15 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     CHECK_OK(firma_diff_get_view(diff, &view));
     CHECK(view.removed_count == 1 && view.removed[0] == 0 && view.added_count == report.faces_added &&
           view.tile_count > 0);
+    const firma_face* const removed = view.removed_faces;
+    CHECK(removed[0].id == 0 && removed[0].room == 0 && removed[0].source == 0 && removed[0].source_edit == 0);
+    CHECK(removed[0].normal[2] == 1 && removed[0].flags == FIRMA_FACE_SOLID && removed[0].corner_count == 0);
+    firma_faces outline = {0};
+    firma_faces_view shown = {.size = sizeof shown};
+    CHECK_OK(firma_world_face(room, removed[0].id, removed[0].corner, &outline));
+    CHECK_OK(firma_faces_get_view(outline, &shown));
+    CHECK(shown.face_count == 1 && shown.corner_count == 4);
+    CHECK_OK(firma_faces_release(outline));
     CHECK(view.added[0].first_corner == 0 && view.corner_count >= 3 * view.added_count && view.low[2] < -1);
     CHECK_OK(firma_diff_release(diff));
     CHECK_FAILS(firma_world_diff(room, after, 0.001, &diff), FIRMA_ERROR_INVALID, "tile");

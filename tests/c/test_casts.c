@@ -218,9 +218,10 @@ static void test_points(firma_world room) {
     CHECK_OK(firma_overlap(room, near_corner, 0.2, &some, NULL, 0, &count));
     CHECK(count == 3);
     some.room = 7;
-    CHECK_FAILS(firma_overlap(room, near_corner, 0.2, &some, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE,
-                "no such room");
-    CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_OUT_OF_RANGE, "no such room");
+    CHECK_FAILS(firma_overlap(room, near_corner, 0.2, &some, near, 6, &count), FIRMA_ERROR_INVALID, "no room 7");
+    CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_INVALID, "no room 7");
+    some.room = FIRMA_LOCATE_ROOM; /* for casts alone */
+    CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_INVALID, "no room");
     some.size = 4;
     CHECK_FAILS(firma_closest(room, middle, 1, &some, near, &found), FIRMA_ERROR_BAD_CALL, "size");
     CHECK_FAILS(firma_overlap(room, bad, 0.2, NULL, near, 6, &count), FIRMA_ERROR_OUT_OF_RANGE, "finite");

@@ -17,11 +17,15 @@ void test_old_names(void) {
     firma_carve_report report = {.size = sizeof report, .faces_looked_at = 6, .faces_gone = 7, .faces_new = 8};
     firma_diff_view diff = {.size = sizeof diff, .gone_count = 9, .come_count = 10};
     CHECK(diff.gone == NULL && diff.come == NULL && counts.bins + report.faces_gone + rules.most_corners == 15);
+    firma_room info = {.size = sizeof info, .part_of = 11};
+    CHECK(info.merged_into == 11);
     CHECK(FIRMA_TOUCHING == 2 && FIRMA_ROOM == 0 && FIRMA_UNSURE == 3);
 
     const firma_world room = make_room();
     firma_world_facts facts = {.size = sizeof facts};
     CHECK_OK(firma_world_get_facts(room, &facts));
     CHECK(facts.skin == 0.001);
+    CHECK_OK(firma_world_room(room, 0, &info));
+    CHECK(info.part_of == 0);
     CHECK_OK(firma_world_release(room));
 }

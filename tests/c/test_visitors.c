@@ -84,6 +84,11 @@ static void test_each_overlap(firma_world room) {
     CHECK(found == 0);
     CHECK_FAILS(firma_overlap_each(room, bad, 0.5, NULL, take_overlap, &all, &found), FIRMA_ERROR_OUT_OF_RANGE,
                 "finite");
+    firma_near_options elsewhere;
+    firma_near_options_defaults(&elsewhere);
+    elsewhere.room = 5;
+    CHECK_FAILS(firma_overlap_each(room, middle, 0.5, &elsewhere, take_overlap, &all, &found), FIRMA_ERROR_INVALID,
+                "no room 5");
     CHECK_FAILS(firma_overlap_each(room, middle, 0.5, NULL, NULL, &all, &found), FIRMA_ERROR_BAD_CALL, "null");
 }
 
@@ -148,7 +153,9 @@ static void test_face_of_a_hit(firma_world room) {
     CHECK(memcmp(view.faces[0].corner, hit.corner, sizeof hit.corner) == 0);
     CHECK_OK(firma_faces_release(faces));
     const int32_t elsewhere[3] = {1, 2, 3};
-    CHECK_OK(firma_world_face(room, hit.face, elsewhere, &faces));
+    CHECK_FAILS(firma_world_face(room, hit.face, elsewhere, &faces), FIRMA_ERROR_INVALID, "no such face");
+    CHECK_FAILS(firma_world_face(room, FIRMA_NO_FACE, hit.corner, &faces), FIRMA_ERROR_INVALID, "no such face");
+    CHECK_OK(firma_world_find_face(room, 1234, &faces)); /* a search: nothing found is no failure */
     CHECK_OK(firma_faces_get_view(faces, &view));
     CHECK(view.face_count == 0);
     CHECK_OK(firma_faces_release(faces));

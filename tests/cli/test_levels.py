@@ -149,7 +149,7 @@ class Draw(CliTest):
         report = self.firma_json('draw', 'a<b>&.obj', '--queries', 'q.csv', '--casts', 'h.csv', '-o', 'plan.svg')
         self.assertEqual((report['casts'], report['casts_drawn']), (3, 3))
         texts = self.texts('plan.svg')
-        for text in ['hit (1)', 'miss (1)', 'touching at the start (1)']:
+        for text in ['hit (1)', 'miss (1)', 'initial overlap (1)']:
             self.assertIn(text, texts)
         self.firma('draw', 'a<b>&.obj', '--queries', 'q.csv', '--out', 'same.svg')
         self.assertEqual(self.read('plan.svg'), self.read('same.svg'))

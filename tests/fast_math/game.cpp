@@ -59,7 +59,7 @@ int use_inline_functions(const Vec3& a) {
     box.add(firma::Box{a, a});
     const Vec3 sum = a + a - a * 2 + 2 * -a + cross(a, a);
     return firma::is_finite(a) + std::isfinite(a.x) + std::isnan(a.y) + std::signbit(a.z) + (sum == a) +
-           (box == firma::Box{}) + box.empty() + (dot(a, a) < length(a)) + (largest(a) < 1);
+           (box == firma::Box{}) + box.empty() + (dot(a, a) < length(a)) + (max_abs(a) < 1);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const Result<World> world = make_world(gltf);
         fuzz::expect(world.ok() == !gltf.level.faces.empty(), "every level of something makes a world");
         if (world) fuzz::expect(!check_world(world.value()), "a sound one, in rooms or not");
-        const MeshCheck check = check_gltf(gltf);
+        const MeshCheck check = check_gltf(gltf).value();
         if (check.closed())
             fuzz::expect(fuzz::area_vector(gltf.level) == std::array<fuzz::Wide, 3>{}, "a closed mesh is closed");
     }

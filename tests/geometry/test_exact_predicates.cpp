@@ -51,7 +51,7 @@ Vec3 random_corner(scenes::Rng& rng, double steps, double size) {
 /// A direction as a Sweep has it: largest coordinate in [1, 2).
 Vec3 random_direction(scenes::Rng& rng) {
     const Vec3 v = rng.direction();
-    return v * (rng.uniform(1, 1.99) / largest(v));
+    return v * (rng.uniform(1, 1.99) / max_abs(v));
 }
 
 class ExactPredicates : public testing::TestWithParam<double> {};  // grid steps in a metre

@@ -73,7 +73,7 @@ TEST(GltfRoundTrip, OurLevelComesBackFaceByFace) {
         EXPECT_EQ(faces_of(gltf.level), faces_of(level));
         EXPECT_TRUE(gltf.notes.empty());
         EXPECT_TRUE(gltf.level.notes.empty());
-        EXPECT_TRUE(check_gltf(gltf).closed());
+        EXPECT_TRUE(check_gltf(gltf).value().closed());
         const World again = make_world(gltf.level).value();
         EXPECT_EQ(hash_solid(again), hash_solid(world));
         EXPECT_EQ(measure_solid(again).volume, measure_solid(world).volume);
@@ -85,7 +85,7 @@ TEST(GltfRoundTrip, ACarvedLevelIsThatOfItsObj) {
     const GltfLevel gltf = read_good(glb_of(world));
     const Level obj = read_obj(obj_of(world), "a.obj").value();
     EXPECT_EQ(faces_of(gltf.level), faces_of(obj));
-    EXPECT_TRUE(check_gltf(gltf).closed());
+    EXPECT_TRUE(check_gltf(gltf).value().closed());
     const World again = make_world(gltf.level).value();
     EXPECT_EQ(hash_solid(again), hash_solid(make_world(obj).value()));
     EXPECT_FALSE(check_world(again));
@@ -97,7 +97,7 @@ TEST(GltfRoundTrip, WhatIsReadCanBeCarvedAgain) {
     EXPECT_NEAR(measure_solid(again).volume, measure_solid(world).volume, 0.01);
     const CarveResult more = carve(again, make_crater(CutterShape::kDrill, 5), {.position = {20, 29, 0.2}}, {"fresh"});
     EXPECT_EQ(more.status, CarveStatus::kDone);
-    EXPECT_TRUE(check_gltf(read_good(glb_of(more.world))).closed());
+    EXPECT_TRUE(check_gltf(read_good(glb_of(more.world))).value().closed());
 }
 
 TEST(GltfRoundTrip, NamesAndSides) {

@@ -29,7 +29,7 @@ TEST(ReadGltf, ABoxInBothForms) {
         EXPECT_EQ(bounds_of(gltf), box({0, -3, 0}, {2, 0, 1}));  // y up became z up
         EXPECT_TRUE(gltf.notes.empty());
         EXPECT_TRUE(gltf.portals.empty());
-        EXPECT_TRUE(check_gltf(gltf).closed());
+        EXPECT_TRUE(check_gltf(gltf).value().closed());
     }
 }
 
@@ -303,7 +303,7 @@ TEST(ReadGltf, CheckTellsOfOpenEdges) {
     const int positions = file.vectors(box_corners(1, 1, 1)), indices = file.indices(eleven);
     file.meshes = R"({"primitives":[)" + primitive(positions, indices) + "]}";
     const GltfLevel gltf = read_good(file.text());
-    const MeshCheck check = check_gltf(gltf);
+    const MeshCheck check = check_gltf(gltf).value();
     EXPECT_EQ(check.faults.size(), 3u);
     EXPECT_EQ(check.faces, 11u);
     EXPECT_EQ(check.vertices, 8u);

@@ -17,7 +17,8 @@ int main(int argc, char** argv) {
     const firma::CarveResult cut =
         firma::carve(world, firma::make_crater(firma::CutterShape::kRocky, 1), {.position = hit.point, .scale = 1.5});
     if (!cut.done()) return std::puts(cut.error.text().c_str()), 1;
-    if (const auto failed = firma::save_world(cut.world, argv[2])) return std::puts(failed->text().c_str()), 1;
+    const firma::Result<firma::FirmaWritten> saved = firma::save_world(cut.world, argv[2]);
+    if (!saved) return std::puts(saved.error().text().c_str()), 1;
     const firma::Result<firma::World> loaded = firma::load_world(argv[2]);
     if (!loaded) return std::puts(loaded.error().text().c_str()), 1;
     std::printf("met %s after %.17g, hash %016" PRIx64 "\n", world.material_name(hit.material).c_str(), hit.fraction,

@@ -37,13 +37,13 @@ World world_of(const std::string& text) {
 
 std::string text_of(const World& world) {
     std::string text;
-    const auto written = write_obj(world, [&](std::string_view piece) {
+    const auto put = [&](std::string_view piece) {
         text += piece;
         return true;
-    });
-    EXPECT_TRUE(written);
-    EXPECT_EQ(written->bytes, text.size());
-    EXPECT_EQ(written->faces, world.face_count());
+    };
+    const ObjWritten written = write_obj(world, put).value();
+    EXPECT_EQ(written.bytes, text.size());
+    EXPECT_EQ(written.faces, world.face_count());
     return text;
 }
 
@@ -94,7 +94,9 @@ TEST(WriteObj, VerticesOfACraterHaveAllTheirDigits) {
 
 TEST(WriteObj, StopsWhereTheSinkDoes) {
     int calls = 0;
-    EXPECT_FALSE(write_obj(world_of(kRoom), [&](std::string_view) { return ++calls, false; }));
+    const Result<ObjWritten> written = write_obj(world_of(kRoom), [&](std::string_view) { return ++calls, false; });
+    ASSERT_FALSE(written.ok());
+    EXPECT_EQ(written.error().code, ErrorCode::kCannotWrite);
     EXPECT_EQ(calls, 1);
 }
 

@@ -24,6 +24,7 @@ std::string text_of(const GridPoint& p) {
 }  // namespace
 
 void DirectedEdges::add(const GridPoint& from, const GridPoint& to) {
+    if (from == to) return;  // of a facet that rounding left no length: it cancels itself
     edges_.push_back(from < to ? Edge{from, to, 1} : Edge{to, from, -1});
 }
 

@@ -13,7 +13,7 @@ ExactOracle::ExactOracle(const std::vector<std::vector<Vec3>>& polygons, const s
 }
 
 bool is_valid(const Cast& cast) {
-    const double most = std::max({largest(cast.sphere.centre), largest(cast.path), cast.sphere.radius});
+    const double most = std::max({max_abs(cast.sphere.centre), max_abs(cast.path), cast.sphere.radius});
     return is_finite(cast.sphere.centre) && is_finite(cast.path) && most <= 0x1p200 && cast.sphere.radius >= 0;
 }
 
@@ -25,12 +25,12 @@ namespace {
 
 /// Surely path . normal > 0, though computed in double.
 bool surely_from_behind(const Hull& hull, const Vec3& path) {
-    if (largest(path) < 1e-200) return false;  // products below would lose their digits
+    if (max_abs(path) < 1e-200) return false;  // products below would lose their digits
     const Vec3 n = cross(hull.corners[1] - hull.corners[0], hull.corners[2] - hull.corners[0]);
-    const double sizes = (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z)) * largest(path);
+    const double sizes = (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z)) * max_abs(path);
     const double extent =
-        std::max(largest(hull.corners[1] - hull.corners[0]), largest(hull.corners[2] - hull.corners[0]));
-    return dot(n, path) > (sizes + extent * extent * largest(path)) * 0x1p-40;
+        std::max(max_abs(hull.corners[1] - hull.corners[0]), max_abs(hull.corners[2] - hull.corners[0]));
+    return dot(n, path) > (sizes + extent * extent * max_abs(path)) * 0x1p-40;
 }
 
 /// A fraction not below the root, and little above.

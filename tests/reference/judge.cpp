@@ -38,7 +38,7 @@ struct Heading {
     double length = 0;
 
     explicit Heading(const Vec3& path) {
-        const double size = largest(path);
+        const double size = max_abs(path);
         if (size == 0) return;
         int exponent = 0;
         std::frexp(size, &exponent);
@@ -89,9 +89,9 @@ private:
     }
 
     double tolerance(const std::vector<std::uint32_t>& faces) const {
-        double most = std::max(largest(cast_.sphere.centre), largest(cast_.sphere.centre + cast_.path));
+        double most = std::max(max_abs(cast_.sphere.centre), max_abs(cast_.sphere.centre + cast_.path));
         for (const std::uint32_t f : faces)
-            for (const Vec3& v : oracle_.faces()[f].hull.corners) most = std::max(most, largest(v));
+            for (const Vec3& v : oracle_.faces()[f].hull.corners) most = std::max(most, max_abs(v));
         return kDistance * std::max(1.0, most / 1000);
     }
     double normal_tolerance(const Nearest& at) const { return kNormal + 4 * tolerance_ / at.distance; }
@@ -144,7 +144,7 @@ private:
     void judge_miss() {
         if (!expected_.touched()) return;
         verdict_.excused = true;
-        if (largest(cast_.path) < 0x1p-1000) return;  // what the contract takes for a zero path
+        if (max_abs(cast_.path) < 0x1p-1000) return;  // what the contract takes for a zero path
         tolerance_ = tolerance(expected_.faces);
         if (answer_.must_hit) return fail(Fault::kMissed, "the way out of a closed room");
         const std::uint32_t count = std::uint32_t(oracle_.faces().size());
@@ -349,8 +349,8 @@ bool is_clear(const ExactOracle& oracle, const Cast& cast, std::uint32_t face) {
     const Heading heading(cast.path);
     const bool both = cast.sides == Sides::kBoth || f.two_sided;
     if (!both && std::fabs(dot(heading.unit, f.hull.normal)) <= kParallel) return false;
-    double most = std::max(largest(cast.sphere.centre), largest(cast.sphere.centre + cast.path));
-    for (const Vec3& v : f.hull.corners) most = std::max(most, largest(v));
+    double most = std::max(max_abs(cast.sphere.centre), max_abs(cast.sphere.centre + cast.path));
+    for (const Vec3& v : f.hull.corners) most = std::max(most, max_abs(v));
     const double tolerance = kDistance * std::max(1.0, most / 1000);
     if (seen.margin() > tolerance) return true;
     if (alone.status != Status::kInitialOverlap) return false;

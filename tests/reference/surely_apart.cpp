@@ -65,7 +65,7 @@ Vec3 nearest_on_polygon(const Hull& hull, const Vec3& p) {
 }  // namespace
 
 bool surely_apart(const Hull& hull, const Vec3& start, const Vec3& path, double end, double radius) {
-    const double size = largest(start) + largest(path) + 8192;
+    const double size = max_abs(start) + max_abs(path) + 8192;
     const Sweep sweep{start, start + path * end, radius, size * 0x1p-46};
     for (int axis = 0; axis < 3; ++axis) {
         const double low = std::min(sweep.start[axis], sweep.finish[axis]);
@@ -78,7 +78,7 @@ bool surely_apart(const Hull& hull, const Vec3& start, const Vec3& path, double 
     for (int round = 0; round < 6; ++round) {
         const Vec3 on_polygon = nearest_on_polygon(hull, on_path);
         const Vec3 between = on_path - on_polygon;
-        const double size_of = largest(between);
+        const double size_of = max_abs(between);
         if (size_of > 0 && size_of < 1e100 && sweep.clear_along(hull, between * (1 / size_of))) return true;
         on_path = nearest_on_segment(sweep.start, sweep.finish, on_polygon);
     }

@@ -31,8 +31,8 @@ protected:
     const fs::path folder_ = fs::temp_directory_path() / ("firma_test_save_" + std::to_string(_getpid()));
 };
 
-std::string text_of(const std::optional<Error>& error) {
-    return error ? error->text() : "";
+std::string text_of(const Result<FirmaWritten>& saved) {
+    return saved ? "" : saved.error().text();
 }
 
 TEST_F(SaveWorldWindows, ThereAndBackOverWhatWasThere) {

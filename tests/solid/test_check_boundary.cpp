@@ -114,7 +114,7 @@ TEST(CheckBoundary, LoopsThatDoNotClose) {
     Parts parts(pitted());
     SolidFace& face = parts.with_holes(false);
     std::swap(face.uses[0], face.uses[1]);
-    EXPECT_EQ(fault_of(parts), "a loop is open");
+    EXPECT_EQ(fault_of(parts), "an edge is used once") << "vertices by where they lie";
     face.uses.resize(2);
     face.set_loop_ends(std::array{2u});
     EXPECT_EQ(fault_of(parts), "a loop of fewer than three edges");

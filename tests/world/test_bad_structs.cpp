@@ -126,6 +126,18 @@ TEST(BadStructs, CastsAndQueries) {
     EXPECT_EQ(closest(world, {1, 1, 1}, 1, {.room = RoomId{77}}).status, Status::kInvalid);
     EXPECT_TRUE(triangles_of(world, TriangleOptions{.origin = {0, NAN, 0}}).corners.empty());
     EXPECT_TRUE(triangles_of(world, RoomId{77}).corners.empty());
+    const auto none = [](const FaceView&) -> bool { throw "there is none"; };
+    EXPECT_TRUE(each_face(world, RoomId{77}, none));
+    EXPECT_TRUE(each_face(world, Box{{0, 0, 0}, {1, NAN, 1}}, none));
+    EXPECT_TRUE(each_face(world, Region{77, 77, 77}, none));
+    const World after = carve(world, make_crater(CutterShape::kBox, 0), {{0, 4, 2}}).world;
+    EXPECT_FALSE(diff_worlds(world, after, 1).tiles.empty());
+    for (const double size : {-1.0, 0.01, double(NAN), double(INFINITY)}) {
+        const WorldDiff diff = diff_worlds(world, after, size);
+        EXPECT_FALSE(diff.added.empty());
+        EXPECT_TRUE(diff.tiles.empty());
+        EXPECT_FALSE(diff.too_many_tiles);
+    }
     std::vector<Hit> two(2);
     EXPECT_FALSE(cast_batch(world, std::vector<CastInput>(3), two));
     EXPECT_EQ(two[1].status, Status::kInvalid);
@@ -184,7 +196,8 @@ TEST(BadStructs, CuttersAndPosesOfNothing) {
         EXPECT_FALSE(result.error.reason.empty());
         EXPECT_EQ(hash_world(result.world), hash_world(world));
     }
-    EXPECT_EQ(make_crater(CutterShape(99), 0).triangles().size(), 12u);
+    EXPECT_FALSE(make_crater(CutterShape(99), 0).valid());
+    EXPECT_EQ(carve(world, make_crater(CutterShape(99), 0), {}).status, CarveStatus::kRefused);
     EXPECT_EQ(cutter_shape_name(CutterShape(99)), "");
 }
 

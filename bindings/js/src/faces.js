@@ -3,8 +3,11 @@
 import { DIFF_VIEW, FACE, FACE_FILTER, FACES_VIEW } from './layout.js';
 import { object, region, vector, word } from './arguments.js';
 
-/** @param faces, corners addresses; @param count, cornerCount how many there are */
-function getFaces(core, faces, count, corners, cornerCount) {
+/** What ids of faces are where there is none. */
+export const NO_FACE = 0xffffffff;
+
+/** What faces are besides their outlines. @param faces the address of the first; @param count how many there are */
+function getFaceInfos(core, faces, count) {
     const words = (offset) => {
         const all = new Uint32Array(count);
         for (let k = 0, at = (faces + offset) >>> 2; k < count; ++k, at += FACE.sizeof / 4) all[k] = core.u32[at];
@@ -29,15 +32,24 @@ function getFaces(core, faces, count, corners, cornerCount) {
         masks: words(FACE.mask),
         flags: words(FACE.flags),
         rooms: words(FACE.room),
+        firstPoints: points,
+    };
+}
+
+/** @param faces, corners addresses; @param count, cornerCount how many there are */
+function getFaces(core, faces, count, corners, cornerCount) {
+    const words = (offset) =>
+        Uint32Array.from({ length: count }, (_, k) => core.getU32(faces + k * FACE.sizeof + offset));
+    return {
+        ...getFaceInfos(core, faces, count),
         firstCorners: words(FACE.firstCorner),
         cornerCounts: words(FACE.cornerCount),
-        firstPoints: points,
         corners: core.f64.slice(corners >>> 3, (corners >>> 3) + 3 * cornerCount),
     };
 }
 
 /** { room }, { box: { low, high } } or { region } as the C API has it. @returns the address of the struct */
-export function putFaceFilter(core, lent, filter, place) {
+export function putFaceFilter(core, lent, filter = {}, place) {
     object(filter, place, 'the filter', ['room', 'box', 'region']);
     const room = filter.room === undefined ? 0xffffffff : word(filter.room, place, 'room');
     let [box, cube] = [0, 0];
@@ -52,6 +64,14 @@ export function putFaceFilter(core, lent, filter, place) {
     core.setU32(at + FACE_FILTER.box, box);
     core.setU32(at + FACE_FILTER.region, cube);
     return at;
+}
+
+/** What names a face: { face, corner } or { id, corner }. @returns its id, NO_FACE for null, and where the corner is */
+export function putFaceRef(core, ref, place) {
+    const { id, face = id, corner } = object(ref, place, 'the face');
+    const at = core.at.out;
+    core.i32.set(vector(corner, 3, place, 'its corner'), at >>> 2);
+    return [face === null ? NO_FACE : word(face, place, 'its id'), at];
 }
 
 /** The first of faces as an object; null where there is none. */
@@ -69,6 +89,12 @@ export function onlyFace(found) {
         corner: Array.from(found.firstPoints),
         corners: found.corners,
     };
+}
+
+/** A face that firma_wasm_each_face() shows, by the addresses of the face and of its corners. */
+export function getShownFace(core, at) {
+    const face = core.getU32(at);
+    return onlyFace(getFaces(core, face, 1, core.getU32(at + 4), core.getU32(face + FACE.cornerCount)));
 }
 
 /** What a firma_faces handle shows; releases it. */
@@ -94,6 +120,7 @@ export function takeDiff(core, handle) {
         const tiles = get('tiles') >>> 2;
         return {
             removed: words('removed'),
+            removedFaces: getFaceInfos(core, get('removedFaces'), get('removedCount')),
             added: getFaces(core, get('added'), get('addedCount'), get('corners'), get('cornerCount')),
             rooms: core.u32.slice(get('rooms') >>> 2, (get('rooms') >>> 2) + get('roomCount')),
             opened: words('opened'),

@@ -14,10 +14,8 @@ import {
     STATUS_NAMES,
 } from './layout.js';
 import { flag, mask, number, object, vector, word } from './arguments.js';
+import { NO_FACE } from './faces.js';
 import { NO_PORTAL } from './rooms.js';
-
-/** What `face` of a batch is where there is none. */
-export const NO_FACE = 0xffffffff;
 
 const F64 = (offset) => offset >>> 3;
 const U32 = (offset) => offset >>> 2;

@@ -2,7 +2,8 @@
 // What `import ... from 'firma'` gives.
 export { loadFirma } from './load.js';
 export { FirmaError } from './errors.js';
-export { HitBatch, NO_FACE } from './hits.js';
+export { NO_FACE } from './faces.js';
+export { HitBatch } from './hits.js';
 export { NO_PORTAL } from './rooms.js';
 export {
     FACE_SOLID,

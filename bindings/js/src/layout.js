@@ -471,7 +471,7 @@ export const CARVE_REPORT = Object.freeze({
 
 /** firma_diff_view */
 export const DIFF_VIEW = Object.freeze({
-    sizeof: 136,
+    sizeof: 144,
     size: 0,
     tooManyTiles: 4,
     removed: 8,
@@ -496,6 +496,7 @@ export const DIFF_VIEW = Object.freeze({
     portalsChangedCount: 84,
     low: 88,
     high: 112,
+    removedFaces: 136,
 });
 
 /** firma_store_facts */

@@ -7,6 +7,8 @@ import { flag, object, text, vector, word } from './arguments.js';
 
 /** What `portal` of a batch is where there is none. */
 export const NO_PORTAL = 0xffffffff;
+/** From here on numbers are no rooms: FIRMA_LOCATE_ROOM and FIRMA_ANY_ROOM. */
+export const NO_ROOM = 0xfffffffe;
 
 /** { where, room } of a point. */
 export function locate(core, id, point) {

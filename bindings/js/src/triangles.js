@@ -3,7 +3,7 @@
 import { doubles, flag, mask, object, region as regionOf, vector, word } from './arguments.js';
 import { badCall } from './errors.js';
 import { makeHandle } from './handle.js';
-import { NO_FACE } from './hits.js';
+import { putFaceRef } from './faces.js';
 import { TEXTURE, TEXTURE_UNIT_NAMES, TRIANGLE_OPTIONS, TRIANGLE_RUN, TRIANGLE_SOURCE, TRIANGLES_VIEW } from './layout.js';
 
 const NAMES = ['mask', 'solidOnly', 'room', 'region', 'origin', 'uvs', 'textureSizes'];
@@ -64,15 +64,10 @@ export function takeTriangles(core, id, options) {
 
 /** @param face  an id, or what names a face and its place: then nothing is searched */
 export function takeTexture(core, id, face) {
-    let number = face;
-    let corner = 0;
-    if (typeof face === 'object' && face !== null) {
-        number = face.face === undefined ? face.id : (face.face ?? NO_FACE);
-        corner = core.at.out;
-        core.i32.set(vector(face.corner, 3, 'texture', 'its corner'), corner >>> 2);
-    }
+    const named = typeof face === 'object' && face !== null;
+    const [number, corner] = named ? putFaceRef(core, face, 'texture') : [word(face, 'texture', 'the face'), 0];
     const at = core.at.texture;
-    core.run('firma_world_texture', id, word(number, 'texture', 'the face'), corner, at);
+    core.run('firma_world_texture', id, number, corner, at);
     return {
         uAxis: core.getVector(at + TEXTURE.uAxis),
         uOffset: core.getF64(at + TEXTURE.uOffset),

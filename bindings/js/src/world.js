@@ -22,8 +22,8 @@ import {
     withPassed,
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
-import { onlyFace, putFaceFilter, takeDiff, takeFaces } from './faces.js';
-import { findByName, getNeighbours, getPath, getPortal, getRoom, locate } from './rooms.js';
+import { getShownFace, onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
+import { findByName, getNeighbours, getPath, getPortal, getRoom, locate, NO_ROOM } from './rooms.js';
 import { putRules } from './rules.js';
 import { takeTexture, takeTriangles } from './triangles.js';
 
@@ -41,7 +41,13 @@ function getList(core, ask, bytes, get) {
     });
 }
 
-const BAD_SPHERE = 'a number is not finite or too large, the radius negative, or there is no such room';
+/** Throws why nothing could be asked: the room, or else the numbers. */
+function notAsked(core, id, options, place) {
+    const room = options?.room;
+    if (typeof room === 'number' && room < NO_ROOM && core.call('firma_world_room', id, room, core.at.room) !== 0)
+        throw new FirmaError('INVALID', `${place}: the world has no room ${room}`);
+    throw new FirmaError('OUT_OF_RANGE', `${place}: a number is not finite or too large, or the radius negative`);
+}
 
 export class World extends Handle {
     constructor(core, id) {
@@ -145,6 +151,17 @@ export class World extends Handle {
         });
     }
 
+    eachFace(filter, visit) {
+        const core = this[CORE];
+        if (typeof visit !== 'function') throw badCall('eachFace', 'visit must be a function');
+        const ask = (at) => (visit(getShownFace(core, at)) === false ? 0 : 1);
+        core.borrow((lent) => {
+            const at = putFaceFilter(core, lent, filter, 'eachFace');
+            core.runVisited(ask, 'firma_wasm_each_face', this[ID], at, core.at.out);
+        });
+        return core.getU32(core.at.out) !== 0;
+    }
+
     triangles(options) {
         return takeTriangles(this[CORE], this[ID], options);
     }
@@ -162,13 +179,8 @@ export class World extends Handle {
     face(ref) {
         const core = this[CORE];
         if (ref === undefined || ref === null) throw badCall('face', 'the face must be one of a hit, or of faces');
-        const { id, face = id, corner } = object(ref, 'face', 'the face');
-        if (face === null) return null;
-        word(face, 'face', 'its id');
-        vector(corner, 3, 'face', 'its corner');
-        const at = core.at.out;
-        core.i32.set(corner, at >>> 2);
-        return onlyFace(takeFaces(core, makeHandle(core, 'firma_world_face', this[ID], face, at)));
+        const [face, corner] = putFaceRef(core, ref, 'face');
+        return onlyFace(takeFaces(core, makeHandle(core, 'firma_world_face', this[ID], face, corner)));
     }
 
     cast(input, options) {
@@ -210,8 +222,7 @@ export class World extends Handle {
         core.refresh();
         if (code !== 0) throw core.failure(code);
         const status = core.getU32(core.at.out);
-        if (status === 3)
-            throw new FirmaError('OUT_OF_RANGE', `castAny: ${BAD_SPHERE}`);
+        if (status === 3) notAsked(core, this[ID], options, 'castAny');
         return status !== 0;
     }
 
@@ -237,9 +248,10 @@ export class World extends Handle {
             if (answer === false) return 0;
             return number(answer, 'castEach', 'what visit returns');
         };
-        core.runVisited(ask, 'firma_wasm_cast_each', this[ID], given, chosen, core.at.out);
+        const id = this[ID]; // the visitor may release the world
+        core.runVisited(ask, 'firma_wasm_cast_each', id, given, chosen, core.at.out);
         const status = core.getU32(core.at.out);
-        if (status === 3) throw new FirmaError('OUT_OF_RANGE', `castEach: ${BAD_SPHERE}`);
+        if (status === 3) notAsked(core, id, options, 'castEach');
         return status !== 0;
     }
 

@@ -315,7 +315,16 @@ test('a diff put to the faces of the first world gives those of the second', () 
             ]) {
                 const diff = from.diff(to, 2);
                 const faces = facesById(from.faces());
-                for (const id of diff.removed) assert.ok(faces.delete(id), `${id} is gone, but was not there`);
+                assert.deepEqual(diff.removedFaces.ids, diff.removed);
+                diff.removed.forEach((id, k) => {
+                    const { ids, firstPoints, rooms, sources, sourceEdits, ...others } = diff.removedFaces;
+                    const face = from.face({ id, corner: firstPoints.subarray(3 * k, 3 * k + 3) });
+                    assert.deepEqual([face.room, face.source, face.sourceEdit], [rooms[k], sources[k], sourceEdits[k]]);
+                    assert.deepEqual([face.material, face.mask], [others.materials[k], others.masks[k]]);
+                    assert.deepEqual(face.normal, Array.from(others.normals.subarray(3 * k, 3 * k + 3)));
+                    assert.equal(face.flags, others.flags[k]);
+                    assert.ok(faces.delete(id), `${id} was removed, but was not there`);
+                });
                 for (const [id, face] of facesById(diff.added)) {
                     assert.ok(!faces.has(id));
                     faces.set(id, face);
@@ -339,6 +348,7 @@ test('a diff put to the faces of the first world gives those of the second', () 
             }
             const none = second.diff(second);
             assert.deepEqual([none.removed.length, none.added.ids.length, none.tiles.length], [0, 0, 0]);
+            assert.equal(none.removedFaces.ids.length, 0);
             assert.ok(none.low[0] > none.high[0]);
             assert.equal(first.diff(second).tiles.length, 0);
             for (const size of [-1, NaN, 0.01, Infinity]) throwsCode('INVALID', () => first.diff(second, size), /tile/);

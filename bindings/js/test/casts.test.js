@@ -134,13 +134,40 @@ test('faces by filter and by hit; hashes', () => {
         assert.throws(() => world.faces({ region: [0.5, 0, 0] }), { code: 'BAD_CALL' });
         assert.throws(() => world.faces({ box: { low: [0, 0, 0], high: [0, 0, NaN] } }), { code: 'OUT_OF_RANGE' });
 
+        const byId = (a, b) => a.id - b.id;
+        const filters = [undefined, {}, { room: 0 }, { box: { low: [1, 1, -1], high: [2, 2, 1] } }, { region: [1, 0, 0] }];
+        for (const filter of filters) {
+            const shown = [];
+            assert.equal(world.eachFace(filter, (one) => void shown.push(one)), true);
+            const listed = world.faces(filter);
+            assert.deepEqual(shown.map((one) => one.id).sort(), Array.from(listed.ids).sort());
+            assert.deepEqual(shown.sort(byId), shown.map((one) => world.face(one)));
+        }
+        let calls = 0;
+        assert.equal(world.eachFace({}, () => ++calls < 2), false);
+        assert.equal(calls, 2);
+        // A visitor may ask, too; what it throws is thrown, and the world goes on.
+        assert.equal(world.eachFace({}, (one) => {
+            assert.deepEqual(world.findFace(one.id), one);
+            assert.equal(world.eachFace({ region: [0, 0, 0] }, () => false), false);
+        }), true);
+        const wrong = new Error('of the visitor');
+        assert.throws(() => world.eachFace({}, () => { throw wrong; }), (error) => error === wrong);
+        assert.throws(() => world.eachFace({ room: 7 }, () => true), { code: 'INVALID' });
+        assert.throws(() => world.eachFace({ box: { low: [0, 0, 0], high: [0, 0, NaN] } }, () => true), { code: 'OUT_OF_RANGE' });
+        assert.throws(() => world.eachFace({ rooms: 0 }, () => true), { code: 'BAD_CALL' });
+        assert.throws(() => world.eachFace(() => true), { code: 'BAD_CALL' });
+        const copy = world.copy();
+        assert.equal(copy.eachFace({}, () => copy.released || copy.release()), true);
+
         const hit = world.cast(toWall);
         const face = world.face(hit);
         assert.deepEqual(face, world.findFace(hit.face));
         assert.deepEqual(face, world.face(face));
         assert.deepEqual(face, world.face({ face: hit.face, corner: hit.corner }));
-        assert.equal(world.face({ ...hit, corner: [1, 2, 3] }), null);
-        assert.equal(world.face(world.cast({ ...toWall, path: [-1e-3, 0, 0] })), null); // a miss
+        throwsCode('INVALID', () => world.face({ ...hit, corner: [1, 2, 3] }), /no such face/);
+        throwsCode('INVALID', () => world.face(world.cast({ ...toWall, path: [-1e-3, 0, 0] })), /no such face/); // a miss
+        assert.equal(world.findFace(1234), null); // a search
         assert.throws(() => world.face(), { code: 'BAD_CALL' });
         assert.throws(() => world.face({ id: 0 }), { code: 'BAD_CALL' });
 
@@ -305,7 +332,9 @@ test('overlap, closest, locate', () => {
         assert.deepEqual([behind.direction, behind.depth], [[-1, 0, 0], 0.75], 'out of the solid');
         assert.deepEqual(world.overlap([7, 4, 7], 1.5, { mask: 0 }), []);
         assert.equal(world.overlap([7, 4, 7], 1.5, { room: 0 }).length, 2);
-        throwsCode('OUT_OF_RANGE', () => world.overlap([7, 4, 7], 1.5, { room: 1 }), /no such room/);
+        throwsCode('INVALID', () => world.overlap([7, 4, 7], 1.5, { room: 1 }), /no room 1/);
+        throwsCode('INVALID', () => world.overlapEach([7, 4, 7], 1.5, () => true, { room: 1 }), /no room 1/);
+        throwsCode('INVALID', () => world.closest([7, 4, 7], 1, { room: 1 }), /no room 1/);
         assert.deepEqual(world.closest([4, 4, 1]).point, [4, 4, 0]);
         assert.equal(world.closest([4, 4, 1]).distance, 1);
         assert.equal(world.closest([4, 4, 1]).feature, 'face');

@@ -59,6 +59,7 @@ const callsOf = ({ world, cutter, job, edit, store, level }) => ({
     storeFacts: () => store.facts(),
     collect: () => store.collect(),
     texture: () => world.texture(0),
+    eachFace: () => world.eachFace({}, () => true),
     triangles: () => world.triangles(),
     entities: () => level.entities(),
     notes: () => level.notes(),

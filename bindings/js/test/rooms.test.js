@@ -140,7 +140,14 @@ test('casts by room', () => {
         }
         assert.deepEqual(world.cast(through, { room: 'any' }), any);
         assert.equal(world.cast(through, { room: 17 }).status, 'invalid');
-        throwsCode('OUT_OF_RANGE', () => world.castAny(through, { room: 17 }), /no such room/);
+        for (const ask of ['castAny', 'castAll'])
+            throwsCode('INVALID', () => world[ask](through, { room: 17 }), /the world has no room 17$/);
+        throwsCode('INVALID', () => world.castEach(through, () => true, { room: 17 }), /castEach: .* no room 17$/);
+        for (const room of ['locate', 0]) {
+            const bad = { ...through, radius: -1 };
+            throwsCode('OUT_OF_RANGE', () => world.castAny(bad, { room }), /radius/);
+            throwsCode('OUT_OF_RANGE', () => world.castAll(bad, { room }), /radius/);
+        }
         for (const room of [-1, 'toString', null, 1.5]) throwsCode('BAD_CALL', () => world.cast(through, { room }));
     });
 });

@@ -15,6 +15,7 @@ import {
     type Diff,
     type Entity,
     type Face,
+    type FaceInfos,
     type Faces,
     type Hit,
     type HitInfo,
@@ -86,13 +87,15 @@ const volume: number = world.measure().volume + world.measure().area;
 const memory: number = world.memory() + firma.memory([world, world.copy()]);
 const faces: Faces = world.faces();
 const flags: number = faces.flags[0]! & (FACE_SOLID | FACE_TWO_SIDED);
-const face: Face | null = world.findFace(0) ?? world.face({ id: 0, corner: [0, 0, 0] });
+const face: Face = world.findFace(0) ?? world.face({ id: 0, corner: [0, 0, 0] });
 const some: Faces = world.faces({ box: { low: [0, 0, 0], high: [1, 1, 1] } });
 const regions: number = world.hashRegions()[0]!.region[0] + Number(world.hashSolid()) + some.firstPoints[0]!;
 const triangles: Triangles = world.triangles({ room: 0, origin: [1, 2, 3], mask: 1, solidOnly: true });
 const run: TriangleRun | undefined = triangles.runs[0];
 const units: TextureUnit[] = world.triangles({ uvs: true, textureSizes: [64, 64] }).sources.map((source) => source.uvUnit);
-const lies: Texture = world.texture(0);
+const lies: Texture = world.texture(face);
+world.texture(world.closest([1, 2, 3]) ?? 0);
+world.texture({ id: 0, corner: new Int32Array(3) });
 const laid: number = lies.uAxis[0] + lies.uOffset + triangles.uvs[0]! + units.length;
 const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
 
@@ -105,8 +108,10 @@ if (hit.status === 'nothing') throw new Error();
 const any: boolean = world.castAny(input);
 const all: Hit[] = world.castAll(input, { mask: 1 });
 const met: boolean = world.castEach(input, (h) => (h.material === STOPS_WALK ? 1 : h.fraction), { mask: STOPS_SIGHT });
+const whole: boolean = world.eachFace({ room: 0 }, (f) => f.corners.length < 12);
+const every: boolean = world.eachFace(undefined, (f) => console.log(f.id)) || whole;
 const touched: boolean = world.overlapEach([1, 2, 3], 1, (o) => o.depth < 1) || met;
-const again: Face | null = world.face(hit);
+const again: Face = world.face(hit);
 const batch: HitBatch = world.castBatch(new Float64Array(7), { counts: {} }, new HitBatch());
 const one: Hit | null = batch.hit(0);
 const where: number = batch.point[0]! + batch.status[0]! + batch.count;
@@ -151,6 +156,8 @@ edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
 const diff: Diff = world.diff(after, 1);
 const corners: Float64Array = diff.added.corners;
+const left: FaceInfos = diff.removedFaces;
+const rooms: number = left.rooms.length + left.sources.length;
 world.withRules({
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],

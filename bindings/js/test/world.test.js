@@ -244,6 +244,8 @@ test('textures come out as coordinates', () => {
             uAxis: [0.5, 0, 0], uOffset: 0, vAxis: [0, 0, -0.5], vOffset: 1, unit: 'repeats',
         });
         assert.deepEqual(world.texture(world.cast({ centre: [2, -1, 1], radius: 0, path: [0, 4, 0] })), world.texture(0));
+        for (const face of [world.findFace(0), world.closest([2, -1, 1])])
+            assert.deepEqual(world.texture(face), world.texture(0));
         assert.equal(world.triangles().uvs.length, 0);
         const made = world.triangles({ uvs: true });
         assert.equal(made.sources[0].uvUnit, 'repeats');

@@ -137,7 +137,7 @@ inline void expect_outcome(const PolygonHit& got, const Outcome& wanted, double 
     EXPECT_NEAR(length(got.normal), 1, 1e-15);
     if (got.status == Status::kHit) {
         const Vec3 rim = got.centre - got.normal * radius - got.point;
-        EXPECT_LE(length(rim), 1e-14 * (1 + largest(got.centre) + radius)) << "the point lies on the sphere";
+        EXPECT_LE(length(rim), 1e-14 * (1 + max_abs(got.centre) + radius)) << "the point lies on the sphere";
     }
     if (wanted.feature) {
         EXPECT_EQ(got.feature, *wanted.feature);

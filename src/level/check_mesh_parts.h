@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a mesh is closed: each edge used as often one way as the other.
+// The parts of check_exact_mesh(): whether each edge is used as often one way as the other, and what becomes of each
+// face once it is snapped.
 #pragma once
 
 #include <vector>
@@ -15,5 +16,8 @@ namespace firma {
 /// are counted as if those faces were turned over. Of an edge with too many sides one way the last ones in the file are
 /// called open.
 std::vector<MeshFaultPlace> check_edges(const ExactMesh& mesh, const WeldedPositions& welded);
+
+/// Notes in order of face; a face has at most one on its shape, and one that it is turned.
+std::vector<MeshNotePlace> check_faces(const ExactMesh& mesh, const WeldedPositions& welded);
 
 }  // namespace firma
