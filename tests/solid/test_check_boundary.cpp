@@ -114,7 +114,7 @@ TEST(CheckBoundary, LoopsThatDoNotClose) {
     Parts parts(pitted());
     SolidFace& face = parts.with_holes(false);
     std::swap(face.uses[0], face.uses[1]);
-    EXPECT_EQ(fault_of(parts), "an edge is used once") << "vertices by where they lie";
+    EXPECT_EQ(fault_of(parts), "a loop is open");
     face.uses.resize(2);
     face.set_loop_ends(std::array{2u});
     EXPECT_EQ(fault_of(parts), "a loop of fewer than three edges");
@@ -177,7 +177,7 @@ TEST(CheckBoundary, VerticesOfTheirOwn) {
     Ref<const SolidPlane> planes[3];
     for (int k = 0; k < 3; ++k) planes[k] = Ref<const SolidPlane>(old.vertex[0]->plane(k));
     copy->vertex[0] = Ref<const SolidVertex>(new SolidVertex(old.vertex[0]->point, planes));
-    EXPECT_EQ(fault_of(parts), "a loop is open");
+    EXPECT_EQ(fault_of(parts), "an edge is used once") << "vertices by where they lie: no loop is open";
 }
 
 /// A copy of an edge of the hole, in both of its faces.
