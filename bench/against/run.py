@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 WORK = os.path.join(ROOT, 'build', 'against')
 LEVEL = os.path.join(ROOT, 'levels', 'depot.map')
-OPTIONS = ['-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release', '-DCMAKE_CXX_FLAGS=-march=native', '-DFIRMA_BUILD_CLI=OFF', '-DFIRMA_BUILD_C=OFF']
+OPTIONS = ['-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release', '-DCMAKE_CXX_FLAGS=-march=native', '-DFIRMA_BUILD_CLI=OFF', '-DFIRMA_BUILD_C=OFF', '-DFIRMA_UNITE=ON']
 
 
 def run(*command):
