@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws docs/pictures/contacts.svg: what carve() and fill() do with a cutter that touches, a row for each kind of contact.
+// Draws docs/pictures/contacts.svg: what carve() and fill() do with a cutter that touches, a row for each kind of
+// contact.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -17,7 +18,7 @@ constexpr double kPanelWidth = 190, kPanelHeight = 150, kLabelWidth = 190, kHead
 
 // The viewer's axes: seen from 35 degrees off x, 30 degrees above the ground.
 constexpr double kCos = 0.819152, kSin = 0.573576, kUp = 0.866025;
-constexpr Vec3 kRight{-kSin, kCos, 0}, kTop{-kCos / 2, -kSin / 2, kUp}, kToViewer{kCos * kUp, kSin * kUp, 0.5};
+constexpr Vec3 kRight{-kSin, kCos, 0}, kTop{-kCos / 2, -kSin / 2, kUp}, kToViewer{kCos * kUp, kSin* kUp, 0.5};
 
 struct Shape {
     Corners vertices;
@@ -59,9 +60,7 @@ std::string pixel(double x, double y) {
 struct Panel {
     double x, y;  ///< where the origin of the world is drawn
 
-    std::string at(const Vec3& p) const {
-        return pixel(x + kPixels * dot(p, kRight), y - kPixels * dot(p, kTop));
-    }
+    std::string at(const Vec3& p) const { return pixel(x + kPixels * dot(p, kRight), y - kPixels * dot(p, kTop)); }
     std::string polygon(const Corners& corners, const std::string& style) const {
         std::string points;
         for (const Vec3& p : corners) points += at(p) + ' ';
@@ -239,7 +238,8 @@ std::vector<Row> rows() {
     const auto filled = [](const firma::World& world, const Shape& shape) { return cut(world, shape, true).world; };
     const firma::World rock = filled(firma::World(), slab);
     const firma::World apart = filled(filled(firma::World(), block({0, 0, 0}, {2, 2, 2})), block({2, 2, 0}, {4, 4, 2}));
-    const Shape pit = block({1, 1, 1}, {3, 3, 2}), one = block({2, 1, 1}, {4, 2, 2}), next = block({2, 2, 1}, {4, 3, 2});
+    const Shape pit = block({1, 1, 1}, {3, 3, 2}), one = block({2, 1, 1}, {4, 2, 2}),
+                next = block({2, 2, 1}, {4, 3, 2});
     return {
         {{"Faces in one plane", "that look the same way"}, rock, block({2, 1, 1}, {4, 3, 2})},
         {{"Faces in one plane", "that look at each other"}, rock, block({1, 2, 2}, {4, 4, 3})},
@@ -259,9 +259,10 @@ std::vector<Row> rows() {
 int main() {
     const std::vector<Row> all = rows();
     const double width = kLabelWidth + 3 * kPanelWidth, height = kHeader + kPanelHeight * double(all.size());
-    std::printf("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" font-family=\"sans-serif\" "
-                "font-size=\"13\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-                width, height);
+    std::printf(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" height=\"%.0f\" font-family=\"sans-serif\" "
+        "font-size=\"13\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
+        width, height);
     const char* const bold = "font-weight=\"bold\" text-anchor=\"middle\"";
     const char* const heads[3] = {"before, and the cutter", "carve", "fill"};
     for (int k = 0; k < 3; ++k)
@@ -273,9 +274,7 @@ int main() {
         std::snprintf(line, sizeof line, "<path d=\"M0,%.1f H%.1f\" stroke=\"#ccc\"/>\n", y, width);
         text += line;
         for (std::size_t k = 0; k < row.name.size(); ++k) text += words(12, y + 70 + 18 * double(k), row.name[k]);
-        const auto panel = [&](int column) {
-            return Panel{kLabelWidth + (column + 0.5) * kPanelWidth, y + 62};
-        };
+        const auto panel = [&](int column) { return Panel{kLabelWidth + (column + 0.5) * kPanelWidth, y + 62}; };
         text += draw_world(panel(0), row.before, false) + draw_cutter(panel(0), row.cutter);
         for (int column = 1; column < 3; ++column) {
             const firma::CarveResult result = cut(row.before, row.cutter, column == 2);
