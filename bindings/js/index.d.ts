@@ -887,9 +887,8 @@ export interface World extends Handle {
      * One edit, exactly where the cutter lies, also where it touches: nothing is moved. A pose with bad numbers, too,
      * is refused in the report, not thrown. The cost grows with the cutter's triangles and with the faces near them
      * (CarveReport.candidateFaces), and with the logarithm of the world's faces; a cutter that touches is cut up to
-     * twice; where rooms are joined also with their portals. The material is searched by its
-     * name among the world's, and a new one copies their list. Takes memory for what is made anew; all else is shared.
-     * withRules() bounds it.
+     * twice; where rooms are joined also with their portals. The material is searched by its name among the world's,
+     * and a new one copies their list. Takes memory for what is made anew; all else is shared. withRules() bounds it.
      */
     carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveResult;
     /** One edit, in slices of time. Does nothing yet but to search the material. */

@@ -220,9 +220,9 @@ struct CarveReport {
     std::size_t faces_removed = 0;        ///< facets that casts met before and meet no more
     std::size_t faces_added = 0;          ///< facets that casts meet from now on
     std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
-    int retries = 0;    ///< always 0, as no cutter is moved
-    double scale = 1;   ///< what zones and materials left of the cutter's scale
-    double volume = 0;  ///< cubic metres taken from the solid; negative when it was added to
+    int retries = 0;                      ///< always 0, as no cutter is moved
+    double scale = 1;                     ///< what zones and materials left of the cutter's scale
+    double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to
 
     /// Where the time went, microseconds.
     struct Times {
