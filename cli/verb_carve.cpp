@@ -49,13 +49,14 @@ Lines count from 1, the header included. `-` reads standard input.
 
 The report: one row a blast, in their order:
   blast       row of the blasts, from 0
-  status      done; nothing (the cutter met only air, or only faces that are castable only: see castable_only);
+  status      done; nothing (the cutter met only air, only touched the solid, or met only faces that are castable
+              only: see castable_only);
               refused (see stderr; the world stays as it was)
   ms          wall time of that edit alone with everything in it, milliseconds; not of making the cutter's shape
               from its seed, nor of the hash or of output
   faces_gone  faces that casts met before and no more
   faces_new   faces that casts meet from now on
-  retries     how often the cutter was moved by a few 1/4096 m, out of degenerate position
+  retries     0: no cutter is moved, also where it touches
   volume      taken from the solid, cubic metres, 17 significant digits
   hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
   castable_only

@@ -621,6 +621,7 @@ export interface CarveReport {
     status: 'done' | 'nothing' | 'refused';
     /** Why it was refused; '' when it was not. */
     reason: string;
+    /** Always 0, as no cutter is moved. */
     retries: number;
     candidateFaces: number;
     facesCut: number;
@@ -883,11 +884,11 @@ export interface World extends Handle {
     path(from: number, to: number, options?: { allOpen?: boolean }): number[] | null;
 
     /**
-     * One edit. A pose with bad numbers, too, is refused in the report, not thrown. The cost grows with the cutter's
-     * triangles and with the faces near them (CarveReport.candidateFaces), once more for each retry, and with the
-     * logarithm of the world's faces; where rooms are joined also with their portals. The material is searched by its
-     * name among the world's, and a new one copies their list. Takes memory for what is made anew; all else is shared.
-     * withRules() bounds it.
+     * One edit, exactly where the cutter lies, also where it touches: nothing is moved. A pose with bad numbers, too,
+     * is refused in the report, not thrown. The cost grows with the cutter's triangles and with the faces near them
+     * (CarveReport.candidateFaces), and with the logarithm of the world's faces; a cutter that touches is cut up to
+     * twice; where rooms are joined also with their portals. The material is searched by its name among the world's,
+     * and a new one copies their list. Takes memory for what is made anew; all else is shared. withRules() bounds it.
      */
     carve(cutter: Cutter, pose: Pose, options?: CarveOptions): CarveResult;
     /** One edit, in slices of time. Does nothing yet but to search the material. */

@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of docs/ anew, by the built command line: docs/pictures/make.sh [FIRMA]
+# Draws the pictures of docs/ anew, by the built command line and, of contact, a program of the tests:
+# docs/pictures/make.sh [FIRMA] [DRAW_CONTACTS]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 firma=${1:-build/release/bin/firma}
+contacts=${2:-build/test/bin/draw_contacts}
 pictures=docs/pictures
+
+"$contacts" > $pictures/contacts.svg
 
 "$firma" draw levels/first.obj --blasts $pictures/crater.csv --view --before-after \
     --eye 24.2,31.6,2.4 --look 20.2,36.4,1.6 -o $pictures/crater.png

@@ -33,21 +33,21 @@ struct CarveOptions {
 
 /// Takes a placed cutter away from the solid of a world.
 ///
-/// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. A cutter that touches
-/// what it cuts (a vertex on a face, edges that meet, faces in one plane) is moved outward by up to 3 steps of the
-/// input grid, after every 16 tries by up to twice as much (24 at last), up to 64 times; of a cutter of more than 2,000
-/// vertices only those that touch are moved, by one step at first (24 at last). The result depends on world, cutter,
-/// pose and options alone, to the bit.
+/// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. The result is the
+/// closure of the interior of the solid without the cutter, exactly, also of a cutter that touches what it cuts (a
+/// vertex on a face, edges that meet, faces in one plane): nothing is moved. It depends on world, cutter, pose and
+/// options alone, to the bit. The same cut again is kNothing.
 ///
 /// @param pose  where the cutter goes; its rotation and scale
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
-///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, no way out of
-///         degenerate position, no numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction
-///         (then `reproduction` holds it).
-/// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), once more
-/// for each try, and with the logarithm of the world's faces. Where rooms are joined it also grows with these rooms'
-/// portals. CarveOptions::material is searched among the world's materials by name, and a new one copies their list.
-/// Takes memory for what is made anew; all else is shared. CarveRules bounds the cost, CarveReport::times tells it.
+///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, more
+///         than 2^21 planes where the cutter touches, a part of it too near to a face to tell on which side, no numbers
+///         left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction (then `reproduction` holds it).
+/// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), and with the
+/// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
+/// rooms are joined it also grows with these rooms' portals. CarveOptions::material is searched among the world's
+/// materials by name, and a new one copies their list. Takes memory for what is made anew; all else is shared.
+/// CarveRules bounds the cost, CarveReport::times tells it.
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,

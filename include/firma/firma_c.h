@@ -766,9 +766,9 @@ typedef enum firma_carve_status {
 } firma_carve_status;
 
 typedef struct firma_carve_report {
-    uint32_t size;   /* sizeof(firma_carve_report) */
-    uint32_t status; /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
-    uint32_t retries;
+    uint32_t size;    /* sizeof(firma_carve_report) */
+    uint32_t status;  /* firma_carve_status; for FIRMA_CARVE_REFUSED firma_error_message() says why */
+    uint32_t retries; /* always 0, as no cutter is moved */
     uint32_t reserved;
     uint64_t candidate_faces, faces_cut, faces_removed, faces_added;
     double scale;  /* what zones and materials left of the cutter's scale */
@@ -782,10 +782,11 @@ typedef struct firma_carve_report {
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world
  * before. `options` and `report` may be null.
- * The cost grows with the cutter's triangles and with the faces near them (candidate_faces), once more for each retry,
- * and with the logarithm of the world's faces; where rooms are joined also with their portals. The material is searched
- * by its name among the world's, and a new one copies their list. Takes memory for what is made anew; all else is
- * shared. firma_world_with_rules() bounds it. */
+ * The cutter is taken away, or added, exactly where it lies, also where it touches: nothing is moved.
+ * The cost grows with the cutter's triangles and with the faces near them (candidate_faces), and with the logarithm of
+ * the world's faces; a cutter that touches is cut up to twice; where rooms are joined also with their portals. The
+ * material is searched by its name among the world's, and a new one copies their list. Takes memory for what is made
+ * anew; all else is shared. firma_world_with_rules() bounds it. */
 FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                  const firma_carve_options* options, firma_world* after, firma_carve_report* report);
 

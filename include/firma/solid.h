@@ -197,9 +197,8 @@ struct CarveRules {
     std::size_t max_candidate_faces = 4'000'000;   ///< by one edit
     std::size_t max_new_faces = 4'000'000;         ///< by one edit
     std::size_t max_cutter_triangles = 1'000'000;  ///< of one cutter
-    /// Of two triangles of the cutter, or of one and a face of the world, tested by one edit: to judge the cutter and
-    /// to cut, in all its tries together. Looking at all corners of a face counts once for every 64 of them, and moving
-    /// a cutter of more than 2,000 vertices once for each of its triangles.
+    /// Of two triangles of the cutter, or of one and a face of the world, tested by one edit: to judge the cutter, to
+    /// cut, and to cut again where the cutter touches. Going through all corners of a face counts once for every 64.
     std::size_t max_pairs = 20'000'000;
     std::size_t max_corners = 20'000;  ///< of one new face; dividing it into facets takes their square
     double max_cutter_size = 16384;    ///< metres along any axis, once placed
@@ -221,9 +220,9 @@ struct CarveReport {
     std::size_t faces_removed = 0;        ///< facets that casts met before and meet no more
     std::size_t faces_added = 0;          ///< facets that casts meet from now on
     std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
-    int retries = 0;    ///< how often the cutter, or some of it, was moved by steps of the grid, as it touched
-    double scale = 1;   ///< what zones and materials left of the cutter's scale
-    double volume = 0;  ///< cubic metres taken from the solid; negative when it was added to
+    int retries = 0;                      ///< always 0, as no cutter is moved
+    double scale = 1;                     ///< what zones and materials left of the cutter's scale
+    double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to
 
     /// Where the time went, microseconds.
     struct Times {

@@ -22,7 +22,7 @@ inline constexpr double kLargestTile = 8;
 /// A face that no plane tried cuts into just two is left whole.
 ///
 /// @param root   of an index over the solid, where neighbours are looked for; null for no faces
-/// @param steps  how far the cutter may be moved yet along each axis, surface steps
+/// @param steps  by which the cutter's boxes are grown first, surface steps
 void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch);
 
 /// What tiling alone makes of the solid, beside the cut.

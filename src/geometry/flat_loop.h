@@ -36,7 +36,8 @@ inline Int128 twice_area(std::span<const FlatPoint> loop) {
 /// Which way a loop runs around of which the corners were rounded, each coordinate by half a step at most: 1
 /// counter-clockwise, -1 clockwise, 0 where rounding leaves that open.
 inline int surely_turns(std::span<const FlatPoint> loop) {
-    // Each term u_k (v_{k+1} - v_{k-1}) changes by half of that difference, and as much for v; and by half a square step.
+    // Each term u_k (v_{k+1} - v_{k-1}) changes by half of that difference, and as much for v; and by half a square
+    // step.
     Int128 error = Int128(loop.size());
     for (std::size_t k = 0; k < loop.size(); ++k) {
         const FlatPoint &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
