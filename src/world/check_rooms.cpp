@@ -98,9 +98,10 @@ private:
     }
 
     void add_sides(const Block& block, const FaceRecord& face) {
-        for (std::size_t k = 0; k < face.corner_count; ++k)
-            sides_.emplace_back(block.corner(face, k), block.corner(face, k + 1u < face.corner_count ? k + 1 : 0),
-                                face.id);
+        for (std::size_t k = 0; k < face.corner_count; ++k) {
+            const GridPoint &a = block.corner(face, k), &b = block.corner(face, k + 1u < face.corner_count ? k + 1 : 0);
+            if (a != b) sides_.emplace_back(a, b, face.id);  // rounding may leave a facet a side of no length
+        }
     }
 
     void add_sides(const PortalPolygon& polygon, bool as_wound) {
