@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <tuple>
 
 #include "scenes/lattice_solids.h"
 
@@ -133,8 +134,9 @@ private:
             const Steps way[2] = {first, p};
             return extent(way);
         };
-        std::stable_sort(points.begin(), points.end(),
-                         [&](const Steps& p, const Steps& q) { return distance(p) < distance(q); });
+        std::sort(points.begin(), points.end(), [&](const Steps& p, const Steps& q) {
+            return std::tuple(distance(p), p.x, p.y, p.z) < std::tuple(distance(q), q.x, q.y, q.z);
+        });
         if (points.size() < 3) return {};
         const std::size_t near = points.size() > 8 ? 8 : points.size();
         const auto one = [&] { return points[rng_.below(std::uint32_t(near))]; };
