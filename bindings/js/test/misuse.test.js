@@ -95,7 +95,7 @@ test('arguments of every kind', () => {
     const handles = [world, cutter, job, edit, store, level, gone];
     const answers = { returned: 0 };
     const objects = [firma, world, cutter, job, edit, store, level];
-    for (let round = 0; round < 300; ++round) {
+    for (let round = 0; round < 900; ++round) {
         for (const object of objects) {
             for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(object))) {
                 if (['constructor', 'version', 'metresPerUnit'].includes(name)) continue;
