@@ -28,8 +28,8 @@ PlaneId PlaneTable::add(const Plane& plane) {
         std::uint32_t& known = of_hash_.at(key);
         if (known == FlatMap::kNone) {
             known = std::uint32_t(planes_.size());
-            planes_.emplace_back(new SolidPlane(forward));
-            planes_.emplace_back(new SolidPlane(flipped(forward)));
+            planes_.push_back(Ref<const SolidPlane>(new SolidPlane(forward)));
+            planes_.push_back(Ref<const SolidPlane>(new SolidPlane(flipped(forward))));
             return known + behind;
         }
         if (planes_[known]->plane == forward) return known + behind;

@@ -280,7 +280,8 @@ TEST(PlaneChain, GridPointsAndMeetsOnOneLine) {
         EXPECT_FALSE(chain.cancels());
         chain.add(middle, on_a, across, plane);
         EXPECT_TRUE(chain.cancels()) << k;
-        const ExactPoint again_a(plane, across, plane_through(a, c, d));
+        const Plane third = plane_through(a, c, d);
+        const ExactPoint again_a(plane, across, third);
         chain.add(a, b);
         chain.add(on_b, again_a, plane, across);
         EXPECT_TRUE(chain.cancels()) << "a by its planes, " << k;
