@@ -65,7 +65,6 @@ struct Race {
     Mesh mesh;
     std::vector<double> firma, cgal, copy;  ///< milliseconds; of copying CGAL's mesh, for its own undo
     double firma_taken = 0;                 ///< by the reports, m3
-    std::vector<int> tries;
     int retries = 0, refused = 0, failed = 0;
 };
 
@@ -75,12 +74,10 @@ void cut_both(Race& race, int rooms, CraterPlaces places, std::size_t from, cons
         race.firma.push_back(cost.cpu);
         race.firma_taken += cost.report.volume;
         race.retries += cost.report.retries;
-        race.tries.push_back(cost.report.retries);
         race.refused += cost.status == CarveStatus::kRefused;
     }
     for (std::size_t k = from; k < from + kTurn; ++k) {
-        PlacedCutter placed = place_cutter(cutter, crater_pose(rooms, places, k)).value();
-        // Where Firma moved the cutter out of degenerate position, CGAL subtracts the moved one.
+        const PlacedCutter placed = place_cutter(cutter, crater_pose(rooms, places, k)).value();
         Mesh other = mesh_of(placed);
         double before = thread_seconds();
         {

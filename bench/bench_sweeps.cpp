@@ -19,7 +19,7 @@ constexpr double kMostMilliseconds = 2000, kMostOfQuick = 300;
 
 struct Row {
     std::vector<double> milliseconds;
-    std::size_t refused = 0, moved = 0;
+    std::size_t refused = 0;
     double taken = 0;  ///< by the reports, share of the block
     World world;
 };
@@ -34,14 +34,13 @@ Row run(scenes::SweepTool tool, int exponent, std::size_t cuts, double most) {
         row.milliseconds.push_back(cost.cpu);
         sum += cost.cpu;
         row.refused += cost.status == CarveStatus::kRefused;
-        row.moved += cost.report.retries > 0;
         row.taken += cost.report.volume;
     }
     return row;
 }
 
 int measure(const Settings& settings) {
-    Table table("sweeps", {"tool", "scale m", "cuts", "median ms", "p99 ms", "sum ms", "refused", "moved", "facets",
+    Table table("sweeps", {"tool", "scale m", "cuts", "median ms", "p99 ms", "sum ms", "refused", "facets",
                            "volume left, share of the block", "reports differ from it by", "check"});
     const std::size_t cuts = settings.quick ? 50 : scenes::kSweepCuts;
     const double most = settings.quick ? kMostOfQuick : kMostMilliseconds;
@@ -54,15 +53,14 @@ int measure(const Settings& settings) {
             const double block = std::ldexp(1.0, 3 * exponent), left = measure_solid(row.world).volume / block;
             char volume[32];
             std::snprintf(volume, sizeof volume, "%.15f", left);
-            table.add({std::string(scenes::name_of(tool)), count(std::size_t(1) << exponent),
-                       count(row.milliseconds.size()), number(median(row.milliseconds)),
-                       number(quantile(row.milliseconds, 0.99)),
-                       number(std::accumulate(row.milliseconds.begin(), row.milliseconds.end(), 0.0)),
-                       count(row.refused), count(row.moved), count(row.world.solid().face_count()), volume,
-                       number(std::fabs(row.taken / block + left - 1)),
-                       fault         ? fault->what
-                       : solid_fault ? solid_fault->what
-                                     : "sound"});
+            table.add(
+                {std::string(scenes::name_of(tool)), count(std::size_t(1) << exponent), count(row.milliseconds.size()),
+                 number(median(row.milliseconds)), number(quantile(row.milliseconds, 0.99)),
+                 number(std::accumulate(row.milliseconds.begin(), row.milliseconds.end(), 0.0)), count(row.refused),
+                 count(row.world.solid().face_count()), volume, number(std::fabs(row.taken / block + left - 1)),
+                 fault         ? fault->what
+                 : solid_fault ? solid_fault->what
+                               : "sound"});
         }
     return table.finish(settings.csv) ? 0 : 1;
 }

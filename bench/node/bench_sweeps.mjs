@@ -65,7 +65,7 @@ for (const name of TOOLS)
             count(laps.ours.length),
             ...[laps.ours, laps.theirs].flatMap((list) => [median(list), quantile(list, 0.99), sum(list)].map(number)),
             ...[median(laps.theirs) / median(laps.ours), quantile(laps.theirs, 0.99) / quantile(laps.ours, 0.99), sum(laps.theirs) / sum(laps.ours)].map(times),
-            ...[ours.refused, ours.moved, theirs.failed].map(count),
+            ...[ours.refused, theirs.failed].map(count),
             count(ours.world.facts().faceCount),
             count(theirs.level.numTri()),
             (left / 8 ** exponent).toFixed(15),
@@ -77,7 +77,7 @@ for (const name of TOOLS)
     }
 const speed = ['Firma', 'manifold'].flatMap((who) => ['median', 'p99', 'sum'].map((what) => `${who} ${what} ms`));
 const ratios = ['median', 'p99', 'sum'].map((what) => `manifold to Firma, ${what}`);
-const answers = ['refused by Firma', 'moved by Firma', 'not cut by manifold', 'facets of Firma', 'triangles of manifold'];
+const answers = ['refused by Firma', 'not cut by manifold', 'facets of Firma', 'triangles of manifold'];
 const volumes = ['volume left by Firma, share of the block', 'manifold differs by', "Firma's check"];
 await finish('node_sweeps', ['tool', 'scale m', 'cuts', ...speed, ...ratios, ...answers, ...volumes], rows, csv);
 process.exit(0);

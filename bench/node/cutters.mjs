@@ -6,7 +6,6 @@ export class FirmaCutter {
     taken = 0;
     retries = 0;
     refused = 0;
-    moved = 0;
     constructor(firma, mesh, tool) {
         this.world = firma.worldFromMesh(mesh);
         this.cutter = firma.cutterFromMesh(tool.positions, tool.corners);
@@ -17,7 +16,6 @@ export class FirmaCutter {
         this.world = world;
         this.taken += report.volume;
         this.retries += report.retries;
-        this.moved += report.retries > 0;
         this.refused += report.status === 'refused';
     }
     release() {

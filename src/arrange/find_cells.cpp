@@ -49,15 +49,8 @@ bool add_cells(FlatEdges& flat, std::uint32_t face, std::span<const PieceUse> lo
         cell.face = face;
         cell.first_use = std::uint32_t(cells.all_uses.size());
         cell.first_loop = std::uint32_t(cells.loop_ends.size());
-        const auto add = [&](std::uint32_t loop) {
-            const std::uint32_t first = loop == 0 ? 0 : ends[loop - 1];
-            cells.all_uses.insert(cells.all_uses.end(), loops.begin() + first, loops.begin() + ends[loop]);
-            cells.loop_ends.push_back(std::uint32_t(cells.all_uses.size()) - cell.first_use);
-            ++cell.loop_count;
-        };
-        add(outline);
-        for (std::uint32_t hole = 0; hole < ends.size(); ++hole)
-            if (hole != outline && outline_of[hole] == outline) add(hole);
+        cell.loop_count =
+            append_outline<PieceUse>(loops, ends, outline_of, outline, cell.first_use, cells.all_uses, cells.loop_ends);
         cell.use_count = std::uint32_t(cells.all_uses.size()) - cell.first_use;
         cells.cells.push_back(cell);
     }

@@ -3,11 +3,11 @@
 #include "arrange/flat_edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "base/sort.h"
+#include "geometry/exact_loop.h"
 
 namespace firma {
 namespace {
@@ -111,21 +111,9 @@ bool FlatEdges::encloses(std::span<const PieceUse> loop, const PieceUse& use) {
 
 /// Mostly an area in double tells.
 bool FlatEdges::runs_left(std::span<const PieceUse> loop) {
-    const FlatView view = overlay_.plane(plane_).front_view();
-    const Vec3& start = overlay_.point(from(loop[0])).approximate();
-    double twice_area = 0, reach = 0, au = 0, av = 0;
-    for (const PieceUse& use : loop) {
-        const Vec3& p = overlay_.point(from(use)).approximate();
-        const double u = p[view.u()] - start[view.u()], v = p[view.v()] - start[view.v()];
-        twice_area += au * v - av * u;
-        reach = std::max({reach, std::fabs(u), std::fabs(v)});
-        au = u;
-        av = v;
-    }
-    // Each difference is off by 2^-24 at most, each term by 2^-21 of the reach and a few roundings of its square.
-    const double error = double(loop.size()) * reach * (0x1p-20 + 0x1p-45 * reach);
-    if (twice_area > error) return true;
-    if (twice_area < -error) return false;
+    const auto corner = [&](std::size_t k) -> const ExactPoint& { return overlay_.point(from(loop[k])); };
+    if (const int turns = surely_turns(loop.size(), corner, overlay_.plane(plane_).front_view()); turns != 0)
+        return turns > 0;
     return encloses(loop, loop[0]);
 }
 

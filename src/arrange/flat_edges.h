@@ -26,6 +26,27 @@ struct PieceUse {
     }
 };
 
+/// Appends the loop that is an outline, and the holes in it.
+/// @param outline_of  see FlatEdges::group()
+/// @param first       in `uses_made`, where the uses of this outline begin: ends are counted from there
+/// @return how many loops
+template <class Use>
+std::uint32_t append_outline(std::span<const Use> uses, std::span<const std::uint32_t> ends,
+                             std::span<const std::uint32_t> outline_of, std::uint32_t outline, std::size_t first,
+                             std::vector<Use>& uses_made, std::vector<std::uint32_t>& ends_made) {
+    std::uint32_t count = 0;
+    const auto add = [&](std::uint32_t loop) {
+        const std::uint32_t begin = loop == 0 ? 0 : ends[loop - 1];
+        uses_made.insert(uses_made.end(), uses.begin() + begin, uses.begin() + ends[loop]);
+        ends_made.push_back(std::uint32_t(uses_made.size() - first));
+        ++count;
+    };
+    add(outline);
+    for (std::uint32_t hole = 0; hole < ends.size(); ++hole)
+        if (hole != outline && outline_of[hole] == outline) add(hole);
+    return count;
+}
+
 /// Of one plane at a time. Keeps its scratch from call to call.
 class FlatEdges {
 public:

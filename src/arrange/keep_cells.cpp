@@ -346,15 +346,8 @@ private:
             ArrangedFace face = like;
             face.first_use = std::uint32_t(made_.all_uses.size());
             face.first_loop = std::uint32_t(made_.loop_ends.size());
-            const auto add = [&](std::uint32_t loop) {
-                const std::uint32_t first = loop == 0 ? 0 : ends_[loop - 1];
-                made_.all_uses.insert(made_.all_uses.end(), sides_.begin() + first, sides_.begin() + ends_[loop]);
-                made_.loop_ends.push_back(std::uint32_t(made_.all_uses.size()) - face.first_use);
-                ++face.loop_count;
-            };
-            add(outline);
-            for (std::uint32_t hole = 0; hole < ends_.size(); ++hole)
-                if (hole != outline && outline_of[hole] == outline) add(hole);
+            face.loop_count = append_outline<OverlaySide>(sides_, ends_, outline_of, outline, face.first_use,
+                                                          made_.all_uses, made_.loop_ends);
             face.use_count = std::uint32_t(made_.all_uses.size()) - face.first_use;
             made_.faces.push_back(face);
         }

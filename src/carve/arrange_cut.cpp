@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::uint32_t kNone = ~0u;
 constexpr std::size_t kMostPlanes = 1u << 21;  // see arrange/point_table.cpp
-constexpr std::uint64_t kPairsAtATime = 32;
 
 /// A point of a piece between its ends: where its line meets a plane across an axis, at the roundest place there.
 bool point_within(const Overlay& overlay, const Plane& p, const Plane& q, std::uint32_t from, std::uint32_t to,
@@ -196,7 +195,7 @@ CutArranger::End CutArranger::start() {
 
 CutArranger::End CutArranger::meet_next() {
     const std::uint64_t before = budget_.taken();
-    for (; next_ < world_face_.size() && budget_.taken() - before < kPairsAtATime; ++next_) {
+    for (; next_ < world_face_.size() && budget_.taken() - before < kPairsACutStep; ++next_) {
         in_.cutter.tree.for_each_meeting(grown(overlay_.faces[next_].box, 1), [&](std::uint32_t triangle) {
             const std::uint32_t face = group_face_[triangle];
             if (met_[face] == next_) return false;

@@ -25,9 +25,8 @@ constexpr std::uint32_t kMostFaceIds = ~0u - 1;
 /// How many facets' worth of faces one step makes.
 constexpr std::uint32_t kFacesAStep = 16;
 
-/// One step cuts so many faces, fewer once it has seen so many pairs of face and triangle.
+/// One step cuts so many faces, fewer once it has looked at kPairsACutStep pairs.
 constexpr int kFacesCutAStep = 16;
-constexpr std::uint64_t kPairsAStep = 32;
 
 double microseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
@@ -287,7 +286,7 @@ CutJob::Phase CutJob::contradiction() {
 
 CutJob::Phase CutJob::cut_next_faces() {
     const std::uint64_t before = budget_.taken();
-    for (int left = kFacesCutAStep; left > 0 && budget_.taken() - before < kPairsAStep; --left) {
+    for (int left = kFacesCutAStep; left > 0 && budget_.taken() - before < kPairsACutStep; --left) {
         while (next_ < patch_.faces.size() && patch_.faces[next_].replaced) ++next_;
         if (next_ == patch_.faces.size()) return order();
         const Verdict verdict = face_cutter_.cut_face(next_++);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/exact_loop.h"
 #include "geometry/flat_loop.h"
 
 namespace firma {
@@ -25,7 +26,10 @@ public:
         std::vector<std::size_t> outer;
         for (std::size_t loop = 0; loop < ends_.size(); ++loop) {
             area[loop] = twice_area(corners(loop));
-            const int turns = surely_turns(corners(loop));
+            const auto corner = [&](std::size_t k) -> const ExactPoint& {
+                return view_.point(view_.from(loops_[start(loop) + k]));
+            };
+            const int turns = surely_turns(corners(loop).size(), corner, like_.plane->plane.front_view());
             if (turns == 0) return Verdict::kDegenerate;
             if (turns > 0) outer.push_back(loop);
         }
@@ -56,17 +60,21 @@ private:
         return std::span(corners_).subspan(start(loop), ends_[loop] - start(loop));
     }
 
+    /// Rounded corners lie within half a step of the exact ones along each axis: two of them, seen from each other, and
+    /// the line of a side between two more, within so many.
+    static constexpr std::int64_t kNearSteps = 2;
+
     /// Whether a corner lies so near to a loop that, rounded, it may have changed to the other side.
     static bool too_near(std::span<const FlatPoint> loop, const FlatPoint& p) {
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const FlatPoint &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
-            if (std::max(a.u, b.u) + 2 < p.u || std::min(a.u, b.u) - 2 > p.u || std::max(a.v, b.v) + 2 < p.v ||
-                std::min(a.v, b.v) - 2 > p.v)
+            if (std::max(a.u, b.u) + kNearSteps < p.u || std::min(a.u, b.u) - kNearSteps > p.u ||
+                std::max(a.v, b.v) + kNearSteps < p.v || std::min(a.v, b.v) - kNearSteps > p.v)
                 continue;
-            // Twice the area with the side: within two steps of its line.
+            // Twice the area with the side, by its length: how far from its line.
             const Int128 area = turn(a, b, p);
             const Int128 length = Int128(a.u < b.u ? b.u - a.u : a.u - b.u) + (a.v < b.v ? b.v - a.v : a.v - b.v);
-            if ((area < 0 ? -area : area) <= 2 * length) return true;
+            if ((area < 0 ? -area : area) <= kNearSteps * length) return true;
         }
         return false;
     }

@@ -6,6 +6,9 @@
 
 namespace firma {
 
+/// One step of a cut looks at so many pairs, or a few more.
+inline constexpr std::uint64_t kPairsACutStep = 32;
+
 /// Counts pairs down: of triangles of a cutter, or of one and a face of the world. Some meshes (a fan of long
 /// triangles) have boxes that all meet.
 class PairBudget {

@@ -33,20 +33,6 @@ inline Int128 twice_area(std::span<const FlatPoint> loop) {
     return sum;
 }
 
-/// Which way a loop runs around of which the corners were rounded, each coordinate by half a step at most: 1
-/// counter-clockwise, -1 clockwise, 0 where rounding leaves that open.
-inline int surely_turns(std::span<const FlatPoint> loop) {
-    // Each term u_k (v_{k+1} - v_{k-1}) changes by half of that difference, and as much for v; and by half a square
-    // step.
-    Int128 error = Int128(loop.size());
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-        const FlatPoint &a = loop[k], &b = loop[k + 1 < loop.size() ? k + 1 : 0];
-        error += (a.u < b.u ? b.u - a.u : a.u - b.u) + (a.v < b.v ? b.v - a.v : a.v - b.v);
-    }
-    const Int128 area = twice_area(loop);
-    return area > error ? 1 : area < -error ? -1 : 0;
-}
-
 /// Whether the ray from p along u crosses a side; a corner on it counts as above. A point that is on no side lies in
 /// what loops enclose when it does so for an odd number of their sides.
 inline bool crosses_ray(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {

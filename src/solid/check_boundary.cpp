@@ -6,7 +6,7 @@
 
 #include "base/flat_map.h"
 #include "base/point_numbers.h"
-#include "geometry/flat_loop.h"
+#include "geometry/exact_loop.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
@@ -91,13 +91,14 @@ private:
         for (const std::uint32_t end : ends) {
             if (end < first || end > uses.size() || end - first < 3)
                 return report("a loop of fewer than three edges", some_corner());
-            loop_.clear();
             for (std::uint32_t k = first; k < end; ++k) {
                 const PatchUse& next = uses[k + 1 < end ? k + 1 : first];
                 if (patch_.to(uses[k]) != patch_.from(next)) return report_vertex("a loop is open", patch_.to(uses[k]));
-                loop_.push_back(project(patch_.vertices[patch_.from(uses[k])].point.rounded(), view));
             }
-            const int turn = surely_turns(loop_);
+            const auto corner = [&](std::size_t k) -> const ExactPoint& {
+                return patch_.vertices[patch_.from(uses[first + k])].point;
+            };
+            const int turn = surely_turns(end - first, corner, view);
             if (first == 0 && turn < 0)
                 return report_vertex("the outer loop runs against the normal", patch_.from(uses[first]));
             if (first != 0 && turn > 0)
@@ -194,7 +195,6 @@ private:
     std::uint32_t face_ = 0;
     std::optional<SolidFault> fault_;
     std::vector<Uses> uses_;  ///< of each edge
-    std::vector<FlatPoint> loop_;
     PointNumbers numbers_;
     std::vector<std::uint32_t> rounded_;  ///< number of each vertex's rounded point, once it was asked for
     std::vector<std::uint32_t> of_face_;  ///< of each numbered point: 1 + the last face that has it as a vertex

@@ -94,7 +94,6 @@ TEST(FoundByTheJudge, LargeThinFacesCanBeTiled) {
     for (std::size_t k = 0; k < 7; ++k) world = reference::make_cut(world, it.cuts[k]).world;
     const CarveResult result = reference::make_cut(world, it.cuts[7]);
     EXPECT_EQ(result.status, CarveStatus::kDone) << result.error.text();
-    EXPECT_EQ(result.report.retries, 0);
 }
 
 // The judge must be able to find fault.

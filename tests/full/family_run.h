@@ -135,12 +135,12 @@ private:
     void print(const std::string& family, const CutTally& tally, double seconds, bool pass) const {
         std::printf(
             "claim=%s family=%s count=%llu seed=%llu asked=%llu failed=%llu nothing=%llu refused=%llu "
-            "unplaceable=%llu blamed=%llu moved=%llu retries=%llu sliced=%llu commuted=%llu reseamed=%llu "
+            "unplaceable=%llu blamed=%llu sliced=%llu commuted=%llu reseamed=%llu "
             "replayed=%llu points=%llu rays=%llu casts=%llu shared_edges=%llu ",
             claim_.name.c_str(), family.c_str(), ull(tally.done), ull(options_.seed), ull(tally.cuts),
             ull(tally.failed), ull(tally.nothing), ull(tally.refused), ull(tally.unplaceable), ull(tally.blamed),
-            ull(tally.moved), ull(tally.retries), ull(tally.sliced), ull(tally.commuted), ull(tally.reseamed),
-            ull(tally.replayed), ull(tally.points), ull(tally.rays), ull(tally.casts), ull(tally.shared_edges));
+            ull(tally.sliced), ull(tally.commuted), ull(tally.reseamed), ull(tally.replayed), ull(tally.points),
+            ull(tally.rays), ull(tally.casts), ull(tally.shared_edges));
         if (tally.again + tally.history_points > 0)
             std::printf("again=%llu reversed=%llu grown=%llu history_points=%llu ", ull(tally.again),
                         ull(tally.reversed), ull(tally.grown), ull(tally.history_points));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thousands of cuts in forced contact, judged one by one: none refused, none moved. Prints a claim a family and one in
+// Thousands of cuts in forced contact, judged one by one: none refused. Prints a claim a family and one in
 // total. Beside the families of contact_families.h there is one for the depot and for each map.
 //
 //   full_contact --count 20000 --seed 1 [--threads 2] [--from 0] [--to N] [--family NAME] [--level levels/first.obj]

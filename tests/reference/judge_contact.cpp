@@ -45,8 +45,8 @@ public:
     bool holds() const { return holds_; }
 
     void judge_place() {
-        // A cutter is where snapping put it; no position is refused.
-        if (result_.report.retries > 0 && result_.status != CarveStatus::kRefused) fail("the cutter was moved");
+        // No position is refused. That nothing was moved shows in volumes and points: they are those of the cutter
+        // where snapping put it.
         if (result_.status == CarveStatus::kRefused) fail("refused: " + result_.error.text());
     }
 

@@ -15,13 +15,13 @@ struct CubeGrid {
 };
 
 struct CubeGridVerdict {
-    std::uint64_t edits = 0, refused = 0, moved = 0;
+    std::uint64_t edits = 0, refused = 0;
     std::size_t faces_full = 0;         ///< exact ones of the whole cube
     std::vector<std::string> failures;  ///< the first few
 };
 
-/// Fills all cubes in an empty world, then carves them all in another order: nothing may be left, none refused, none
-/// moved; the volume is looked at on the way. Then once more with every other cube carved again, in the pattern of a
+/// Fills all cubes in an empty world, then carves them all in another order: nothing may be left, none refused;
+/// the volume is looked at on the way. Then once more with every other cube carved again, in the pattern of a
 /// chess board, and with one half of the grid: both must equal what is filled alone.
 CubeGridVerdict judge_cube_grid(const CubeGrid& grid);
 

@@ -299,8 +299,7 @@ std::string judge_slices(const World& world, const CutOrder& order, const CarveR
     if (result.status != whole.status) return "in slices it ends otherwise";
     if (hash_world(result.world) != hash_world(whole.world)) return "in slices it ends in other bits";
     if (hash_solid(result.world) != hash_solid(whole.world)) return "in slices it ends in another solid";
-    if (result.report.volume != whole.report.volume || result.report.retries != whole.report.retries)
-        return "in slices it reports otherwise";
+    if (result.report.volume != whole.report.volume) return "in slices it reports otherwise";
     const std::uint64_t hash = hash_world(world);
     {
         CarveJob dropped(world, order.cutter, order.pose, {}, order.kind);
@@ -334,8 +333,6 @@ void CutTally::add(const CutTally& other) {
     refused += other.refused;
     unplaceable += other.unplaceable;
     blamed += other.blamed;
-    moved += other.moved;
-    retries += other.retries;
     sliced += other.sliced;
     commuted += other.commuted;
     reseamed += other.reseamed;
@@ -413,8 +410,6 @@ CarveResult judge_cut(World& world, const CutOrder& order, Rng& rng, const std::
         CutTally::Refusals& like = tally.refusals[kind_of(result.error.reason)];
         if (++like.count == 1) like.first = where;
     }
-    tally.retries += std::uint64_t(result.report.retries);
-    tally.moved += result.report.retries > 0;
 
     CutJudge judge(world, order, result, rng, where, tally, options);
     judge.judge();

@@ -21,8 +21,6 @@ struct CutTally {
     std::uint64_t cuts = 0, done = 0, nothing = 0, refused = 0;
     std::uint64_t unplaceable = 0;  ///< refused for the cutter: no area on the grid, crossing itself, out of the world
     std::uint64_t blamed = 0;       ///< refused, and the library is to blame: degenerate position, a contradiction
-    std::uint64_t moved = 0;        ///< out of degenerate position
-    std::uint64_t retries = 0;      ///< of all cuts together
     std::uint64_t sliced = 0;       ///< made again in slices
     std::uint64_t commuted = 0;     ///< pairs of disjoint cuts made in both orders
     std::uint64_t reseamed = 0;     ///< of those, with the same solid but its large faces divided otherwise
@@ -61,7 +59,7 @@ struct JudgeOptions {
     double slices = 0.25;  ///< share of cuts made again in slices
     bool volume = true;
     std::size_t most_cuts = ~std::size_t(0);  ///< of a case
-    bool contact = false;                     ///< judged by judge_contact.h too, and no cut may be moved or refused
+    bool contact = false;                     ///< judged by judge_contact.h too, and no cut may be refused
     int history_points = 24;                  ///< of a cut in contact
     double back = 0.5;                        ///< share of cuts in contact made back and forth
 };
@@ -96,7 +94,7 @@ struct ContradictionsReported {
 
 CarveResult make_cut(const World& world, const scenes::CutOrder& order);
 
-/// A cutter as an edit had it at last: shrunk by rules, and moved; nothing when that cannot be told.
+/// A cutter as an edit had it at last: shrunk by rules; nothing when it cannot be placed.
 std::optional<PlacedCutter> placed_cutter(const scenes::CutOrder& order, const CarveReport& report);
 
 /// The first directed edge of the solid's facets, of all rooms, that is not used as often the other way; empty when all
