@@ -40,8 +40,9 @@ enum class CutterShape : std::uint8_t {
 [[nodiscard]] FIRMA_EXPORT std::optional<CutterShape> cutter_shape(std::string_view name);
 [[nodiscard]] FIRMA_EXPORT std::string_view cutter_shape_name(CutterShape shape);
 
-/// A closed mesh in units of its own (metres at scale 1), immutable: copies share it. The default one holds nothing and
-/// cannot be placed. Copies and questions cost the same for every cutter and never allocate.
+/// A closed mesh in units of its own (metres at scale 1), or a solid (cutter_from_solid()), immutable: copies share it.
+/// The default one holds nothing and cannot be placed. Copies and questions cost the same for every cutter and never
+/// allocate.
 class Cutter {
 public:
     Cutter() = default;

@@ -254,6 +254,19 @@ struct SolidCutOptions {
     const CarveRules* rules = nullptr;  ///< null: none
 };
 
+/// A cutter that is a solid, one that cuts have made too; its mesh is that of its facets, see Solid::face_count().
+///
+/// Placed at scale 1 by one of the 24 turns of the axes, to within 2^-40, it cuts exactly: its position is snapped to
+/// the input grid, and all its planes and vertices are turned and moved with it. At any other pose it is the solid that
+/// its facets bound once each corner is turned, scaled and snapped to the input grid; triangles that lose their area
+/// there are left out, and where what is left crosses or touches itself beyond its edges and vertices it is refused,
+/// with the place. Faces that it leaves in a solid name as their source the number of its face, in order of ids.
+///
+/// @param name  for messages
+/// @return the cutter; kInvalid for a solid of no face or with rock outside; kTooLarge beyond kMaxCutterTriangles
+/// Costs its facets, which are copied; cuts cost what those of a mesh that touches cost, and a copy of its faces.
+[[nodiscard]] FIRMA_EXPORT Result<Cutter> cutter_from_solid(const Solid& solid, std::string name = "");
+
 /// Takes a placed cutter away from a solid, by the rules of carve(): the faces of the result are those that a world
 /// around the solid would have.
 /// Costs what carve() costs, less what that does to rooms: it grows with the cutter's triangles and with the faces near

@@ -5,52 +5,57 @@
 // divided by the first that is not zero, they are unique. What seems equal is compared exactly.
 #include "arrange/line_table.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/assert.h"
+#include "geometry/residues.h"
 
 namespace firma {
 namespace {
 
-constexpr std::uint64_t kPrime = (std::uint64_t(1) << 61) - 1;
+struct Pluecker {
+    std::uint64_t part[6];
 
-/// 2^61 is 1 modulo the prime, so the pieces of 61 bits add up: a division of 128 bits is a call of a library.
-std::uint64_t reduced(Unsigned128 value) {
-    std::uint64_t sum =
-        std::uint64_t(value & kPrime) + std::uint64_t(value >> 61 & kPrime) + std::uint64_t(value >> 122);
-    sum = (sum & kPrime) + (sum >> 61);
-    return sum >= kPrime ? sum - kPrime : sum;
-}
-std::uint64_t modulo(Int128 value) {
-    const std::uint64_t rest = reduced(value < 0 ? -Unsigned128(value) : Unsigned128(value));
-    return value < 0 && rest != 0 ? kPrime - rest : rest;
-}
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-    return reduced(Unsigned128(a) * b);
-}
-std::uint64_t minus(std::uint64_t a, std::uint64_t b) {
-    return a >= b ? a - b : a + kPrime - b;
-}
-/// By Fermat: a^(p - 2).
-std::uint64_t inverse(std::uint64_t a) {
-    std::uint64_t result = 1;
-    for (std::uint64_t power = kPrime - 2; power != 0; power >>= 1) {
-        if (power & 1) result = times(result, a);
-        a = times(a, a);
+    bool vanishes() const {
+        return std::all_of(part, part + 6, [](std::uint64_t p) { return p == 0; });
     }
-    return result;
+};
+
+/// Where the prime divides all six, which leaves no ratio: of other planes through the line it may not.
+Pluecker divided_by_prime(const Plane& a, const Plane& b) {
+    Int256 whole[6];
+    for (int k = 0, i = 1, j = 2; k < 3; i = j, j = k, ++k) {
+        whole[k] = Int256(normal_minor(a, b, i, j));
+        whole[3 + k] = product(a.offset(), Int128(b.normal[k])) - product(b.offset(), Int128(a.normal[k]));
+    }
+    Pluecker line;
+    do {
+        for (int k = 0; k < 6; ++k) {
+            whole[k] = divide(whole[k], kPrime).quotient;
+            line.part[k] = residue_of(Int128(divide(whole[k], kPrime).remainder));
+        }
+    } while (line.vanishes());
+    return line;
+}
+
+Pluecker pluecker_of(const Plane& a, const Plane& b) {
+    Pluecker line;
+    for (int k = 0, i = 1, j = 2; k < 3; i = j, j = k, ++k) line.part[k] = residue_of(normal_minor(a, b, i, j));
+    const std::uint64_t da = residue_of(a.offset()), db = residue_of(b.offset());
+    for (int k = 0; k < 3; ++k)
+        line.part[3 + k] = residue_minus(residue_times(da, residue_of(Int128(b.normal[k]))),
+                                         residue_times(db, residue_of(Int128(a.normal[k]))));
+    return line.vanishes() ? divided_by_prime(a, b) : line;
 }
 
 std::uint64_t hash_of(const Plane& a, const Plane& b) {
-    std::uint64_t part[6];
-    for (int k = 0, i = 1, j = 2; k < 3; i = j, j = k, ++k) part[k] = modulo(normal_minor(a, b, i, j));
-    const std::uint64_t da = modulo(a.offset()), db = modulo(b.offset());
-    for (int k = 0; k < 3; ++k) part[3 + k] = minus(times(da, modulo(b.normal[k])), times(db, modulo(a.normal[k])));
+    const Pluecker line = pluecker_of(a, b);
     std::uint64_t factor = 0;
-    for (int k = 0; k < 3 && factor == 0; ++k) factor = part[k];
-    factor = inverse(factor);
+    for (int k = 0; k < 6 && factor == 0; ++k) factor = line.part[k];
+    factor = residue_inverse(factor);
     std::uint64_t hash = table_seed();
-    for (const std::uint64_t p : part) hash = mix_bits(hash ^ times(p, factor));
+    for (const std::uint64_t p : line.part) hash = mix_bits(hash ^ residue_times(p, factor));
     return hash;
 }
 

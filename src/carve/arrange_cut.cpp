@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.h"
 #include "carve/gather.h"
+#include "carve/side_of_solid.h"
 #include "geometry/flat_loop.h"
 
 namespace firma {
@@ -58,51 +59,87 @@ CutArranger::End CutArranger::step(const LocatePoint& locate) {
     return keep();
 }
 
-std::uint32_t CutArranger::patch_point(std::uint32_t vertex) {
-    std::uint32_t& known = point_of_vertex_[vertex];
-    if (known != kNone) return known;
-    const ExactPoint& point = in_.patch.vertices[vertex].point;
-    if (point.on_grid()) return known = overlay_.tables.points.add(point.grid());
-    PlaneId planes[3];
-    for (int k = 0; k < 3; ++k) planes[k] = overlay_.tables.planes.add(*point.plane(k));
-    return known = overlay_.tables.points.add(planes[0], planes[1], planes[2]);
-}
+/// Puts faces of a patch into an overlay.
+class CutArranger::PatchAdder {
+public:
+    PatchAdder(const SolidPatch& patch, std::uint8_t operand, Overlay& overlay)
+        : patch_(patch),
+          operand_(operand),
+          overlay_(overlay),
+          point_of_(patch.vertices.size(), kNone),
+          edge_of_(patch.edges.size(), kNone) {}
 
-std::uint32_t CutArranger::patch_edge(std::uint32_t index) {
-    std::uint32_t& known = edge_of_patch_[index];
-    if (known != kNone) return known;
-    const PatchEdge& edge = in_.patch.edges[index];
-    OverlayEdge made;
-    made.from = patch_point(edge.vertex[0]);
-    made.to = patch_point(edge.vertex[1]);
-    for (int k = 0; k < 2; ++k) made.plane[k] = overlay_.tables.planes.add(edge.plane[k]->plane);
-    made.doubled = edge.doubled;
-    patch_edge_.push_back(index);
-    return known = overlay_.add_edge(made);
-}
+    std::uint32_t add(const PatchFace& face) {
+        sides_.clear();
+        for (const PatchUse& use : patch_.uses(face)) sides_.push_back({edge(use.edge), use.reversed});
+        return overlay_.add_face(overlay_.tables.planes.add(face.plane->plane), operand_, sides_, patch_.ends(face));
+    }
+    /// Of its vertices; ~0: one of no face added.
+    const std::vector<std::uint32_t>& points() const { return point_of_; }
+    /// The patch's, of the overlay's edges added.
+    const std::vector<std::uint32_t>& edges() const { return edges_; }
 
-void CutArranger::add_patch() {
+private:
+    std::uint32_t point(std::uint32_t vertex) {
+        std::uint32_t& known = point_of_[vertex];
+        if (known != kNone) return known;
+        const ExactPoint& point = patch_.vertices[vertex].point;
+        if (point.on_grid()) return known = overlay_.tables.points.add(point.grid());
+        PlaneId planes[3];
+        for (int k = 0; k < 3; ++k) planes[k] = overlay_.tables.planes.add(*point.plane(k));
+        return known = overlay_.tables.points.add(planes[0], planes[1], planes[2]);
+    }
+
+    std::uint32_t edge(std::uint32_t index) {
+        std::uint32_t& known = edge_of_[index];
+        if (known != kNone) return known;
+        const PatchEdge& edge = patch_.edges[index];
+        OverlayEdge made;
+        made.from = point(edge.vertex[0]);
+        made.to = point(edge.vertex[1]);
+        for (int k = 0; k < 2; ++k) made.plane[k] = overlay_.tables.planes.add(edge.plane[k]->plane);
+        made.doubled = edge.doubled;
+        edges_.push_back(index);
+        return known = overlay_.add_edge(made);
+    }
+
+    const SolidPatch& patch_;
+    const std::uint8_t operand_;
+    Overlay& overlay_;
+    std::vector<std::uint32_t> point_of_, edge_of_, edges_;
+    std::vector<OverlaySide> sides_;
+};
+
+void CutArranger::add_world() {
     const SolidPatch& patch = in_.patch;
-    point_of_vertex_.assign(patch.vertices.size(), kNone);
-    edge_of_patch_.assign(patch.edges.size(), kNone);
-    std::vector<OverlaySide> sides;
+    PatchAdder adder(patch, 0, overlay_);
     for (std::uint32_t index = 0; index < patch.faces.size(); ++index) {
-        const PatchFace& face = patch.faces[index];
-        if (face.replaced) continue;
-        sides.clear();
-        for (const PatchUse& use : patch.uses(face)) sides.push_back({patch_edge(use.edge), use.reversed});
-        overlay_.add_face(overlay_.tables.planes.add(face.plane->plane), 0, sides, patch.ends(face));
+        if (patch.faces[index].replaced) continue;
+        adder.add(patch.faces[index]);
         world_face_.push_back(index);
     }
+    patch_edge_ = adder.edges();
     // One vertex stands for each point.
     vertex_of_point_.assign(overlay_.tables.points.size(), kNone);
-    for (std::uint32_t vertex = 0; vertex < point_of_vertex_.size(); ++vertex)
-        if (const std::uint32_t point = point_of_vertex_[vertex]; point != kNone && vertex_of_point_[point] == kNone)
+    for (std::uint32_t vertex = 0; vertex < patch.vertices.size(); ++vertex)
+        if (const std::uint32_t point = adder.points()[vertex]; point != kNone && vertex_of_point_[point] == kNone)
             vertex_of_point_[point] = vertex;
 }
 
+void CutArranger::add_solid() {
+    const TurnedSolid& turned = *in_.cutter.turned;
+    PatchAdder adder(turned.boundary, 1, overlay_);
+    const std::uint32_t first = std::uint32_t(overlay_.faces.size());
+    for (std::uint32_t index = 0; index < turned.boundary.faces.size(); ++index) {
+        adder.add(turned.boundary.faces[index]);
+        triangle_of_.push_back(index);
+    }
+    patch_edge_.resize(overlay_.edges.size(), kNone);
+    for (const std::uint32_t face : turned.face_of) group_face_.push_back(first + face);
+}
+
 /// Neighbouring triangles in one plane are one face.
-void CutArranger::add_cutter() {
+void CutArranger::add_mesh() {
     const CutterSolid& cutter = in_.cutter;
     const std::size_t count = cutter.planes.size();
     std::vector<PlaneId> planes;
@@ -184,8 +221,11 @@ void CutArranger::add_cutter() {
 }
 
 CutArranger::End CutArranger::start() {
-    add_patch();
-    add_cutter();
+    add_world();
+    if (in_.cutter.turned)
+        add_solid();
+    else
+        add_mesh();
     if (overlay_.tables.planes.size() >= kMostPlanes) return End::kTooLarge;
     spans_.start();
     met_.assign(overlay_.faces.size(), kNone);
@@ -194,9 +234,11 @@ CutArranger::End CutArranger::start() {
 }
 
 CutArranger::End CutArranger::meet_next() {
+    // A mesh's triangles hold its faces; a Solid's facets lie near its faces.
+    const std::int32_t steps = in_.cutter.turned ? 1 + kFacetReach : 1;
     const std::uint64_t before = budget_.taken();
     for (; next_ < world_face_.size() && budget_.taken() - before < kPairsACutStep; ++next_) {
-        in_.cutter.tree.for_each_meeting(grown(overlay_.faces[next_].box, 1), [&](std::uint32_t triangle) {
+        in_.cutter.tree.for_each_meeting(grown(overlay_.faces[next_].box, steps), [&](std::uint32_t triangle) {
             const std::uint32_t face = group_face_[triangle];
             if (met_[face] == next_) return false;
             met_[face] = next_;

@@ -52,10 +52,11 @@ private:
     End label(const LocatePoint& locate);
     End keep();
 
-    void add_patch();
-    void add_cutter();
-    std::uint32_t patch_point(std::uint32_t vertex);
-    std::uint32_t patch_edge(std::uint32_t edge);
+    class PatchAdder;
+
+    void add_world();
+    void add_mesh();
+    void add_solid();
     CellLabel locate_cell(std::uint32_t cell, const LocatePoint& locate) const;
     bool alike(std::uint32_t face, std::uint32_t other) const;
     void write(const Arranged& arranged);
@@ -68,12 +69,10 @@ private:
     Phase phase_ = Phase::kStart;
 
     Overlay overlay_;
-    std::vector<std::uint32_t> point_of_vertex_;  ///< of the patch
-    std::vector<std::uint32_t> edge_of_patch_;    ///< in the overlay; ~0: none
-    std::vector<std::uint32_t> patch_edge_;       ///< of an overlay's edge; ~0: one of the cutter's
+    std::vector<std::uint32_t> patch_edge_;       ///< of an overlay's edge; ~0: one of the cutter
     std::vector<std::uint32_t> world_face_;       ///< the patch's, of the overlay's first faces
     std::vector<std::uint32_t> group_face_;       ///< the overlay's, of a triangle
-    std::vector<std::uint32_t> triangle_of_;      ///< the lowest, of the overlay's faces after those
+    std::vector<std::uint32_t> triangle_of_;      ///< the lowest, of the overlay's faces after those; a Solid's face
     std::vector<std::uint32_t> vertex_of_point_;  ///< see cut_view.h; ~0: none yet
     SpanFinder spans_;
     DividedLines lines_;

@@ -11,11 +11,11 @@
 #include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
+#include "carve/place_solid.h"
 #include "carve/reaches_into.h"
+#include "carve/side_of_solid.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
-#include "solid/first_seen.h"
-#include "solid/near_facets.h"
 
 namespace firma {
 namespace {
@@ -146,13 +146,11 @@ CutJob::Phase CutJob::place() {
                                                 std::to_string(rules_.max_cutter_triangles));
     Pose pose = pose_;
     pose.scale *= report_.scale;
-    Result<PlacedCutter> placed = place_cutter(cutter_, pose);
-    if (!placed) {
+    if (std::optional<Error> fault = place_any_cutter(cutter_, pose, solid_cutter_)) {
         status_ = CarveStatus::kRefused;
-        error_ = placed.error();
+        error_ = std::move(*fault);
         return Phase::kEnd;
     }
-    make_cutter_solid(std::move(placed).value(), solid_cutter_);
     arranger_.reset();
     for (int axis = 0; axis < 3; ++axis)
         if (solid_cutter_.box.extent(axis) > rules_.max_cutter_size)
@@ -183,6 +181,7 @@ CutJob::Phase CutJob::shrink(double hardness, const std::string& by, Phase other
 }
 
 CutJob::Phase CutJob::judge_cutter() {
+    if (solid_cutter_.turned) return Phase::kGather;  // a Solid is sound
     if (std::optional<Error> fault = firma::check_cutter(solid_cutter_.placed, &budget_)) {
         status_ = CarveStatus::kRefused;
         error_ = std::move(*fault);
@@ -217,6 +216,7 @@ CutJob::Phase CutJob::tile() {
     // All planes now, so that from here on the patch is only read.
     for (std::uint32_t edge = 0; edge < patch_.edges.size(); ++edge)
         if (!patch_.edges[edge].split()) patch_.settle_planes(edge);
+    if (solid_cutter_.turned) return start_arranging();
     face_cutter_.start();
     next_ = 0;
     return Phase::kCut;
@@ -261,11 +261,8 @@ CutJob::Phase CutJob::arrange() {
 
 /// What no crossing tells.
 CutSide CutJob::locate_point(const ExactPoint& exact) const {
-    const Vec3 point = to_metres(exact.rounded());
-    // Facets lie within a few steps of the exact faces: nearer than that they cannot tell.
-    if (any_facet_near(index(), point, 16 / kSurfaceSteps)) return CutSide::kUnknown;
-    const Where where = firma::locate(solid_, point);
-    return where == Where::kSolid ? CutSide::kInside : where == Where::kAir ? CutSide::kOutside : CutSide::kUnknown;
+    const int side = side_of_solid(solid_, to_metres(exact.rounded()));
+    return side > 0 ? CutSide::kInside : side < 0 ? CutSide::kOutside : CutSide::kUnknown;
 }
 
 CutJob::Phase CutJob::too_many_pairs() {

@@ -5,13 +5,14 @@
 #include <optional>
 
 #include "carve/gather.h"
+#include "carve/side_of_solid.h"
 
 namespace firma {
 namespace {
 
 GridBox box_of(const CutterSolid& cutter, std::uint32_t t) {
     GridBox box;
-    for (const std::uint32_t v : cutter.triangle(t)) box.add(to_surface(cutter.placed.vertices[v]));
+    for (const std::uint32_t v : cutter.triangle(t)) box.add(cutter.points[v].rounded());
     return box;
 }
 
@@ -75,11 +76,19 @@ CutterSolid::Edge edge_of_planes(const CutterSolid& cutter, const CutterEdge& ed
             {left, flat ? new_plane(edge_plane(vertices[edge.a], vertices[edge.b], left->plane)) : right}};
 }
 
-BevelledBox bevel(const CutterSolid& cutter) {
-    return {cutter.box, cutter.points.size(), [&](std::size_t v) { return cutter.points[v].rounded(); }};
-}
-
 }  // namespace
+
+void index_triangles(CutterSolid& cutter) {
+    cutter.boxes.clear();
+    cutter.boxes.reserve(cutter.placed.triangles.size());
+    cutter.box = {};
+    for (std::uint32_t t = 0; t < cutter.placed.triangles.size(); ++t) {
+        cutter.boxes.push_back(box_of(cutter, t));
+        cutter.box.add(cutter.boxes.back());
+    }
+    cutter.tree = BoxTree(cutter.boxes);
+    cutter.bevelled = {cutter.box, cutter.points.size(), [&](std::size_t v) { return cutter.points[v].rounded(); }};
+}
 
 void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     cutter.placed = std::move(placed);
@@ -90,19 +99,12 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
 
     cutter.planes.clear();
     cutter.planes.reserve(it.triangles.size());
-    cutter.boxes.clear();
-    cutter.boxes.reserve(it.triangles.size());
-    cutter.box = {};
-    for (std::uint32_t t = 0; t < it.triangles.size(); ++t) {
-        cutter.planes.push_back(plane_of(it, t));
-        cutter.boxes.push_back(box_of(cutter, t));
-        cutter.box.add(cutter.boxes.back());
-    }
+    for (std::uint32_t t = 0; t < it.triangles.size(); ++t) cutter.planes.push_back(plane_of(it, t));
     cutter.edges.clear();
     cutter.edges.reserve(it.topology->edges.size());
     for (const CutterEdge& edge : it.topology->edges) cutter.edges.push_back(edge_of_planes(cutter, edge));
-    cutter.tree = BoxTree(cutter.boxes);
-    cutter.bevelled = bevel(cutter);
+    cutter.turned.reset();
+    index_triangles(cutter);
 }
 
 namespace {
@@ -125,6 +127,7 @@ std::optional<InputPoint> point_outside(const GridBox& box, int way) {
 }  // namespace
 
 int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
+    if (cutter.turned) return side_of_solid(cutter.turned->solid, cutter.turned->turn.back(point.rounded()));
     for (int way = 0; way < 12; ++way) {
         const std::optional<InputPoint> outside = point_outside(cutter.box, way);
         if (!outside) continue;

@@ -3,15 +3,25 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "carve/place_cutter.h"
+#include "firma/solid.h"
 #include "geometry/bevelled_box.h"
 #include "index/box_tree.h"
-#include "solid/solid_face.h"
+#include "solid/solid_patch.h"
 
 namespace firma {
+
+/// A Solid that cuts, by quarter turns and whole steps.
+struct TurnedSolid {
+    Solid solid;  ///< as it was before
+    GridTurn turn;
+    SolidPatch boundary;                 ///< all of it, turned; its stored edges and vertices are null
+    std::vector<std::uint32_t> face_of;  ///< the boundary's, of a triangle
+};
 
 struct CutterSolid {
     /// An edge runs a -> b counter-clockwise in triangle `left`, b -> a in `right`.
@@ -29,6 +39,9 @@ struct CutterSolid {
     GridBox box;
     BevelledBox bevelled;  ///< around all points
     BoxTree tree;
+    /// For a cutter that is a Solid: then the triangles are those of its facets, the points the vertices of its
+    /// boundary, and there are no planes, no edges, no PlacedCutter::vertices and no topology. Null for a mesh.
+    std::unique_ptr<TurnedSolid> turned;
 
     const CutterTriangle& triangle(std::uint32_t t) const { return placed.triangles[t]; }
     /// Edge k of triangle t runs from corner k to corner k + 1.
@@ -37,6 +50,9 @@ struct CutterSolid {
 
 /// @param cutter  replaced; keeps its memory
 void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter);
+
+/// Boxes, tree and hull of points and triangles.
+void index_triangles(CutterSolid& cutter);
 
 /// Whether a point lies inside: 1 or -1; 0 when that cannot be told, as the point lies on the surface or every line
 /// tried meets an edge. Exact for points of three planes too, which mesh_shells.h and see_first() are not.

@@ -109,6 +109,15 @@ void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>
     sort_by_id(facets, first);
 }
 
+std::vector<FacetPlace> all_facets(const Node* root) {
+    GridBox everywhere;
+    everywhere.add(GridPoint{INT32_MIN, INT32_MIN, INT32_MIN});
+    everywhere.add(GridPoint{INT32_MAX, INT32_MAX, INT32_MAX});
+    std::vector<FacetPlace> facets;
+    gather_facets(root, everywhere, facets);
+    return facets;
+}
+
 void gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
                    std::vector<FacetPlace>& near, std::vector<FacetPlace>& others) {
     const Bounds bounds(box);

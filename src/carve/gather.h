@@ -22,6 +22,9 @@ void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>
 void gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
                    std::vector<FacetPlace>& near, std::vector<FacetPlace>& others);
 
+/// All facets.
+std::vector<FacetPlace> all_facets(const Node* root);
+
 /// All facets of one exact face.
 /// @param face    one of its facets
 /// @param facets  added to

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Cutters from meshes: every number and index is checked before it is used.
+// Cutters from meshes, every number and index checked before it is used, and from solids.
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "base/point_numbers.h"
 #include "carve/cutter_data.h"
+#include "carve/gather.h"
 #include "firma/cutter.h"
 #include "geometry/rounding.h"
+#include "solid/solid_data.h"
 
 namespace firma {
 namespace {
@@ -121,6 +124,30 @@ Result<Cutter> make_cutter(std::span<const Vec3> vertices, std::span<const Cutte
     const int sign = volume_sign(*data);
     if (sign == 0) return named(name, {ErrorCode::kMalformed, "", "the mesh encloses no volume"});
     if (sign < 0) turn_over(*data);
+    data->name = std::move(name);
+    return Cutter(std::move(data));
+}
+
+Result<Cutter> cutter_from_solid(const Solid& solid, std::string name) {
+    const auto refuse = [&](ErrorCode code, std::string reason) { return named(name, {code, "", std::move(reason)}); };
+    if (solid.rock_outside()) return refuse(ErrorCode::kInvalid, "its rock reaches to infinity");
+    if (solid.face_count() == 0) return refuse(ErrorCode::kInvalid, "nothing of it is solid");
+    std::size_t count = 0;
+    const std::vector<FacetPlace> facets = all_facets(solid.data().faces.root.get());
+    for (const FacetPlace& facet : facets) count += facet.record().corner_count - 2;
+    if (count > kMaxCutterTriangles)
+        return refuse(ErrorCode::kTooLarge, std::to_string(count) + " triangles; a cutter has at most " +
+                                                std::to_string(kMaxCutterTriangles));
+    auto data = std::make_shared<CutterData>();
+    PointNumbers corners;
+    for (const FacetPlace& facet : facets) {
+        const FaceRecord& record = facet.record();
+        const auto corner = [&](std::size_t k) { return corners.number(facet.block->corner(record, k)); };
+        for (std::size_t k = 2; k < record.corner_count; ++k)
+            data->triangles.push_back({corner(0), corner(k - 1), corner(k)});
+    }
+    for (std::uint32_t k = 0; k < corners.count(); ++k) data->vertices.push_back(to_metres(corners.point(k)));
+    data->solid = solid;
     data->name = std::move(name);
     return Cutter(std::move(data));
 }

@@ -37,6 +37,18 @@ double Int256::to_double() const {
     return negative ? -value : value;
 }
 
+Quotient divide(const Int256& a, std::int64_t b) {
+    const bool negative = a.sign() < 0;
+    Int256 left = negative ? -a : a;
+    Unsigned128 rest = 0;
+    for (int k = 3; k >= 0; --k) {
+        rest = rest << 64 | left.word[k];
+        left.word[k] = std::uint64_t(rest / std::uint64_t(b));
+        rest %= std::uint64_t(b);
+    }
+    return negative ? Quotient{-left, -std::int64_t(rest)} : Quotient{left, std::int64_t(rest)};
+}
+
 // Long division, a bit at a time: only roundings within an error of a half come here.
 std::int64_t divide_rounded(const Int256& a, const Int256& b) {
     const bool negative = a.sign() < 0;

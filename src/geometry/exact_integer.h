@@ -84,6 +84,13 @@ inline Int256 operator*(const Int256& a, Int128 b) {
     return {low.high() + high, low.low()};
 }
 
+struct Quotient {
+    Int256 quotient;         ///< rounded toward zero
+    std::int64_t remainder;  ///< with the sign of what was divided
+};
+/// @param b  0 < b < 2^63
+Quotient divide(const Int256& a, std::int64_t b);
+
 /// a / b rounded to the nearest integer, halves to even.
 /// @param a, b  b > 0; |a| < 2^200, b < 2^200, and the quotient fits 63 bits
 std::int64_t divide_rounded(const Int256& a, const Int256& b);

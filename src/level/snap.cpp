@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The one snap: from metres to the input grid.
-#include <cmath>
-
+#include "base/round_half_even.h"
 #include "firma/grid.h"
 
 namespace firma {
-namespace {
-
-/// Nearest whole number, halves to even. Beyond 2^52 every double is whole already and floor keeps it.
-double round_half_even(double value) {
-    const double below = std::floor(value);
-    const double rest = value - below;  // exact: below 2^53 both are multiples of the same unit, and close
-    const bool below_is_odd = std::floor(below * 0.5) != below * 0.5;
-    return rest > 0.5 || (rest == 0.5 && below_is_odd) ? below + 1 : below;
-}
-
-}  // namespace
-
 std::optional<GridPoint> snap(const Vec3& point) {
     constexpr double kRim = kWorldRim * kInputSteps;
     GridPoint snapped;

@@ -159,5 +159,17 @@ TEST(ExactInteger, QuotientsRoundToTheNearest) {
     for (int a = -5; a <= 5; ++a) EXPECT_EQ(divide_rounded(Int256(Int128(a)), two), halved[a + 5]) << a;
 }
 
+TEST(ExactInteger, DivisionLeavesARemainder) {
+    scenes::Rng rng(6);
+    for (int i = 0; i < 10000; ++i) {
+        const Int256 a = random_wide(rng, 1 + int(rng.below(250)));
+        const auto b = std::int64_t(random_integer(rng, 1 + int(rng.below(62))));
+        if (b <= 0) continue;
+        const Quotient found = divide(a, b);
+        ASSERT_EQ(big(found.quotient), big(a) / b) << big(a) << " / " << b;
+        ASSERT_EQ(Big(found.remainder), big(a) % b) << big(a) << " / " << b;
+    }
+}
+
 }  // namespace
 }  // namespace firma
