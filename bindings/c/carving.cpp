@@ -85,6 +85,15 @@ firma_code firma_cutter_from_obj(const char* text, size_t length, const char* na
     });
 }
 
+firma_code firma_cutter_from_world(firma_world world, const char* name, firma_cutter* cutter) {
+    return guarded(__func__, [&, function = __func__] {
+        if (!cutter) return bad_call(function, kNull);
+        const WorldObject* object = find<WorldObject>(world.id, function);
+        if (!object) return FIRMA_ERROR_BAD_HANDLE;
+        return give_cutter(cutter_from_solid(object->world.solid(), text_of(name)), cutter, function);
+    });
+}
+
 firma_code firma_cutter_release(firma_cutter cutter) {
     return release<CutterObject>(cutter.id, __func__);
 }

@@ -129,6 +129,13 @@ export interface Firma {
     cutterFromMesh(positions: Numbers, corners: Words, name?: string): Cutter;
     /** The same of a Wavefront .obj file, which is read first. */
     cutterFromObj(file: string | Bytes, name?: string): Cutter;
+    /**
+     * The solid of a world: a chunk that cuts left, a prefab that has been carved. At scale 1, turned by quarter turns
+     * about the axes, it cuts exactly, its position snapped to 1/4096 m; at any other pose it is what its facets bound
+     * once snapped, and is refused where they cross. Costs its facets, copied.
+     * @throws {FirmaError} INVALID for a world without solid faces, or with rock that reaches to infinity; TOO_LARGE
+     */
+    cutterFromWorld(world: World, name?: string): Cutter;
     /** A unit quaternion, evenly distributed; equal seeds give equal ones on every machine. */
     randomTurn(seed: Seed): Quaternion;
 

@@ -741,6 +741,11 @@ FIRMA_API firma_code firma_cutter_crater(uint32_t shape, uint64_t seed, firma_cu
 FIRMA_API firma_code firma_cutter_from_mesh(const double* positions, size_t vertex_count, const uint32_t* corners,
                                             size_t triangle_count, const char* name, firma_cutter* cutter);
 FIRMA_API firma_code firma_cutter_from_obj(const char* text, size_t length, const char* name, firma_cutter* cutter);
+/* The solid of a world: a chunk that cuts left, a prefab that has been carved. `name` may be null. At scale 1, turned
+ * by quarter turns about the axes, it cuts exactly, its position snapped to 1/4096 m; at any other pose it is what its
+ * facets bound once snapped, and is refused where they cross. FIRMA_ERROR_INVALID for a world without solid faces, or
+ * with rock that reaches to infinity; FIRMA_ERROR_TOO_LARGE beyond 4,000,000 triangles. Costs its facets, copied. */
+FIRMA_API firma_code firma_cutter_from_world(firma_world world, const char* name, firma_cutter* cutter);
 FIRMA_API firma_code firma_cutter_release(firma_cutter cutter);
 
 /* Where a cutter goes: turned, scaled, moved. */

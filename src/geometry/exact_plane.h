@@ -38,8 +38,9 @@ inline GridPoint to_surface(const InputPoint& p) {
 
 /// normal . p + offset = 0, in input steps; in front where that is positive. Divided by the greatest common divisor of
 /// all four, so coplanar faces that look the same way have equal planes. Components of the normal have up to 53 bits
-/// with sign, the offset up to 78 (three grid points). A plane holds a grid point of the world: |offset| <= size *
-/// 2^25. With its count of users a stored one fills one line of a cache: solids are made of millions.
+/// with sign, the offset up to 78 (three grid points). A plane holds a point of the world, be it turned by quarter
+/// turns and moved by whole steps since (a Solid that cuts): |offset| <= size * 2^25. With its count of users a stored
+/// one fills one line of a cache: solids are made of millions.
 struct Plane {
     std::int64_t normal[3] = {0, 0, 0};
     std::uint64_t offset_low = 0;

@@ -28,6 +28,42 @@ static void test_cutters(void) {
     CHECK_FAILS(firma_cutter_release(cutter), FIRMA_ERROR_BAD_HANDLE, "cutter");
 }
 
+/* What a cut took, taken out and put back. */
+static void test_solid_cutters(firma_world room, firma_cutter crater) {
+    firma_cutter cutter = {0};
+    firma_world block = {0}, after = {0}, chunk = {0}, again = {0};
+    const firma_pose here = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    const firma_pose on_top = {{2, 2, 2}, {0, 0, 0, 1}, 0.5};
+    CHECK_FAILS(firma_cutter_from_world(room, "rock", &cutter), FIRMA_ERROR_INVALID, "reaches to infinity");
+    CHECK_FAILS(firma_cutter_from_world(chunk, NULL, &cutter), FIRMA_ERROR_BAD_HANDLE, "no world");
+    CHECK_FAILS(firma_cutter_from_world(room, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    const char obj[] =
+        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    CHECK_OK(firma_world_from_obj(obj, sizeof obj - 1, "block", NULL, &block));
+    firma_carve_report report = {.size = sizeof report};
+    CHECK_OK(firma_carve(block, crater, &on_top, NULL, &after, &report));
+    CHECK(report.status == FIRMA_CARVE_DONE && report.volume > 0);
+    const double taken = report.volume;
+    CHECK_OK(firma_cutter_from_world(after, "rest", &cutter));
+    CHECK_OK(firma_carve(block, cutter, &here, NULL, &chunk, NULL));
+    CHECK_OK(firma_cutter_release(cutter));
+    double volume = 0;
+    CHECK_OK(firma_world_measure(chunk, &volume, NULL));
+    CHECK(fabs(volume - taken) < 1e-9);
+    CHECK_OK(firma_cutter_from_world(chunk, "chunk", &cutter));
+    firma_carve_options fill = {.size = sizeof fill, .fill = 1};
+    CHECK_OK(firma_carve(after, cutter, &here, &fill, &again, &report));
+    uint32_t same = 0;
+    CHECK_OK(firma_world_same_solid(again, block, &same));
+    CHECK(report.status == FIRMA_CARVE_DONE && same == 1);
+    CHECK_OK(firma_cutter_release(cutter));
+    CHECK_OK(firma_world_release(again));
+    CHECK_OK(firma_world_release(chunk));
+    CHECK_OK(firma_world_release(after));
+    CHECK_OK(firma_world_release(block));
+}
+
 static void test_cut(firma_world room, firma_cutter cutter) {
     firma_world after = {0};
     firma_carve_report report = {.size = sizeof report};
@@ -172,6 +208,7 @@ void test_carving(void) {
     firma_cutter cutter = {0};
     CHECK_OK(firma_cutter_crater(FIRMA_ROCKY, 7, &cutter));
     test_cutters();
+    test_solid_cutters(room, cutter);
     test_cut(room, cutter);
     test_castable_only(cutter);
     test_job(room, cutter);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The library: makes worlds, cutters, histories.
 import { badCall } from './errors.js';
-import { makeHandle } from './handle.js';
+import { idOf, makeHandle } from './handle.js';
 import { MESH, SHAPE_NAMES, WORLD_OPTIONS } from './layout.js';
 import { bytes, doubles, flag, flags, longWord, masks, number, object, text, word, words } from './arguments.js';
 import { Cutter } from './carving.js';
@@ -213,6 +213,16 @@ export class Firma {
             const at = lent.bytes(given);
             const called = nameOf(lent, { name }, place);
             return new Cutter(core, makeHandle(core, 'firma_cutter_from_obj', at, given.length, called));
+        });
+    }
+
+    cutterFromWorld(world, name) {
+        const core = this.#core;
+        const place = 'cutterFromWorld';
+        const solid = idOf(world, core, place, 'world');
+        return core.borrow((lent) => {
+            const called = nameOf(lent, { name }, place);
+            return new Cutter(core, makeHandle(core, 'firma_cutter_from_world', solid, called));
         });
     }
 

@@ -23,6 +23,26 @@ test('cutters of every shape and seed', () => {
         throwsCode('BAD_CALL', () => firma.crater('box', seed), /seed/);
 });
 
+test('solids as cutters: what a cut took is taken out and put back', () => {
+    carving((rock, _, keep) => {
+        throwsCode('INVALID', () => firma.cutterFromWorld(rock), /reaches to infinity/);
+        throwsCode('BAD_HANDLE', () => firma.cutterFromWorld());
+        throwsCode('BAD_CALL', () => firma.cutterFromWorld(rock, 5));
+        const block = keep(firma.worldFromObj(
+            'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n' +
+            'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n',
+        ));
+        const crater = keep(firma.crater('rocky', 7));
+        const cut = block.carve(crater, { position: [2, 2, 2], scale: 0.5 });
+        const after = keep(cut.world);
+        const here = { position: [0, 0, 0] };
+        const chunk = keep(block.carve(keep(firma.cutterFromWorld(after, 'rest')), here).world);
+        assert.ok(Math.abs(chunk.measure().volume - cut.report.volume) < 1e-9);
+        const again = after.carve(keep(firma.cutterFromWorld(chunk)), here, { fill: true });
+        assert.ok(keep(again.world).sameSolid(block));
+    });
+});
+
 test('cutters from meshes', () => {
     carving((world, _, keep) => {
         const cutter = keep(firma.cutterFromMesh(tetrahedron.positions, tetrahedron.corners, 'tetra'));

@@ -138,6 +138,7 @@ const beside: number[] = world.neighbours(0);
 const cutter = firma.crater('rocky', 5n);
 firma.cutterFromMesh([0, 0, 0], [0, 1, 2], 'name');
 firma.cutterFromObj('', 'name');
+firma.cutterFromWorld(world, 'name');
 // @ts-expect-error no such shape
 firma.crater('round', 1);
 const rotation: [number, number, number, number] = firma.randomTurn(7);
