@@ -94,6 +94,10 @@ def cube_grid(seed, count):
     return [f'{BUILD}/full_cube_grid', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def long_cuts(what):
+    return lambda seed, count: [f'{BUILD}/full_long_cuts', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
 def index(seed, count):
     return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
 
@@ -154,6 +158,12 @@ CLAIMS = [
     Claim('cube_grid', 'grids of 10 x 10 x 10 cubes filled one by one and carved again: nothing is left, none refused', 12, 12, 'grids',
           CARVE_SOURCES + ['tests/full/full_cube_grid.cpp', 'tests/full/options.h'] + reference('judge_cube_grid') + JUDGE_CUT, 'test', cube_grid,
           'full_cube_grid'),
+    Claim('depot_craters', 'random craters in the depot, one after the other, none refused, volumes equal to 1e-12', 10_000, 10_000, 'craters',
+          CARVE_SOURCES + ['scenes', 'src/join', 'src/brush', 'levels/depot.map', 'tests/full/full_long_cuts.cpp', 'tests/full/options.h'],
+          'test', long_cuts('craters'), 'full_long_cuts'),
+    # All in one chunk: three tools at fourteen scales, 120 cuts each.
+    Claim('sweeps', 'rows of overlapping tools along a path at scales of 1 to 8192 m, none refused, volumes equal to 1e-12', 42, 42, 'rows',
+          CARVE_SOURCES + ['tests/full/full_long_cuts.cpp', 'tests/full/options.h'], 'test', long_cuts('sweeps'), 'full_long_cuts'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
