@@ -16,21 +16,36 @@ constexpr std::uint32_t kNoUse = ~0u;
 
 }  // namespace
 
+/// Of a piece; a whole edge that nothing met gets its line when it is first asked for.
+std::uint32_t FlatEdges::line_of(const PieceUse& use) const {
+    const Piece& piece = lines_.piece(use.piece);
+    if (piece.line != Piece::kNoLine) return piece.line;
+    const OverlayEdge& edge = overlay_.edges[use.edge];
+    return overlay_.lines.add(edge.plane[0], edge.plane[1], piece.from);
+}
+
+/// Whether a use runs as its line does: pieces do, whole edges may not.
+bool FlatEdges::runs_with_line(const PieceUse& use) const {
+    const Piece& piece = lines_.piece(use.piece);
+    if (piece.line != Piece::kNoLine) return use.forward;
+    return overlay_.lines.before(line_of(use), piece.from, piece.to) == use.forward;
+}
+
 /// Another plane through the piece.
 PlaneId FlatEdges::across(const PieceUse& use) const {
-    const std::uint32_t line = lines_.piece(use.piece).line;
+    const std::uint32_t line = line_of(use);
     const PlaneId first = overlay_.lines.plane(line, 0);
     return same_plane(first, plane_) ? overlay_.lines.plane(line, 1) : first;
 }
 
 /// Whether it runs along plane x across.
 bool FlatEdges::runs_with(const PieceUse& use) const {
-    return overlay_.lines.runs_along(lines_.piece(use.piece).line, plane_, across(use)) == use.forward;
+    return overlay_.lines.runs_along(line_of(use), plane_, across(use)) == runs_with_line(use);
 }
 
 /// Sign of the turn from one direction to another: (n x a) x (n x b) = n det(n, a, b).
 int FlatEdges::turn(const PieceUse& a, const PieceUse& b) const {
-    if (lines_.piece(a.piece).line == lines_.piece(b.piece).line) return 0;
+    if (line_of(a) == line_of(b)) return 0;
     const int sign = exact_turn(overlay_.plane(plane_), overlay_.plane(across(a)), overlay_.plane(across(b)));
     return runs_with(a) == runs_with(b) ? sign : -sign;
 }
@@ -88,7 +103,8 @@ std::uint32_t FlatEdges::meet(const PieceUse& use, PlaneId across_plane) {
 /// left that it passes all points of the line to their left, is followed on from the use.
 bool FlatEdges::encloses(std::span<const PieceUse> loop, const PieceUse& use) {
     const PlaneId plane = across(use);
-    const std::uint32_t line = lines_.piece(use.piece).line;
+    const std::uint32_t line = line_of(use);
+    const bool along = runs_with_line(use);
     const int left = runs_with(use) ? -1 : 1;  // left of plane x across lies behind across
     const auto is_left = [&](std::uint32_t point) { return overlay_.tables.points.side(plane, point) == left; };
     const std::uint32_t start = to(use);
@@ -100,8 +116,7 @@ bool FlatEdges::encloses(std::span<const PieceUse> loop, const PieceUse& use) {
         if (here != there) {
             const std::uint32_t right = here ? b : a;
             const std::uint32_t at = overlay_.tables.points.side(plane, right) == 0 ? right : meet(side, plane);
-            const bool behind =
-                use.forward ? overlay_.lines.before(line, at, start) : overlay_.lines.before(line, start, at);
+            const bool behind = along ? overlay_.lines.before(line, at, start) : overlay_.lines.before(line, start, at);
             inside ^= !behind;
         }
         here = there;

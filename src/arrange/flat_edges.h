@@ -76,6 +76,8 @@ public:
                std::vector<std::uint32_t>& outline_of);
 
 private:
+    std::uint32_t line_of(const PieceUse& use) const;
+    bool runs_with_line(const PieceUse& use) const;
     PlaneId across(const PieceUse& use) const;
     bool runs_with(const PieceUse& use) const;
     int turn(const PieceUse& a, const PieceUse& b) const;

@@ -51,6 +51,8 @@ public:
         // Where faces became one, the rest of what lay between them goes too.
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
             if (!users_.shared(piece)) merge_across(piece);
+        // Faces that became one by way of others have edges between them still.
+        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) dissolve_within(piece);
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
             if (!(users_.shared(piece) ? pair_around(piece) : pair_by_edge(piece))) return false;
         gather_groups();
@@ -90,16 +92,28 @@ private:
 
     /// What lies in one plane on both sides of the piece, and is alike, is one.
     void merge_across(std::uint32_t piece) {
+        for_each_seam(piece, [&](std::uint32_t use, std::uint32_t other) {
+            const std::uint32_t a = users_.cell_of(use), b = users_.cell_of(other);
+            if (groups_.find(a) != groups_.find(b) && !(may_merge(use, other) && are_alike(a, b))) return false;
+            groups_.join(a, b);
+            return true;
+        });
+    }
+    void dissolve_within(std::uint32_t piece) {
+        for_each_seam(piece, [&](std::uint32_t use, std::uint32_t other) { return group_of(use) == group_of(other); });
+    }
+
+    /// Calls `becomes_one` for two uses of the piece, one each way, with cells in one plane: whether the piece vanishes
+    /// between them.
+    template <class BecomesOne>
+    void for_each_seam(std::uint32_t piece, const BecomesOne& becomes_one) {
         const auto uses = users_.at(piece);
         for (std::size_t i = 0; i < uses.size(); ++i) {
             if (!is_kept(uses[i]) || !uses_[uses[i]].forward || dissolved_[uses[i]]) continue;
-            const std::uint32_t a = users_.cell_of(uses[i]);
             for (std::size_t j = 0; j < uses.size(); ++j) {
                 if (!is_kept(uses[j]) || uses_[uses[j]].forward || dissolved_[uses[j]]) continue;
-                const std::uint32_t b = users_.cell_of(uses[j]);
-                if (plane_of(a) != plane_of(b)) continue;
-                if (groups_.find(a) != groups_.find(b) && !(may_merge(uses[i], uses[j]) && are_alike(a, b))) continue;
-                groups_.join(a, b);
+                if (plane_of(users_.cell_of(uses[i])) != plane_of(users_.cell_of(uses[j]))) continue;
+                if (!becomes_one(uses[i], uses[j])) continue;
                 dissolved_[uses[i]] = dissolved_[uses[j]] = 1;
                 contact_[lines_.piece(piece).from] = contact_[lines_.piece(piece).to] = 1;
                 break;

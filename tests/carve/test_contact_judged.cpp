@@ -17,7 +17,10 @@
 #include "tests/reference/judge_contact.h"
 #include "tests/reference/judge_cube_grid.h"
 #include "tests/reference/judge_cut.h"
+#include "tests/reference/judge_lattice_dig.h"
 #include "tests/reference/world_facets.h"
+#include "tests/sample.h"
+#include "tests/solid/solid_levels.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -56,6 +59,31 @@ INSTANTIATE_TEST_SUITE_P(All, ContactFamilies, testing::ValuesIn(scenes::contact
                          [](const testing::TestParamInfo<scenes::CutFamily>& family) {
                              return std::string(family.param.name);
                          });
+
+/// Of a floor of 16 m, dug row by row, all quarters are alike; the two farther ones meet the nearer ones, and along a
+/// part of their seam each other.
+TEST(LatticeDigs, SeamsBetweenFacesThatBecomeOneByWayOfOthersGo) {
+    Solid solid = make_solid(test::box_level({-8, -8, -8}, {8, 8, 8})).value();
+    const reference::ContradictionsReported reported;
+    for (int k = 0; k < 64; ++k) {
+        const Pose pose = test::pose_at(-7 + 2 * (k % 8), -7 + 2 * (k / 8), 7);
+        const SolidResult result = subtract(solid, make_crater(CutterShape::kBox, 0), pose);
+        ASSERT_TRUE(result.done()) << k << ": " << result.error.text();
+        const auto fault = check_solid(result.solid);
+        ASSERT_FALSE(fault) << k << ": " << fault->what;
+        solid = result.solid;
+    }
+    EXPECT_TRUE(same_solid(solid, make_solid(test::box_level({-8, -8, -8}, {8, 8, 6})).value()));
+}
+
+TEST(LatticeDigs, AreWhatAListOfCellsSays) {
+    const reference::ContradictionsReported reported;
+    for (std::uint64_t seed = 0; seed < std::uint64_t(test::sample(60)); ++seed) {
+        const reference::LatticeDigVerdict verdict = reference::judge_lattice_dig(seed);
+        for (const std::string& failure : verdict.failures) ADD_FAILURE() << "seed " << seed << ": " << failure;
+        EXPECT_GT(verdict.edits, verdict.nothing + 5);
+    }
+}
 
 TEST(ContactCuts, InTheDepotHoldEveryInvariant) {
     const reference::ContradictionsReported reported;
