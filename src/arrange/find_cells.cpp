@@ -2,10 +2,14 @@
 // Faces divided along their pieces.
 #include "arrange/find_cells.h"
 
+#include <algorithm>
+
+#include "base/sort.h"
+
 namespace firma {
 namespace {
 
-/// A face that nothing meets, with its edges divided where others divide them.
+/// A face that nothing meets: one cell, its edges divided where others divide them.
 void add_whole(const Overlay& overlay, std::uint32_t index, std::span<const FacePiece> pieces,
                const DividedLines& lines, CellSet& cells) {
     const OverlayFace& face = overlay.faces[index];
@@ -37,6 +41,15 @@ void add_whole(const Overlay& overlay, std::uint32_t index, std::span<const Face
     cells.cells.push_back(cell);
 }
 
+/// Whether a face's loops, divided, come to a point twice: there its inside may hang together by that point alone, and
+/// what lies on either side is not one cell.
+bool comes_back(const FlatEdges& flat, std::span<const PieceUse> uses, std::vector<std::uint32_t>& points) {
+    points.clear();
+    for (const PieceUse& use : uses) points.push_back(flat.from(use));
+    sort_range(points);
+    return std::adjacent_find(points.begin(), points.end()) != points.end();
+}
+
 }  // namespace
 
 bool add_cells(FlatEdges& flat, std::uint32_t face, std::span<const PieceUse> loops,
@@ -61,18 +74,18 @@ bool find_cells(Overlay& overlay, const SpanFinder& spans, const DividedLines& l
     cells = {};
     FlatEdges flat(overlay, lines);
     std::vector<PieceUse> uses, loops;
-    std::vector<std::uint32_t> ends;
+    std::vector<std::uint32_t> ends, points;
     for (std::uint32_t face = 0; face < overlay.faces.size(); ++face) {
         cells.first_of_face.push_back(std::uint32_t(cells.cells.size()));
         const auto pieces = lines.of_face(face);
-        if (!spans.touched(face)) {
-            add_whole(overlay, face, pieces, lines, cells);
-            continue;
-        }
         uses.clear();
         for (const FacePiece& piece : pieces) {
             if (piece.covers & kCoversLeft) uses.push_back({piece.piece, true, piece.reversed, piece.edge});
             if (piece.covers & kCoversRight) uses.push_back({piece.piece, false, piece.reversed, piece.edge});
+        }
+        if (!spans.touched(face) && !comes_back(flat, uses, points)) {
+            add_whole(overlay, face, pieces, lines, cells);
+            continue;
         }
         flat.start(overlay.faces[face].plane);
         if (!flat.trace(uses, loops, ends) || !add_cells(flat, face, loops, ends, cells)) return false;

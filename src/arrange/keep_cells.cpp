@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "base/flat_map.h"
 #include "base/sort.h"
 
 namespace firma {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kMadeEdge = ~0u - 1;
 
 class Keeper {
 public:
@@ -32,6 +34,7 @@ public:
         next_.assign(uses_.size(), kNone);
         chain_.assign(uses_.size(), kNone);
         dissolved_.assign(uses_.size(), 0);
+        across_.assign(uses_.size(), kNone);
         crowded_.assign(uses_.size(), 0);
         for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell) {
             const Cell& it = cells_.cells[cell];
@@ -45,6 +48,9 @@ public:
             made_.changes = false;
             return true;
         }
+        for (std::uint32_t edge = 0; edge < overlay_.edges.size(); ++edge)
+            if (selection_.reusable(edge))
+                edge_between_.at(pair_key(overlay_.edges[edge].from, overlay_.edges[edge].to)) = edge;
         find_contacts();
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
             if (users_.shared(piece)) merge_across(piece);
@@ -115,6 +121,8 @@ private:
                 if (plane_of(users_.cell_of(uses[i])) != plane_of(users_.cell_of(uses[j]))) continue;
                 if (!becomes_one(uses[i], uses[j])) continue;
                 dissolved_[uses[i]] = dissolved_[uses[j]] = 1;
+                across_[uses[i]] = uses[j];
+                across_[uses[j]] = uses[i];
                 contact_[lines_.piece(piece).from] = contact_[lines_.piece(piece).to] = 1;
                 break;
             }
@@ -134,26 +142,38 @@ private:
         return face_a == face_b || selection_.alike(face_a, face_b);
     }
 
-    /// Each wedge of air between two faces is an edge.
+    /// Each wedge of air between two faces is an edge. A face that became one across the piece has no edge there: air
+    /// that ends at it goes on from its other side.
     bool pair_around(std::uint32_t piece) {
         spokes_.clear();
+        std::size_t edges = 0;
         for (const std::uint32_t use : users_.at(piece)) {
-            if (!is_kept(use) || dissolved_[use]) continue;
+            if (!is_kept(use)) continue;
             const std::uint32_t cell = users_.cell_of(use);
             const bool forward = uses_[use].forward;
             spokes_.push_back({use, cell, forward ? plane_of(cell) : from_behind(plane_of(cell)), forward, 0, 0});
+            edges += !dissolved_[use];
         }
-        if (spokes_.empty()) return true;
+        if (edges == 0) return true;
         sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
+        const auto after = [&](std::size_t k) { return k + 1 < spokes_.size() ? k + 1 : 0; };
         for (std::size_t k = 0; k < spokes_.size(); ++k) {
-            const CellSpoke &here = spokes_[k], &next = spokes_[k + 1 < spokes_.size() ? k + 1 : 0];
+            const CellSpoke &here = spokes_[k], &next = spokes_[after(k)];
             if (here.air_after == next.air_after || here.half == next.half) return false;
-            if (!here.air_after) continue;
-            partner_[here.use] = next.use;
-            partner_[next.use] = here.use;
-            crowded_[here.use] = crowded_[next.use] = spokes_.size() > 2;
+            if (!here.air_after || dissolved_[here.use]) continue;
+            std::size_t end = after(k);
+            while (dissolved_[spokes_[end].use]) end = after(spoke_of(across_[spokes_[end].use]));
+            const std::uint32_t other = spokes_[end].use;
+            partner_[here.use] = other;
+            partner_[other] = here.use;
+            crowded_[here.use] = crowded_[other] = edges > 2;
         }
         return true;
+    }
+    std::size_t spoke_of(std::uint32_t use) const {
+        std::size_t k = 0;
+        while (spokes_[k].use != use) ++k;
+        return k;
     }
 
     /// Where one solid is alone, its edges are what they were.
@@ -258,7 +278,7 @@ private:
         for (int k = 0; k < 2; ++k)
             edge.plane[k] =
                 line == Piece::kNoLine ? overlay_.edges[uses_[first].edge].plane[k] : overlay_.lines.plane(line, k);
-        edge.doubled = is_doubled(first, last);
+        edge.doubled = is_doubled(first, last) || has_twin(first, last);
         made_.edges.push_back(edge);
         for (std::uint32_t use = first;; use = next_[use]) {
             chain_[use] = number;
@@ -274,6 +294,20 @@ private:
             if (use == last) return false;
         }
     }
+    /// Whether another edge that may be used again, or one made before, runs between the same points.
+    bool has_twin(std::uint32_t first, std::uint32_t last) {
+        const std::uint32_t from = flat_.from(uses_[first]), to = flat_.to(uses_[last]);
+        std::uint32_t& known = edge_between_.at(pair_key(from, to));
+        if (known == FlatMap::kNone) {
+            known = kMadeEdge;
+            return false;
+        }
+        return known == kMadeEdge || known != uses_[first].edge;
+    }
+    static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
+        return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+    }
+
     /// The overlay's edge that a chain is, if it is one.
     std::uint32_t whole_edge(std::uint32_t first, std::uint32_t last) const {
         const std::uint32_t edge = uses_[first].edge;
@@ -396,6 +430,8 @@ private:
     std::vector<std::uint32_t> next_;      ///< of each use: what follows in its loop
     std::vector<std::uint32_t> chain_;     ///< of each use: its edge
     std::vector<std::uint8_t> dissolved_;  ///< what lies beyond is the same face
+    FlatMap edge_between_;                 ///< of two points: one that may be used again, or kMadeEdge
+    std::vector<std::uint32_t> across_;    ///< of one that is dissolved: the use that lies beyond
     std::vector<std::uint8_t> crowded_;    ///< of each use: there are other edges at its piece
     std::vector<std::uint8_t> contact_, seen_;
     std::vector<std::uint8_t> met_;  ///< of the overlay's faces: whether they have a piece that both solids share
