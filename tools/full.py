@@ -98,8 +98,8 @@ def long_cuts(what):
     return lambda seed, count: [f'{BUILD}/full_long_cuts', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
-def lattice_digs(seed, count):
-    return [f'{BUILD}/full_lattice_digs', '--count', str(count), '--seed', str(seed), '--threads', '2']
+def digs(what):
+    return lambda seed, count: [f'{BUILD}/full_digs', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
 def index(seed, count):
@@ -169,8 +169,9 @@ CLAIMS = [
     Claim('sweeps', 'rows of overlapping tools along a path at scales of 1 to 8192 m, none refused, volumes equal to 1e-12', 42, 42, 'rows',
           CARVE_SOURCES + ['tests/full/full_long_cuts.cpp', 'tests/full/options.h'], 'test', long_cuts('sweeps'), 'full_long_cuts'),
     Claim('lattice_digs', 'blocks of 16 cells a side dug out and filled in by boxes: each edit beside a list of the cells, nothing left at the end', 2_000, 500, 'digs',
-          CARVE_SOURCES + ['tests/full/full_lattice_digs.cpp', 'tests/full/options.h'] + reference('judge_lattice_dig', 'judge_cut'), 'test', lattice_digs,
-          'full_lattice_digs'),
+          CARVE_SOURCES + ['tests/full/full_digs.cpp', 'tests/full/options.h'] + reference('judge_digs', 'judge_cut'), 'test', digs('lattice'), 'full_digs'),
+    Claim('mixed_digs', 'large blocks cut and filled 80 times by blocks, wedges, gears and craters: none refused, boundary and volume after each, the same again nothing',
+          1_000, 250, 'digs', CARVE_SOURCES + ['tests/full/full_digs.cpp', 'tests/full/options.h'] + reference('judge_digs', 'judge_cut'), 'test', digs('mixed'), 'full_digs'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
