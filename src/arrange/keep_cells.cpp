@@ -26,6 +26,7 @@ public:
           made_(made),
           flat_(overlay, lines),
           groups_(cells.cells.size()),
+          box_(cells.cells.size()),
           kept_(cells.cells.size(), Kept::kNot) {}
 
     bool keep(std::span<const CellLabel> labels) {
@@ -40,6 +41,7 @@ public:
             const Cell& it = cells_.cells[cell];
             kept_[cell] = selection_.keep(overlay_.faces[it.face].operand, labels[cell]);
             for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
+                box_[cell].add(overlay_.point(flat_.from(uses_[use])).rounded());
                 if (kept_[cell] == Kept::kTurned) uses_[use] = uses_[use].turned();
                 uses_[use].id = use;
             }
@@ -100,8 +102,12 @@ private:
     void merge_across(std::uint32_t piece) {
         for_each_seam(piece, [&](std::uint32_t use, std::uint32_t other) {
             const std::uint32_t a = users_.cell_of(use), b = users_.cell_of(other);
-            if (groups_.find(a) != groups_.find(b) && !(may_merge(use, other) && are_alike(a, b))) return false;
+            if (groups_.find(a) == groups_.find(b)) return true;
+            if (!may_merge(use, other) || !are_alike(a, b)) return false;
+            const GridBox box = box_of_both(a, b);
+            if (!of_one_face(a, b) && longest_of(box) > selection_.longest) return false;
             groups_.join(a, b);
+            box_[groups_.find(a)] = box;
             return true;
         });
     }
@@ -137,9 +143,20 @@ private:
     }
     bool meets_other(std::uint32_t use) const { return met_[cells_.cells[users_.cell_of(use)].face] != 0; }
 
+    bool of_one_face(std::uint32_t a, std::uint32_t b) const { return cells_.cells[a].face == cells_.cells[b].face; }
     bool are_alike(std::uint32_t a, std::uint32_t b) const {
-        const std::uint32_t face_a = cells_.cells[a].face, face_b = cells_.cells[b].face;
-        return face_a == face_b || selection_.alike(face_a, face_b);
+        return of_one_face(a, b) || selection_.alike(cells_.cells[a].face, cells_.cells[b].face);
+    }
+    GridBox box_of_both(std::uint32_t a, std::uint32_t b) {
+        GridBox box = box_[groups_.find(a)];
+        box.add(box_[groups_.find(b)]);
+        return box;
+    }
+    static double longest_of(const GridBox& box) {
+        double longest = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            longest = std::max(longest, double(box.high[axis]) - double(box.low[axis]));
+        return longest;
     }
 
     /// Each wedge of air between two faces is an edge. A face that became one across the piece has no edge there: air
@@ -424,6 +441,7 @@ private:
     Arranged& made_;
     FlatEdges flat_;
     DisjointSets groups_;
+    std::vector<GridBox> box_;  ///< of a group, by the cell that stands for it
     std::vector<Kept> kept_;
     std::vector<PieceUse> uses_;           ///< of all cells, as they are kept
     std::vector<std::uint32_t> partner_;   ///< of each use: the one beyond the edge

@@ -7,6 +7,7 @@
 #include "base/disjoint_sets.h"
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
+#include "carve/tile_faces.h"
 #include "geometry/flat_loop.h"
 
 namespace firma {
@@ -341,6 +342,7 @@ CutArranger::End CutArranger::keep() {
         }
         return Kept::kNot;
     };
+    selection.longest = largest_face(in_.cutter) * kSurfaceSteps;
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
     selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
     Arranged arranged;

@@ -31,7 +31,7 @@ public:
           box_(grown(cutter.box, steps)),
           bevelled_(cutter.bevelled),
           steps_(steps),
-          largest_(std::max(kLargestTile, kLargestInCutters * longest_axis(cutter.box).second)),
+          largest_(largest_face(cutter)),
           patch_(patch) {}
 
     void tile() {
@@ -330,6 +330,10 @@ private:
 };
 
 }  // namespace
+
+double largest_face(const CutterSolid& cutter) {
+    return std::max(kLargestTile, kLargestInCutters * longest_axis(cutter.box).second);
+}
 
 void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch) {
     Tiler(root, cutter, steps, patch).tile();

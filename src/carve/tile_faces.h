@@ -17,6 +17,9 @@ namespace firma {
 inline constexpr double kLargestInCutters = 4;
 inline constexpr double kLargestTile = 8;
 
+/// So long, metres: larger ones are halved.
+double largest_face(const CutterSolid& cutter);
+
 /// Halves large faces by axis planes, again and again, only the pieces that reach into the cutter's bevelled box. The
 /// faces they are pieces of, and neighbours whose edges are split by it, become `replaced`; pieces name their `parent`.
 /// A face that no plane tried cuts into just two is left whole.
