@@ -103,8 +103,19 @@ Result<Cutter> any_mesh(Bytes& bytes) {
     return make_cutter(vertices, triangles, "any");
 }
 
-Result<Cutter> cutter_of(Bytes& bytes) {
-    const int kind = bytes.next() % 8;
+/// What is solid now, or what has been taken from it; none of either where rock reaches to infinity.
+Result<Cutter> solid_of(const World& first, const World& now, Bytes& bytes) {
+    const Result<Cutter> rest = cutter_from_solid(now.solid(), "rest");
+    if (!rest || bytes.next() % 2) return rest;
+    const SolidResult taken = subtract(first.solid(), rest.value(), {});
+    expect(taken.reproduction.empty(), "cuts contradict each other");
+    if (taken.status == CarveStatus::kRefused) return taken.error;
+    return cutter_from_solid(taken.solid, "taken");
+}
+
+Result<Cutter> cutter_of(const World& first, const World& now, Bytes& bytes) {
+    const int kind = bytes.next() % 9;
+    if (kind == 8) return solid_of(first, now, bytes);
     const Cutter crater = make_crater(CutterShape(bytes.next() % 5), std::uint64_t(bytes.next()));
     if (kind == 0) return any_mesh(bytes);
     if (kind <= 2) return several(crater, bytes);
@@ -125,6 +136,10 @@ Pose pose_of(Bytes& bytes, const World& world) {
     if (bytes.next() % 2)
         for (double& part : pose.rotation) part = bytes.number();
     if (bytes.next() % 2) pose.scale = bytes.number();
+    if (bytes.next() % 4 == 0) {  // by quarter turns about the axes
+        for (double& part : pose.rotation) part = bytes.next() % 3 - 1;
+        pose.scale = 1;
+    }
     return pose;
 }
 
@@ -160,9 +175,10 @@ void judge(const World& before, const CarveResult& result) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Bytes bytes(data, size);
-    World world = world_of(bytes.next());
+    const World first = world_of(bytes.next());
+    World world = first;
     for (int cuts = 0; cuts < 6 && !bytes.empty(); ++cuts) {
-        const Result<Cutter> cutter = cutter_of(bytes);
+        const Result<Cutter> cutter = cutter_of(first, world, bytes);
         if (!cutter) continue;
         const Pose pose = pose_of(bytes, world);
         const int how = bytes.next();
