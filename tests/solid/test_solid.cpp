@@ -130,10 +130,10 @@ TEST(Solid, CarvedAloneIsWhatIsCarvedInAWorld) {
     const World of_level = make_world(level).value(), of_solid = make_world(solid).value();
     expect_same(solid, of_level.solid());
     expect_same(solid, of_solid.solid());
-    const std::vector<CutOrder> cuts = reference::cuts_of_our_level(level, 11, std::size_t(test::sample(160)));
+    const std::vector<CutOrder> cuts = reference::cuts_of_our_level(level, 11, std::size_t(test::sample(80)));
     const int done =
         cut_all(solid, {{of_level, of_level.material_name(0)}, {of_solid, of_solid.material_name(0)}}, cuts, nullptr);
-    EXPECT_GE(done, test::sample(100));
+    EXPECT_GE(done, test::sample(50));
 }
 
 /// A world around a solid alone has no names of its materials, but their numbers: one that a cut adds is none of them.
@@ -180,13 +180,13 @@ TEST(Solid, RoomsAroundItChangeNothing) {
     const scenes::CutPlaces places = scenes::cut_places(depot);
     for (std::size_t kind = 0; kind < scenes::kLevelCutNames.size(); ++kind)
         for (const CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts(kind), 2, 0))
-            if (cuts.size() < std::size_t(test::sample(16)) * (kind + 1)) cuts.push_back(order);
+            if (cuts.size() < std::size_t(test::sample(10)) * (kind + 1)) cuts.push_back(order);
     // make_world(solid) knows no rules: the sky's, which the depot has, are given to it.
     const CarveRules& rules = *depot.data().rules;
     const World bare = with_rules(make_world(depot.solid()).value(), rules).value();
     const int done =
         cut_all(depot.solid(), {{depot, depot.material_name(0)}, {bare, bare.material_name(0)}}, cuts, &rules);
-    EXPECT_GE(done, test::sample(50));
+    EXPECT_GE(done, test::sample(30));
 }
 
 }  // namespace
