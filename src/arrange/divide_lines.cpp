@@ -40,7 +40,7 @@ void DividedLines::divide(const Overlay& overlay, SpanFinder& spans) {
     }
 }
 
-/// Each piece once, in order.
+/// Each piece once, in order; twice where two edges of the face run along it, one on each side.
 void DividedLines::add_touched(std::uint32_t, std::span<const FaceSpan> spans) {
     const std::size_t first = face_pieces_.size();
     for (const FaceSpan& span : spans) {
@@ -54,11 +54,17 @@ void DividedLines::add_touched(std::uint32_t, std::span<const FaceSpan> spans) {
         return a.edge != b.edge ? a.edge < b.edge : a.covers < b.covers;  // its own edges first
     });
     std::size_t kept = first;
+    std::uint8_t covered = kCoversNothing;  // of the piece at hand
     for (std::size_t k = first; k < face_pieces_.size(); ++k) {
-        if (kept > first && face_pieces_[kept - 1].piece == face_pieces_[k].piece)
-            face_pieces_[kept - 1].covers |= face_pieces_[k].covers;
+        FacePiece it = face_pieces_[k];
+        const bool again = kept > first && face_pieces_[kept - 1].piece == it.piece;
+        if (!again) covered = kCoversNothing;
+        it.covers &= std::uint8_t(~covered);
+        covered |= it.covers;
+        if (!again || (it.edge != FacePiece::kNoEdge && it.edge != face_pieces_[kept - 1].edge && it.covers != 0))
+            face_pieces_[kept++] = it;
         else
-            face_pieces_[kept++] = face_pieces_[k];
+            face_pieces_[kept - 1].covers |= it.covers;
     }
     face_pieces_.resize(kept);
 }

@@ -125,6 +125,7 @@ private:
             for (std::size_t j = 0; j < uses.size(); ++j) {
                 if (!is_kept(uses[j]) || uses_[uses[j]].forward || dissolved_[uses[j]]) continue;
                 if (plane_of(users_.cell_of(uses[i])) != plane_of(users_.cell_of(uses[j]))) continue;
+                if (uses_[uses[i]].edge != uses_[uses[j]].edge && !is_complete(piece)) continue;
                 if (!becomes_one(uses[i], uses[j])) continue;
                 dissolved_[uses[i]] = dissolved_[uses[j]] = 1;
                 across_[uses[i]] = uses[j];
@@ -193,21 +194,31 @@ private:
         return k;
     }
 
-    /// Where one solid is alone, its edges are what they were.
+    /// Where one solid is alone, its edges are what they were, but for what vanishes between two of them.
     bool pair_by_edge(std::uint32_t piece) {
-        const auto uses = users_.at(piece);
-        for (std::size_t i = 0; i < uses.size(); ++i) {
-            if (!is_kept(uses[i]) || dissolved_[uses[i]] || partner_[uses[i]] != kNone) continue;
-            for (std::size_t j = i + 1; j < uses.size(); ++j) {
-                if (!is_kept(uses[j]) || dissolved_[uses[j]] || partner_[uses[j]] != kNone) continue;
-                const PieceUse &a = uses_[uses[i]], &b = uses_[uses[j]];
-                if (a.edge != b.edge || a.forward == b.forward) continue;
-                partner_[uses[i]] = uses[j];
-                partner_[uses[j]] = uses[i];
-                break;
-            }
+        for (const std::uint32_t use : users_.at(piece)) {
+            if (!is_kept(use) || dissolved_[use] || partner_[use] != kNone) continue;
+            std::uint32_t other = mate_of(use);
+            while (other != kNone && dissolved_[other]) other = mate_of(across_[other]);
+            if (other == kNone || partner_[other] != kNone) continue;
+            partner_[use] = other;
+            partner_[other] = use;
         }
         return true;
+    }
+    /// The use beyond the edge that a use came with; none where its face is not here.
+    std::uint32_t mate_of(std::uint32_t use) const {
+        for (const std::uint32_t other : users_.at(uses_[use].piece))
+            if (other != use && is_kept(other) && uses_[other].edge == uses_[use].edge &&
+                uses_[other].forward != uses_[use].forward)
+                return other;
+        return kNone;
+    }
+    /// Whether all faces at the piece are here. Near what both solids share they are.
+    bool is_complete(std::uint32_t piece) const {
+        if (users_.shared(piece)) return true;
+        const auto uses = users_.at(piece);
+        return std::all_of(uses.begin(), uses.end(), [&](std::uint32_t use) { return mate_of(use) != kNone; });
     }
 
     /// Groups in order of their lowest cell, and the cells of each.
@@ -272,6 +283,7 @@ private:
         if (after == use) return false;
         const std::uint32_t line = lines_.piece(uses_[use].piece).line;
         if (line == Piece::kNoLine || lines_.piece(uses_[after].piece).line != line) return false;
+        if (uses_[use].forward != uses_[after].forward) return false;  // it turns back
         const bool same_edge = uses_[use].edge != FacePiece::kNoEdge && uses_[use].edge == uses_[after].edge;
         if (!same_edge && !contact_[flat_.to(uses_[use])]) return false;
         const std::uint32_t there = partner_[use], there_after = partner_[after];
