@@ -3,6 +3,7 @@
 #include "arrange/keep_cells.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/disjoint_sets.h"
 #include "base/flat_map.h"
@@ -120,12 +121,16 @@ private:
     template <class BecomesOne>
     void for_each_seam(std::uint32_t piece, const BecomesOne& becomes_one) {
         const auto uses = users_.at(piece);
+        std::optional<bool> complete;
         for (std::size_t i = 0; i < uses.size(); ++i) {
             if (!is_kept(uses[i]) || !uses_[uses[i]].forward || dissolved_[uses[i]]) continue;
             for (std::size_t j = 0; j < uses.size(); ++j) {
                 if (!is_kept(uses[j]) || uses_[uses[j]].forward || dissolved_[uses[j]]) continue;
                 if (plane_of(users_.cell_of(uses[i])) != plane_of(users_.cell_of(uses[j]))) continue;
-                if (uses_[uses[i]].edge != uses_[uses[j]].edge && !is_complete(piece)) continue;
+                if (uses_[uses[i]].edge != uses_[uses[j]].edge) {
+                    if (!complete) complete = is_complete(piece);
+                    if (!*complete) continue;
+                }
                 if (!becomes_one(uses[i], uses[j])) continue;
                 dissolved_[uses[i]] = dissolved_[uses[j]] = 1;
                 across_[uses[i]] = uses[j];
