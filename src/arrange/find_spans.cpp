@@ -174,9 +174,7 @@ void SpanFinder::cross_within(std::uint32_t first, std::uint32_t end) {
         all.add(it.box.low);
         all.add(it.box.high);
     }
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
-        if (all.extent(k) > all.extent(axis)) axis = k;
+    const int axis = all.longest_axis();
     sort_range(boxed, [&](const BoxedSpan& a, const BoxedSpan& b) {
         return a.box.low[axis] != b.box.low[axis] ? a.box.low[axis] < b.box.low[axis] : a.span < b.span;
     });

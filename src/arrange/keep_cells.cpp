@@ -63,7 +63,10 @@ public:
         // Faces that became one by way of others have edges between them still.
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) dissolve_within(piece);
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
-            if (!(users_.shared(piece) ? pair_around(piece) : pair_by_edge(piece))) return false;
+            if (!users_.shared(piece))
+                pair_by_edge(piece);
+            else if (!pair_around(piece))
+                return false;
         gather_groups();
         for (std::uint32_t group = 0; group < members_first_.size() - 1; ++group)
             if (!trace(group)) return false;
@@ -106,7 +109,7 @@ private:
             if (groups_.find(a) == groups_.find(b)) return true;
             if (!may_merge(use, other) || !are_alike(a, b)) return false;
             const GridBox box = box_of_both(a, b);
-            if (!of_one_face(a, b) && longest_of(box) > selection_.longest) return false;
+            if (!of_one_face(a, b) && box.longest_extent() > selection_.longest) return false;
             groups_.join(a, b);
             box_[groups_.find(a)] = box;
             return true;
@@ -158,12 +161,6 @@ private:
         box.add(box_[groups_.find(b)]);
         return box;
     }
-    static double longest_of(const GridBox& box) {
-        double longest = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            longest = std::max(longest, double(box.high[axis]) - double(box.low[axis]));
-        return longest;
-    }
 
     /// Each wedge of air between two faces is an edge. A face that became one across the piece has no edge there: air
     /// that ends at it goes on from its other side.
@@ -200,7 +197,7 @@ private:
     }
 
     /// Where one solid is alone, its edges are what they were, but for what vanishes between two of them.
-    bool pair_by_edge(std::uint32_t piece) {
+    void pair_by_edge(std::uint32_t piece) {
         for (const std::uint32_t use : users_.at(piece)) {
             if (!is_kept(use) || dissolved_[use] || partner_[use] != kNone) continue;
             std::uint32_t other = mate_of(use);
@@ -209,7 +206,6 @@ private:
             partner_[use] = other;
             partner_[other] = use;
         }
-        return true;
     }
     /// The use beyond the edge that a use came with; none where its face is not here.
     std::uint32_t mate_of(std::uint32_t use) const {

@@ -50,7 +50,7 @@ struct Selection {
     std::function<Kept(std::uint8_t operand, CellLabel label)> keep;
     /// Whether faces that lie side by side in one plane may become one. Those of one face always do.
     std::function<bool(std::uint32_t face, std::uint32_t other)> alike;
-    /// So long, along any axis, different faces may become at most: longer ones would be divided again. Surface steps.
+    /// So long, along any axis, different faces may become at most: longer ones would be divided again. Metres.
     double longest = 0;
     /// Whether an edge of the overlay may be used again.
     std::function<bool(std::uint32_t edge)> reusable;

@@ -342,7 +342,7 @@ CutArranger::End CutArranger::keep() {
         }
         return Kept::kNot;
     };
-    selection.longest = largest_face(in_.cutter) * kSurfaceSteps;
+    selection.longest = largest_face(in_.cutter);
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
     selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
     Arranged arranged;

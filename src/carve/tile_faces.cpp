@@ -16,14 +16,6 @@ namespace {
 
 constexpr int kMostTried = 8;
 
-/// The axis along which a box is longest, and how long it is there.
-std::pair<int, double> longest_axis(const GridBox& box) {
-    int best = 0;
-    for (int axis = 1; axis < 3; ++axis)
-        if (box.extent(axis) > box.extent(best)) best = axis;
-    return {best, box.extent(best)};
-}
-
 class Tiler {
 public:
     Tiler(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch)
@@ -58,8 +50,7 @@ private:
 
     bool too_large(std::uint32_t index) {
         const PatchFace& face = patch_.faces[index];
-        if (face.loop_count == 0 || longest_axis(face.box).second <= largest_ || !boxes_meet(face.box, box_))
-            return false;
+        if (face.loop_count == 0 || face.box.longest_extent() <= largest_ || !boxes_meet(face.box, box_)) return false;
         loop_.clear();
         for (const PatchUse& use : patch_.uses(face).first(patch_.ends(face)[0]))
             loop_.push_back(patch_.vertices[patch_.from(use)].point.approximate());
@@ -86,7 +77,7 @@ private:
     /// At the roundest place within its middle half: so cuts share what others were divided by, in whichever order.
     void halve(std::uint32_t index) {
         const GridBox box = patch_.faces[index].box;
-        const int axis = longest_axis(box).first;
+        const int axis = box.longest_axis();
         const std::int64_t low = box.low[axis], quarter = (std::int64_t(box.high[axis]) - low) / 4;
         const std::int64_t first = (low + quarter) / kSurfacePerInput + 1;
         const std::int64_t last = (low + 3 * quarter) / kSurfacePerInput - 1;
@@ -156,7 +147,7 @@ private:
         GridBox all;
         for (const Crossing& it : crossings_) all.add(it.place);
         if (crossings_.size() < 2) return false;
-        const int axis = longest_axis(all).first;
+        const int axis = all.longest_axis();
         order_.clear();
         for (std::uint32_t k = 0; k < crossings_.size(); ++k) order_.push_back(k);
         sort_range(order_, [&](std::uint32_t a, std::uint32_t b) {
@@ -332,7 +323,7 @@ private:
 }  // namespace
 
 double largest_face(const CutterSolid& cutter) {
-    return std::max(kLargestTile, kLargestInCutters * longest_axis(cutter.box).second);
+    return std::max(kLargestTile, kLargestInCutters * cutter.box.longest_extent());
 }
 
 void tile_faces(const Node* root, const CutterSolid& cutter, std::int32_t steps, SolidPatch& patch) {

@@ -28,6 +28,15 @@ struct GridBox {
     }
     friend bool operator==(const GridBox&, const GridBox&) = default;
     double extent(int axis) const { return (double(high[axis]) - double(low[axis])) / kSurfaceSteps; }
+    /// Along which it is longest; the first of several.
+    int longest_axis() const {
+        int longest = 0;
+        for (int axis = 1; axis < 3; ++axis)
+            if (extent(axis) > extent(longest)) longest = axis;
+        return longest;
+    }
+    /// Metres.
+    double longest_extent() const { return extent(longest_axis()); }
     double volume() const { return extent(0) * extent(1) * extent(2); }
     /// Half the surface, square metres.
     double half_area() const { return extent(0) * extent(1) + extent(1) * extent(2) + extent(2) * extent(0); }
