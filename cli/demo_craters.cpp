@@ -86,7 +86,10 @@ DemoCraters fire_demo_craters(const World& before, const std::vector<Query>& que
         did.done += fired.result.done();
         did.nothing += fired.result.status == CarveStatus::kNothing;
         did.nothing_castable_only += met_only_castable(fired.result);
-        did.refused += fired.result.status == CarveStatus::kRefused;
+        if (fired.result.status == CarveStatus::kRefused) {
+            ++did.refused;
+            ++did.refusals[fired.result.error.reason];
+        }
         if (fired.result.done()) {
             did.seconds.push_back(fired.seconds);
             did.volume += fired.result.report.volume;

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "cli/read_queries.h"
@@ -14,10 +16,11 @@ namespace firma::cli {
 struct DemoCraters {
     World after;
     std::size_t fired = 0, done = 0, nothing = 0, refused = 0;
-    std::size_t nothing_castable_only = 0;  ///< of `nothing`: met only faces that are castable only
-    std::vector<double> seconds;            ///< of those that were done
-    double volume = 0;                      ///< cubic metres taken
-    std::size_t casts = 0;                  ///< between craters
+    std::size_t nothing_castable_only = 0;        ///< of `nothing`: met only faces that are castable only
+    std::map<std::string, std::size_t> refusals;  ///< by reason
+    std::vector<double> seconds;                  ///< of those that were done
+    double volume = 0;                            ///< cubic metres taken
+    std::size_t casts = 0;                        ///< between craters
     double cast_seconds = 0;
     std::size_t rays = 0;            ///< through all of the level, from its air
     std::size_t escaped_before = 0;  ///< of these in the level as it was: where any does, it is open

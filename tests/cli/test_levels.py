@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """firma info, check, draw and demo."""
 import os
+import re
 import unittest
 import xml.etree.ElementTree
 
@@ -228,6 +229,13 @@ BOX_MAP = '''{
 
 
 class Demo(CliTest):
+    def test_why_craters_are_refused(self):
+        depot = os.path.join(ROOT, 'levels', 'depot.map')
+        text = self.firma('demo', depot, '--casts', '2000', '--craters', '20', '-o', 'x.svg')
+        refused = int(re.search(r'(\d+) refused\n', text).group(1))
+        self.assertGreater(refused, 0)
+        self.assertIn('%d refused: material depot/sky may not be carved\n' % refused, text)
+
     def test_demo(self):
         count = 40 if SANITIZED else 200
         casts = 100 * count
