@@ -9,39 +9,48 @@
 namespace firma {
 
 std::uint32_t DividedLines::place_of(std::uint32_t line, std::uint32_t point) const {
-    const std::vector<std::uint32_t>& on = (*points_on_)[line];
+    const std::vector<std::uint32_t>& on = spans_.points_on()[line];
     const auto at = std::lower_bound(on.begin(), on.end(), point, [&](std::uint32_t a, std::uint32_t b) {
-        return overlay_->lines.before(line, a, b);
+        return overlay_.lines.before(line, a, b);
     });
     return std::uint32_t(at - on.begin());
 }
 
-void DividedLines::divide(const Overlay& overlay, SpanFinder& spans) {
-    overlay_ = &overlay;
-    points_on_ = &spans.points_on();
-    pieces_.clear();
-    first_piece_.clear();
-    for (std::uint32_t line = 0; line < spans.points_on().size(); ++line) {
-        std::vector<std::uint32_t>& on = spans.points_on()[line];
-        sort_range(on, [&](std::uint32_t a, std::uint32_t b) { return overlay.lines.before(line, a, b); });
-        on.erase(std::unique(on.begin(), on.end()), on.end());
-        first_piece_.push_back(std::uint32_t(pieces_.size()));
-        for (std::size_t k = 0; k + 1 < on.size(); ++k) pieces_.push_back({line, on[k], on[k + 1]});
+bool DividedLines::divide(WorkSlice& slice) {
+    if (!lines_done_) {
+        if (!go_on(next_, spans_.points_on().size(), slice, [&](std::uint32_t line) {
+                slice.take(spans_.points_on()[line].size() / 4);
+                divide_line(line);
+            }))
+            return false;
+        whole_edge_.assign(overlay_.edges.size(), ~0u);
+        first_.assign(1, 0);
+        lines_done_ = true;
     }
-    whole_edge_.assign(overlay.edges.size(), ~0u);
-    face_pieces_.clear();
-    first_.assign(1, 0);
-    for (std::uint32_t face = 0; face < overlay.faces.size(); ++face) {
-        if (spans.touched(face))
-            add_touched(face, spans.spans_of(face));
-        else
-            add_whole(face, spans);
-        first_.push_back(std::uint32_t(face_pieces_.size()));
-    }
+    return go_on(next_, overlay_.faces.size(), slice, [&](std::uint32_t face) {
+        add_face(face);
+        slice.take((first_[face + 1] - first_[face]) / 4);
+    });
+}
+
+void DividedLines::divide_line(std::uint32_t line) {
+    std::vector<std::uint32_t>& on = spans_.points_on()[line];
+    sort_range(on, [&](std::uint32_t a, std::uint32_t b) { return overlay_.lines.before(line, a, b); });
+    on.erase(std::unique(on.begin(), on.end()), on.end());
+    first_piece_.push_back(std::uint32_t(pieces_.size()));
+    for (std::size_t k = 0; k + 1 < on.size(); ++k) pieces_.push_back({line, on[k], on[k + 1]});
+}
+
+void DividedLines::add_face(std::uint32_t face) {
+    if (spans_.touched(face))
+        add_touched(spans_.spans_of(face));
+    else
+        add_whole(face);
+    first_.push_back(std::uint32_t(face_pieces_.size()));
 }
 
 /// Each piece once, in order; twice where two edges of the face run along it, one on each side.
-void DividedLines::add_touched(std::uint32_t, std::span<const FaceSpan> spans) {
+void DividedLines::add_touched(std::span<const FaceSpan> spans) {
     const std::size_t first = face_pieces_.size();
     for (const FaceSpan& span : spans) {
         const std::uint32_t from = place_of(span.line, span.from), to = place_of(span.line, span.to);
@@ -70,20 +79,20 @@ void DividedLines::add_touched(std::uint32_t, std::span<const FaceSpan> spans) {
 }
 
 /// Of a face that nothing meets the edges may be divided all the same, as a neighbour is met.
-void DividedLines::add_whole(std::uint32_t index, SpanFinder& spans) {
-    const OverlayFace& face = overlay_->faces[index];
-    for (const OverlaySide& side : overlay_->sides(face)) {
-        const std::uint32_t line = spans.line_of(side.edge);
+void DividedLines::add_whole(std::uint32_t index) {
+    const OverlayFace& face = overlay_.faces[index];
+    for (const OverlaySide& side : overlay_.sides(face)) {
+        const std::uint32_t line = spans_.line_of(side.edge);
         if (line == SpanFinder::kNoLine) {
             std::uint32_t& piece = whole_edge_[side.edge];
             if (piece == ~0u) {
                 piece = std::uint32_t(pieces_.size());
-                pieces_.push_back({Piece::kNoLine, overlay_->edges[side.edge].from, overlay_->edges[side.edge].to});
+                pieces_.push_back({Piece::kNoLine, overlay_.edges[side.edge].from, overlay_.edges[side.edge].to});
             }
             face_pieces_.push_back({piece, std::uint8_t(side.reversed ? kCoversRight : kCoversLeft), side.edge, false});
             continue;
         }
-        std::uint32_t from = place_of(line, overlay_->from(side)), to = place_of(line, overlay_->to(side));
+        std::uint32_t from = place_of(line, overlay_.from(side)), to = place_of(line, overlay_.to(side));
         const bool along = from < to;
         if (!along) std::swap(from, to);
         for (std::uint32_t k = from; k < to; ++k)

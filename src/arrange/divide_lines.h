@@ -29,8 +29,11 @@ struct FacePiece {
 /// In order of lines, and along each.
 class DividedLines {
 public:
-    /// @param spans  after cross(); its lists of points are sorted
-    void divide(const Overlay& overlay, SpanFinder& spans);
+    /// @param spans  after finish(); its lists of points are sorted
+    DividedLines(const Overlay& overlay, SpanFinder& spans) : overlay_(overlay), spans_(spans) {}
+
+    /// @return whether all of it is done; else call it again
+    bool divide(WorkSlice& slice);
 
     std::size_t size() const { return pieces_.size(); }
     const Piece& piece(std::uint32_t number) const { return pieces_[number]; }
@@ -39,12 +42,16 @@ public:
     }
 
 private:
-    void add_touched(std::uint32_t face, std::span<const FaceSpan> spans);
-    void add_whole(std::uint32_t face, SpanFinder& spans);
+    void divide_line(std::uint32_t line);
+    void add_face(std::uint32_t face);
+    void add_touched(std::span<const FaceSpan> spans);
+    void add_whole(std::uint32_t face);
     std::uint32_t place_of(std::uint32_t line, std::uint32_t point) const;
 
-    const Overlay* overlay_ = nullptr;
-    const std::vector<std::vector<std::uint32_t>>* points_on_ = nullptr;
+    const Overlay& overlay_;
+    SpanFinder& spans_;
+    bool lines_done_ = false;
+    std::uint32_t next_ = 0;  ///< line, then face
     std::vector<Piece> pieces_;
     std::vector<std::uint32_t> first_piece_;  ///< of each line
     std::vector<std::uint32_t> whole_edge_;   ///< the piece that is an edge; ~0: none yet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arrange/flat_edges.h"
+#include "arrange/phase_end.h"
 
 namespace firma {
 
@@ -30,12 +31,33 @@ struct CellSet {
     }
 };
 
-/// Adds the loops of one plane to cells, a cell an outline.
-/// @return false when they do not group
-bool add_cells(FlatEdges& flat, std::uint32_t face, std::span<const PieceUse> loops,
-               std::span<const std::uint32_t> ends, CellSet& cells);
+class CellFinder {
+public:
+    CellFinder(Overlay& overlay, const SpanFinder& spans, const DividedLines& lines)
+        : overlay_(overlay), spans_(spans), lines_(lines), flat_(overlay, lines) {}
 
-/// @return false when some face does not divide: it, or what it met, crosses itself
-bool find_cells(Overlay& overlay, const SpanFinder& spans, const DividedLines& lines, CellSet& cells);
+    /// Broken when some face does not divide: it, or what it met, crosses itself.
+    PhaseEnd step(WorkSlice& slice);
+
+    /// Of all faces, once it is done.
+    const CellSet& cells() const { return cells_; }
+
+private:
+    bool divide_face(std::uint32_t face);
+    void add_whole(std::uint32_t face, std::span<const FacePiece> pieces);
+    bool add_cells(std::uint32_t face);
+    bool comes_back();
+
+    Overlay& overlay_;
+    const SpanFinder& spans_;
+    const DividedLines& lines_;
+    CellSet cells_;
+    std::uint32_t next_ = 0;  ///< face
+    FlatEdges flat_;
+    // Of the face at hand.
+    std::vector<PieceUse> uses_, loops_;
+    std::vector<std::uint32_t> ends_, points_;
+    LoopsByOutline outlines_;
+};
 
 }  // namespace firma

@@ -97,7 +97,29 @@ void SpanFinder::order_by_face() {
     spans_.swap(ordered);
 }
 
-void SpanFinder::lend() {
+bool SpanFinder::finish(WorkSlice& slice) {
+    switch (stage_) {
+        case Stage::kTouch:
+            touch_coplanar();
+            stage_ = Stage::kLend;
+            [[fallthrough]];
+        case Stage::kLend:
+            if (!go_on(next_, 2 * coplanar_.size(), slice, [&](std::size_t k) {
+                    const auto& [a, b] = coplanar_[k / 2];
+                    lend(k % 2 ? b : a, k % 2 ? a : b, slice);
+                }))
+                return false;
+            coplanar_.clear();
+            order_by_face();
+            stage_ = Stage::kCross;
+            [[fallthrough]];
+        case Stage::kCross:
+            break;
+    }
+    return cross_next(slice);
+}
+
+void SpanFinder::touch_coplanar() {
     // The outline of an overlap comes from the neighbours' pairs; but where an edge of one solid runs over a face of
     // its own in this plane (a fin on a floor), only the other solid's face knows of it.
     for (const auto& [a, b] : coplanar_) {
@@ -105,18 +127,14 @@ void SpanFinder::lend() {
         touch(b);
     }
     order_by_face();
-    for (const auto& [a, b] : coplanar_) {
-        lend(a, b);
-        lend(b, a);
-    }
-    coplanar_.clear();
 }
 
 /// Each line of the one is walked through the other, once.
-void SpanFinder::lend(std::uint32_t from, std::uint32_t to) {
+void SpanFinder::lend(std::uint32_t from, std::uint32_t to, WorkSlice& slice) {
     const LineTable& lines = overlay_.lines;
     const PlaneId plane = overlay_.faces[to].plane;
     std::vector<FaceSpan> lent(spans_.begin() + first_[from], spans_.begin() + first_[from + 1]);
+    slice.take(lent.size());
     sort_range(lent, [](const FaceSpan& a, const FaceSpan& b) {
         return a.line != b.line ? a.line < b.line : a.from != b.from ? a.from < b.from : a.to < b.to;
     });
@@ -144,43 +162,45 @@ void SpanFinder::lend(std::uint32_t from, std::uint32_t to) {
     }
 }
 
-void SpanFinder::cross() {
-    order_by_face();
-    for (std::uint32_t face = 0; face < overlay_.faces.size(); ++face)
-        if (touched_[face]) cross_within(first_[face], first_[face + 1]);
+bool SpanFinder::cross_next(WorkSlice& slice) {
+    constexpr std::size_t kPairsAUnit = 32;
+    for (; next_ < overlay_.faces.size(); ++next_) {
+        if (!touched_[next_]) continue;
+        if (boxed_of_ != next_) {
+            boxed_of_ = next_;
+            gather_crossing(std::uint32_t(next_));
+            slice.take(1 + boxed_.size() / 4);
+        }
+        if (!go_on(next_boxed_, boxed_.size(), slice, [&](std::size_t i) {
+                std::size_t j = i + 1;
+                for (; j < boxed_.size() && boxed_[j].box.low[axis_] <= boxed_[i].box.high[axis_]; ++j)
+                    if (boxes_meet(boxed_[i].box, boxed_[j].box))
+                        cross_two(spans_[boxed_[i].span], spans_[boxed_[j].span]);
+                slice.take((j - i) / kPairsAUnit);
+            }))
+            return false;
+    }
+    return true;
 }
 
-namespace {
-
-struct BoxedSpan {
-    GridBox box;
-    std::uint32_t span;
-};
-
-}  // namespace
-
 /// Only spans that run through the face's inside: what meets its rim was found by walking along it.
-void SpanFinder::cross_within(std::uint32_t first, std::uint32_t end) {
-    std::vector<BoxedSpan> boxed;
-    for (std::uint32_t k = first; k < end; ++k) {
-        if (spans_[k].covers != kCoversBoth) continue;
-        boxed.push_back({{}, k});
-        boxed.back().box.add(overlay_.point(spans_[k].from).rounded());
-        boxed.back().box.add(overlay_.point(spans_[k].to).rounded());
-    }
-    if (boxed.size() < 2) return;
+void SpanFinder::gather_crossing(std::uint32_t face) {
+    boxed_.clear();
     GridBox all;
-    for (const BoxedSpan& it : boxed) {
-        all.add(it.box.low);
-        all.add(it.box.high);
+    for (std::uint32_t k = first_[face]; k < first_[face + 1]; ++k) {
+        if (spans_[k].covers != kCoversBoth) continue;
+        BoxedSpan boxed{{}, k};
+        for (const std::uint32_t end : {spans_[k].from, spans_[k].to}) {
+            boxed.box.add(overlay_.point(end).rounded());
+            all.add(overlay_.point(end).rounded());
+        }
+        boxed_.push_back(boxed);
     }
-    const int axis = all.longest_axis();
-    sort_range(boxed, [&](const BoxedSpan& a, const BoxedSpan& b) {
-        return a.box.low[axis] != b.box.low[axis] ? a.box.low[axis] < b.box.low[axis] : a.span < b.span;
+    if (boxed_.size() < 2) return;
+    axis_ = all.longest_axis();
+    sort_range(boxed_, [&](const BoxedSpan& a, const BoxedSpan& b) {
+        return a.box.low[axis_] != b.box.low[axis_] ? a.box.low[axis_] < b.box.low[axis_] : a.span < b.span;
     });
-    for (std::size_t i = 0; i < boxed.size(); ++i)
-        for (std::size_t j = i + 1; j < boxed.size() && boxed[j].box.low[axis] <= boxed[i].box.high[axis]; ++j)
-            if (boxes_meet(boxed[i].box, boxed[j].box)) cross_two(spans_[boxed[i].span], spans_[boxed[j].span]);
 }
 
 void SpanFinder::cross_two(const FaceSpan& a, const FaceSpan& b) {

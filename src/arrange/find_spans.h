@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arrange/walk_line.h"
+#include "base/work_slice.h"
 
 namespace firma {
 
@@ -31,14 +32,14 @@ public:
     void start();
     /// Two faces of different solids whose boxes meet.
     void meet(std::uint32_t a, std::uint32_t b);
-    /// Once all pairs met: faces in one plane learn of each other's spans.
-    void lend();
-    /// Then spans that cross within a face divide each other.
-    void cross();
+    /// Once all pairs met: faces in one plane learn of each other's spans, then spans that cross within a face divide
+    /// each other.
+    /// @return whether all of it is done; else call it again
+    bool finish(WorkSlice& slice);
 
     /// Whether a face has spans: else nothing meets more of it than a point.
     bool touched(std::uint32_t face) const { return touched_[face] != 0; }
-    /// Of one that is, after cross().
+    /// Of one that is, after finish().
     std::span<const FaceSpan> spans_of(std::uint32_t face) const {
         return {spans_.data() + first_[face], first_[face + 1] - first_[face]};
     }
@@ -56,8 +57,16 @@ private:
     void put_on_line(std::uint32_t line, std::uint32_t point);
     void emit(std::uint32_t face, std::uint32_t line, const Interval& part);
     void end_at(const LineWalk& walk, std::uint32_t line, const Interval& part);
-    void lend(std::uint32_t from, std::uint32_t to);
-    void cross_within(std::uint32_t first, std::uint32_t end);
+    enum class Stage : std::uint8_t { kTouch, kLend, kCross };
+    struct BoxedSpan {
+        GridBox box;
+        std::uint32_t span;
+    };
+
+    void touch_coplanar();
+    void lend(std::uint32_t from, std::uint32_t to, WorkSlice& slice);
+    bool cross_next(WorkSlice& slice);
+    void gather_crossing(std::uint32_t face);
     void cross_two(const FaceSpan& a, const FaceSpan& b);
     void order_by_face();
 
@@ -69,6 +78,12 @@ private:
     std::vector<FaceSpan> spans_;
     std::vector<std::uint32_t> first_;  ///< in spans_, of each face, once in order
     std::vector<std::pair<std::uint32_t, std::uint32_t>> coplanar_;
+    Stage stage_ = Stage::kTouch;
+    std::size_t next_ = 0;                    ///< in the loop of the stage
+    std::vector<BoxedSpan> boxed_;            ///< spans that may cross, of one face, in order along an axis
+    std::size_t boxed_of_ = ~std::size_t(0);  ///< which face
+    int axis_ = 0;                            ///< that one
+    std::size_t next_boxed_ = 0;
 };
 
 }  // namespace firma

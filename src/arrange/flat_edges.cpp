@@ -133,33 +133,53 @@ bool FlatEdges::runs_left(std::span<const PieceUse> loop) {
 }
 
 bool FlatEdges::group(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends,
-                      std::vector<std::uint32_t>& outline_of) {
-    outline_of.assign(ends.size(), kNoUse);
-    if (ends.size() == 1) {
-        outline_of[0] = 0;
-        return true;
-    }
+                      LoopsByOutline& by_outline) {
+    outline_of_.assign(ends.size(), kNoUse);
     const auto loop = [&](std::size_t k) {
         const std::uint32_t first = k == 0 ? 0 : ends[k - 1];
         return loops.subspan(first, ends[k] - first);
     };
     std::vector<std::uint32_t> outlines;
     for (std::uint32_t k = 0; k < ends.size(); ++k) {
-        if (!runs_left(loop(k))) continue;
-        outline_of[k] = k;
+        if (ends.size() > 1 && !runs_left(loop(k))) continue;
+        outline_of_[k] = k;
         outlines.push_back(k);
     }
+    BoxTree boxes;
+    if (outlines.size() > 1 && outlines.size() < ends.size()) boxes = boxes_of(loops, ends, outlines);
     for (std::uint32_t k = 0; k < ends.size(); ++k) {
-        if (outline_of[k] != kNoUse) continue;
+        if (outline_of_[k] != kNoUse) continue;
         std::uint32_t best = kNoUse;
-        for (const std::uint32_t outline : outlines) {
-            if (outlines.size() > 1 && !encloses(loop(outline), loop(k)[0])) continue;
-            if (best == kNoUse || encloses(loop(best), loop(outline)[0])) best = outline;
+        if (outlines.size() == 1) {
+            best = outlines[0];
+        } else {
+            // Rounding keeps order along each axis: what lies in an outline is, rounded, in its box.
+            const PieceUse& hole = loop(k)[0];
+            GridBox at;
+            at.add(overlay_.point(from(hole)).rounded());
+            at.add(overlay_.point(to(hole)).rounded());
+            boxes.for_each_meeting(at, [&](std::uint32_t number) {
+                const std::uint32_t outline = outlines[number];
+                if (!encloses(loop(outline), hole)) return false;
+                if (best == kNoUse || encloses(loop(best), loop(outline)[0])) best = outline;
+                return false;
+            });
         }
         if (best == kNoUse) return false;
-        outline_of[k] = best;
+        outline_of_[k] = best;
     }
+    by_outline.set(outline_of_);
     return true;
+}
+
+/// Of the loops listed.
+BoxTree FlatEdges::boxes_of(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends,
+                            std::span<const std::uint32_t> listed) const {
+    std::vector<GridBox> boxes(listed.size());
+    for (std::size_t k = 0; k < listed.size(); ++k)
+        for (std::uint32_t use = listed[k] == 0 ? 0 : ends[listed[k] - 1]; use < ends[listed[k]]; ++use)
+            boxes[k].add(overlay_.point(from(loops[use])).rounded());
+    return BoxTree(boxes);
 }
 
 }  // namespace firma

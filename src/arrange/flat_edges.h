@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "arrange/divide_lines.h"
+#include "arrange/loops_by_outline.h"
+#include "index/box_tree.h"
 
 namespace firma {
 
@@ -25,27 +27,6 @@ struct PieceUse {
         return use;
     }
 };
-
-/// Appends the loop that is an outline, and the holes in it.
-/// @param outline_of  see FlatEdges::group()
-/// @param first       in `uses_made`, where the uses of this outline begin: ends are counted from there
-/// @return how many loops
-template <class Use>
-std::uint32_t append_outline(std::span<const Use> uses, std::span<const std::uint32_t> ends,
-                             std::span<const std::uint32_t> outline_of, std::uint32_t outline, std::size_t first,
-                             std::vector<Use>& uses_made, std::vector<std::uint32_t>& ends_made) {
-    std::uint32_t count = 0;
-    const auto add = [&](std::uint32_t loop) {
-        const std::uint32_t begin = loop == 0 ? 0 : ends[loop - 1];
-        uses_made.insert(uses_made.end(), uses.begin() + begin, uses.begin() + ends[loop]);
-        ends_made.push_back(std::uint32_t(uses_made.size() - first));
-        ++count;
-    };
-    add(outline);
-    for (std::uint32_t hole = 0; hole < ends.size(); ++hole)
-        if (hole != outline && outline_of[hole] == outline) add(hole);
-    return count;
-}
 
 /// Of one plane at a time. Keeps its scratch from call to call.
 class FlatEdges {
@@ -69,11 +50,9 @@ public:
     /// @return false when some use has none that follows
     bool trace(std::span<const PieceUse> uses, std::vector<PieceUse>& loops, std::vector<std::uint32_t>& ends);
 
-    /// Which loops are outlines, and in which one each hole lies directly.
-    /// @param outline_of  of each loop: itself for an outline. Loops do not cross, but may touch
+    /// Which loops are outlines, and in which one each hole lies directly. Loops do not cross, but may touch.
     /// @return false when a hole lies in none
-    bool group(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends,
-               std::vector<std::uint32_t>& outline_of);
+    bool group(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends, LoopsByOutline& by_outline);
 
 private:
     std::uint32_t line_of(const PieceUse& use) const;
@@ -85,11 +64,13 @@ private:
     bool runs_left(std::span<const PieceUse> loop);
     bool encloses(std::span<const PieceUse> loop, const PieceUse& use);
     std::uint32_t meet(const PieceUse& use, PlaneId across);
+    BoxTree boxes_of(std::span<const PieceUse> loops, std::span<const std::uint32_t> ends,
+                     std::span<const std::uint32_t> listed) const;
 
     Overlay& overlay_;
     const DividedLines& lines_;
     PlaneId plane_ = kNoPlane;
-    std::vector<std::uint32_t> order_, next_;
+    std::vector<std::uint32_t> order_, next_, outline_of_;
 };
 
 }  // namespace firma

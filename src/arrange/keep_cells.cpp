@@ -15,22 +15,24 @@ namespace {
 constexpr std::uint32_t kNone = ~0u;
 constexpr std::uint32_t kMadeEdge = ~0u - 1;
 
-class Keeper {
+}  // namespace
+
+class CellKeeper::Work {
 public:
-    Keeper(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
-           const Selection& selection, Arranged& made)
+    Work(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
+         std::span<const CellLabel> labels, const Selection& selection, Arranged& made)
         : overlay_(overlay),
           lines_(lines),
           cells_(cells),
           users_(users),
+          labels_(labels),
           selection_(selection),
           made_(made),
           flat_(overlay, lines),
           groups_(cells.cells.size()),
           box_(cells.cells.size()),
-          kept_(cells.cells.size(), Kept::kNot) {}
-
-    bool keep(std::span<const CellLabel> labels) {
+          kept_(cells.cells.size(), Kept::kNot) {
+        made.stays.assign(overlay.faces.size(), 0);
         uses_ = cells_.all_uses;
         partner_.assign(uses_.size(), kNone);
         next_.assign(uses_.size(), kNone);
@@ -38,44 +40,100 @@ public:
         dissolved_.assign(uses_.size(), 0);
         across_.assign(uses_.size(), kNone);
         crowded_.assign(uses_.size(), 0);
-        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell) {
-            const Cell& it = cells_.cells[cell];
-            kept_[cell] = selection_.keep(overlay_.faces[it.face].operand, labels[cell]);
-            for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
-                box_[cell].add(overlay_.point(flat_.from(uses_[use])).rounded());
-                if (kept_[cell] == Kept::kTurned) uses_[use] = uses_[use].turned();
-                uses_[use].id = use;
-            }
-        }
-        if (nothing_changes()) {
+        seen_.assign(uses_.size(), 0);
+        contact_.assign(overlay_.tables.points.size(), 0);
+        met_.assign(overlay_.faces.size(), 0);
+    }
+
+    PhaseEnd step(WorkSlice& slice) {
+        while (stage_ != Stage::kEnd) {
+            const bool ended = loop(slice);
+            if (broken_) return PhaseEnd::kBroken;
+            if (!ended) return PhaseEnd::kGoesOn;
+            stage_ = Stage(std::uint8_t(stage_) + 1);
+            if (stage_ != Stage::kEdges || !nothing_changes()) continue;
             made_.changes = false;
-            return true;
+            stage_ = Stage::kEnd;
         }
-        for (std::uint32_t edge = 0; edge < overlay_.edges.size(); ++edge)
-            if (selection_.reusable(edge))
-                edge_between_.at(pair_key(overlay_.edges[edge].from, overlay_.edges[edge].to)) = edge;
-        find_contacts();
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
-            if (users_.shared(piece)) merge_across(piece);
-        // Where faces became one, the rest of what lay between them goes too.
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
-            if (!users_.shared(piece)) merge_across(piece);
-        // Faces that became one by way of others have edges between them still.
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) dissolve_within(piece);
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
-            if (!users_.shared(piece))
-                pair_by_edge(piece);
-            else if (!pair_around(piece))
-                return false;
-        gather_groups();
-        for (std::uint32_t group = 0; group < members_first_.size() - 1; ++group)
-            if (!trace(group)) return false;
-        for (std::uint32_t group = 0; group < members_first_.size() - 1; ++group)
-            if (!write(group)) return false;
-        return true;
+        return PhaseEnd::kDone;
     }
 
 private:
+    /// Each goes over all cells, edges, pieces or groups; kMerge over the pieces twice.
+    enum class Stage : std::uint8_t {
+        kSelect,
+        kEdges,
+        kContacts,
+        kMerge,
+        kDissolve,
+        kPair,
+        kGroup,
+        kTrace,
+        kWrite,
+        kEnd
+    };
+
+    /// Goes on with the loop of the stage at hand; true at its end.
+    bool loop(WorkSlice& slice) {
+        const std::size_t pieces = lines_.size();
+        switch (stage_) {
+            case Stage::kSelect:
+                return go_on(next_at_, cells_.cells.size(), slice, [&](std::uint32_t cell) {
+                    slice.take(cells_.cells[cell].use_count / 8);
+                    select(cell);
+                });
+            case Stage::kEdges:
+                return go_on(next_at_, overlay_.edges.size(), slice, [&](std::uint32_t edge) {
+                    if (selection_.reusable(edge))
+                        edge_between_.at(pair_key(overlay_.edges[edge].from, overlay_.edges[edge].to)) = edge;
+                });
+            case Stage::kContacts:
+                return go_on(next_at_, pieces, slice, [&](std::uint32_t piece) { find_contacts(piece); });
+            case Stage::kMerge:
+                // Where faces became one across what both solids share, the rest of what lay between them goes too.
+                return go_on(next_at_, 2 * pieces, slice, [&](std::uint32_t k) {
+                    const auto piece = std::uint32_t(k < pieces ? k : k - pieces);
+                    if (users_.shared(piece) == (k < pieces)) merge_across(piece);
+                });
+            case Stage::kDissolve:
+                // Faces that became one by way of others have edges between them still.
+                return go_on(next_at_, pieces, slice, [&](std::uint32_t piece) { dissolve_within(piece); });
+            case Stage::kPair:
+                return go_on(next_at_, pieces, slice, [&](std::uint32_t piece) {
+                    if (!users_.shared(piece))
+                        pair_by_edge(piece);
+                    else if (!pair_around(piece))
+                        broken_ = true;
+                });
+            case Stage::kGroup:
+                gather_groups();
+                return true;
+            case Stage::kTrace:
+                return go_on(next_at_, members_first_.size() - 1, slice, [&](std::uint32_t group) {
+                    broken_ = broken_ || !trace(group);
+                    slice.take(2 * group_uses_.size());
+                });
+            case Stage::kWrite:
+                return go_on(next_at_, members_first_.size() - 1, slice, [&](std::uint32_t group) {
+                    broken_ = broken_ || !write(group);
+                    slice.take(2 * loops_.size());
+                });
+            case Stage::kEnd:
+                break;
+        }
+        return true;
+    }
+
+    void select(std::uint32_t cell) {
+        const Cell& it = cells_.cells[cell];
+        kept_[cell] = selection_.keep(overlay_.faces[it.face].operand, labels_[cell]);
+        for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
+            box_[cell].add(overlay_.point(flat_.from(uses_[use])).rounded());
+            if (kept_[cell] == Kept::kTurned) uses_[use] = uses_[use].turned();
+            uses_[use].id = use;
+        }
+    }
+
     PlaneId plane_of(std::uint32_t cell) const {
         const PlaneId plane = overlay_.faces[cells_.cells[cell].face].plane;
         return kept_[cell] == Kept::kTurned ? from_behind(plane) : plane;
@@ -91,15 +149,11 @@ private:
     std::uint32_t group_of(std::uint32_t use) { return groups_.find(users_.cell_of(use)); }
 
     /// Points that lie on pieces where both solids are, and the faces there.
-    void find_contacts() {
-        contact_.assign(overlay_.tables.points.size(), 0);
-        met_.assign(overlay_.faces.size(), 0);
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) {
-            if (!users_.shared(piece)) continue;
-            for (const std::uint32_t use : users_.at(piece)) met_[cells_.cells[users_.cell_of(use)].face] = 1;
-            contact_[lines_.piece(piece).from] = 1;
-            contact_[lines_.piece(piece).to] = 1;
-        }
+    void find_contacts(std::uint32_t piece) {
+        if (!users_.shared(piece)) return;
+        for (const std::uint32_t use : users_.at(piece)) met_[cells_.cells[users_.cell_of(use)].face] = 1;
+        contact_[lines_.piece(piece).from] = 1;
+        contact_[lines_.piece(piece).to] = 1;
     }
 
     /// What lies in one plane on both sides of the piece, and is alike, is one.
@@ -363,7 +417,6 @@ private:
         loops_.clear();
         ends_.clear();
         sides_.clear();
-        seen_.resize(uses_.size(), 0);
         for (const std::uint32_t cell : cells) {
             const Cell& it = cells_.cells[cell];
             for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
@@ -416,16 +469,15 @@ private:
     }
 
     bool add_faces(const ArrangedFace& like) {
-        std::vector<std::uint32_t> outline_of;
         find_whole_loops();
-        if (!flat_.group(whole_loops_, piece_ends_, outline_of)) return false;
-        for (std::uint32_t outline = 0; outline < ends_.size(); ++outline) {
-            if (outline_of[outline] != outline) continue;
+        if (!flat_.group(whole_loops_, piece_ends_, outlines_)) return false;
+        for (std::size_t k = 0; k < outlines_.outlines().size(); ++k) {
             ArrangedFace face = like;
             face.first_use = std::uint32_t(made_.all_uses.size());
             face.first_loop = std::uint32_t(made_.loop_ends.size());
-            face.loop_count = append_outline<OverlaySide>(sides_, ends_, outline_of, outline, face.first_use,
-                                                          made_.all_uses, made_.loop_ends);
+            face.loop_count = std::uint32_t(outlines_.loops(k).size());
+            append_loops<OverlaySide>(sides_, ends_, outlines_.loops(k), face.first_use, made_.all_uses,
+                                      made_.loop_ends);
             face.use_count = std::uint32_t(made_.all_uses.size()) - face.first_use;
             made_.faces.push_back(face);
         }
@@ -450,8 +502,12 @@ private:
     const DividedLines& lines_;
     const CellSet& cells_;
     const PieceUsers& users_;
+    const std::span<const CellLabel> labels_;
     const Selection& selection_;
     Arranged& made_;
+    Stage stage_ = Stage::kSelect;
+    std::uint32_t next_at_ = 0;  ///< in the loop of the stage
+    bool broken_ = false;
     FlatEdges flat_;
     DisjointSets groups_;
     std::vector<GridBox> box_;  ///< of a group, by the cell that stands for it
@@ -471,15 +527,18 @@ private:
     std::vector<std::uint32_t> ends_, piece_ends_, wanted_;  ///< of loops_, of whole_loops_
     std::vector<OverlaySide> sides_;
     std::vector<CellSpoke> spokes_;
+    LoopsByOutline outlines_;
 };
 
-}  // namespace
+CellKeeper::CellKeeper(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
+                       std::span<const CellLabel> labels, Selection selection)
+    : selection_(std::move(selection)),
+      work_(std::make_unique<Work>(overlay, lines, cells, users, labels, selection_, made_)) {}
 
-bool keep_cells(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
-                std::span<const CellLabel> labels, const Selection& selection, Arranged& made) {
-    made = {};
-    made.stays.assign(overlay.faces.size(), 0);
-    return Keeper(overlay, lines, cells, users, selection, made).keep(labels);
+CellKeeper::~CellKeeper() = default;
+
+PhaseEnd CellKeeper::step(WorkSlice& slice) {
+    return work_->step(slice);
 }
 
 }  // namespace firma

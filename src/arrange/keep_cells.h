@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -56,8 +57,24 @@ struct Selection {
     std::function<bool(std::uint32_t edge)> reusable;
 };
 
-/// @return false when the cells kept do not close, or do not group
-bool keep_cells(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
-                std::span<const CellLabel> labels, const Selection& selection, Arranged& made);
+class CellKeeper {
+public:
+    CellKeeper(Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
+               std::span<const CellLabel> labels, Selection selection);
+    ~CellKeeper();
+
+    /// Broken when the cells kept do not close, or do not group.
+    PhaseEnd step(WorkSlice& slice);
+
+    /// Once it is done.
+    const Arranged& made() const { return made_; }
+
+private:
+    class Work;
+
+    Arranged made_;
+    const Selection selection_;
+    std::unique_ptr<Work> work_;
+};
 
 }  // namespace firma

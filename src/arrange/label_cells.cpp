@@ -2,7 +2,6 @@
 // Where each cell lies against the other solid.
 #include "arrange/label_cells.h"
 
-#include "base/disjoint_sets.h"
 #include "base/sort.h"
 
 namespace firma {
@@ -47,96 +46,97 @@ void sort_around(const LineTable& lines, std::uint32_t line, std::span<CellSpoke
     });
 }
 
-namespace {
+CellLabeller::CellLabeller(const Overlay& overlay, const DividedLines& lines, const CellSet& cells,
+                           const PieceUsers& users)
+    : overlay_(overlay),
+      lines_(lines),
+      cells_(cells),
+      users_(users),
+      sets_(cells.cells.size()),
+      label_(cells.cells.size(), CellLabel::kUnknown) {}
 
-class Labeller {
-public:
-    Labeller(const Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users)
-        : overlay_(overlay),
-          lines_(lines),
-          cells_(cells),
-          users_(users),
-          sets_(cells.cells.size()),
-          label_(cells.cells.size(), CellLabel::kUnknown) {}
-
-    LabelEnd label(const LocateCell& locate, std::vector<CellLabel>& labels) {
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
-            if (!users_.shared(piece)) spread(piece);
-        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece)
-            if (users_.shared(piece) && !look_around(piece)) return LabelEnd::kBroken;
-        labels.resize(cells_.cells.size());
-        for (std::uint32_t cell = 0; cell < cells_.cells.size(); ++cell) {
-            CellLabel& known = label_[sets_.find(cell)];
-            if (known == CellLabel::kUnknown) known = locate(cell);
-            if (known == CellLabel::kUnknown) return LabelEnd::kUnlocated;
-            labels[cell] = known;
-        }
-        return LabelEnd::kFine;
+PhaseEnd CellLabeller::step(const LocateCell& locate, WorkSlice& slice) {
+    constexpr std::size_t kToLocate = 16;  // units
+    bool fine = true;
+    switch (stage_) {
+        case Stage::kSpread:
+            if (!go_on(next_, lines_.size(), slice, [&](std::uint32_t piece) {
+                    if (!users_.shared(piece)) spread(piece);
+                }))
+                return PhaseEnd::kGoesOn;
+            stage_ = Stage::kLookAround;
+            [[fallthrough]];
+        case Stage::kLookAround:
+            if (!go_on(next_, lines_.size(), slice, [&](std::uint32_t piece) {
+                    if (!users_.shared(piece)) return;
+                    slice.take(users_.at(piece).size());
+                    fine = fine && look_around(piece);
+                }))
+                return fine ? PhaseEnd::kGoesOn : PhaseEnd::kBroken;
+            if (!fine) return PhaseEnd::kBroken;
+            labels_.resize(cells_.cells.size());
+            stage_ = Stage::kLocate;
+            [[fallthrough]];
+        case Stage::kLocate:
+            break;
     }
-
-private:
-    /// The other solid is not there.
-    void spread(std::uint32_t piece) {
-        const auto uses = users_.at(piece);
-        for (std::size_t k = 1; k < uses.size(); ++k) sets_.join(users_.cell_of(uses[0]), users_.cell_of(uses[k]));
-    }
-
-    bool set(std::uint32_t cell, CellLabel label) {
+    const bool all = go_on(next_, cells_.cells.size(), slice, [&](std::uint32_t cell) {
         CellLabel& known = label_[sets_.find(cell)];
-        if (known == CellLabel::kUnknown) known = label;
-        return known == label;
-    }
-
-    bool look_around(std::uint32_t piece) {
-        spokes_.clear();
-        for (const std::uint32_t use : users_.at(piece)) {
-            const std::uint32_t cell = users_.cell_of(use);
-            const OverlayFace& face = overlay_.faces[cells_.cells[cell].face];
-            const bool forward = cells_.all_uses[use].forward;
-            spokes_.push_back({use, cell, forward ? face.plane : from_behind(face.plane), forward, face.operand, 0});
+        if (known == CellLabel::kUnknown) {
+            slice.take(kToLocate);
+            known = locate(cell);
         }
-        sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
-        // What lies before the first spoke is what lies after the last one of each solid.
-        bool solid[kOperands] = {false, false};
-        for (const CellSpoke& spoke : spokes_) solid[spoke.operand] = !spoke.air_after;
-        for (std::size_t first = 0; first < spokes_.size();) {
-            std::size_t end = first + 1;
-            while (end < spokes_.size() && spokes_[end].half == spokes_[first].half) ++end;
-            if (end - first > 2 || (end - first == 2 && spokes_[first].operand == spokes_[first + 1].operand))
-                return false;
-            for (std::size_t k = first; k < end; ++k) {
-                const CellSpoke& spoke = spokes_[k];
-                if (solid[spoke.operand] != spoke.air_after) return false;  // not so before it as after the one before
-            }
-            for (std::size_t k = first; k < end; ++k) {
-                const CellSpoke& spoke = spokes_[k];
-                const CellLabel label = end - first == 2 ? spokes_[first].air_after == spokes_[first + 1].air_after
-                                                               ? CellLabel::kSame
-                                                               : CellLabel::kOpposite
-                                        : solid[1 - spoke.operand] ? CellLabel::kIn
-                                                                   : CellLabel::kOut;
-                if (!set(spoke.cell, label)) return false;
-            }
-            for (std::size_t k = first; k < end; ++k) solid[spokes_[k].operand] = !spokes_[k].air_after;
-            first = end;
-        }
-        return true;
+        fine = fine && known != CellLabel::kUnknown;
+        labels_[cell] = known;
+    });
+    return !fine ? PhaseEnd::kUnlocated : all ? PhaseEnd::kDone : PhaseEnd::kGoesOn;
+}
+
+/// The other solid is not there.
+void CellLabeller::spread(std::uint32_t piece) {
+    const auto uses = users_.at(piece);
+    for (std::size_t k = 1; k < uses.size(); ++k) sets_.join(users_.cell_of(uses[0]), users_.cell_of(uses[k]));
+}
+
+bool CellLabeller::set(std::uint32_t cell, CellLabel label) {
+    CellLabel& known = label_[sets_.find(cell)];
+    if (known == CellLabel::kUnknown) known = label;
+    return known == label;
+}
+
+bool CellLabeller::look_around(std::uint32_t piece) {
+    spokes_.clear();
+    for (const std::uint32_t use : users_.at(piece)) {
+        const std::uint32_t cell = users_.cell_of(use);
+        const OverlayFace& face = overlay_.faces[cells_.cells[cell].face];
+        const bool forward = cells_.all_uses[use].forward;
+        spokes_.push_back({use, cell, forward ? face.plane : from_behind(face.plane), forward, face.operand, 0});
     }
-
-    const Overlay& overlay_;
-    const DividedLines& lines_;
-    const CellSet& cells_;
-    const PieceUsers& users_;
-    DisjointSets sets_;
-    std::vector<CellLabel> label_;  ///< of a set, by the cell that stands for it
-    std::vector<CellSpoke> spokes_;
-};
-
-}  // namespace
-
-LabelEnd label_cells(const Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
-                     const LocateCell& locate, std::vector<CellLabel>& labels) {
-    return Labeller(overlay, lines, cells, users).label(locate, labels);
+    sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
+    // What lies before the first spoke is what lies after the last one of each solid.
+    bool solid[kOperands] = {false, false};
+    for (const CellSpoke& spoke : spokes_) solid[spoke.operand] = !spoke.air_after;
+    for (std::size_t first = 0; first < spokes_.size();) {
+        std::size_t end = first + 1;
+        while (end < spokes_.size() && spokes_[end].half == spokes_[first].half) ++end;
+        if (end - first > 2 || (end - first == 2 && spokes_[first].operand == spokes_[first + 1].operand)) return false;
+        for (std::size_t k = first; k < end; ++k) {
+            const CellSpoke& spoke = spokes_[k];
+            if (solid[spoke.operand] != spoke.air_after) return false;  // not so before it as after the one before
+        }
+        for (std::size_t k = first; k < end; ++k) {
+            const CellSpoke& spoke = spokes_[k];
+            const CellLabel label =
+                end - first == 2
+                    ? spokes_[first].air_after == spokes_[first + 1].air_after ? CellLabel::kSame : CellLabel::kOpposite
+                : solid[1 - spoke.operand] ? CellLabel::kIn
+                                           : CellLabel::kOut;
+            if (!set(spoke.cell, label)) return false;
+        }
+        for (std::size_t k = first; k < end; ++k) solid[spokes_[k].operand] = !spokes_[k].air_after;
+        first = end;
+    }
+    return true;
 }
 
 }  // namespace firma

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "arrange/find_cells.h"
+#include "arrange/phase_end.h"
+#include "base/disjoint_sets.h"
 
 namespace firma {
 
@@ -55,14 +57,33 @@ void sort_around(const LineTable& lines, std::uint32_t line, std::span<CellSpoke
 /// Where a cell lies that no piece tells about.
 using LocateCell = std::function<CellLabel(std::uint32_t cell)>;
 
-enum class LabelEnd : std::uint8_t {
-    kFine,
-    kBroken,     ///< labels contradict each other: a solid crosses itself
-    kUnlocated,  ///< `locate` could not tell
-};
+class CellLabeller {
+public:
+    CellLabeller(const Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users);
 
-/// @param labels  one a cell
-LabelEnd label_cells(const Overlay& overlay, const DividedLines& lines, const CellSet& cells, const PieceUsers& users,
-                     const LocateCell& locate, std::vector<CellLabel>& labels);
+    /// Broken when labels contradict each other, unlocated when `locate` could not tell.
+    PhaseEnd step(const LocateCell& locate, WorkSlice& slice);
+
+    /// One a cell, once it is done.
+    std::span<const CellLabel> labels() const { return labels_; }
+
+private:
+    enum class Stage : std::uint8_t { kSpread, kLookAround, kLocate };
+
+    void spread(std::uint32_t piece);
+    bool look_around(std::uint32_t piece);
+    bool set(std::uint32_t cell, CellLabel label);
+
+    const Overlay& overlay_;
+    const DividedLines& lines_;
+    const CellSet& cells_;
+    const PieceUsers& users_;
+    Stage stage_ = Stage::kSpread;
+    std::uint32_t next_ = 0;  ///< in the loop of the stage
+    DisjointSets sets_;
+    std::vector<CellLabel> label_;  ///< of a set, by the cell that stands for it
+    std::vector<CellLabel> labels_;
+    std::vector<CellSpoke> spokes_;
+};
 
 }  // namespace firma

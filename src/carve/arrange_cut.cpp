@@ -3,17 +3,17 @@
 #include "carve/arrange_cut.h"
 
 #include <cmath>
+#include <utility>
 
-#include "base/disjoint_sets.h"
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
 #include "carve/tile_faces.h"
-#include "geometry/flat_loop.h"
 
 namespace firma {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
+constexpr std::size_t kUnitsAStep = 32;
 constexpr std::size_t kMostPlanes = 1u << 21;  // see arrange/point_table.cpp
 
 /// A point of a piece between its ends: where its line meets a plane across an axis, at the roundest place there.
@@ -40,198 +40,118 @@ bool point_within(const Overlay& overlay, const Plane& p, const Plane& q, std::u
 
 }  // namespace
 
-CutArranger::End CutArranger::step(const LocatePoint& locate) {
-    switch (phase_) {
-        case Phase::kStart:
-            return start();
-        case Phase::kPairs:
-            return meet_next();
-        case Phase::kLines:
-            return divide();
-        case Phase::kCells:
-            phase_ = Phase::kLabels;
-            if (!find_cells(overlay_, spans_, lines_, cells_)) return End::kBroken;
+CutArranger::CutArranger(const CutInput& in, PairBudget& budget, std::uint32_t material)
+    : in_(in),
+      budget_(budget),
+      material_(material),
+      world_(std::make_unique<PatchAdder>(in.patch, 0, overlay_)),
+      spans_(overlay_),
+      lines_(overlay_, spans_),
+      cell_finder_(overlay_, spans_, lines_) {
+    if (in.cutter.turned)
+        solid_ = std::make_unique<PatchAdder>(in.cutter.turned->boundary, 1, overlay_);
+    else
+        mesh_ = std::make_unique<MeshAdder>(in.cutter, 1, overlay_);
+}
+
+CutArranger::~CutArranger() = default;
+
+CutArranger::End CutArranger::go_to(Phase next) {
+    phase_ = next;
+    return End::kGoesOn;
+}
+
+CutArranger::End CutArranger::move_on(PhaseEnd end, Phase next) {
+    switch (end) {
+        case PhaseEnd::kGoesOn:
             return End::kGoesOn;
-        case Phase::kLabels:
-            return label(locate);
-        case Phase::kKeep:
+        case PhaseEnd::kDone:
+            return go_to(next);
+        case PhaseEnd::kUnlocated:
+            return End::kUnlocated;
+        case PhaseEnd::kBroken:
             break;
     }
-    return keep();
+    return End::kBroken;
 }
 
-/// Puts faces of a patch into an overlay.
-class CutArranger::PatchAdder {
-public:
-    PatchAdder(const SolidPatch& patch, std::uint8_t operand, Overlay& overlay)
-        : patch_(patch),
-          operand_(operand),
-          overlay_(overlay),
-          point_of_(patch.vertices.size(), kNone),
-          edge_of_(patch.edges.size(), kNone) {}
-
-    std::uint32_t add(const PatchFace& face) {
-        sides_.clear();
-        for (const PatchUse& use : patch_.uses(face)) sides_.push_back({edge(use.edge), use.reversed});
-        return overlay_.add_face(overlay_.tables.planes.add(face.plane->plane), operand_, sides_, patch_.ends(face));
+CutArranger::End CutArranger::step(const LocatePoint& locate) {
+    WorkSlice slice(kUnitsAStep);
+    switch (phase_) {
+        case Phase::kWorld:
+            if (!world_->add(slice)) return End::kGoesOn;
+            take_world();
+            return go_to(Phase::kCutter);
+        case Phase::kCutter:
+            return add_cutter(slice);
+        case Phase::kPairs:
+            return meet_next();
+        case Phase::kSpans:
+            return spans_.finish(slice) ? go_to(Phase::kLines) : End::kGoesOn;
+        case Phase::kLines:
+            return lines_.divide(slice) ? go_to(Phase::kCells) : End::kGoesOn;
+        case Phase::kCells: {
+            const End end = move_on(cell_finder_.step(slice), Phase::kLabels);
+            return phase_ == Phase::kLabels ? start_labels() : end;
+        }
+        case Phase::kLabels: {
+            const auto locate_it = [&](std::uint32_t cell) { return locate_cell(cell, locate); };
+            const End end = move_on(labeller_->step(locate_it, slice), Phase::kKeep);
+            return phase_ == Phase::kKeep ? start_keeping() : end;
+        }
+        case Phase::kKeep: {
+            const End end = move_on(keeper_->step(slice), Phase::kEdges);
+            if (phase_ != Phase::kEdges) return end;
+            if (!keeper_->made().changes) return End::kFine;
+            start_writing();
+            return End::kGoesOn;
+        }
+        case Phase::kEdges:
+            return go_on(next_, number_.size(), slice, [&](std::uint32_t edge) { write_edge(edge); })
+                       ? go_to(Phase::kFaces)
+                       : End::kGoesOn;
+        case Phase::kFaces:
+            break;
     }
-    /// Of its vertices; ~0: one of no face added.
-    const std::vector<std::uint32_t>& points() const { return point_of_; }
-    /// The patch's, of the overlay's edges added.
-    const std::vector<std::uint32_t>& edges() const { return edges_; }
+    const std::vector<ArrangedFace>& faces = keeper_->made().faces;
+    if (!go_on(next_, faces.size(), slice, [&](std::uint32_t face) { write_face(faces[face]); })) return End::kGoesOn;
+    write_gone();
+    return End::kFine;
+}
 
-private:
-    std::uint32_t point(std::uint32_t vertex) {
-        std::uint32_t& known = point_of_[vertex];
-        if (known != kNone) return known;
-        const ExactPoint& point = patch_.vertices[vertex].point;
-        if (point.on_grid()) return known = overlay_.tables.points.add(point.grid());
-        PlaneId planes[3];
-        for (int k = 0; k < 3; ++k) planes[k] = overlay_.tables.planes.add(*point.plane(k));
-        return known = overlay_.tables.points.add(planes[0], planes[1], planes[2]);
-    }
-
-    std::uint32_t edge(std::uint32_t index) {
-        std::uint32_t& known = edge_of_[index];
-        if (known != kNone) return known;
-        const PatchEdge& edge = patch_.edges[index];
-        OverlayEdge made;
-        made.from = point(edge.vertex[0]);
-        made.to = point(edge.vertex[1]);
-        for (int k = 0; k < 2; ++k) made.plane[k] = overlay_.tables.planes.add(edge.plane[k]->plane);
-        made.doubled = edge.doubled;
-        edges_.push_back(index);
-        return known = overlay_.add_edge(made);
-    }
-
-    const SolidPatch& patch_;
-    const std::uint8_t operand_;
-    Overlay& overlay_;
-    std::vector<std::uint32_t> point_of_, edge_of_, edges_;
-    std::vector<OverlaySide> sides_;
-};
-
-void CutArranger::add_world() {
-    const SolidPatch& patch = in_.patch;
-    PatchAdder adder(patch, 0, overlay_);
-    for (std::uint32_t index = 0; index < patch.faces.size(); ++index) {
-        if (patch.faces[index].replaced) continue;
-        adder.add(patch.faces[index]);
-        world_face_.push_back(index);
-    }
-    patch_edge_ = adder.edges();
+void CutArranger::take_world() {
+    world_face_ = world_->faces();
+    patch_edge_ = world_->edges();
     // One vertex stands for each point.
     vertex_of_point_.assign(overlay_.tables.points.size(), kNone);
-    for (std::uint32_t vertex = 0; vertex < patch.vertices.size(); ++vertex)
-        if (const std::uint32_t point = adder.points()[vertex]; point != kNone && vertex_of_point_[point] == kNone)
+    for (std::uint32_t vertex = 0; vertex < in_.patch.vertices.size(); ++vertex)
+        if (const std::uint32_t point = world_->points()[vertex]; point != kNone && vertex_of_point_[point] == kNone)
             vertex_of_point_[point] = vertex;
+    world_.reset();
 }
 
-void CutArranger::add_solid() {
-    const TurnedSolid& turned = *in_.cutter.turned;
-    PatchAdder adder(turned.boundary, 1, overlay_);
-    const std::uint32_t first = std::uint32_t(overlay_.faces.size());
-    for (std::uint32_t index = 0; index < turned.boundary.faces.size(); ++index) {
-        adder.add(turned.boundary.faces[index]);
-        triangle_of_.push_back(index);
+CutArranger::End CutArranger::add_cutter(WorkSlice& slice) {
+    if (solid_) {
+        if (!solid_->add(slice)) return End::kGoesOn;
+        triangle_of_ = solid_->faces();
+        const auto first = std::uint32_t(world_face_.size());
+        for (const std::uint32_t face : in_.cutter.turned->face_of) group_face_.push_back(first + face);
+        solid_.reset();
+    } else {
+        if (!mesh_->add(slice)) return End::kGoesOn;
+        triangle_of_ = mesh_->triangles();
+        group_face_ = mesh_->face_of();
+        vertex_of_point_.resize(overlay_.tables.points.size(), kNone);
+        for (std::uint32_t v = 0; v < mesh_->points().size(); ++v)
+            if (std::uint32_t& known = vertex_of_point_[mesh_->points()[v]]; known == kNone)
+                known = std::uint32_t(in_.patch.vertices.size()) + v;
+        mesh_.reset();
     }
     patch_edge_.resize(overlay_.edges.size(), kNone);
-    for (const std::uint32_t face : turned.face_of) group_face_.push_back(first + face);
-}
-
-/// Neighbouring triangles in one plane are one face.
-void CutArranger::add_mesh() {
-    const CutterSolid& cutter = in_.cutter;
-    const std::size_t count = cutter.planes.size();
-    std::vector<PlaneId> planes;
-    planes.reserve(count);
-    for (const auto& plane : cutter.planes) planes.push_back(overlay_.tables.planes.add(plane->plane));
-    DisjointSets groups(count);
-    for (const CutterSolid::Edge& edge : cutter.edges)
-        if (planes[edge.left] == planes[edge.right]) groups.join(edge.left, edge.right);
-
-    std::vector<std::uint32_t> point_of(cutter.points.size());
-    for (std::size_t v = 0; v < point_of.size(); ++v)
-        point_of[v] = overlay_.tables.points.add(cutter.placed.vertices[v]);
-    vertex_of_point_.resize(overlay_.tables.points.size(), kNone);
-    for (std::uint32_t v = 0; v < point_of.size(); ++v)
-        if (vertex_of_point_[point_of[v]] == kNone)
-            vertex_of_point_[point_of[v]] = std::uint32_t(in_.patch.vertices.size()) + v;
-
-    std::vector<std::uint32_t> edge_of(cutter.edges.size(), kNone);
-    const auto is_rim = [&](std::uint32_t edge) {
-        return groups.find(cutter.edges[edge].left) != groups.find(cutter.edges[edge].right);
-    };
-    for (std::uint32_t edge = 0; edge < cutter.edges.size(); ++edge) {
-        if (!is_rim(edge)) continue;
-        const CutterSolid::Edge& it = cutter.edges[edge];
-        OverlayEdge made{point_of[it.a], point_of[it.b], {planes[it.left], planes[it.right]}};
-        if (exact_parallel(it.plane[0]->plane, cutter.planes[it.right]->plane))
-            made.plane[1] = overlay_.tables.planes.add(it.plane[1]->plane);
-        edge_of[edge] = overlay_.add_edge(made);
-        patch_edge_.push_back(kNone);
-    }
-
-    group_face_.assign(count, kNone);
-    std::vector<std::vector<std::uint32_t>> members(count);
-    for (std::uint32_t t = 0; t < count; ++t) members[groups.find(t)].push_back(t);
-    std::vector<std::uint8_t> seen(3 * count, 0);
-    std::vector<OverlaySide> sides, loop, holes;
-    std::vector<std::uint32_t> hole_ends, ends;
-    std::vector<FlatPoint> corners;
-    for (std::uint32_t group = 0; group < count; ++group) {
-        if (members[group].empty()) continue;
-        sides.clear();
-        holes.clear();
-        hole_ends.clear();
-        const FlatView view = cutter.planes[group]->plane.front_view();
-        for (const std::uint32_t first : members[group])
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                if (seen[3 * first + k] || !is_rim(cutter.edge_of(first, int(k)))) continue;
-                loop.clear();
-                corners.clear();
-                for (std::uint32_t t = first, at = k; !seen[3 * t + at];) {
-                    seen[3 * t + at] = 1;
-                    const std::uint32_t edge = cutter.edge_of(t, int(at));
-                    loop.push_back({edge_of[edge], cutter.edges[edge].left != t});
-                    corners.push_back(project(cutter.points[cutter.triangle(t)[at]].rounded(), view));
-                    // Around the corner at its end, through triangles of the same face.
-                    at = (at + 1) % 3;
-                    for (std::uint32_t next = cutter.edge_of(t, int(at)); !is_rim(next);
-                         next = cutter.edge_of(t, int(at))) {
-                        t = cutter.edges[next].left == t ? cutter.edges[next].right : cutter.edges[next].left;
-                        at = 0;
-                        while (cutter.edge_of(t, int(at)) != next) ++at;
-                        at = (at + 1) % 3;
-                    }
-                }
-                if (sides.empty() && twice_area(corners) > 0) {
-                    sides = loop;
-                } else {
-                    holes.insert(holes.end(), loop.begin(), loop.end());
-                    hole_ends.push_back(std::uint32_t(holes.size()));
-                }
-            }
-        ends.assign(1, std::uint32_t(sides.size()));
-        for (const std::uint32_t end : hole_ends) ends.push_back(std::uint32_t(sides.size()) + end);
-        sides.insert(sides.end(), holes.begin(), holes.end());
-        const std::uint32_t face = overlay_.add_face(planes[group], 1, sides, ends);
-        triangle_of_.push_back(group);
-        for (const std::uint32_t t : members[group]) group_face_[t] = face;
-    }
-}
-
-CutArranger::End CutArranger::start() {
-    add_world();
-    if (in_.cutter.turned)
-        add_solid();
-    else
-        add_mesh();
     if (overlay_.tables.planes.size() >= kMostPlanes) return End::kTooLarge;
     spans_.start();
     met_.assign(overlay_.faces.size(), kNone);
-    phase_ = Phase::kPairs;
-    return End::kGoesOn;
+    return go_to(Phase::kPairs);
 }
 
 CutArranger::End CutArranger::meet_next() {
@@ -249,21 +169,15 @@ CutArranger::End CutArranger::meet_next() {
         });
         if (budget_.spent()) return End::kPairs;
     }
-    if (next_ == world_face_.size()) phase_ = Phase::kLines;
-    return End::kGoesOn;
-}
-
-CutArranger::End CutArranger::divide() {
-    spans_.lend();
-    spans_.cross();
-    lines_.divide(overlay_, spans_);
-    phase_ = Phase::kCells;
-    return End::kGoesOn;
+    if (next_ < world_face_.size()) return End::kGoesOn;
+    next_ = 0;
+    return go_to(Phase::kSpans);
 }
 
 /// By a point of it that the other solid's boundary does not hold: a corner, or one within an edge.
 CellLabel CutArranger::locate_cell(std::uint32_t cell, const LocatePoint& locate) const {
-    const Cell& it = cells_.cells[cell];
+    const CellSet& cells = cell_finder_.cells();
+    const Cell& it = cells.cells[cell];
     const bool world = of_world(it.face);
     const auto label_at = [&](const ExactPoint& point) {
         if (!world) {
@@ -275,11 +189,11 @@ CellLabel CutArranger::locate_cell(std::uint32_t cell, const LocatePoint& locate
         const int side = side_of_cutter(in_.cutter, point);
         return side == 0 ? CellLabel::kUnknown : side > 0 ? CellLabel::kIn : CellLabel::kOut;
     };
-    for (const PieceUse& use : cells_.uses(it)) {
+    for (const PieceUse& use : cells.uses(it)) {
         const CellLabel label = label_at(overlay_.point(lines_.piece(use.piece).from));
         if (label != CellLabel::kUnknown) return label;
     }
-    for (const PieceUse& use : cells_.uses(it)) {
+    for (const PieceUse& use : cells.uses(it)) {
         const Piece& piece = lines_.piece(use.piece);
         const Plane &p = overlay_.plane(piece.line == Piece::kNoLine ? overlay_.edges[use.edge].plane[0]
                                                                      : overlay_.lines.plane(piece.line, 0)),
@@ -293,18 +207,15 @@ CellLabel CutArranger::locate_cell(std::uint32_t cell, const LocatePoint& locate
     return CellLabel::kUnknown;
 }
 
-CutArranger::End CutArranger::label(const LocatePoint& locate) {
-    users_.gather(overlay_, lines_, cells_);
-    phase_ = Phase::kKeep;
-    switch (label_cells(
-        overlay_, lines_, cells_, users_, [&](std::uint32_t cell) { return locate_cell(cell, locate); }, labels_)) {
-        case LabelEnd::kFine:
-            break;
-        case LabelEnd::kBroken:
-            return End::kBroken;
-        case LabelEnd::kUnlocated:
-            return End::kUnlocated;
-    }
+CutArranger::End CutArranger::start_labels() {
+    users_.gather(overlay_, lines_, cell_finder_.cells());
+    labeller_ = std::make_unique<CellLabeller>(overlay_, lines_, cell_finder_.cells(), users_);
+    return End::kGoesOn;
+}
+
+CutArranger::End CutArranger::start_keeping() {
+    keeper_ =
+        std::make_unique<CellKeeper>(overlay_, lines_, cell_finder_.cells(), users_, labeller_->labels(), selection());
     return End::kGoesOn;
 }
 
@@ -324,7 +235,7 @@ bool CutArranger::alike(std::uint32_t face, std::uint32_t other) const {
                in_.patch.faces[world_face_[other]].facet.block->part;
 }
 
-CutArranger::End CutArranger::keep() {
+Selection CutArranger::selection() const {
     Selection selection;
     const bool fill = in_.fill;
     selection.keep = [fill](std::uint8_t operand, CellLabel label) {
@@ -345,10 +256,7 @@ CutArranger::End CutArranger::keep() {
     selection.longest = largest_face(in_.cutter);
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
     selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
-    Arranged arranged;
-    if (!keep_cells(overlay_, lines_, cells_, users_, labels_, selection, arranged)) return End::kBroken;
-    if (arranged.changes) write(arranged);
-    return End::kFine;
+    return selection;
 }
 
 std::uint32_t CutArranger::vertex_of(std::uint32_t point) {
@@ -367,47 +275,55 @@ std::uint32_t CutArranger::vertex_of(std::uint32_t point) {
     return known;
 }
 
-void CutArranger::write(const Arranged& arranged) {
-    const std::uint32_t first_new = std::uint32_t(in_.patch.edges.size());
-    std::vector<std::uint32_t> number(arranged.edges.size());
-    std::vector<bool> needed(arranged.edges.size(), false);
-    for (const OverlaySide& use : arranged.all_uses) needed[use.edge] = true;
-    for (std::size_t k = 0; k < arranged.edges.size(); ++k) {
-        const ArrangedEdge& edge = arranged.edges[k];
-        if (!needed[k]) continue;
-        if (edge.edge != ArrangedEdge::kNoEdge) {
-            number[k] = patch_edge_[edge.edge];
-            continue;
-        }
-        number[k] = first_new + std::uint32_t(loops_.edges.size());
-        loops_.edges.push_back(
-            {vertex_of(edge.from),
-             vertex_of(edge.to),
-             {overlay_.tables.planes.stored(edge.plane[0]).get(), overlay_.tables.planes.stored(edge.plane[1]).get()},
-             edge.doubled});
+/// Edges that no face uses are passed over.
+void CutArranger::start_writing() {
+    const Arranged& arranged = keeper_->made();
+    number_.assign(arranged.edges.size(), kNone);
+    for (const OverlaySide& use : arranged.all_uses) number_[use.edge] = 0;
+}
+
+void CutArranger::write_edge(std::uint32_t index) {
+    if (number_[index] == kNone) return;
+    const ArrangedEdge& edge = keeper_->made().edges[index];
+    if (edge.edge != ArrangedEdge::kNoEdge) {
+        number_[index] = patch_edge_[edge.edge];
+        return;
     }
-    for (const ArrangedFace& face : arranged.faces) {
-        NewFace made;
-        made.first_use = std::uint32_t(loops_.all_uses.size());
-        made.use_count = face.use_count;
-        made.first_loop = std::uint32_t(loops_.loop_ends.size());
-        made.loop_count = face.loop_count;
-        for (const OverlaySide& use : arranged.uses(face)) loops_.all_uses.push_back({number[use.edge], use.reversed});
-        for (const std::uint32_t end : arranged.ends(face)) loops_.loop_ends.push_back(end);
-        if (of_world(face.face)) {
-            made.face = world_face_[face.face];
-            made.plane = Ref<const SolidPlane>(in_.patch.faces[made.face].plane);
-        } else {
-            made.triangle = triangle_of_[face.face - world_face_.size()];
-            made.plane = overlay_.tables.planes.stored(face.plane);
-        }
-        loops_.faces.push_back(std::move(made));
+    number_[index] = std::uint32_t(in_.patch.edges.size() + loops_.edges.size());
+    loops_.edges.push_back(
+        {vertex_of(edge.from),
+         vertex_of(edge.to),
+         {overlay_.tables.planes.stored(edge.plane[0]).get(), overlay_.tables.planes.stored(edge.plane[1]).get()},
+         edge.doubled});
+}
+
+void CutArranger::write_face(const ArrangedFace& face) {
+    const Arranged& arranged = keeper_->made();
+    NewFace made;
+    made.first_use = std::uint32_t(loops_.all_uses.size());
+    made.use_count = face.use_count;
+    made.first_loop = std::uint32_t(loops_.loop_ends.size());
+    made.loop_count = face.loop_count;
+    for (const OverlaySide& use : arranged.uses(face)) loops_.all_uses.push_back({number_[use.edge], use.reversed});
+    for (const std::uint32_t end : arranged.ends(face)) loops_.loop_ends.push_back(end);
+    if (of_world(face.face)) {
+        made.face = world_face_[face.face];
+        made.plane = Ref<const SolidPlane>(in_.patch.faces[made.face].plane);
+    } else {
+        made.triangle = triangle_of_[face.face - world_face_.size()];
+        made.plane = overlay_.tables.planes.stored(face.plane);
     }
-    for (std::uint32_t face = 0; face < world_face_.size(); ++face)
-        if (!arranged.stays[face]) loops_.gone.push_back(world_face_[face]);
+    loops_.faces.push_back(std::move(made));
+}
+
+void CutArranger::write_gone() {
+    const std::vector<std::uint8_t>& stays = keeper_->made().stays;
     crossings_.face_cut.assign(in_.patch.faces.size(), 0);
-    for (std::uint32_t face = 0; face < world_face_.size(); ++face)
-        crossings_.face_cut[world_face_[face]] = !arranged.stays[face] && spans_.touched(face);
+    for (std::uint32_t face = 0; face < world_face_.size(); ++face) {
+        if (stays[face]) continue;
+        loops_.gone.push_back(world_face_[face]);
+        crossings_.face_cut[world_face_[face]] = spans_.touched(face);
+    }
 }
 
 }  // namespace firma

@@ -7,12 +7,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "arrange/keep_cells.h"
 #include "carve/crossings.h"
 #include "carve/label.h"
 #include "carve/new_loops.h"
+#include "carve/overlay_operands.h"
 #include "carve/pair_budget.h"
 
 namespace firma {
@@ -32,8 +34,8 @@ public:
     };
 
     /// @param material  of the faces that the cutter leaves
-    CutArranger(const CutInput& in, PairBudget& budget, std::uint32_t material)
-        : in_(in), budget_(budget), material_(material), spans_(overlay_) {}
+    CutArranger(const CutInput& in, PairBudget& budget, std::uint32_t material);
+    ~CutArranger();
 
     /// Does one piece of work.
     End step(const LocatePoint& locate);
@@ -41,32 +43,32 @@ public:
     /// After kFine. They look at planes of this object.
     const Crossings& crossings() const { return crossings_; }
     const NewLoops& loops() const { return loops_; }
-    Crossings take_crossings() { return std::move(crossings_); }
 
 private:
-    enum class Phase : std::uint8_t { kStart, kPairs, kLines, kCells, kLabels, kKeep };
+    enum class Phase : std::uint8_t { kWorld, kCutter, kPairs, kSpans, kLines, kCells, kLabels, kKeep, kEdges, kFaces };
 
-    End start();
+    void take_world();
+    End add_cutter(WorkSlice& slice);
     End meet_next();
-    End divide();
-    End label(const LocatePoint& locate);
-    End keep();
-
-    class PatchAdder;
-
-    void add_world();
-    void add_mesh();
-    void add_solid();
+    End start_labels();
+    End start_keeping();
+    End move_on(PhaseEnd end, Phase next);
+    End go_to(Phase next);
     CellLabel locate_cell(std::uint32_t cell, const LocatePoint& locate) const;
     bool alike(std::uint32_t face, std::uint32_t other) const;
-    void write(const Arranged& arranged);
+    Selection selection() const;
+    void start_writing();
+    void write_edge(std::uint32_t index);
+    void write_face(const ArrangedFace& face);
+    void write_gone();
     std::uint32_t vertex_of(std::uint32_t point);
     bool of_world(std::uint32_t face) const { return face < world_face_.size(); }
 
     const CutInput& in_;
     PairBudget& budget_;
     const std::uint32_t material_;
-    Phase phase_ = Phase::kStart;
+    Phase phase_ = Phase::kWorld;
+    std::uint32_t next_ = 0;  ///< in the loop of the phase
 
     Overlay overlay_;
     std::vector<std::uint32_t> patch_edge_;       ///< of an overlay's edge; ~0: one of the cutter
@@ -74,15 +76,20 @@ private:
     std::vector<std::uint32_t> group_face_;       ///< the overlay's, of a triangle
     std::vector<std::uint32_t> triangle_of_;      ///< the lowest, of the overlay's faces after those; a Solid's face
     std::vector<std::uint32_t> vertex_of_point_;  ///< see cut_view.h; ~0: none yet
+    std::vector<std::uint32_t> met_;              ///< of the overlay's faces: the last one it was tried with
+    std::vector<std::uint32_t> number_;           ///< see cut_view.h, of the arranged edges
+
+    // What the phases make, in their order.
+    std::unique_ptr<PatchAdder> world_, solid_;
+    std::unique_ptr<MeshAdder> mesh_;
     SpanFinder spans_;
     DividedLines lines_;
-    CellSet cells_;
+    CellFinder cell_finder_;
     PieceUsers users_;
-    std::vector<CellLabel> labels_;
+    std::unique_ptr<CellLabeller> labeller_;
+    std::unique_ptr<CellKeeper> keeper_;
     Crossings crossings_;
     NewLoops loops_;
-    std::uint32_t next_ = 0;
-    std::vector<std::uint32_t> met_;
 };
 
 }  // namespace firma

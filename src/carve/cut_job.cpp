@@ -197,15 +197,13 @@ CutJob::Phase CutJob::gather() {
     constexpr std::int32_t kSteps = kSurfacePerInput;
     const GridBox reach = grown(solid_cutter_.box, kSteps);
     std::vector<FacetPlace> others;
-    gather_facets(index(), reach, solid_cutter_.bevelled, kSteps, facets_, others);
+    if (!gather_facets(index(), reach, solid_cutter_.bevelled, kSteps, rules_.max_candidate_faces, facets_, others))
+        return refuse(ErrorCode::kTooLarge, "it meets more than the " + std::to_string(rules_.max_candidate_faces) +
+                                                " faces that the world allows");
     patch_.add(facets_);
     for (const FacetPlace& facet : others)
         if (patch_.find(facet) != SolidPatch::kNone) facets_.push_back(facet);
     report_.candidate_faces = patch_.faces.size();
-    if (patch_.faces.size() > rules_.max_candidate_faces)
-        return refuse(ErrorCode::kTooLarge, "it meets " + std::to_string(patch_.faces.size()) +
-                                                " faces; the world allows " +
-                                                std::to_string(rules_.max_candidate_faces));
     return Phase::kTile;
 }
 

@@ -2,6 +2,9 @@
 // The faces of a solid that a cut may touch.
 #include "carve/gather.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "base/fetch_ahead.h"
 #include "base/sort.h"
 #include "index/box_tree.h"
@@ -118,11 +121,33 @@ std::vector<FacetPlace> all_facets(const Node* root) {
     return facets;
 }
 
-void gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
-                   std::vector<FacetPlace>& near, std::vector<FacetPlace>& others) {
+std::size_t count_faces(std::span<const FacetPlace> facets) {
+    std::vector<const FaceOwner*> owners;
+    std::size_t without = 0;
+    for (const FacetPlace& facet : facets) {
+        const FaceOwner* owner = facet.block->owner_of(facet.record());
+        if (owner)
+            owners.push_back(owner);
+        else
+            ++without;
+    }
+    sort_range(owners, [](const FaceOwner* a, const FaceOwner* b) { return std::less<>()(a, b); });
+    return without + std::size_t(std::unique(owners.begin(), owners.end()) - owners.begin());
+}
+
+bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
+                   std::size_t most_faces, std::vector<FacetPlace>& near, std::vector<FacetPlace>& others) {
     const Bounds bounds(box);
     const std::size_t first = near.size();
+    // Faces have a facet at least. Counted anew once there are twice as many.
+    std::size_t count_at = most_faces;
+    const auto too_many = [&] {
+        if (near.size() - first <= count_at) return false;
+        count_at = 2 * (near.size() - first);
+        return count_faces(std::span(near).subspan(first)) > most_faces;
+    };
     for (const Node* leaf : leaves_near(root, bounds)) {
+        if (too_many()) return false;
         const Block& block = block_of(*leaf);
         for_each_bin(*leaf, bounds, [&](const Bin& bin) {
             const bool clear = bevelled.clear_of(to_grid(bin.box), steps);
@@ -139,7 +164,10 @@ void gather_facets(const Node* root, const GridBox& box, const BevelledBox& beve
             });
         });
     }
+    count_at = std::min(count_at, most_faces);
+    if (too_many()) return false;
     sort_by_id(near, first);
+    return true;
 }
 
 void gather_face(const Node* root, const FacetPlace& face, std::vector<FacetPlace>& facets) {

@@ -3,7 +3,9 @@
 // follows depends on the index.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/bevelled_box.h"
@@ -17,10 +19,15 @@ namespace firma {
 void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets);
 
 /// Those of them that may reach into a bevelled box as well (see BevelledBox::clear_of()).
-/// @param others  of the rest, and of what lies around the box, facets of exact faces that may have several; in no
-///                order that means anything
-void gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
-                   std::vector<FacetPlace>& near, std::vector<FacetPlace>& others);
+/// @param most_faces  of which there may be facets among them
+/// @param others      of the rest, and of what lies around the box, facets of exact faces that may have several; in no
+///                    order that means anything
+/// @return false when there are facets of more faces: then some are left out
+bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
+                   std::size_t most_faces, std::vector<FacetPlace>& near, std::vector<FacetPlace>& others);
+
+/// How many faces facets are of.
+std::size_t count_faces(std::span<const FacetPlace> facets);
 
 /// All facets.
 std::vector<FacetPlace> all_facets(const Node* root);

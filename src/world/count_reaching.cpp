@@ -63,7 +63,7 @@ bool passes_through(const Vec3 (&triangle)[3], std::span<const Vec3> polygon) {
 ReachCount::ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t max_pairs)
     : cutter_(cutter), budget_(max_pairs) {
     std::vector<FacetPlace> others;
-    gather_facets(root, cutter.box, cutter.bevelled, 0, near_, others);
+    gather_facets(root, cutter.box, cutter.bevelled, 0, ~std::size_t(0), near_, others);
 }
 
 bool ReachCount::step() {

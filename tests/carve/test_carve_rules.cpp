@@ -107,11 +107,26 @@ TEST(CarveRules, LimitsRefuse) {
     world = limited([](CarveRules& r) { r.max_new_faces = 20; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "more than the 20 new faces");
     world = limited([](CarveRules& r) { r.max_candidate_faces = 2; });
-    expect_refused(world, carve(world, kRock, test::pose_at(4, 4, 4)), "it meets 3 faces; the world allows 2");
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 4, 4)),
+                   "it meets more than the 2 faces that the world allows");
     world = limited([](CarveRules& r) { r.max_cutter_triangles = 100; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "180 triangles; the world allows 100");
     world = limited([](CarveRules& r) { r.max_cutter_size = 2; });
     expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0, 3)), "the world allows 2 m");
+}
+
+TEST(CarveRules, FacesCountOnceHoweverManyFacetsTheyHave) {
+    CarveRules rules;
+    rules.max_candidate_faces = 1;
+    const World whole = room(rules);
+    // With a hole in it the floor has several facets.
+    const CarveResult first = carve(whole, kRock, test::pose_at(0, 0, -4));
+    ASSERT_TRUE(first.done()) << first.error.text();
+    const CarveResult second = carve(first.world, make_crater(CutterShape::kBox, 0), test::pose_at(2.5, 2.5, -4));
+    ASSERT_TRUE(second.done()) << second.error.text();
+    EXPECT_EQ(second.report.candidate_faces, 1u);
+    EXPECT_GT(second.report.faces_removed, 1u);
+    expect_refused(second.world, carve(second.world, kRock, test::pose_at(0, 0, -4, 1.1)), "more than the 1 faces");
 }
 
 TEST(CarveRules, WhatCannotBePlacedIsRefused) {
