@@ -53,10 +53,12 @@ cd - >/dev/null
 
 # ---- the library's tests and those of the C API
 
-quietly cmake --build build/windows --target firma_tests firma_c_tests
+quietly cmake --build build/windows --target firma_tests firma_boost_tests firma_c_tests
 quietly wine build/windows/bin/firma_c_tests.exe build/windows
 echo "Windows: the tests of the C API passed"
-quietly wine build/windows/bin/firma_tests.exe --gtest_brief=1
-passed=$(tr -d '\r' <"$log" | sed -n 's/^\[  PASSED  \] \([0-9]* tests\)\.$/\1/p')
-[ -n "$passed" ] || fail "the library's tests did not say how many passed"
-echo "Windows: $passed of the library passed"
+for program in firma_tests firma_boost_tests; do
+    quietly wine build/windows/bin/$program.exe --gtest_brief=1
+    passed=$(tr -d '\r' <"$log" | sed -n 's/^\[  PASSED  \] \([0-9]* tests\)\.$/\1/p')
+    [ -n "$passed" ] || fail "$program did not say how many tests passed"
+    echo "Windows: $passed of $program passed"
+done
