@@ -35,9 +35,9 @@ struct Mesh {
     Cutter cutter(const std::string& name) const { return make_cutter(vertices, triangles, name).value(); }
 };
 
-/// A bar along x with teeth that point up, as wide as the gaps between them: 64 m long, 70 m wide, 4 m high.
+/// A bar along x with teeth that point up, as wide as the gaps between them: 56 m long, 60 m wide, 4 m high.
 Mesh comb(int teeth) {
-    constexpr double kLength = 64, kHalfWidth = 35, kHeight[3] = {-2, -1, 2};
+    constexpr double kLength = 56, kHalfWidth = 30, kHeight[3] = {-2, -1, 2};
     Mesh mesh;
     const int count = 2 * teeth;
     const auto vertex = [&](int level, int k, int side) { return std::uint32_t((level * count + k) * 2 + side); };
@@ -56,7 +56,7 @@ Mesh comb(int teeth) {
         along(vertex(0, k, 0), vertex(0, k + 1, 0));
         if (tooth) wall(vertex(1, k, 0), vertex(1, k + 1, 0), vertex(2, k + 1, 0), vertex(2, k, 0));
         along(vertex(tooth ? 2 : 1, k + 1, 0), vertex(tooth ? 2 : 1, k, 0));
-        along(vertex(tooth ? 1 : 2, tooth ? k : k + 1, 0), vertex(tooth ? 2 : 1, tooth ? k : k + 1, 0));
+        along(vertex(tooth ? 2 : 1, k, 0), vertex(tooth ? 1 : 2, k, 0));
     }
     along(vertex(1, 0, 0), vertex(0, 0, 0));
     along(vertex(0, count - 1, 0), vertex(1, count - 1, 0));

@@ -194,8 +194,8 @@ struct CarveRules {
     std::vector<double> hardness;
 
     std::size_t max_faces = std::size_t(1) << 30;  ///< in the world after an edit
-    std::size_t max_candidate_faces = 4'000'000;   ///< by one edit
-    std::size_t max_new_faces = 4'000'000;         ///< by one edit
+    std::size_t max_candidate_faces = 4'000'000;   ///< exact faces that one edit may meet
+    std::size_t max_new_faces = 4'000'000;         ///< facets that one edit may make
     std::size_t max_cutter_triangles = 1'000'000;  ///< of one cutter
     /// Of two triangles of the cutter, or of one and a face of the world, tested by one edit: to judge the cutter, to
     /// cut, and to cut again where the cutter touches. Going through all corners of a face counts once for every 64.

@@ -314,8 +314,14 @@ CutJob::Phase CutJob::take_loops() {
         status_ = CarveStatus::kNothing;
         return Phase::kEnd;
     }
+    if (loops().faces.size() > rules_.max_new_faces) return too_many_new_faces();
     kept_ = keep_pieces(patch_, loops().gone);
     return Phase::kRules;
+}
+
+CutJob::Phase CutJob::too_many_new_faces() {
+    return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.max_new_faces) +
+                                            " new faces that the world allows");
 }
 
 CutJob::Phase CutJob::apply_materials() {
@@ -351,9 +357,7 @@ CutJob::Phase CutJob::make_next_faces() {
         else
             face_maker_->make_kept(piece);
     }
-    if (face_maker_->made().faces.size() > rules_.max_new_faces)
-        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.max_new_faces) +
-                                                " new faces that the world allows");
+    if (face_maker_->made().faces.size() > rules_.max_new_faces) return too_many_new_faces();
     return next_ < all ? Phase::kFacets : Phase::kChange;
 }
 

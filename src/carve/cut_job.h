@@ -85,6 +85,7 @@ private:
     Phase take_loops();
     CutSide locate_point(const ExactPoint& point) const;
     Phase too_many_pairs();
+    Phase too_many_new_faces();
     const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
