@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the worst edit that a stranger may ask for costs: by the rules as they are, and by those of a server. Each edit
-// is made in a process of its own, whose memory is read when it ends.
+// is made in a process of its own, whose memory is read before and after.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -93,44 +93,32 @@ Mesh spikes(int rows) {
 struct Edit {
     std::string name;
     std::size_t size;
-    std::function<SolidResult(const CarveRules&)> make;
+    std::function<Cutter()> world, cutter;  ///< a world is the solid that its cutter bounds
+    Pose pose;
 };
-
-SolidResult cut_by(const Cutter& world, const Cutter& cutter, const Pose& pose, const CarveRules& rules) {
-    const SolidResult before = unite(Solid(), world, Pose());
-    if (!before.done()) std::exit((std::fprintf(stderr, "%s\n", before.error.text().c_str()), 1));
-    SolidCutOptions options;
-    options.rules = &rules;
-    return subtract(before.solid, cutter, pose, options);
-}
 
 /// Teeth from below, teeth from above across them: as many crossings as the square of the teeth.
 Edit combs(int teeth) {
-    return {"combs that cross", std::size_t(teeth), [teeth](const CarveRules& rules) {
-                const Cutter it = comb(teeth).cutter("comb");
-                Pose pose;  // a quarter turn about z, then half a turn about x
-                pose.rotation = {std::sqrt(0.5), std::sqrt(0.5), 0, 0};
-                pose.position = {0, 0, 1.5};
-                return cut_by(it, it, pose, rules);
-            }};
+    const auto make = [teeth] { return comb(teeth).cutter("comb"); };
+    Pose pose;  // a quarter turn about z, then half a turn about x
+    pose.rotation = {std::sqrt(0.5), std::sqrt(0.5), 0, 0};
+    pose.position = {0, 0, 1.5};
+    return {"combs that cross", std::size_t(teeth), make, make, pose};
 }
 
 Edit balls(int rows) {
-    return {"balls of spikes", std::size_t(rows), [rows](const CarveRules& rules) {
-                const Cutter it = spikes(rows).cutter("ball");
-                Pose pose;
-                pose.rotation = {0.1, 0.2, 0.3, 0.9};
-                return cut_by(it, it, pose, rules);
-            }};
+    const auto make = [rows] { return spikes(rows).cutter("ball"); };
+    Pose pose;
+    pose.rotation = {0.1, 0.2, 0.3, 0.9};
+    return {"balls of spikes", std::size_t(rows), make, make, pose};
 }
 
 /// A ball of spikes within a box of eight kilometres.
 Edit large_box(int rows) {
-    return {"8 km box around a ball", std::size_t(rows), [rows](const CarveRules& rules) {
-                Pose pose;
-                pose.scale = 4000;
-                return cut_by(spikes(rows).cutter("ball"), make_crater(CutterShape::kBox, 0), pose, rules);
-            }};
+    Pose pose;
+    pose.scale = 4000;
+    return {"8 km box around a ball", std::size_t(rows), [rows] { return spikes(rows).cutter("ball"); },
+            [] { return make_crater(CutterShape::kBox, 0); }, pose};
 }
 
 CarveRules of_a_server() {
@@ -149,8 +137,14 @@ struct Outcome {
     std::size_t faces = 0;
     CarveStatus status = CarveStatus::kRefused;
     char reason[200] = "it was ended";
-    double megabytes = 0;  ///< most at any time, all of the process
+    double megabytes = 0;  ///< most at any time, beyond the most before the edit
 };
+
+double megabytes_at_most() {
+    struct rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return double(used.ru_maxrss) / 1024;
+}
 
 Outcome make_apart(const Edit& edit, const CarveRules& rules) {
     int ends[2];
@@ -158,9 +152,14 @@ Outcome make_apart(const Edit& edit, const CarveRules& rules) {
     const pid_t child = fork();
     if (child == 0) {
         Outcome told;
-        const double start = thread_seconds();
-        const SolidResult result = edit.make(rules);
+        const SolidResult before = unite(Solid(), edit.world(), Pose());
+        const Cutter cutter = edit.cutter();
+        SolidCutOptions options;
+        options.rules = &rules;
+        const double megabytes = megabytes_at_most(), start = thread_seconds();
+        const SolidResult result = subtract(before.solid, cutter, edit.pose, options);
         told.seconds = thread_seconds() - start;
+        told.megabytes = megabytes_at_most() - megabytes;
         told.faces = result.report.faces_added;
         told.status = result.status;
         std::snprintf(told.reason, sizeof told.reason, "%s", result.done() ? "done" : result.error.text().c_str());
@@ -170,9 +169,7 @@ Outcome make_apart(const Edit& edit, const CarveRules& rules) {
     Outcome outcome;
     if (read(ends[0], &outcome, sizeof outcome) != ssize_t(sizeof outcome)) outcome = {};
     close(ends[0]);
-    struct rusage used{};
-    wait4(child, nullptr, 0, &used);
-    outcome.megabytes = double(used.ru_maxrss) / 1024;
+    waitpid(child, nullptr, 0);
     return outcome;
 }
 
