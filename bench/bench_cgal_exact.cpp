@@ -71,7 +71,7 @@ Exact volume_of(const Mesh& mesh) {
 
 struct Answers {
     std::size_t cuts = 0, refused = 0, failed = 0, nothing = 0;
-    std::size_t unmeshed = 0;  ///< worlds that are no mesh: several edges run between the same points
+    std::size_t unmeshed = 0;    ///< worlds that are no mesh: several edges run between the same points
     double firma = 0, cgal = 0;  ///< cubic metres
     double worst = 0;
     double worst_before = 0;  ///< of worlds, by measure_solid() and by CGAL
@@ -98,7 +98,8 @@ void compare(const World& world, const Mesh& level, const Exact& before, const C
 }
 
 /// Cut after cut; every so many are compared, from the world before each.
-void compare_row(World world, const Cutter& cutter, const std::vector<Pose>& poses, std::size_t step, Answers& answers) {
+void compare_row(World world, const Cutter& cutter, const std::vector<Pose>& poses, std::size_t step,
+                 Answers& answers) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
         if (k % step == step - 1) {
             if (const auto mesh = CgalSolid(world.solid()).mesh()) {
@@ -116,9 +117,9 @@ void compare_row(World world, const Cutter& cutter, const std::vector<Pose>& pos
 }
 
 int measure(const Settings& settings) {
-    Table table("cgal_exact", {"cuts of", "cuts", "nothing to take", "refused", "not cut by CGAL", "Firma took m3",
-                               "CGAL took m3", "volumes differ by at most", "worlds that are no mesh",
-                               "volumes of worlds differ by at most"});
+    Table table("cgal_exact",
+                {"cuts of", "cuts", "nothing to take", "refused", "not cut by CGAL", "Firma took m3", "CGAL took m3",
+                 "volumes differ by at most", "worlds that are no mesh", "volumes of worlds differ by at most"});
     bool same = true;
     const auto add = [&](std::string name, const Answers& answers) {
         table.add({std::move(name), count(answers.cuts), count(answers.nothing), count(answers.refused),

@@ -24,7 +24,8 @@ struct Domain {
 };
 using Traits = CGAL::Projection_traits_3<ExactKernel>;
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Traits>;
-using Faces = CGAL::Triangulation_face_base_with_info_2<Domain, Traits, CGAL::Constrained_triangulation_face_base_2<Traits>>;
+using Faces =
+    CGAL::Triangulation_face_base_with_info_2<Domain, Traits, CGAL::Constrained_triangulation_face_base_2<Traits>>;
 using Triangulation = CGAL::Constrained_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<Vertices, Faces>,
                                                         CGAL::No_constraint_intersection_requiring_constructions_tag>;
 

@@ -254,11 +254,11 @@ class Demo(CliTest):
         self.assertGreater(craters['checked'], 2 * count)
         self.assertEqual(report['view'], 'new/folder/demo_view.png')
         self.assertEqual(self.read('new/folder/demo_view.png')[:4], b'\x89PNG')
-        few = ['--casts', '2000', '--craters', '20', '-o']
-        twice = [self.firma_json('demo', FIRST, *few, name) for name in ('x.svg', 'y.svg')]
-        self.assertEqual(twice[0]['craters']['hash'], twice[1]['craters']['hash'])
-        self.assertEqual(self.read('x.svg'), self.read('y.svg'))
-        text = self.firma('demo', FIRST, '--casts', '2000', '--craters', '20')
+        few = ['--casts', '2000', '--craters', '20']
+        again = self.firma_json('demo', FIRST, *few, '-o', 'x.svg')
+        text = self.firma('demo', FIRST, *few)
+        self.assertIn(again['craters']['hash'], text)
+        self.assertEqual(self.read('x.svg'), self.read('firma_demo.svg'))
         self.assertIn('0 disagreements', text)
         self.assertIn('rays that escape         0 of 2,000', text)
         self.assertIn('before and after         firma_demo_view.png', text)
