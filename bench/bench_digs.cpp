@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What cuts cost that touch: cubes of a metre dug out of a block's top, in rows and in random order; and craters cut
-// one by one beside their union, made first and cut once.
+// What cuts cost that touch: cubes of a metre dug out of a block's top, in rows and in random order; craters cut one by
+// one beside their union, made first and cut once; and 20,000 cutters in one edit.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
 #include <vector>
 
+#include "firma/memory.h"
 #include "firma/solid.h"
 #include "scenes/rng.h"
 #include "support/craters.h"
@@ -113,6 +114,42 @@ void add_unions(const Settings& settings, Table& table) {
     }
 }
 
+/// Anywhere within a block of 64 m, as one version.
+void add_one_edit(const Settings& settings, Table& table) {
+    const std::size_t most = settings.quick ? 40 : 20'000;
+    for (const CutterShape shape : {CutterShape::kBox, CutterShape::kRocky}) {
+        scenes::Rng rng(3);
+        const Cutter cutter = make_crater(shape, 7);
+        const bool box = shape == CutterShape::kBox;  // flush with each other, on a lattice of a metre
+        const Cutter block = make_crater(CutterShape::kBox, 0);
+        Pose whole;
+        whole.scale = 32;
+        WorldEdit edit(WorldEdit(World()).fill(block, whole).world);
+        std::vector<double> times;
+        std::size_t refused = 0, nothing = 0;
+        for (std::size_t k = 0; k < most; ++k) {
+            Pose pose;
+            pose.scale = 0.5;
+            for (int axis = 0; axis < 3; ++axis)
+                pose.position[axis] = box ? double(rng.below(64)) - 31.5 : rng.uniform(-32, 32);
+            if (!box) pose.rotation = random_turn(rng.next());
+            const Stopwatch watch;
+            const CarveStatus status = edit.carve(cutter, pose).status;
+            times.push_back(1e6 * watch.seconds());
+            refused += status == CarveStatus::kRefused;
+            nothing += status == CarveStatus::kNothing;
+        }
+        const World world = edit.finish();
+        const std::size_t tenth = most / 10;
+        table.add({box ? "cubes on a lattice" : "rocky craters", count(most),
+                   number(1e-6 * std::accumulate(times.begin(), times.end(), 0.0)), number(median(times)),
+                   number(median({times.begin(), times.begin() + std::ptrdiff_t(tenth)})),
+                   number(median({times.end() - std::ptrdiff_t(tenth), times.end()})), number(quantile(times, 0.99)),
+                   count(refused), count(nothing), count(world.solid().face_count()),
+                   number(double(memory_used(world)) / (1 << 20)), check_solid(world) ? "broken" : "sound"});
+    }
+}
+
 int measure(const Settings& settings) {
     Table digs("digs", {"block m", "order", "cuts", "median ms, first eighth", "fifth eighth", "last eighth", "p99 ms",
                         "facets", "check"});
@@ -120,7 +157,10 @@ int measure(const Settings& settings) {
     Table unions("unions", {"crater m", "craters", "one by one s", "united s", "cut once s",
                             "united and cut to one by one", "same solid"});
     add_unions(settings, unions);
-    return digs.finish(settings.csv) && unions.finish(settings.csv) ? 0 : 1;
+    Table edit("one_edit", {"cutters", "how many", "s", "median us", "first tenth us", "last tenth us", "p99 us",
+                            "refused", "nothing to take", "facets", "MB", "check"});
+    add_one_edit(settings, edit);
+    return digs.finish(settings.csv) && unions.finish(settings.csv) && edit.finish(settings.csv) ? 0 : 1;
 }
 
 }  // namespace
@@ -129,5 +169,5 @@ int measure(const Settings& settings) {
 int main(int argc, char** argv) {
     using namespace firma::bench;
     return measure(
-        read_settings(argc, argv, "Cuts that touch, by the thousand; cutters one by one, and united first."));
+        read_settings(argc, argv, "Cuts that touch, by the thousand; cutters one by one, and united first; 20,000 in one edit."));
 }
