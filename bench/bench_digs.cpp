@@ -168,6 +168,6 @@ int measure(const Settings& settings) {
 
 int main(int argc, char** argv) {
     using namespace firma::bench;
-    return measure(
-        read_settings(argc, argv, "Cuts that touch, by the thousand; cutters one by one, and united first; 20,000 in one edit."));
+    return measure(read_settings(
+        argc, argv, "Cuts that touch, by the thousand; cutters one by one, and united first; 20,000 in one edit."));
 }
