@@ -7,7 +7,7 @@
 
 namespace firma {
 
-/// Counts down units of work, each of about a microsecond.
+/// Counts down units of work: turns of a loop, more for a turn that does more.
 class WorkSlice {
 public:
     explicit WorkSlice(std::size_t units) : left_(units) {}

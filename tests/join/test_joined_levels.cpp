@@ -29,7 +29,8 @@ TEST(JoinedLevels, TheDepot) {
 
 /// Small ones, with and without area portals; czest1dm and delta are of those in which planes are moved.
 TEST(JoinedLevels, SomeMapsOfOpenArena) {
-    const std::vector<std::string> some = test::sampled<std::string>({"aggressor", "czest1dm", "delta"});
+    const std::vector<std::string> some =
+        test::sampled<std::string>({"aggressor", "am_galmevish", "czest1dm", "delta", "kaos2", "oa_dm5"});
     std::size_t judged = 0;
     for (const std::filesystem::path& path : openarena_maps()) {
         if (std::find(some.begin(), some.end(), path.stem().string()) == some.end()) continue;
