@@ -201,7 +201,8 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
         if (corner_side[k] == corner_side[(k + 1) % 3]) continue;
         const std::uint32_t edge = cutter_.edge_of(triangle, k);
         const CutterSolid::Edge& it = cutter_.edges[edge];
-        line_.push_back({cutter_crossing(edge, index), &it.plane[it.left == triangle]->plane, false});
+        const bool own = it.plane[0].get() == cutter_.planes[triangle].get();
+        line_.push_back({cutter_crossing(edge, index), &it.plane[own]->plane, false});
     }
     return emit(index, triangle);
 }

@@ -49,6 +49,8 @@ public:
     /// As it was cut with.
     const CutterSolid& cutter() const { return solid_cutter_; }
     bool fills() const { return input_.fill; }
+    /// Whether it touched what it cuts, and so was arranged.
+    bool arranged() const { return arranger_ != nullptr; }
 
 private:
     enum class Phase : std::uint8_t {

@@ -65,10 +65,24 @@ Ref<const SolidPlane> plane_of(const PlacedCutter& placed, std::uint32_t t) {
     return new_plane(plane_through(placed.vertices[a], placed.vertices[b], placed.vertices[c]));
 }
 
-CutterSolid::Edge edge_of_planes(const CutterSolid& cutter, const CutterEdge& edge) {
+/// Neighbours in one plane are one polygon, and share the plane of its lowest.
+/// @param flat  of each edge: whether the planes of its triangles are parallel
+void find_polygons(const CutterTopology& topology, const std::vector<std::uint8_t>& flat, CutterSolid& cutter) {
+    DisjointSets sets(cutter.planes.size());
+    for (std::size_t k = 0; k < flat.size(); ++k) {
+        if (!flat[k]) continue;
+        const CutterEdge& edge = topology.edges[k];
+        const Plane &left = cutter.planes[edge.left]->plane, &right = cutter.planes[edge.right]->plane;
+        const int axis = left.dominant_axis();
+        if ((left.normal[axis] > 0) == (right.normal[axis] > 0)) sets.join(edge.left, edge.right);
+    }
+    cutter.polygons.set(sets, cutter.planes.size());
+    for (std::uint32_t t = 0; t < cutter.planes.size(); ++t) cutter.planes[t] = cutter.planes[cutter.polygons.of(t)];
+}
+
+CutterSolid::Edge edge_of_planes(const CutterSolid& cutter, const CutterEdge& edge, bool flat) {
     const Ref<const SolidPlane>&left = cutter.planes[edge.left], &right = cutter.planes[edge.right];
     const auto& vertices = cutter.placed.vertices;
-    const bool flat = exact_parallel(left->plane, right->plane);
     return {edge.a,
             edge.b,
             edge.left,
@@ -100,9 +114,19 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
     cutter.planes.clear();
     cutter.planes.reserve(it.triangles.size());
     for (std::uint32_t t = 0; t < it.triangles.size(); ++t) cutter.planes.push_back(plane_of(it, t));
+    const std::vector<CutterEdge>& edges = it.topology->edges;
+    std::vector<std::uint8_t> flat(edges.size());
+    bool any_flat = false;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+        flat[k] = exact_parallel(cutter.planes[edges[k].left]->plane, cutter.planes[edges[k].right]->plane);
+        any_flat |= flat[k] != 0;
+    }
+    cutter.polygons.clear();
+    if (any_flat) find_polygons(*it.topology, flat, cutter);
     cutter.edges.clear();
-    cutter.edges.reserve(it.topology->edges.size());
-    for (const CutterEdge& edge : it.topology->edges) cutter.edges.push_back(edge_of_planes(cutter, edge));
+    cutter.edges.reserve(edges.size());
+    for (std::size_t k = 0; k < edges.size(); ++k)
+        cutter.edges.push_back(edge_of_planes(cutter, edges[k], flat[k] != 0));
     cutter.turned.reset();
     index_triangles(cutter);
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "carve/mesh_polygons.h"
 #include "carve/place_cutter.h"
 #include "firma/solid.h"
 #include "geometry/bevelled_box.h"
@@ -33,19 +34,23 @@ struct CutterSolid {
 
     PlacedCutter placed;
     std::vector<ExactPoint> points;             ///< a vertex each
-    std::vector<Ref<const SolidPlane>> planes;  ///< a triangle each, looking out of the cutter
+    std::vector<Ref<const SolidPlane>> planes;  ///< a triangle each, looking out of the cutter; a polygon shares one
     std::vector<Edge> edges;
+    MeshPolygons polygons;
     std::vector<GridBox> boxes;  ///< a triangle each
     GridBox box;
     BevelledBox bevelled;  ///< around all points
     BoxTree tree;
     /// For a cutter that is a Solid: then the triangles are those of its facets, the points the vertices of its
-    /// boundary, and there are no planes, no edges, no PlacedCutter::vertices and no topology. Null for a mesh.
+    /// boundary, and there are no planes, no edges, no polygons, no PlacedCutter::vertices and no topology. Null for a
+    /// mesh.
     std::unique_ptr<TurnedSolid> turned;
 
     const CutterTriangle& triangle(std::uint32_t t) const { return placed.triangles[t]; }
     /// Edge k of triangle t runs from corner k to corner k + 1.
     std::uint32_t edge_of(std::uint32_t t, int k) const { return placed.topology->triangle_edges[t][std::size_t(k)]; }
+    /// Whether an edge lies between two triangles of one polygon.
+    bool is_seam(const Edge& edge) const { return polygons.is_one(edge.left, edge.right); }
 };
 
 /// @param cutter  replaced; keeps its memory

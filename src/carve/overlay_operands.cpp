@@ -55,7 +55,6 @@ MeshAdder::MeshAdder(const CutterSolid& cutter, std::uint8_t operand, Overlay& o
     : cutter_(cutter),
       operand_(operand),
       overlay_(overlay),
-      groups_(cutter.planes.size()),
       edge_of_(cutter.edges.size(), kNotAdded),
       face_of_(cutter.planes.size(), kNotAdded),
       seen_(3 * cutter.planes.size(), 0) {}
@@ -66,14 +65,6 @@ bool MeshAdder::add(WorkSlice& slice) {
         case Stage::kPlanes:
             if (!go_on(next_, count, slice, [&](std::uint32_t t) {
                     planes_.push_back(overlay_.tables.planes.add(cutter_.planes[t]->plane));
-                }))
-                return false;
-            stage_ = Stage::kGroups;
-            [[fallthrough]];
-        case Stage::kGroups:
-            if (!go_on(next_, cutter_.edges.size(), slice, [&](std::uint32_t index) {
-                    const CutterSolid::Edge& edge = cutter_.edges[index];
-                    if (planes_[edge.left] == planes_[edge.right]) groups_.join(edge.left, edge.right);
                 }))
                 return false;
             stage_ = Stage::kPoints;
@@ -90,18 +81,14 @@ bool MeshAdder::add(WorkSlice& slice) {
                     if (is_rim(edge)) add_rim(edge);
                 }))
                 return false;
-            stage_ = Stage::kMembers;
-            [[fallthrough]];
-        case Stage::kMembers:
-            gather_members();
             stage_ = Stage::kFaces;
             [[fallthrough]];
         case Stage::kFaces:
             break;
     }
-    return go_on(next_, count, slice, [&](std::uint32_t group) {
-        slice.take(4 * (first_[group + 1] - first_[group]));
-        if (first_[group] != first_[group + 1]) add_face(group);
+    return go_on(next_, count, slice, [&](std::uint32_t polygon) {
+        slice.take(4 * cutter_.polygons.count(polygon));
+        if (cutter_.polygons.of(polygon) == polygon) add_face(polygon);
     });
 }
 
@@ -112,16 +99,6 @@ void MeshAdder::add_rim(std::uint32_t edge) {
         made.plane[1] = overlay_.tables.planes.add(it.plane[1]->plane);
     edge_of_[edge] = overlay_.add_edge(made);
     ++edge_count_;
-}
-
-void MeshAdder::gather_members() {
-    const auto count = std::uint32_t(cutter_.planes.size());
-    first_.assign(count + 1, 0);
-    for (std::uint32_t t = 0; t < count; ++t) ++first_[groups_.find(t) + 1];
-    for (std::uint32_t k = 0; k < count; ++k) first_[k + 1] += first_[k];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    members_.resize(count);
-    for (std::uint32_t t = 0; t < count; ++t) members_[next[groups_.find(t)]++] = t;
 }
 
 /// The loop of rims that a triangle's side is part of.
@@ -144,13 +121,12 @@ void MeshAdder::walk_rim(std::uint32_t triangle, std::uint32_t side) {
     }
 }
 
-void MeshAdder::add_face(std::uint32_t group) {
-    const std::span<const std::uint32_t> members(members_.data() + first_[group], first_[group + 1] - first_[group]);
+void MeshAdder::add_face(std::uint32_t polygon) {
     sides_.clear();
     holes_.clear();
     hole_ends_.clear();
-    view_ = cutter_.planes[group]->plane.front_view();
-    for (const std::uint32_t t : members)
+    view_ = cutter_.planes[polygon]->plane.front_view();
+    cutter_.polygons.for_each(polygon, [&](std::uint32_t t) {
         for (std::uint32_t k = 0; k < 3; ++k) {
             if (seen_[3 * t + k] || !is_rim(cutter_.edge_of(t, int(k)))) continue;
             walk_rim(t, k);
@@ -161,12 +137,13 @@ void MeshAdder::add_face(std::uint32_t group) {
                 hole_ends_.push_back(std::uint32_t(holes_.size()));
             }
         }
+    });
     ends_.assign(1, std::uint32_t(sides_.size()));
     for (const std::uint32_t end : hole_ends_) ends_.push_back(std::uint32_t(sides_.size()) + end);
     sides_.insert(sides_.end(), holes_.begin(), holes_.end());
-    const std::uint32_t face = overlay_.add_face(planes_[group], operand_, sides_, ends_);
-    triangles_.push_back(group);
-    for (const std::uint32_t t : members) face_of_[t] = face;
+    const std::uint32_t face = overlay_.add_face(planes_[polygon], operand_, sides_, ends_);
+    triangles_.push_back(polygon);
+    cutter_.polygons.for_each(polygon, [&](std::uint32_t t) { face_of_[t] = face; });
 }
 
 }  // namespace firma

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "arrange/overlay.h"
-#include "base/disjoint_sets.h"
 #include "base/work_slice.h"
 #include "carve/cutter_solid.h"
 #include "geometry/flat_loop.h"
@@ -57,14 +56,11 @@ public:
     const std::vector<std::uint32_t>& points() const { return point_of_; }
 
 private:
-    enum class Stage : std::uint8_t { kPlanes, kGroups, kPoints, kRims, kMembers, kFaces };
+    enum class Stage : std::uint8_t { kPlanes, kPoints, kRims, kFaces };
 
-    bool is_rim(std::uint32_t edge) {
-        return groups_.find(cutter_.edges[edge].left) != groups_.find(cutter_.edges[edge].right);
-    }
+    bool is_rim(std::uint32_t edge) const { return !cutter_.is_seam(cutter_.edges[edge]); }
     void add_rim(std::uint32_t edge);
-    void gather_members();
-    void add_face(std::uint32_t group);
+    void add_face(std::uint32_t polygon);
     void walk_rim(std::uint32_t triangle, std::uint32_t side);
 
     const CutterSolid& cutter_;
@@ -73,12 +69,10 @@ private:
     Stage stage_ = Stage::kPlanes;
     std::uint32_t next_ = 0;  ///< in the loop of the stage
     std::vector<PlaneId> planes_;
-    DisjointSets groups_;                         ///< of triangles: the lowest one stands for it
-    std::vector<std::uint32_t> first_, members_;  ///< of each group
     std::vector<std::uint32_t> point_of_, edge_of_, face_of_, triangles_;
     std::size_t edge_count_ = 0;
     std::vector<std::uint8_t> seen_;  ///< of each side of a triangle
-    // Of the group at hand.
+    // Of the polygon at hand.
     FlatView view_;
     std::vector<OverlaySide> sides_, loop_, holes_;
     std::vector<std::uint32_t> ends_, hole_ends_;

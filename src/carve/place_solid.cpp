@@ -101,6 +101,7 @@ std::optional<Error> place_exactly(const Solid& solid, const GridTurn& turn, con
     for (const PatchVertex& vertex : patch.vertices) placed.points.push_back(vertex.point);
     placed.planes.clear();
     placed.edges.clear();
+    placed.polygons.clear();
     placed.turned = std::move(made);
     index_triangles(placed);
     return std::nullopt;

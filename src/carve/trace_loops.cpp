@@ -25,6 +25,7 @@ public:
 
     Verdict trace() {
         split_edges();
+        join_segments();
         add_segments();
         for (std::uint32_t face = 0; face < patch_.faces.size(); ++face) {
             if (patch_.faces[face].replaced) continue;
@@ -74,6 +75,7 @@ private:
         const std::uint32_t base = view_.first_cutter_vertex();
         for (std::uint32_t e = 0; e < cutter_.edges.size(); ++e) {
             const CutterSolid::Edge& edge = cutter_.edges[e];
+            if (cutter_.is_seam(edge)) continue;
             const bool keeps = wanted(labels_.cutter[edge.a]);
             if (order_.cutter_cuts[e].count == 0 && !keeps) continue;
             cutter_parts_[e] = split(order_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane[0].get(),
@@ -81,11 +83,35 @@ private:
         }
     }
 
+    /// Segments that a seam of the cutter divides are one.
+    void join_segments() {
+        segments_ = crossings_.segments;
+        if (!cutter_.polygons.any()) return;
+        const auto on_seam = [&](std::uint32_t vertex) {
+            const CutPoint& crossing = view_.crossing(vertex);
+            return !crossing.of_world && cutter_.is_seam(cutter_.edges[crossing.edge]);
+        };
+        std::vector<std::uint32_t> starting(crossings_.real.size(), kNoPiece);
+        for (std::uint32_t k = 0; k < segments_.size(); ++k)
+            if (on_seam(segments_[k].from)) starting[segments_[k].from - view_.first_real()] = k;
+        for (const Segment& segment : segments_) {
+            if (on_seam(segment.from)) continue;
+            Segment& whole = joined_.emplace_back(segment);
+            whole.triangle = cutter_.polygons.of(segment.triangle);
+            while (on_seam(whole.to)) {
+                const std::uint32_t next = starting[whole.to - view_.first_real()];
+                if (next == kNoPiece) break;
+                whole.to = segments_[next].to;
+            }
+        }
+        segments_ = joined_;
+    }
+
     void add_segments() {
         segment_edge_ = view_.first_new_edge() + std::uint32_t(made_.edges.size());
         by_triangle_.assign(cutter_.planes.size() + 1, 0);
         by_face_.assign(patch_.faces.size() + 1, 0);
-        for (const Segment& segment : crossings_.segments) {
+        for (const Segment& segment : segments_) {
             made_.edges.push_back(
                 {segment.from, segment.to, {patch_.faces[segment.face].plane, cutter_.planes[segment.triangle].get()}});
             ++by_triangle_[segment.triangle + 1];
@@ -98,9 +124,9 @@ private:
     template <class Key>
     void order(std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& ordered, const Key& key) {
         for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
-        ordered.resize(crossings_.segments.size());
+        ordered.resize(segments_.size());
         std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-        for (std::uint32_t k = 0; k < crossings_.segments.size(); ++k) ordered[next[key(crossings_.segments[k])]++] = k;
+        for (std::uint32_t k = 0; k < segments_.size(); ++k) ordered[next[key(segments_[k])]++] = k;
     }
 
     void take_parts(const Parts& parts, bool reversed) {
@@ -132,13 +158,16 @@ private:
         return trace_pieces({Ref<const SolidPlane>(face.plane), 0, 0, 0, 0, index, ~0u});
     }
 
+    /// @param t  a polygon's lowest triangle; of others nothing is made
     Verdict trace_cutter(std::uint32_t t) {
         pieces_.clear();
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t edge = cutter_.edge_of(t, k);
-            const bool forward = cutter_.edges[edge].left == t;
-            take_parts(cutter_parts_[edge], forward != in_.fill);
-        }
+        cutter_.polygons.for_each(t, [&](std::uint32_t member) {
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t edge = cutter_.edge_of(member, k);
+                const bool forward = cutter_.edges[edge].left == member;
+                take_parts(cutter_parts_[edge], forward != in_.fill);
+            }
+        });
         for (std::uint32_t k = by_triangle_[t]; k < by_triangle_[t + 1]; ++k)
             pieces_.push_back({segment_edge_ + of_triangle_[k], false});
         if (pieces_.empty()) return Verdict::kFine;
@@ -236,6 +265,8 @@ private:
     const SolidPatch& patch_;
     const CutterSolid& cutter_;
     std::vector<Parts> world_parts_, cutter_parts_;
+    std::span<const Segment> segments_;  ///< those of the crossings, or joined_
+    std::vector<Segment> joined_;
     std::uint32_t segment_edge_ = 0;  ///< number of the first segment's edge
     std::vector<std::uint32_t> by_triangle_, of_triangle_, by_face_, of_face_;
     std::vector<PatchUse> pieces_, loops_;

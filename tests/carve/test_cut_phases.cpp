@@ -73,7 +73,7 @@ TEST_F(CutPhases, EachFillsItsOwnAndMayRunAgain) {
 
         ASSERT_EQ(trace_loops(input_, crossings, order, labels, loops), Verdict::kFine);
         EXPECT_EQ(loops.gone, std::vector<std::uint32_t>{0});
-        ASSERT_EQ(loops.faces.size(), 11u) << "the wall, eight triangles of four sides, two of the far one";
+        ASSERT_EQ(loops.faces.size(), 6u) << "the wall, four sides, and the far one";
         EXPECT_EQ(loops.faces[0].loop_count, 2u) << "with a hole";
         EXPECT_TRUE(keep_pieces(patch_, loops.gone).pieces.empty());
     }

@@ -55,8 +55,8 @@ TEST(CutSlices, StepsGrowWithWhatACutMeets) {
         const Solid solid = walls(0, count);
         const SteppedCut steps = cut_in_steps(solid, cutter_from_solid(walls(1, count)).value());
         ASSERT_EQ(steps.status, CarveStatus::kDone);
-        // Of each wall all but the two ends, of two triangles each.
-        EXPECT_EQ(steps.change.removed.size(), std::size_t(8 * count));
+        // Of each wall all sides but the two ends.
+        EXPECT_EQ(steps.change.removed.size(), std::size_t(4 * count));
         // As many crossings as the square of the walls; each has edges of its own.
         const std::size_t crossings = std::size_t(count) * std::size_t(count);
         EXPECT_GT(steps.count, 3 * crossings);
