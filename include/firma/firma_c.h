@@ -358,7 +358,8 @@ typedef struct firma_face {
     double normal[3]; /* unit, of the exact plane that the face was cut from */
     uint32_t id;
     uint32_t source;      /* index of the face in the level's file, or see source_edit */
-    uint32_t source_edit; /* 0: of the level's file; else the number of the edit whose cutter's triangle `source` is */
+    uint32_t source_edit; /* 0: of the level's file; else the number of the edit whose cutter's triangle `source` is, of
+                             several in one plane the lowest */
     uint32_t material;
     uint32_t mask;
     uint32_t flags;        /* FIRMA_FACE_... */
