@@ -63,6 +63,9 @@ void tell(const char* name, std::vector<double> values, double share = 0.5) {
     std::printf("%s %.1f\n", name, values[std::size_t(at)]);
 }
 
+/// How often each cut is made of the same world; the least time counts, as what else the machine does only adds to it.
+constexpr int kTries = 3;
+
 /// Craters of 0.7 m somewhere; those that take nothing are not counted.
 World cut(World world, std::uint64_t seed, bool hashed) {
     Numbers numbers{seed};
@@ -72,12 +75,20 @@ World cut(World world, std::uint64_t seed, bool hashed) {
     for (int tries = 0; int(times.size()) < kCuts && tries < 20 * kCuts; ++tries) {
         const Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
         const Pose pose{.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7};
-        const Clock::time_point start = Clock::now();
-        CarveResult result = carve(world, cutter, pose);
-        if (!result.done()) continue;
-        if (hashed) sum += hash_world(result.world) + hash_solid(result.world);
-        times.push_back(nanoseconds(start));
-        world = result.world;
+        double least = 0;
+        World after;
+        for (int k = 0; k < kTries; ++k) {
+            const Clock::time_point start = Clock::now();
+            CarveResult result = carve(world, cutter, pose);
+            if (!result.done()) break;
+            if (hashed) sum += hash_world(result.world) + hash_solid(result.world);
+            const double took = nanoseconds(start);
+            least = k == 0 ? took : std::min(least, took);
+            after = result.world;
+        }
+        if (least == 0) continue;
+        times.push_back(least);
+        world = after;
     }
     tell(hashed ? "cut_and_hashes" : "cut", times);
     if (!hashed) tell("cut_p99", times, 0.99);
