@@ -23,7 +23,8 @@ public:
         }
         project_corners();
         std::vector<Int128> area(ends_.size());
-        std::vector<std::size_t> outer;
+        // By exact corners: rounded, a thin one may run the other way.
+        std::vector<std::size_t> outer, inner;
         for (std::size_t loop = 0; loop < ends_.size(); ++loop) {
             area[loop] = twice_area(corners(loop));
             const auto corner = [&](std::size_t k) -> const ExactPoint& {
@@ -31,12 +32,11 @@ public:
             };
             const int turns = surely_turns(corners(loop).size(), corner, like_.plane->plane.front_view());
             if (turns == 0) return Verdict::kDegenerate;
-            if (turns > 0) outer.push_back(loop);
+            (turns > 0 ? outer : inner).push_back(loop);
         }
         if (outer.empty()) return Verdict::kDegenerate;
         std::vector<std::vector<std::size_t>> holes(outer.size());
-        for (std::size_t loop = 0; loop < ends_.size(); ++loop) {
-            if (area[loop] > 0) continue;
+        for (const std::size_t loop : inner) {
             std::size_t best = outer.size();
             for (std::size_t k = 0; k < outer.size(); ++k) {
                 const bool smaller = best == outer.size() || area[outer[k]] < area[outer[best]];

@@ -7,9 +7,6 @@
 namespace firma {
 namespace {
 
-/// A ray that meets a polygon at a smaller sine than this grazes it.
-constexpr double kTooFlat = 0.01;
-
 bool on_rim(const PolygonShape& polygon, const Vec3& point, double rim) {
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
         const Vec3 edge = polygon.corners[polygon.next(k)] - polygon.corners[k];
@@ -22,7 +19,7 @@ bool on_rim(const PolygonShape& polygon, const Vec3& point, double rim) {
 
 int side_met(const Sweep& ray, const PolygonShape& polygon, const Contact& contact, double rim) {
     const double facing = dot(ray.direction, polygon.unit_normal()) / ray.direction_length;
-    if (contact.feature != Feature::kFace || std::fabs(facing) < kTooFlat) return 0;
+    if (contact.feature != Feature::kFace || std::fabs(facing) < kGrazingSine) return 0;
     if (on_rim(polygon, ray.at(contact.t), rim)) return 0;
     return facing < 0 ? 1 : -1;
 }

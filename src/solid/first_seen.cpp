@@ -2,6 +2,9 @@
 // What a ray from a point sees first, and so where the point lies.
 #include "solid/first_seen.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cast/cast_sphere_polygon.h"
 #include "cast/side_met.h"
 #include "geometry/rounding.h"
@@ -24,7 +27,22 @@ constexpr double kMeetingError = rounding(512) * (kRayLength + 2 * kWorldRim);
 constexpr double kRim = 1e-7;  // metres
 static_assert(kRim * 0.03 > kMeetingError);
 
+/// Corners are rounded by up to 0.87 steps: what is thinner than this may have its faces the wrong way around, metres.
+constexpr double kThin = 2 / kSurfaceSteps;
+
 }  // namespace
+
+FirstSeen::FirstSeen(const Sweep& sweep)
+    : sweep_(sweep),
+      boxes_(sweep),
+      window_(kThin / (kGrazingSine * sweep.direction_length)),
+      latest_(sweep.end),
+      first_side_{INFINITY, INFINITY} {}
+
+void FirstSeen::keep(const Contact& contact) {
+    best_ = contact;
+    latest_ = std::min(latest_, contact.t + window_);
+}
 
 bool FirstSeen::facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
     const Block& block = as_block(facets);
@@ -32,9 +50,11 @@ bool FirstSeen::facets(const IndexedFacets& facets, std::uint32_t first, std::ui
         const FaceShape shape(block, block.faces[k]);
         if (!shape.polygon.has_area()) continue;
         const Contact contact = cast_sweep_polygon(sweep_, shape.polygon, Sides::kBoth, latest_, nullptr);
-        if (!contact.touched() || (best_.touched() && contact.t >= latest_)) continue;
-        best_ = contact;
-        latest_ = contact.t;
+        if (!contact.touched()) continue;
+        double& first_so = first_side_[dot(sweep_.direction, shape.polygon.normal) > 0];
+        first_so = std::min(first_so, contact.t);
+        if (best_.touched() && contact.t >= best_.t) continue;
+        keep(contact);
         block_ = &block;
         slot_ = k;
     }
@@ -44,10 +64,9 @@ bool FirstSeen::facets(const IndexedFacets& facets, std::uint32_t first, std::ui
 void FirstSeen::look_at(const PolygonShape& polygon, std::uint32_t number) {
     const Contact contact = cast_sweep_polygon(sweep_, polygon, Sides::kBoth, latest_, nullptr);
     if (!contact.touched()) return;
-    const bool tie = best_.touched() && contact.t == latest_;
-    if (best_.touched() && contact.t >= latest_ && !(tie && !block_ && number < number_)) return;
-    best_ = contact;
-    latest_ = contact.t;
+    const bool tie = best_.touched() && contact.t == best_.t;
+    if (best_.touched() && contact.t >= best_.t && !(tie && !block_ && number < number_)) return;
+    keep(contact);
     block_ = nullptr;
     number_ = number;
     polygon_ = &polygon;
@@ -66,6 +85,8 @@ Seen FirstSeen::judge() const {
     const FaceShape shape(*block_, record);
     const int side = side_met(sweep_, shape.polygon, best_, kRim);
     if (side == 0) return {};
+    const double across = std::fabs(dot(sweep_.direction, shape.polygon.unit_normal()));
+    if (std::fabs(first_side_[0] - first_side_[1]) * across < kThin) return {};
     // A sliver's own plane may look anywhere: it must agree with the exact one.
     const FaceOwner* owner = block_->owner_of(record);
     if (owner && dot(owner->normal, shape.polygon.unit_normal()) < 0.9) return {};

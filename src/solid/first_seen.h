@@ -41,7 +41,7 @@ public:
 /// A ray, and the first thing it met so far.
 class FirstSeen {
 public:
-    explicit FirstSeen(const Sweep& sweep) : sweep_(sweep), boxes_(sweep), latest_(sweep.end) {}
+    explicit FirstSeen(const Sweep& sweep);
 
     bool enter(const Bin& bin, double& nearest) const { return boxes_.enters(bin.box, latest_, nearest); }
     template <class AnyBox>
@@ -59,9 +59,13 @@ public:
     Seen judge() const;
 
 private:
+    void keep(const Contact& contact);
+
     const Sweep& sweep_;
     const SweepBox boxes_;
+    const double window_;  ///< after the first face: others that rounding may have put behind it
     double latest_;
+    double first_side_[2];  ///< when a face was met first from its front, and from behind
     Contact best_;
     const Block* block_ = nullptr;  ///< null: a polygon, where anything was met
     std::uint32_t slot_ = 0;
