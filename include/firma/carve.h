@@ -41,8 +41,9 @@ struct CarveOptions {
 /// @param pose  where the cutter goes; its rotation and scale
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
 ///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, more
-///         than 2^21 planes where the cutter touches, a part of it too near to a face to tell on which side, no numbers
-///         left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction (then `reproduction` holds it).
+///         than 2^21 planes where the cutter touches, a part of it of which no line tells on which side it lies, no
+///         numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction (then `reproduction`
+///         holds it).
 /// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), and with the
 /// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
 /// rooms are joined it also grows with these rooms' portals. CarveOptions::material is searched among the world's

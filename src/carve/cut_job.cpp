@@ -250,7 +250,7 @@ CutJob::Phase CutJob::arrange() {
         case CutArranger::End::kPairs:
             return too_many_pairs();
         case CutArranger::End::kUnlocated:
-            return refuse(ErrorCode::kInvalid, "a part of it lies too near to a face to tell on which side");
+            return refuse(ErrorCode::kInvalid, "of a part of it no line tells on which side of the solid it lies");
         case CutArranger::End::kBroken:
             break;
     }
@@ -259,7 +259,7 @@ CutJob::Phase CutJob::arrange() {
 
 /// What no crossing tells.
 CutSide CutJob::locate_point(const ExactPoint& exact) const {
-    const int side = side_of_solid(solid_, to_metres(exact.rounded()));
+    const int side = side_of_solid(solid_, exact);
     return side > 0 ? CutSide::kInside : side < 0 ? CutSide::kOutside : CutSide::kUnknown;
 }
 

@@ -2,7 +2,8 @@
 // A placed cutter as a solid.
 #include "carve/cutter_solid.h"
 
-#include <optional>
+#include <algorithm>
+#include <cmath>
 
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
@@ -20,61 +21,29 @@ Ref<const SolidPlane> new_plane(const Plane& plane) {
     return Ref<const SolidPlane>(new SolidPlane(plane));
 }
 
-/// Of a point in the triangle's plane, exactly.
-bool in_triangle(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point) {
-    const auto& corners = cutter.triangle(t);
-    int side[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-        const InputPoint& a = cutter.placed.vertices[corners[k]];
-        const InputPoint& b = cutter.placed.vertices[corners[k < 2 ? k + 1 : 0]];
-        const Plane upright = edge_plane(a, b, cutter.planes[t]->plane);
-        // All corners lie on one side.
-        side[k] = exact_side(upright, point) *
-                  exact_side(upright, ExactPoint(cutter.placed.vertices[corners[k < 1 ? 2 : k - 1]]));
-    }
-    return side[0] >= 0 && side[1] >= 0 && side[2] >= 0;
-}
-
-/// 1: the segment from the point to `outside`, which is not on the triangle, crosses it; 0: it does not; -1: it meets
-/// an edge, or begins on the triangle.
-int crosses(const CutterSolid& cutter, std::uint32_t t, const ExactPoint& point, const InputPoint& outside) {
-    const Plane& plane = cutter.planes[t]->plane;
-    const int here = exact_side(plane, point), there = exact_side(plane, ExactPoint(outside));
-    if (here == 0 && there == 0) return -1;
-    if (here == 0) return in_triangle(cutter, t, point) ? -1 : 0;
-    if (there == 0) return 0;
-    if (here == there) return 0;
-    const auto& corners = cutter.triangle(t);
-    int side[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-        const InputPoint& a = cutter.placed.vertices[corners[k]];
-        const InputPoint& b = cutter.placed.vertices[corners[k < 2 ? k + 1 : 0]];
-        const Plane fan = plane_through(outside, a, b);
-        if (!fan.valid()) return -1;
-        side[k] = exact_side(fan, point);
-    }
-    if (side[0] == side[1] && side[1] == side[2]) return side[0] == 0 ? -1 : 1;
-    // A zero beside two of the same sign is a crossing of an edge; beside two that differ, a miss.
-    const int sum = side[0] + side[1] + side[2];
-    const bool has_zero = side[0] == 0 || side[1] == 0 || side[2] == 0;
-    return has_zero && sum != 0 ? -1 : 0;
-}
-
 Ref<const SolidPlane> plane_of(const PlacedCutter& placed, std::uint32_t t) {
     const auto& [a, b, c] = placed.triangles[t];
     return new_plane(plane_through(placed.vertices[a], placed.vertices[b], placed.vertices[c]));
 }
 
+/// Triangles: a face's facets take the square of its corners.
+constexpr std::uint32_t kMostInPolygon = 4096;
+
 /// Neighbours in one plane are one polygon, and share the plane of its lowest.
 /// @param flat  of each edge: whether the planes of its triangles are parallel
 void find_polygons(const CutterTopology& topology, const std::vector<std::uint8_t>& flat, CutterSolid& cutter) {
     DisjointSets sets(cutter.planes.size());
+    std::vector<std::uint32_t> count(cutter.planes.size(), 1);
     for (std::size_t k = 0; k < flat.size(); ++k) {
         if (!flat[k]) continue;
         const CutterEdge& edge = topology.edges[k];
         const Plane &left = cutter.planes[edge.left]->plane, &right = cutter.planes[edge.right]->plane;
         const int axis = left.dominant_axis();
-        if ((left.normal[axis] > 0) == (right.normal[axis] > 0)) sets.join(edge.left, edge.right);
+        if ((left.normal[axis] > 0) != (right.normal[axis] > 0)) continue;
+        const std::uint32_t a = sets.find(edge.left), b = sets.find(edge.right);
+        if (a == b || count[a] + count[b] > kMostInPolygon) continue;
+        sets.join(a, b);
+        count[sets.find(a)] = count[a] + count[b];
     }
     cutter.polygons.set(sets, cutter.planes.size());
     for (std::uint32_t t = 0; t < cutter.planes.size(); ++t) cutter.planes[t] = cutter.planes[cutter.polygons.of(t)];
@@ -133,40 +102,59 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
 
 namespace {
 
-/// A point outside the cutter's box, beside it along one axis; nothing where that would be outside the world. No two
-/// ways give points in line with the middle.
-std::optional<InputPoint> point_outside(const GridBox& box, int way) {
-    InputPoint outside;
+/// The part of a ray that lies beyond the point in the cutter's box.
+GridBox way_out(const GridBox& box, const ExactPoint& from, const Vec3& direction) {
+    GridBox way;
+    way.add(from.rounded());
     for (int axis = 0; axis < 3; ++axis) {
-        const std::int64_t low = box.low[axis] / kSurfacePerInput, high = box.high[axis] / kSurfacePerInput;
-        const std::int64_t size = high - low + 1;
-        const std::int64_t beside = way % 2 ? low - 5 - way : high + 5 + way;
-        const std::int64_t at = axis == way % 3 ? beside : low + size * ((3 + 7 * way + 11 * axis) % 31) / 31;
-        if (at < INT32_MIN / kSurfacePerInput || at > INT32_MAX / kSurfacePerInput) return {};
-        outside[axis] = std::int32_t(at);
+        if (direction[axis] > -0x1p-40) way.high[axis] = std::max(way.high[axis], box.high[axis]);
+        if (direction[axis] < 0x1p-40) way.low[axis] = std::min(way.low[axis], box.low[axis]);
     }
-    return outside;
+    return way;
+}
+
+void append_edges(const CutterSolid& cutter, std::uint32_t t, std::vector<ExactRay::Edge>& edges) {
+    const auto& corners = cutter.triangle(t);
+    for (int k = 0; k < 3; ++k) {
+        const CutterSolid::Edge& edge = cutter.edges[cutter.edge_of(t, k)];
+        const bool own = exact_parallel(edge.plane[0]->plane, cutter.planes[t]->plane);
+        edges.push_back({&cutter.points[corners[std::size_t(k)]],
+                         &cutter.points[corners[std::size_t(k < 2 ? k + 1 : 0)]], &edge.plane[own]->plane});
+    }
 }
 
 }  // namespace
 
 int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
-    if (cutter.turned) return side_of_solid(cutter.turned->solid, cutter.turned->turn.back(point.rounded()));
-    for (int way = 0; way < 12; ++way) {
-        const std::optional<InputPoint> outside = point_outside(cutter.box, way);
-        if (!outside) continue;
-        GridBox reach;
-        reach.add(to_surface(*outside));
-        reach.add(point.rounded());
-        reach = grown(reach, 1);  // the point itself lies within a step of its rounded one
+    std::vector<ExactRay::Edge> edges;
+    std::vector<std::uint32_t> asked(cutter.turned ? cutter.turned->boundary.faces.size() : 0, ~0u);
+    for (int way = 0; way < ExactRay::kWays; ++way) {
+        const ExactRay ray(point, way);
         int crossings = 0;
-        bool unsure = false;
-        cutter.tree.for_each_meeting(reach, [&](std::uint32_t t) {
-            const int verdict = crosses(cutter, t, point, *outside);
-            if (verdict < 0) unsure = true;
-            crossings += verdict == 1;
-            return unsure;
+        bool unsure = false, on = false;
+        const auto meet = [&](const Plane& plane) {
+            const ExactRay::Crossing crossing = ray.meet(plane, edges, INFINITY);
+            crossings += crossing == ExactRay::Crossing::kCrosses;
+            unsure |= crossing == ExactRay::Crossing::kUnsure;
+            on |= crossing == ExactRay::Crossing::kOn;
+            return unsure || on;
+        };
+        // The point lies within a step of its rounded one; a Solid's facets lie near its faces.
+        const std::int32_t steps = cutter.turned ? 1 + kFacetReach : 1;
+        cutter.tree.for_each_meeting(grown(way_out(cutter.box, point, ray.direction()), steps), [&](std::uint32_t t) {
+            edges.clear();
+            if (!cutter.turned) {
+                append_edges(cutter, t, edges);
+                return meet(cutter.planes[t]->plane);
+            }
+            const SolidPatch& boundary = cutter.turned->boundary;
+            const std::uint32_t face = cutter.turned->face_of[t];
+            if (asked[face] == std::uint32_t(way)) return false;
+            asked[face] = std::uint32_t(way);
+            append_edges(boundary, boundary.faces[face], edges);
+            return meet(boundary.faces[face].plane->plane);
         });
+        if (on) return 0;
         if (!unsure) return crossings % 2 ? 1 : -1;
     }
     return 0;

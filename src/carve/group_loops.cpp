@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "carve/gather.h"
 #include "geometry/exact_loop.h"
 #include "geometry/flat_loop.h"
+#include "index/box_tree.h"
 
 namespace firma {
 namespace {
@@ -36,25 +38,42 @@ public:
         }
         if (outer.empty()) return Verdict::kDegenerate;
         std::vector<std::vector<std::size_t>> holes(outer.size());
-        for (const std::size_t loop : inner) {
-            std::size_t best = outer.size();
-            for (std::size_t k = 0; k < outer.size(); ++k) {
-                const bool smaller = best == outer.size() || area[outer[k]] < area[outer[best]];
-                if (outer.size() == 1) {
-                    best = k;
-                } else if (smaller) {
-                    if (too_near(corners(outer[k]), corners_[start(loop)])) return Verdict::kDegenerate;
-                    if (encloses(corners(outer[k]), corners_[start(loop)])) best = k;
-                }
-            }
-            if (best == outer.size()) return Verdict::kDegenerate;
-            holes[best].push_back(loop);
-        }
+        if (outer.size() == 1)
+            holes[0] = inner;
+        else if (!group_holes(outer, inner, area, holes))
+            return Verdict::kDegenerate;
         for (std::size_t k = 0; k < outer.size(); ++k) add_face(outer[k], holes[k]);
         return Verdict::kFine;
     }
 
 private:
+    /// Each hole lies in the smallest outline around it. By boxes: there may be as many outlines as holes.
+    /// @return false where that is left open
+    bool group_holes(std::span<const std::size_t> outer, std::span<const std::size_t> inner,
+                     std::span<const Int128> area, std::vector<std::vector<std::size_t>>& holes) const {
+        std::vector<GridBox> boxes(outer.size());
+        for (std::size_t k = 0; k < outer.size(); ++k)
+            for (const PatchUse& use : loops_.subspan(start(outer[k]), ends_[outer[k]] - start(outer[k])))
+                boxes[k].add(view_.point(view_.from(use)).rounded());
+        const BoxTree tree(boxes);
+        for (const std::size_t loop : inner) {
+            GridBox at;
+            at.add(view_.point(view_.from(loops_[start(loop)])).rounded());
+            std::size_t best = outer.size();
+            const bool open = tree.for_each_meeting(grown(at, std::int32_t(3 * kNearSteps)), [&](std::size_t k) {
+                if (too_near(corners(outer[k]), corners_[start(loop)])) return true;
+                if (!encloses(corners(outer[k]), corners_[start(loop)])) return false;
+                // Of two that enclose it, one lies in the other: rounded, thin ones may be equally large.
+                if (best != outer.size() && area[outer[k]] == area[outer[best]]) return true;
+                if (best == outer.size() || area[outer[k]] < area[outer[best]]) best = k;
+                return false;
+            });
+            if (open || best == outer.size()) return false;
+            holes[best].push_back(loop);
+        }
+        return true;
+    }
+
     std::size_t start(std::size_t loop) const { return loop == 0 ? 0 : ends_[loop - 1]; }
     std::span<const FlatPoint> corners(std::size_t loop) const {
         return std::span(corners_).subspan(start(loop), ends_[loop] - start(loop));

@@ -13,7 +13,7 @@ namespace firma {
 /// @param like       what the faces have in common
 /// @param loops      uses of all loops in a row, `ends` where each ends
 /// @param made       the faces, their uses and ends are added to it
-/// Judged by the rounded corners; where these leave it open which loop a hole lies in, facets fail later.
+/// @return kDegenerate where rounded corners leave it open which loop a hole lies in
 Verdict group_loops(const CutView& view, const NewFace& like, std::span<const PatchUse> loops,
                     std::span<const std::uint32_t> ends, NewLoops& made);
 

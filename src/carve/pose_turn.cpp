@@ -78,11 +78,4 @@ std::optional<GridPoint> GridTurn::operator()(const GridPoint& point) const {
     return turned;
 }
 
-Vec3 GridTurn::back(const GridPoint& point) const {
-    Vec3 before;
-    for (int axis = 0; axis < 3; ++axis)
-        before[from[axis]] = sign[axis] * (double(point[axis]) - double(move[axis]) * kSurfacePerInput) / kSurfaceSteps;
-    return before;
-}
-
 }  // namespace firma

@@ -29,8 +29,6 @@ struct GridTurn {
     Plane operator()(const Plane& plane) const;
     /// Where a point of the surface grid comes to lie; nothing outside the world.
     std::optional<GridPoint> operator()(const GridPoint& point) const;
-    /// Where what comes to lie at a point lay before, metres; exact for points of the surface grid.
-    Vec3 back(const GridPoint& point) const;
 };
 
 /// A pose of scale 1 whose turn is one of the axes, to within 2^-40; its position is snapped to the input grid, halves

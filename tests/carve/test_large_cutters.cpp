@@ -16,6 +16,8 @@
 #include "firma/level.h"
 #include "firma/solid.h"
 #include "tests/carve/cutters.h"
+#include "tests/sample.h"
+#include "tests/solid/solid_levels.h"
 
 namespace firma {
 namespace {
@@ -187,6 +189,43 @@ TEST(LargeCutters, ThePairsOfAnEditAreLimited) {
     EXPECT_EQ(result.error.code, ErrorCode::kTooLarge);
     EXPECT_NE(result.error.text().find("more than 100 pairs"), std::string::npos) << result.error.text();
     EXPECT_EQ(&result.world.data(), &hasty.data());
+}
+
+/// A prism over a zigzag: two caps of `teeth` triangles and more, each cap in one plane.
+TriangleMesh saw(int teeth) {
+    TriangleMesh mesh;
+    const auto count = std::uint32_t(2 * teeth);
+    for (const double z : {-1.0, 1.0})
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const double x = -3 + 6.0 * (k / 2) / teeth;
+            mesh.vertices.push_back(k % 2 == 0 ? Vec3{x, -0.5, z} : Vec3{x + 1.5 / teeth, 0.5, z});
+        }
+    const std::uint32_t last = count - 2;
+    for (std::uint32_t k = 0; k < last; ++k) {
+        const std::uint32_t a = k, b = k % 2 == 0 ? k + 2 : k + 1, c = k % 2 == 0 ? k + 1 : k + 2;
+        mesh.triangles.push_back({a, c, b});
+        mesh.triangles.push_back({a + count, b + count, c + count});
+    }
+    const auto side = [&](std::uint32_t a, std::uint32_t b) {
+        mesh.triangles.push_back({a, b, b + count});
+        mesh.triangles.push_back({a, b + count, a + count});
+    };
+    for (std::uint32_t k = 0; k < last; k += 2) side(k, k + 2);
+    for (std::uint32_t k = 1; k + 2 < count; k += 2) side(k + 2, k);
+    side(1, 0);
+    side(last, last + 1);
+    return mesh;
+}
+
+/// So many corners as one face may not have: the cap stays several.
+TEST(LargeCutters, CapsOfManyCorners) {
+    for (const int teeth : {3, sample(12'000)}) {
+        const Cutter cutter = saw(teeth).cutter().value();
+        const SolidResult made = subtract(make_solid(box_level({-4, -4, -4}, {4, 4, 4})).value(), cutter, Pose());
+        ASSERT_TRUE(made.done()) << made.error.text();
+        EXPECT_FALSE(check_solid(made.solid));
+        EXPECT_GT(made.report.volume, 7.9);
+    }
 }
 
 }  // namespace
