@@ -191,18 +191,14 @@ Verdict FaceCutter::cut_pair(std::uint32_t index, std::uint32_t triangle) {
             if (face_sides_[k] == face_sides_[next]) continue;
             const std::uint32_t edge = uses[k].edge;
             const std::uint32_t crossing = world_crossing(edge, triangle);
-            const PatchEdge& it = patch_.edges[edge];
-            const bool in_face = it.plane[0] == face.plane || exact_parallel(it.plane[0]->plane, face.plane->plane);
-            line_.push_back({crossing, &it.plane[in_face]->plane, true});
+            line_.push_back({crossing, &patch_.across(edge, face).plane, true});
         }
         loop_start = end;
     }
     for (int k = 0; k < 3; ++k) {
         if (corner_side[k] == corner_side[(k + 1) % 3]) continue;
         const std::uint32_t edge = cutter_.edge_of(triangle, k);
-        const CutterSolid::Edge& it = cutter_.edges[edge];
-        const bool own = it.plane[0].get() == cutter_.planes[triangle].get();
-        line_.push_back({cutter_crossing(edge, index), &it.plane[own]->plane, false});
+        line_.push_back({cutter_crossing(edge, index), &cutter_.across(cutter_.edges[edge], triangle).plane, false});
     }
     return emit(index, triangle);
 }

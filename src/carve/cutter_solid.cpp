@@ -56,7 +56,8 @@ CutterSolid::Edge edge_of_planes(const CutterSolid& cutter, const CutterEdge& ed
             edge.b,
             edge.left,
             edge.right,
-            {left, flat ? new_plane(edge_plane(vertices[edge.a], vertices[edge.b], left->plane)) : right}};
+            {left, flat ? new_plane(edge_plane(vertices[edge.a], vertices[edge.b], left->plane)) : right},
+            flat};
 }
 
 }  // namespace
@@ -102,13 +103,16 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
 
 namespace {
 
+/// A direction that rises less along an axis may, exactly, fall.
+constexpr double kLevel = 0x1p-40;
+
 /// The part of a ray that lies beyond the point in the cutter's box.
 GridBox way_out(const GridBox& box, const ExactPoint& from, const Vec3& direction) {
     GridBox way;
     way.add(from.rounded());
     for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] > -0x1p-40) way.high[axis] = std::max(way.high[axis], box.high[axis]);
-        if (direction[axis] < 0x1p-40) way.low[axis] = std::min(way.low[axis], box.low[axis]);
+        if (direction[axis] > -kLevel) way.high[axis] = std::max(way.high[axis], box.high[axis]);
+        if (direction[axis] < kLevel) way.low[axis] = std::min(way.low[axis], box.low[axis]);
     }
     return way;
 }
@@ -117,9 +121,8 @@ void append_edges(const CutterSolid& cutter, std::uint32_t t, std::vector<ExactR
     const auto& corners = cutter.triangle(t);
     for (int k = 0; k < 3; ++k) {
         const CutterSolid::Edge& edge = cutter.edges[cutter.edge_of(t, k)];
-        const bool own = exact_parallel(edge.plane[0]->plane, cutter.planes[t]->plane);
         edges.push_back({&cutter.points[corners[std::size_t(k)]],
-                         &cutter.points[corners[std::size_t(k < 2 ? k + 1 : 0)]], &edge.plane[own]->plane});
+                         &cutter.points[corners[std::size_t(k < 2 ? k + 1 : 0)]], &cutter.across(edge, t).plane});
     }
 }
 
@@ -130,15 +133,8 @@ int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
     std::vector<std::uint32_t> asked(cutter.turned ? cutter.turned->boundary.faces.size() : 0, ~0u);
     for (int way = 0; way < ExactRay::kWays; ++way) {
         const ExactRay ray(point, way);
-        int crossings = 0;
-        bool unsure = false, on = false;
-        const auto meet = [&](const Plane& plane) {
-            const ExactRay::Crossing crossing = ray.meet(plane, edges, INFINITY);
-            crossings += crossing == ExactRay::Crossing::kCrosses;
-            unsure |= crossing == ExactRay::Crossing::kUnsure;
-            on |= crossing == ExactRay::Crossing::kOn;
-            return unsure || on;
-        };
+        CrossingCount crossings;
+        const auto meet = [&](const Plane& plane) { return !crossings.add(ray.meet(plane, edges, INFINITY)); };
         // The point lies within a step of its rounded one; a Solid's facets lie near its faces.
         const std::int32_t steps = cutter.turned ? 1 + kFacetReach : 1;
         cutter.tree.for_each_meeting(grown(way_out(cutter.box, point, ray.direction()), steps), [&](std::uint32_t t) {
@@ -154,8 +150,8 @@ int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
             append_edges(boundary, boundary.faces[face], edges);
             return meet(boundary.faces[face].plane->plane);
         });
-        if (on) return 0;
-        if (!unsure) return crossings % 2 ? 1 : -1;
+        if (crossings.begins_on_one()) return 0;
+        if (crossings.sure()) return crossings.odd() ? 1 : -1;
     }
     return 0;
 }

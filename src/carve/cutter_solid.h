@@ -30,6 +30,7 @@ struct CutterSolid {
         std::uint32_t a, b, left, right;
         /// Those of its triangles; the second an auxiliary one where both lie in one plane.
         Ref<const SolidPlane> plane[2];
+        bool flat = false;  ///< whether the planes of its triangles are parallel
     };
 
     PlacedCutter placed;
@@ -49,6 +50,10 @@ struct CutterSolid {
     const CutterTriangle& triangle(std::uint32_t t) const { return placed.triangles[t]; }
     /// Edge k of triangle t runs from corner k to corner k + 1.
     std::uint32_t edge_of(std::uint32_t t, int k) const { return placed.topology->triangle_edges[t][std::size_t(k)]; }
+    /// A plane that holds an edge of a triangle, and is not parallel to that.
+    const SolidPlane& across(const Edge& edge, std::uint32_t t) const {
+        return *edge.plane[edge.left == t || edge.flat];
+    }
     /// Whether an edge lies between two triangles of one polygon.
     bool is_seam(const Edge& edge) const { return polygons.is_one(edge.left, edge.right); }
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "geometry/exact_point.h"
@@ -47,6 +48,24 @@ private:
     std::array<const Plane*, 3> planes_;  ///< the ray runs along the first two
     int sign_ = 1;                        ///< as their normals' cross product, or against it
     Vec3 direction_;
+};
+
+/// How often a ray crosses the faces of a boundary, odd or even.
+class CrossingCount {
+public:
+    /// @return whether others are still to be asked
+    bool add(ExactRay::Crossing crossing) {
+        odd_ ^= crossing == ExactRay::Crossing::kCrosses;
+        unsure_ |= crossing == ExactRay::Crossing::kUnsure;
+        on_ |= crossing == ExactRay::Crossing::kOn;
+        return sure();
+    }
+    bool begins_on_one() const { return on_; }
+    bool sure() const { return !unsure_ && !on_; }
+    bool odd() const { return odd_; }
+
+private:
+    bool odd_ = false, unsure_ = false, on_ = false;
 };
 
 }  // namespace firma

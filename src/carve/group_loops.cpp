@@ -60,7 +60,7 @@ private:
             GridBox at;
             at.add(view_.point(view_.from(loops_[start(loop)])).rounded());
             std::size_t best = outer.size();
-            const bool open = tree.for_each_meeting(grown(at, std::int32_t(3 * kNearSteps)), [&](std::size_t k) {
+            const bool open = tree.for_each_meeting(grown(at, kNearInSpace), [&](std::size_t k) {
                 if (too_near(corners(outer[k]), corners_[start(loop)])) return true;
                 if (!encloses(corners(outer[k]), corners_[start(loop)])) return false;
                 // Of two that enclose it, one lies in the other: rounded, thin ones may be equally large.
@@ -82,6 +82,9 @@ private:
     /// Rounded corners lie within half a step of the exact ones along each axis: two of them, seen from each other, and
     /// the line of a side between two more, within so many.
     static constexpr std::int64_t kNearSteps = 2;
+    /// What is so near as seen along the axis is this near in the plane: it rises by no more than it goes along both
+    /// axes, and corners are rounded.
+    static constexpr std::int32_t kNearInSpace = 2 * kNearSteps + 2;
 
     /// Whether a corner lies so near to a loop that, rounded, it may have changed to the other side.
     static bool too_near(std::span<const FlatPoint> loop, const FlatPoint& p) {

@@ -95,8 +95,7 @@ bool MeshAdder::add(WorkSlice& slice) {
 void MeshAdder::add_rim(std::uint32_t edge) {
     const CutterSolid::Edge& it = cutter_.edges[edge];
     OverlayEdge made{point_of_[it.a], point_of_[it.b], {planes_[it.left], planes_[it.right]}};
-    if (exact_parallel(it.plane[0]->plane, cutter_.planes[it.right]->plane))
-        made.plane[1] = overlay_.tables.planes.add(it.plane[1]->plane);
+    if (it.flat) made.plane[1] = overlay_.tables.planes.add(it.plane[1]->plane);
     edge_of_[edge] = overlay_.add_edge(made);
     ++edge_count_;
 }

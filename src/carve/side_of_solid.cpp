@@ -22,9 +22,9 @@ int side_by_facets(const Solid& solid, const Vec3& point) {
     return where == Where::kSolid ? 1 : where == Where::kAir ? -1 : 0;
 }
 
-/// How often a ray crosses the solid's faces on its way to a place, odd or even; -1: that cannot be told, -2: it begins
-/// on one.
-int crossings(const Solid& solid, const ExactPoint& from, const ExactRay& ray, double steps) {
+/// Of a ray with the solid's faces, on its way to a place.
+/// @param steps  how far that is, input steps
+CrossingCount crossings(const Solid& solid, const ExactPoint& from, const ExactRay& ray, double steps) {
     GridBox way;
     way.add(from.rounded());
     const Vec3 to = from.approximate() + ray.direction() * steps;
@@ -39,33 +39,21 @@ int crossings(const Solid& solid, const ExactPoint& from, const ExactRay& ray, d
     patch.add(facets);
     for (std::uint32_t edge = 0; edge < patch.edges.size(); ++edge) patch.settle_planes(edge);
     std::vector<ExactRay::Edge> edges;
-    int count = 0;
+    CrossingCount count;
     for (const PatchFace& face : patch.faces) {
         edges.clear();
         append_edges(patch, face, edges);
-        switch (ray.meet(face.plane->plane, edges, steps)) {
-            case ExactRay::Crossing::kOn:
-                return -2;
-            case ExactRay::Crossing::kUnsure:
-                return -1;
-            case ExactRay::Crossing::kCrosses:
-                ++count;
-                break;
-            case ExactRay::Crossing::kNone:
-                break;
-        }
+        if (!count.add(ray.meet(face.plane->plane, edges, steps))) break;
     }
-    return count % 2;
+    return count;
 }
 
 }  // namespace
 
 void append_edges(const SolidPatch& patch, const PatchFace& face, std::vector<ExactRay::Edge>& edges) {
     for (const PatchUse& use : patch.uses(face)) {
-        const PatchEdge& edge = patch.edges[use.edge];
-        const bool own = edge.plane[0] == face.plane || exact_parallel(edge.plane[0]->plane, face.plane->plane);
-        edges.push_back(
-            {&patch.vertices[patch.from(use)].point, &patch.vertices[patch.to(use)].point, &edge.plane[own]->plane});
+        edges.push_back({&patch.vertices[patch.from(use)].point, &patch.vertices[patch.to(use)].point,
+                         &patch.across(use.edge, face).plane});
     }
 }
 
@@ -78,10 +66,10 @@ int side_of_solid(const Solid& solid, const ExactPoint& point) {
             const Vec3 place = (point.approximate() * (1 / kInputSteps)) + ray.direction() * step;
             const int side = side_by_facets(solid, place);
             if (side == 0) continue;
-            const int odd = crossings(solid, point, ray, step * kInputSteps);
-            if (odd == -2) return 0;
-            if (odd == -1) break;
-            return odd == 1 ? -side : side;
+            const CrossingCount count = crossings(solid, point, ray, step * kInputSteps);
+            if (count.begins_on_one()) return 0;
+            if (!count.sure()) break;
+            return count.odd() ? -side : side;
         }
     }
     return 0;

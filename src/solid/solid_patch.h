@@ -79,6 +79,12 @@ public:
     /// there is only one, or both lie in one plane.
     void settle_planes(std::uint32_t edge);
 
+    /// A plane that holds an edge of a face, and is not parallel to that; once its planes are settled.
+    const SolidPlane& across(std::uint32_t edge, const PatchFace& face) const {
+        const PatchEdge& it = edges[edge];
+        return *it.plane[it.plane[0] == face.plane || exact_parallel(it.plane[0]->plane, face.plane->plane)];
+    }
+
     /// Of the line that an edge lies on.
     LineDirection direction_of(std::uint32_t edge) const;
 
