@@ -191,6 +191,29 @@ TEST(LargeCutters, ThePairsOfAnEditAreLimited) {
     EXPECT_EQ(&result.world.data(), &hasty.data());
 }
 
+/// Whose size is not that of the work: the limits leave room for a few faces alone.
+TEST(LargeCutters, TheWholeLevelTwice) {
+    CarveRules rules;
+    rules.max_new_faces = 200;
+    rules.max_pairs = 20'000;
+    const Level level = read_level(FIRMA_ROOT "/levels/first.obj").value();
+    for (const auto& [first, second] : {std::pair{3000.0, 3010.0}, {4000.0, 4010.0}, {4000.0, 4000.0}}) {
+        World world = make_world(level, {{}, {}, rules}).value();
+        const Cutter box = make_crater(CutterShape::kBox, 1);
+        const CarveResult once = carve(world, box, pose_at(35, 29, 0, first));
+        ASSERT_TRUE(once.done()) << once.error.text();
+        EXPECT_LE(once.report.faces_added, 100u);
+        const CarveResult twice = carve(once.world, box, pose_at(35, 29, 0, second));
+        if (first == second) {
+            EXPECT_EQ(twice.status, CarveStatus::kNothing) << twice.error.text();
+            continue;
+        }
+        ASSERT_TRUE(twice.done()) << twice.error.text();
+        EXPECT_LE(twice.report.faces_added + twice.report.faces_removed, 200u);
+        expect_sound_world(twice.world);
+    }
+}
+
 /// A prism over a zigzag: two caps of `teeth` triangles and more, each cap in one plane.
 TriangleMesh saw(int teeth) {
     TriangleMesh mesh;
