@@ -15,9 +15,6 @@
 
 #include "carve/place_cutter.h"
 #include "cgal/cgal_solid.h"
-#include "firma/brush_level.h"
-#include "firma/brush_world.h"
-#include "scenes/level_cuts.h"
 #include "scenes/sweeps.h"
 #include "support/craters.h"
 #include "support/settings.h"
@@ -100,44 +97,23 @@ void compare(const World& world, const Mesh& level, const Exact& before, const C
         answers.worst = std::max(answers.worst, std::fabs(result.report.volume / taken - 1));
 }
 
-struct Cut {
-    Cutter cutter;
-    Pose pose;
-};
-
 /// Cut after cut; every so many are compared, from the world before each.
-void compare_row(World world, const std::vector<Cut>& cuts, std::size_t step, Answers& answers) {
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
+void compare_row(World world, const Cutter& cutter, const std::vector<Pose>& poses, std::size_t step,
+                 Answers& answers) {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
         if (k % step == step - 1) {
             if (const auto mesh = CgalSolid(world.solid()).mesh()) {
                 const Exact before = volume_of(*mesh);
                 const double by_cgal = CGAL::to_double(before) / std::pow(kInputSteps, 3);
                 answers.worst_before =
                     std::max(answers.worst_before, std::fabs(measure_solid(world).volume / by_cgal - 1));
-                compare(world, *mesh, before, cuts[k].cutter, cuts[k].pose, answers);
+                compare(world, *mesh, before, cutter, poses[k], answers);
             } else {
                 ++answers.unmeshed;
             }
         }
-        world = carve(world, cuts[k].cutter, cuts[k].pose).world;
+        world = carve(world, cutter, poses[k]).world;
     }
-}
-
-std::vector<Cut> cuts_by(const Cutter& cutter, const std::vector<Pose>& poses) {
-    std::vector<Cut> cuts;
-    for (const Pose& pose : poses) cuts.push_back({cutter, pose});
-    return cuts;
-}
-
-/// Craters all over the depot, those left out that cannot be placed.
-std::vector<Cut> depot_cuts(const World& depot, std::size_t count) {
-    const scenes::CutPlaces places = scenes::cut_places(depot);
-    std::vector<Cut> cuts;
-    for (std::uint64_t index = 0; cuts.size() < count; ++index)
-        for (const scenes::CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts::kSpread, 1, index))
-            if (cuts.size() < count && place_cutter(order.cutter, order.pose))
-                cuts.push_back({order.cutter, order.pose});
-    return cuts;
 }
 
 int measure(const Settings& settings) {
@@ -178,24 +154,15 @@ int measure(const Settings& settings) {
         for (std::size_t k = 0; k < (settings.quick ? 40u : 300u); ++k)
             poses.push_back(crater_pose(1, CraterPlaces::kSpread, k));
         Answers answers;
-        compare_row(carvable_world(crater_level(1)), cuts_by(crater(), poses), apart, answers);
+        compare_row(carvable_world(crater_level(1)), crater(), poses, apart, answers);
         add("a room after craters, by one more", answers);
     }
     for (const scenes::SweepTool tool : scenes::kSweepTools) {
         scenes::Sweep sweep = scenes::make_sweep(tool, 3);
         if (settings.quick) sweep.poses.resize(40);
         Answers answers;
-        compare_row(carvable_world(sweep.block), cuts_by(sweep.tool, sweep.poses), apart, answers);
+        compare_row(carvable_world(sweep.block), sweep.tool, sweep.poses, apart, answers);
         add("a block after " + std::string(scenes::name_of(tool)) + ", by one more", answers);
-    }
-    {
-        // Its sky may be carved, too.
-        const World depot =
-            with_rules(make_world(read_brush_level(settings.repository + "/levels/depot.map").value()).value(), {})
-                .value();
-        Answers answers;
-        compare_row(depot, depot_cuts(depot, settings.quick ? 40 : 300), apart, answers);
-        add("the depot after craters, by one more", answers);
     }
     return table.finish(settings.csv) && same ? 0 : 1;
 }
