@@ -4,9 +4,10 @@
 
     bench/against/run.py COMMIT [--rounds N]
 
-Builds the library of COMMIT in build/against, and this one, both with -O3 -march=native, and work.cpp over each. Every
-round runs both, first the one, then the other, with another seed; told is the median of the rounds' ratios. Writes
-bench/results/against.csv.
+Builds the library of COMMIT in build/against, and this one, both with -O3 -march=native, and work.cpp over each. A
+round runs both with the same seed; they take turns after every cut, as these machines change their speed within
+seconds. Cuts: medians and 99th percentiles of all rounds' cuts, and their ratio. Casts: medians of the rounds' medians,
+and the median of their ratios. The least and the most are of rounds. Writes bench/results/against.csv.
 """
 import argparse
 import csv
@@ -36,9 +37,57 @@ def program(name, source):
     return work
 
 
-def measure(work, seed):
-    lines = [line.split() for line in run(work, LEVEL, str(seed)).splitlines()]
-    return {name: float(value) for name, value in lines}
+class Side:
+    """A version at work."""
+
+    def __init__(self, work, seed):
+        self.process = subprocess.Popen([work, LEVEL, str(seed)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.times = {}
+
+    def take_turn(self):
+        """True if it told a cut; the casts, which are its last turn, are told together."""
+        self.process.stdin.write('\n')
+        self.process.stdin.flush()
+        for line in self.process.stdout:
+            name, value = line.split()
+            self.times.setdefault(name, []).append(float(value) / 1e3)
+            if name.startswith('cut'):
+                return True
+        if self.process.wait() != 0:
+            raise SystemExit('bench/against: a version ended with an error')
+        return False
+
+
+def measure(before, now, seed):
+    """What both took in one round, in microseconds."""
+    sides = [Side(before, seed), Side(now, seed)]
+    turn = seed
+    while True:
+        first, second = (sides[0], sides[1]) if turn % 2 == 0 else (sides[1], sides[0])
+        going = first.take_turn()
+        if going != second.take_turn():
+            raise SystemExit('bench/against: the versions made different numbers of cuts')
+        if not going:
+            return sides[0].times, sides[1].times
+        turn += 1
+
+
+def share(times, part):
+    return sorted(times)[int(part * len(times))]
+
+
+def table_of(rounds):
+    """Rows: name, before, now, their ratio, its least and most of the rounds."""
+    for name in rounds[0][0]:
+        if not name.startswith('cut'):
+            pairs = [(old[name][0], new[name][0]) for old, new in rounds]
+            ratios = [new / old for old, new in pairs]
+            yield name, *(statistics.median(side) for side in zip(*pairs)), statistics.median(ratios), min(ratios), max(ratios)
+            continue
+        for part, what in ((0.5, name), (0.99, name + '_p99')):
+            old, new = (share([t for pair in rounds for t in pair[side][name]], part) for side in (0, 1))
+            ratios = [share(b[name], part) / share(a[name], part) for a, b in rounds]
+            yield what, old, new, new / old, min(ratios), max(ratios)
 
 
 def main():
@@ -52,19 +101,13 @@ def main():
         run('git', 'worktree', 'remove', '--force', source)
     run('git', 'worktree', 'add', '--detach', source, commit)
     before, now = program('before', source), program('now', ROOT)
-    rounds = []
-    for seed in range(options.rounds):
-        pair = (measure(before, seed), measure(now, seed)) if seed % 2 == 0 else (measure(now, seed), measure(before, seed))[::-1]
-        rounds.append(pair)
+    rounds = [measure(before, now, seed) for seed in range(options.rounds)]
     run('git', 'worktree', 'remove', '--force', source)
     with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:
         table = csv.writer(file, lineterminator='\n')
         table.writerow(['work', f'{commit} us', 'now us', 'ratio', 'least', 'most'])
-        for name in rounds[0][0]:
-            ratios = [after[name] / old[name] for old, after in rounds]
-            row = [name, f'{statistics.median(old[name] for old, _ in rounds) / 1e3:.3g}',
-                   f'{statistics.median(after[name] for _, after in rounds) / 1e3:.3g}', f'{statistics.median(ratios):.3f}',
-                   f'{min(ratios):.3f}', f'{max(ratios):.3f}']
+        for name, old, new, *ratios in table_of(rounds):
+            row = [name, f'{old:.3g}', f'{new:.3g}', *(f'{ratio:.3f}' for ratio in ratios)]
             table.writerow(row)
             print('{:<22} {:>9} us {:>9} us  {} times ({} to {})'.format(*row))
 

@@ -29,14 +29,20 @@ inline std::uint64_t residue_times(std::uint64_t a, std::uint64_t b) {
 inline std::uint64_t residue_minus(std::uint64_t a, std::uint64_t b) {
     return a >= b ? a - b : a + kPrime - b;
 }
-/// By Fermat: a^(p - 2); 0 of 0.
+/// a^(2^times)
+inline std::uint64_t residue_squared(std::uint64_t a, int times) {
+    for (; times > 0; --times) a = residue_times(a, a);
+    return a;
+}
+/// By Fermat: a^(p - 2), where p - 2 = 4 (2^59 - 1) + 1; 0 of 0.
 inline std::uint64_t residue_inverse(std::uint64_t a) {
-    std::uint64_t result = 1;
-    for (std::uint64_t power = kPrime - 2; power != 0; power >>= 1) {
-        if (power & 1) result = residue_times(result, a);
-        a = residue_times(a, a);
-    }
-    return result;
+    // ones[k]: a^(2^n - 1), n = 2^k
+    std::uint64_t ones[6] = {a};
+    for (int k = 1; k < 6; ++k) ones[k] = residue_times(residue_squared(ones[k - 1], 1 << (k - 1)), ones[k - 1]);
+    std::uint64_t power = ones[5];  // 32 ones, of 59
+    for (const int k : {4, 3, 1, 0})
+        power = residue_times(residue_squared(power, 1 << k), ones[k]);  // 16, 8, 2, 1 more
+    return residue_times(residue_squared(power, 2), a);
 }
 
 }  // namespace firma

@@ -100,16 +100,15 @@ void improve_with_few(std::span<const Extent> items, const Buckets& buckets, int
     }
 }
 
-/// What lies in the buckets of one axis.
+/// What lies in the buckets of one axis. Nothing asks whether an item is a bucket's first: that is hard to predict.
 struct Filled {
-    std::array<Extent, kBuckets> boxes;  ///< of those that hold something
+    std::array<Extent, kBuckets> boxes;
     std::array<std::size_t, kBuckets> counts{};
 
+    Filled() { boxes.fill(Extent::of({})); }
     void add(int bucket, const Extent& item) {
-        if (counts[bucket]++ == 0)
-            boxes[bucket] = item;
-        else
-            boxes[bucket].add(item);
+        ++counts[bucket];
+        boxes[bucket].add(item);
     }
 };
 

@@ -57,14 +57,16 @@ SolidFace::~SolidFace() {
 
 void SolidFace::set_hash() {
     Hasher hasher;
-    hasher.add(hash_plane(plane->plane));
+    const std::uint64_t own = hash_plane(plane->plane);
+    const auto hash_of = [&](const SolidPlane& of) { return &of == plane.get() ? own : hash_plane(of.plane); };
+    hasher.add(own);
     for (const std::uint32_t end : loop_ends()) hasher.add(end);
     for (const SolidUse& use : uses) {
         const GridPoint& p = use.from().point.rounded();
         hasher.add(p.x, p.y);
         hasher.add(std::uint32_t(p.z));
         // Whichever of an edge's planes is named first.
-        hasher.add(hash_plane(use.edge().plane[0]->plane) + hash_plane(use.edge().plane[1]->plane));
+        hasher.add(hash_of(*use.edge().plane[0]) + hash_of(*use.edge().plane[1]));
     }
     hash = hasher.value();
 }
