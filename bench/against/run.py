@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Cuts and casts of this version beside those of another, in one run, taking turns.
 
-    bench/against/run.py COMMIT [--rounds N]
+    bench/against/run.py COMMIT [--rounds N] [--repeats N]
 
 Builds the library of COMMIT in build/against, and this one, both with -O3 -march=native, and work.cpp over each. A
-round runs both with the same seed; they take turns after every cut, as these machines change their speed within
-seconds. Cuts: medians and 99th percentiles of all rounds' cuts, and their ratio. Casts: medians of the rounds' medians,
-and the median of their ratios. The least and the most are of rounds. Writes bench/results/against.csv.
+round runs both with the same seed, several times over; they take turns after every try of a cut. Of a cut the least
+time counts: what else the machine does only adds to it, and these machines change their speed within seconds. Cuts:
+medians and 99th percentiles of all rounds' cuts, and their ratio. Casts: medians of the rounds' least medians, and the
+median of their ratios. The least and the most are of rounds. Writes bench/results/against.csv.
 """
 import argparse
 import csv
@@ -45,12 +46,13 @@ class Side:
         self.times = {}
 
     def take_turn(self):
-        """True if it told a cut; the casts, which are its last turn, are told together."""
+        """True if it told a try of a cut; the casts, which are its last turn, are told together."""
         self.process.stdin.write('\n')
         self.process.stdin.flush()
         for line in self.process.stdout:
-            name, value = line.split()
-            self.times.setdefault(name, []).append(float(value) / 1e3)
+            name, number, value = line.split()
+            key, took = (name, int(number)), float(value) / 1e3
+            self.times[key] = min(self.times.get(key, took), took)
             if name.startswith('cut'):
                 return True
         if self.process.wait() != 0:
@@ -58,8 +60,8 @@ class Side:
         return False
 
 
-def measure(before, now, seed):
-    """What both took in one round, in microseconds."""
+def run_both(before, now, seed):
+    """What both took, in microseconds by name and number."""
     sides = [Side(before, seed), Side(now, seed)]
     turn = seed
     while True:
@@ -68,8 +70,20 @@ def measure(before, now, seed):
         if going != second.take_turn():
             raise SystemExit('bench/against: the versions made different numbers of cuts')
         if not going:
-            return sides[0].times, sides[1].times
+            return [side.times for side in sides]
         turn += 1
+
+
+def measure(before, now, seed, repeats):
+    """The least of several runs: times by name, before and now."""
+    runs = [run_both(before, now, seed) for _ in range(repeats)]
+    sides = []
+    for side in (0, 1):
+        times = {}
+        for key in runs[0][side]:
+            times.setdefault(key[0], []).append(min(both[side][key] for both in runs))
+        sides.append(times)
+    return sides
 
 
 def share(times, part):
@@ -94,6 +108,7 @@ def main():
     parser = argparse.ArgumentParser(description='Cuts and casts beside those of another version, taking turns.')
     parser.add_argument('commit')
     parser.add_argument('--rounds', type=int, default=7)
+    parser.add_argument('--repeats', type=int, default=9)
     options = parser.parse_args()
     commit = run('git', 'rev-parse', '--short', options.commit).strip()
     source = os.path.join(WORK, 'source')
@@ -101,7 +116,7 @@ def main():
         run('git', 'worktree', 'remove', '--force', source)
     run('git', 'worktree', 'add', '--detach', source, commit)
     before, now = program('before', source), program('now', ROOT)
-    rounds = [measure(before, now, seed) for seed in range(options.rounds)]
+    rounds = [measure(before, now, seed, options.repeats) for seed in range(options.rounds)]
     run('git', 'worktree', 'remove', '--force', source)
     with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:
         table = csv.writer(file, lineterminator='\n')

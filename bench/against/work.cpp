@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One side of bench/against/run.py: the same work for any version of the library, by what its public headers have had
-// since 0.1. Before each cut, and before all casts, it waits for a line, so that two versions take turns. Prints a line
-// for each cut, `cut NS` or `cut_and_hashes NS`; then a line for each kind of cast, its name and the median in
-// nanoseconds.
+// since 0.1. Before each try of a cut, and before all casts, it waits for a line, so that two versions take turns.
+// Prints a line for each try, `cut NUMBER NS` or `cut_and_hashes NUMBER NS`; then a line for each kind of cast, its
+// name, 0 and the median in nanoseconds.
 //
 //   work LEVEL.map SEED
 #include <algorithm>
@@ -62,7 +62,7 @@ double nanoseconds(Clock::time_point start) {
 void tell(const char* name, std::vector<double> values) {
     const auto at = std::ptrdiff_t(values.size() / 2);
     std::nth_element(values.begin(), values.begin() + at, values.end());
-    std::printf("%s %.1f\n", name, values[std::size_t(at)]);
+    std::printf("%s 0 %.1f\n", name, values[std::size_t(at)]);
 }
 
 void wait_for_turn() {
@@ -71,7 +71,7 @@ void wait_for_turn() {
         if (c == EOF) std::exit(EXIT_FAILURE);
 }
 
-/// How often each cut is made of the same world; the least time counts, as what else the machine does only adds to it.
+/// How often each cut is made of the same world.
 constexpr int kTries = 5;
 
 /// Craters of 0.7 m somewhere; those that take nothing are not counted.
@@ -84,18 +84,15 @@ World cut(World world, std::uint64_t seed, bool hashed) {
         const Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
         const Pose pose{.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7};
         if (!carve(world, cutter, pose).done()) continue;
-        wait_for_turn();
-        double least = 0;
         World after;
         for (int k = 0; k < kTries; ++k) {
+            wait_for_turn();
             const Clock::time_point start = Clock::now();
             CarveResult result = carve(world, cutter, pose);
             if (hashed) sum += hash_world(result.world) + hash_solid(result.world);
-            const double took = nanoseconds(start);
-            least = k == 0 ? took : std::min(least, took);
+            std::printf("%s %d %.1f\n", hashed ? "cut_and_hashes" : "cut", cuts, nanoseconds(start));
             after = result.world;
         }
-        std::printf("%s %.1f\n", hashed ? "cut_and_hashes" : "cut", least);
         ++cuts;
         world = after;
     }
