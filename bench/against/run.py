@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Cuts and casts of this version beside those of another, in one run, taking turns.
 
-    bench/against/run.py COMMIT [--rounds N] [--repeats N]
+    bench/against/run.py COMMIT [--rounds N] [--repeats N] [--tries-a-turn N]
 
 Builds the library of COMMIT in build/against, and this one, both with -O3 -march=native, and work.cpp over each. A
-round runs both with the same seed, several times over; they take turns after every try of a cut. Of a cut the least
+round runs both with the same seed, several times over; they take turns after every try of a cut, so that
+each finds the caches as the other left them, or after several tries. Of a cut the least
 time counts: what else the machine does only adds to it, and these machines change their speed within seconds. Cuts:
 medians and 99th percentiles of all rounds' cuts, and their ratio. Casts: medians of the rounds' least medians, and the
 median of their ratios. The least and the most are of rounds. Writes bench/results/against.csv.
@@ -41,28 +42,28 @@ def program(name, source):
 class Side:
     """A version at work."""
 
-    def __init__(self, work, seed):
-        self.process = subprocess.Popen([work, LEVEL, str(seed)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    def __init__(self, work, seed, tries_a_turn):
+        self.process = subprocess.Popen([work, LEVEL, str(seed), str(tries_a_turn)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         self.times = {}
 
     def take_turn(self):
-        """True if it told a try of a cut; the casts, which are its last turn, are told together."""
+        """True if it told tries of a cut; the casts, which are its last turn, are told together."""
         self.process.stdin.write('\n')
         self.process.stdin.flush()
         for line in self.process.stdout:
-            name, number, value = line.split()
+            name, number, value, *end = line.split()
             key, took = (name, int(number)), float(value) / 1e3
             self.times[key] = min(self.times.get(key, took), took)
-            if name.startswith('cut'):
+            if end:
                 return True
         if self.process.wait() != 0:
             raise SystemExit('bench/against: a version ended with an error')
         return False
 
 
-def run_both(before, now, seed):
+def run_both(before, now, seed, tries_a_turn):
     """What both took, in microseconds by name and number."""
-    sides = [Side(before, seed), Side(now, seed)]
+    sides = [Side(before, seed, tries_a_turn), Side(now, seed, tries_a_turn)]
     turn = seed
     while True:
         first, second = (sides[0], sides[1]) if turn % 2 == 0 else (sides[1], sides[0])
@@ -74,9 +75,9 @@ def run_both(before, now, seed):
         turn += 1
 
 
-def measure(before, now, seed, repeats):
+def measure(before, now, seed, options):
     """The least of several runs: times by name, before and now."""
-    runs = [run_both(before, now, seed) for _ in range(repeats)]
+    runs = [run_both(before, now, seed, options.tries_a_turn) for _ in range(options.repeats)]
     sides = []
     for side in (0, 1):
         times = {}
@@ -109,6 +110,7 @@ def main():
     parser.add_argument('commit')
     parser.add_argument('--rounds', type=int, default=7)
     parser.add_argument('--repeats', type=int, default=9)
+    parser.add_argument('--tries-a-turn', type=int, default=1)
     options = parser.parse_args()
     commit = run('git', 'rev-parse', '--short', options.commit).strip()
     source = os.path.join(WORK, 'source')
@@ -116,7 +118,7 @@ def main():
         run('git', 'worktree', 'remove', '--force', source)
     run('git', 'worktree', 'add', '--detach', source, commit)
     before, now = program('before', source), program('now', ROOT)
-    rounds = [measure(before, now, seed, options.repeats) for seed in range(options.rounds)]
+    rounds = [measure(before, now, seed, options) for seed in range(options.rounds)]
     run('git', 'worktree', 'remove', '--force', source)
     with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:
         table = csv.writer(file, lineterminator='\n')

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One side of bench/against/run.py: the same work for any version of the library, by what its public headers have had
-// since 0.1. Before each try of a cut, and before all casts, it waits for a line, so that two versions take turns.
-// Prints a line for each try, `cut NUMBER NS` or `cut_and_hashes NUMBER NS`; then a line for each kind of cast, its
-// name, 0 and the median in nanoseconds.
+// since 0.1. Before tries of a cut, and before all casts, it waits for a line, so that two versions take turns.
+// Prints a line for each try, `cut NUMBER NS` or `cut_and_hashes NUMBER NS`, the last of a turn with ` end`; then a
+// line for each kind of cast, its name, 0 and the median in nanoseconds.
 //
-//   work LEVEL.map SEED
+//   work LEVEL.map SEED TRIES_A_TURN
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -75,7 +75,7 @@ void wait_for_turn() {
 constexpr int kTries = 5;
 
 /// Craters of 0.7 m somewhere; those that take nothing are not counted.
-World cut(World world, std::uint64_t seed, bool hashed) {
+World cut(World world, std::uint64_t seed, int tries_a_turn, bool hashed) {
     Numbers numbers{seed};
     const Box bounds = world.bounds();
     std::uint64_t sum = 0;
@@ -86,11 +86,12 @@ World cut(World world, std::uint64_t seed, bool hashed) {
         if (!carve(world, cutter, pose).done()) continue;
         World after;
         for (int k = 0; k < kTries; ++k) {
-            wait_for_turn();
+            if (k % tries_a_turn == 0) wait_for_turn();
             const Clock::time_point start = Clock::now();
             CarveResult result = carve(world, cutter, pose);
             if (hashed) sum += hash_world(result.world) + hash_solid(result.world);
-            std::printf("%s %d %.1f\n", hashed ? "cut_and_hashes" : "cut", cuts, nanoseconds(start));
+            std::printf("%s %d %.1f%s\n", hashed ? "cut_and_hashes" : "cut", cuts, nanoseconds(start),
+                        (k + 1) % tries_a_turn == 0 || k + 1 == kTries ? " end" : "");
             after = result.world;
         }
         ++cuts;
@@ -129,8 +130,8 @@ void cast_all(const World& world, const char* name, double radius, double length
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 3) {
-        std::fprintf(stderr, "work LEVEL.map SEED\n");
+    if (count != 4) {
+        std::fprintf(stderr, "work LEVEL.map SEED TRIES_A_TURN\n");
         return EXIT_FAILURE;
     }
     std::ifstream file(words[1], std::ios::binary);
@@ -142,8 +143,9 @@ int main(int count, char** words) {
     }
     const World world = make_world(level.value()).value();
     const std::uint64_t seed = std::strtoull(words[2], nullptr, 10);
-    const World carved = cut(world, seed, false);
-    cut(world, seed, true);
+    const int tries_a_turn = std::max(1, std::atoi(words[3]));
+    const World carved = cut(world, seed, tries_a_turn, false);
+    cut(world, seed, tries_a_turn, true);
     wait_for_turn();
     for (const auto& [of, in] : {std::pair{"", &world}, std::pair{"_carved", &carved}}) {
         cast_all(*in, (std::string("short_spheres") + of).c_str(), 0.3, 1, seed);
