@@ -37,9 +37,9 @@ Size size_for(std::size_t bytes) {
         return {index, (index + 1) * kSmallest};
     }
     const auto width = std::size_t(std::bit_width(bytes - 1));  // 2^(width - 1) < bytes <= 2^width
-    const std::size_t below = std::size_t(1) << (width - 1), step = below / 8;
-    const std::size_t eighth = (bytes - 1 - below) / step;
-    return {8 + (width - 8) * 8 + eighth, below + (eighth + 1) * step};
+    const std::size_t below = std::size_t(1) << (width - 1), step_bits = width - 4;
+    const std::size_t eighth = (bytes - 1 - below) >> step_bits;
+    return {8 + (width - 8) * 8 + eighth, below + ((eighth + 1) << step_bits)};
 }
 
 /// Where memory comes from: settled by whoever takes the first of it.

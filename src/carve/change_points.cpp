@@ -2,13 +2,45 @@
 // What a cut does to the hash of the solid's points.
 #include "carve/change_points.h"
 
+#include <cstdint>
+#include <vector>
+
 #include "solid/hash_points.h"
 
 namespace firma {
+namespace {
+
+/// Directions of edges, each found once: two faces ask.
+class EdgeDirections {
+public:
+    EdgeDirections(const CutView& view, std::size_t edges) : view_(view), known_(edges, false), directions_(edges) {}
+
+    const LineDirection& of(std::uint32_t edge) {
+        if (!known_[edge]) {
+            known_[edge] = true;
+            directions_[edge] = find(edge);
+        }
+        return directions_[edge];
+    }
+
+private:
+    LineDirection find(std::uint32_t index) const {
+        if (index < view_.first_new_edge()) return view_.patch().direction_of(index);
+        const NewEdge& edge = view_.new_edge(index);
+        return LineDirection::of(edge.plane[0]->plane, edge.plane[1]->plane);
+    }
+
+    const CutView& view_;
+    std::vector<bool> known_;
+    std::vector<LineDirection> directions_;
+};
+
+}  // namespace
 
 SumsByKey change_of_points(const CutView& view, const NewLoops& loops) {
     const SolidPatch& patch = view.patch();
     PointHash hash;
+    EdgeDirections directions(view, view.edge_count());
     // By edge and direction: pieces of a face lie in its plane, so what they keep of its rim cancels.
     std::vector<bool> kept(2 * patch.edges.size(), false);
     for (const NewFace& face : loops.faces) {
@@ -18,9 +50,8 @@ SumsByKey change_of_points(const CutView& view, const NewLoops& loops) {
                 kept[2 * use.edge + use.reversed] = true;
                 continue;
             }
-            const NewEdge& edge = view.new_edge(use.edge);
             hash.add_edge(view.point(view.from(use)).rounded(), view.point(view.to(use)).rounded(),
-                          LineDirection::of(edge.plane[0]->plane, edge.plane[1]->plane));
+                          directions.of(use.edge));
         }
     }
     for (const std::uint32_t at : loops.gone) {
@@ -29,7 +60,7 @@ SumsByKey change_of_points(const CutView& view, const NewLoops& loops) {
         for (const PatchUse& use : patch.uses(face))
             if (!kept[2 * use.edge + use.reversed])
                 hash.add_edge(patch.vertices[patch.from(use)].point.rounded(),
-                              patch.vertices[patch.to(use)].point.rounded(), patch.direction_of(use.edge));
+                              patch.vertices[patch.to(use)].point.rounded(), directions.of(use.edge));
     }
     return hash.finish();
 }

@@ -88,7 +88,7 @@ void FaceMaker::make(const Outline& outline) {
     made->normal = plane.unit_normal();
     for (const GridPoint& p : points_) made->box.add(p);
     made->facets = std::uint32_t(facets_.first.size()) - 1;
-    made->set_hash();
+    made->set_hash(hashes_);
     add_facets(outline, *made);
 }
 

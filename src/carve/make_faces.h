@@ -67,6 +67,7 @@ private:
     std::vector<Vec3> exact_;
     FacetMaker facet_maker_;
     Facets facets_;
+    PlaneHashes hashes_;  ///< of planes that edges_ and made_ keep
 };
 
 }  // namespace firma

@@ -55,11 +55,10 @@ SolidFace::~SolidFace() {
     for (const SolidUse& use : uses) fetch_ahead(use.address());
 }
 
-void SolidFace::set_hash() {
+template <class HashOf>
+void SolidFace::set_hash_by(const HashOf& hash_of) {
     Hasher hasher;
-    const std::uint64_t own = hash_plane(plane->plane);
-    const auto hash_of = [&](const SolidPlane& of) { return &of == plane.get() ? own : hash_plane(of.plane); };
-    hasher.add(own);
+    hasher.add(hash_of(*plane));
     for (const std::uint32_t end : loop_ends()) hasher.add(end);
     for (const SolidUse& use : uses) {
         const GridPoint& p = use.from().point.rounded();
@@ -69,6 +68,21 @@ void SolidFace::set_hash() {
         hasher.add(hash_of(*use.edge().plane[0]) + hash_of(*use.edge().plane[1]));
     }
     hash = hasher.value();
+}
+
+void SolidFace::set_hash() {
+    const std::uint64_t own = hash_plane(plane->plane);
+    set_hash_by([&](const SolidPlane& of) { return &of == plane.get() ? own : hash_plane(of.plane); });
+}
+
+void SolidFace::set_hash(PlaneHashes& hashes) {
+    set_hash_by([&](const SolidPlane& of) { return hashes.of(of); });
+}
+
+std::uint64_t PlaneHashes::of(const SolidPlane& plane) {
+    Known& known = known_[reinterpret_cast<std::uintptr_t>(&plane) / sizeof(SolidPlane) % known_.size()];
+    if (known.plane != &plane) known = {&plane, hash_plane(plane.plane)};
+    return known.hash;
 }
 
 std::size_t SolidFace::bytes() const {

@@ -6,6 +6,7 @@
 // a vertex or an edge is the same object in each face that uses it, and that is how neighbours know each other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,6 +28,20 @@ struct PlaneHolder {
 class SolidPlane : public PlaneHolder, public RefCounted, public Pooled {
 public:
     explicit SolidPlane(const Plane& p) : PlaneHolder{p} {}
+};
+
+/// Hashes of planes, kept for those who ask again: a face's plane is that of its neighbours' edges, too. The planes
+/// live as long as this.
+class PlaneHashes {
+public:
+    std::uint64_t of(const SolidPlane& plane);
+
+private:
+    struct Known {
+        const SolidPlane* plane = nullptr;
+        std::uint64_t hash = 0;
+    };
+    std::array<Known, 256> known_;  ///< by some bits of the address
 };
 
 /// Where a vertex lies. The point's last bytes are padding: without an address of its own it lends them to the count of
@@ -95,8 +110,13 @@ public:
 
     /// Sets `hash`, once all else is set.
     void set_hash();
+    /// The same, for many faces beside each other.
+    void set_hash(PlaneHashes& hashes);
 
 private:
+    template <class HashOf>
+    void set_hash_by(const HashOf& hash_of);
+
     std::uint32_t only_end_ = 0;      ///< of a face without holes
     PoolVector<std::uint32_t> ends_;  ///< of one with holes
 };
