@@ -3,6 +3,7 @@
 """Cuts and casts of this version beside those of another, in one run, taking turns.
 
     bench/against/run.py COMMIT [--rounds N] [--repeats N] [--tries-a-turn N]
+    bench/against/run.py COMMIT --instructions [--rounds N]
 
 Builds the library of COMMIT in build/against, and this one, both with -O3 -march=native, and work.cpp over each. A
 round runs both with the same seed, several times over; they take turns after every try of a cut, so that
@@ -10,12 +11,18 @@ each finds the caches as the other left them, or after several tries. Of a cut t
 time counts: what else the machine does only adds to it, and these machines change their speed within seconds. Cuts:
 medians and 99th percentiles of all rounds' cuts, and their ratio. Casts: medians of the rounds' least medians, and the
 median of their ratios. The least and the most are of rounds. Writes bench/results/against.csv.
+
+With --instructions, what each cut executes is counted by callgrind (Debian's valgrind): the same on every machine and
+at every load. Writes bench/results/against_instructions.csv.
 """
 import argparse
+import concurrent.futures
 import csv
+import glob
 import os
 import statistics
 import subprocess
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -87,6 +94,32 @@ def measure(before, now, seed, options):
     return sides
 
 
+def count(work, seed):
+    """What the cuts of a round executed, each."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, 'out')
+        run('valgrind', '--quiet', '--tool=callgrind', f'--callgrind-out-file={out}', work, LEVEL, str(seed), 'instructions')
+        counts = []
+        for path in glob.glob(out + '.*'):
+            with open(path) as file:
+                head = [next(file) for _ in range(20)]  # the last file is of the program's end
+            if any('Client Request' in line for line in head):
+                counts.append(next(int(line.split()[1]) for line in head if line.startswith('summary:')))
+    return counts
+
+
+def count_rounds(before, now, rounds, commit):
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        old, new = ([n for counts in pool.map(lambda seed: count(work, seed), range(rounds)) for n in counts] for work in (before, now))
+    with open(os.path.join(ROOT, 'bench', 'results', 'against_instructions.csv'), 'w', newline='') as file:
+        table = csv.writer(file, lineterminator='\n')
+        table.writerow(['share of cuts', f'{commit} instructions', 'now instructions', 'ratio'])
+        for part in (0.5, 0.9, 0.98, 0.99, 0.995):
+            row = [part, share(old, part), share(new, part), f'{share(new, part) / share(old, part):.3f}']
+            table.writerow(row)
+            print('{:<6} of {} cuts: at most {:>8}, now {:>8} instructions, {} times'.format(row[0], len(new), *row[1:]))
+
+
 def share(times, part):
     return sorted(times)[int(part * len(times))]
 
@@ -111,6 +144,7 @@ def main():
     parser.add_argument('--rounds', type=int, default=7)
     parser.add_argument('--repeats', type=int, default=9)
     parser.add_argument('--tries-a-turn', type=int, default=1)
+    parser.add_argument('--instructions', action='store_true')
     options = parser.parse_args()
     commit = run('git', 'rev-parse', '--short', options.commit).strip()
     source = os.path.join(WORK, 'source')
@@ -118,6 +152,10 @@ def main():
         run('git', 'worktree', 'remove', '--force', source)
     run('git', 'worktree', 'add', '--detach', source, commit)
     before, now = program('before', source), program('now', ROOT)
+    if options.instructions:
+        count_rounds(before, now, options.rounds, commit)
+        run('git', 'worktree', 'remove', '--force', source)
+        return
     rounds = [measure(before, now, seed, options) for seed in range(options.rounds)]
     run('git', 'worktree', 'remove', '--force', source)
     with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:

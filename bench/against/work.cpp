@@ -5,6 +5,9 @@
 // line for each kind of cast, its name, 0 and the median in nanoseconds.
 //
 //   work LEVEL.map SEED TRIES_A_TURN
+//   work LEVEL.map SEED instructions    under callgrind: each cut once, its instructions in a file of their own
+#include <valgrind/callgrind.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -101,6 +104,24 @@ World cut(World world, std::uint64_t seed, int tries_a_turn, bool hashed) {
     return world;
 }
 
+/// The same craters, each counted by callgrind.
+void count_cuts(World world, std::uint64_t seed) {
+    Numbers numbers{seed};
+    const Box bounds = world.bounds();
+    int cuts = 0;
+    for (int tries = 0; cuts < kCuts && tries < 20 * kCuts; ++tries) {
+        const Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
+        const Pose pose{.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7};
+        CALLGRIND_ZERO_STATS;
+        CarveResult result = carve(world, cutter, pose);
+        if (!result.done()) continue;
+        CALLGRIND_DUMP_STATS;
+        ++cuts;
+        world = result.world;
+    }
+    CALLGRIND_ZERO_STATS;
+}
+
 /// Medians of a hundred casts each.
 void cast_all(const World& world, const char* name, double radius, double length, std::uint64_t seed) {
     Numbers numbers{seed};
@@ -131,7 +152,7 @@ void cast_all(const World& world, const char* name, double radius, double length
 
 int main(int count, char** words) {
     if (count != 4) {
-        std::fprintf(stderr, "work LEVEL.map SEED TRIES_A_TURN\n");
+        std::fprintf(stderr, "work LEVEL.map SEED TRIES_A_TURN|instructions\n");
         return EXIT_FAILURE;
     }
     std::ifstream file(words[1], std::ios::binary);
@@ -143,6 +164,10 @@ int main(int count, char** words) {
     }
     const World world = make_world(level.value()).value();
     const std::uint64_t seed = std::strtoull(words[2], nullptr, 10);
+    if (std::string(words[3]) == "instructions") {
+        count_cuts(world, seed);
+        return EXIT_SUCCESS;
+    }
     const int tries_a_turn = std::max(1, std::atoi(words[3]));
     const World carved = cut(world, seed, tries_a_turn, false);
     cut(world, seed, tries_a_turn, true);
