@@ -108,9 +108,9 @@ def count(work, seed):
     return counts
 
 
-def count_rounds(before, now, rounds, commit):
+def count_rounds(before, now, options, commit):
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        old, new = ([n for counts in pool.map(lambda seed: count(work, seed), range(rounds)) for n in counts] for work in (before, now))
+        old, new = ([n for counts in pool.map(lambda seed: count(work, seed), range(options.rounds)) for n in counts] for work in (before, now))
     with open(os.path.join(ROOT, 'bench', 'results', 'against_instructions.csv'), 'w', newline='') as file:
         table = csv.writer(file, lineterminator='\n')
         table.writerow(['share of cuts', f'{commit} instructions', 'now instructions', 'ratio'])
@@ -138,6 +138,17 @@ def table_of(rounds):
             yield what, old, new, new / old, min(ratios), max(ratios)
 
 
+def time_rounds(before, now, options, commit):
+    rounds = [measure(before, now, seed, options) for seed in range(options.rounds)]
+    with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:
+        table = csv.writer(file, lineterminator='\n')
+        table.writerow(['work', f'{commit} us', 'now us', 'ratio', 'least', 'most'])
+        for name, old, new, *ratios in table_of(rounds):
+            row = [name, f'{old:.3g}', f'{new:.3g}', *(f'{ratio:.3f}' for ratio in ratios)]
+            table.writerow(row)
+            print('{:<22} {:>9} us {:>9} us  {} times ({} to {})'.format(*row))
+
+
 def main():
     parser = argparse.ArgumentParser(description='Cuts and casts beside those of another version, taking turns.')
     parser.add_argument('commit')
@@ -152,19 +163,8 @@ def main():
         run('git', 'worktree', 'remove', '--force', source)
     run('git', 'worktree', 'add', '--detach', source, commit)
     before, now = program('before', source), program('now', ROOT)
-    if options.instructions:
-        count_rounds(before, now, options.rounds, commit)
-        run('git', 'worktree', 'remove', '--force', source)
-        return
-    rounds = [measure(before, now, seed, options) for seed in range(options.rounds)]
+    (count_rounds if options.instructions else time_rounds)(before, now, options, commit)
     run('git', 'worktree', 'remove', '--force', source)
-    with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:
-        table = csv.writer(file, lineterminator='\n')
-        table.writerow(['work', f'{commit} us', 'now us', 'ratio', 'least', 'most'])
-        for name, old, new, *ratios in table_of(rounds):
-            row = [name, f'{old:.3g}', f'{new:.3g}', *(f'{ratio:.3f}' for ratio in ratios)]
-            table.writerow(row)
-            print('{:<22} {:>9} us {:>9} us  {} times ({} to {})'.format(*row))
 
 
 if __name__ == '__main__':

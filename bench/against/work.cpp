@@ -6,7 +6,12 @@
 //
 //   work LEVEL.map SEED TRIES_A_TURN
 //   work LEVEL.map SEED instructions    under callgrind: each cut once, its instructions in a file of their own
+#if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
+#else  // then run.py finds no valgrind either
+#define CALLGRIND_ZERO_STATS
+#define CALLGRIND_DUMP_STATS
+#endif
 
 #include <algorithm>
 #include <chrono>
@@ -77,15 +82,26 @@ void wait_for_turn() {
 /// How often each cut is made of the same world.
 constexpr int kTries = 5;
 
-/// Craters of 0.7 m somewhere; those that take nothing are not counted.
+struct Crater {
+    Cutter cutter;
+    Pose pose;
+};
+
+/// Of 0.7 m, somewhere.
+Crater next_crater(Numbers& numbers, const Box& bounds) {
+    Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
+    return {std::move(cutter),
+            {.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7}};
+}
+
+/// Craters; those that take nothing are not counted.
 World cut(World world, std::uint64_t seed, int tries_a_turn, bool hashed) {
     Numbers numbers{seed};
     const Box bounds = world.bounds();
     std::uint64_t sum = 0;
     int cuts = 0;
     for (int tries = 0; cuts < kCuts && tries < 20 * kCuts; ++tries) {
-        const Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
-        const Pose pose{.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7};
+        const auto [cutter, pose] = next_crater(numbers, bounds);
         if (!carve(world, cutter, pose).done()) continue;
         World after;
         for (int k = 0; k < kTries; ++k) {
@@ -110,8 +126,7 @@ void count_cuts(World world, std::uint64_t seed) {
     const Box bounds = world.bounds();
     int cuts = 0;
     for (int tries = 0; cuts < kCuts && tries < 20 * kCuts; ++tries) {
-        const Cutter cutter = make_crater(CutterShape::kRocky, numbers.next());
-        const Pose pose{.position = numbers.point(bounds), .rotation = random_turn(numbers.next()), .scale = 0.7};
+        const auto [cutter, pose] = next_crater(numbers, bounds);
         CALLGRIND_ZERO_STATS;
         CarveResult result = carve(world, cutter, pose);
         if (!result.done()) continue;

@@ -13,7 +13,8 @@ namespace {
 /// Directions of edges, each found once: two faces ask.
 class EdgeDirections {
 public:
-    EdgeDirections(const CutView& view, std::size_t edges) : view_(view), known_(edges, false), directions_(edges) {}
+    explicit EdgeDirections(const CutView& view)
+        : view_(view), known_(view.edge_count(), false), directions_(view.edge_count()) {}
 
     const LineDirection& of(std::uint32_t edge) {
         if (!known_[edge]) {
@@ -40,7 +41,7 @@ private:
 SumsByKey change_of_points(const CutView& view, const NewLoops& loops) {
     const SolidPatch& patch = view.patch();
     PointHash hash;
-    EdgeDirections directions(view, view.edge_count());
+    EdgeDirections directions(view);
     // By edge and direction: pieces of a face lie in its plane, so what they keep of its rim cancels.
     std::vector<bool> kept(2 * patch.edges.size(), false);
     for (const NewFace& face : loops.faces) {
