@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A lock for a few instructions or for a writer's turn: std::mutex, or nothing where the standard library knows no
-// threads (wasm).
+// A lock for a writer's turn and one for a few instructions; nothing where the standard library knows no threads
+// (wasm).
 #pragma once
 
+#include <atomic>
 #include <mutex>
 
 namespace firma {
@@ -12,8 +13,24 @@ struct Lock {  // nobody to wait for
     void lock() {}
     void unlock() {}
 };
+using ShortLock = Lock;
 #else
 using Lock = std::mutex;
+
+/// For a few instructions: inline, so that taking it costs a tenth of a mutex's call. Whoever finds it taken sleeps.
+class ShortLock {
+public:
+    void lock() {
+        while (taken_.test_and_set(std::memory_order_acquire)) taken_.wait(true, std::memory_order_relaxed);
+    }
+    void unlock() {
+        taken_.clear(std::memory_order_release);
+        taken_.notify_one();
+    }
+
+private:
+    std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
+};
 #endif
 
 }  // namespace firma

@@ -88,7 +88,7 @@ Source& general() {
 class Shelf {
 public:
     void* take(std::size_t bytes) {
-        const std::lock_guard<Lock> guard(lock_);
+        const std::lock_guard<ShortLock> guard(lock_);
         if (given_back_) {
             Piece* piece = given_back_;
             given_back_ = piece->next;
@@ -103,7 +103,7 @@ public:
     }
 
     void give_back(void* memory) {
-        const std::lock_guard<Lock> guard(lock_);
+        const std::lock_guard<ShortLock> guard(lock_);
         given_back_ = new (memory) Piece{given_back_};
     }
 
@@ -123,7 +123,7 @@ private:
         left_ -= aside;
     }
 
-    alignas(kLine) Lock lock_;  // shelves do not share a cache line
+    alignas(kLine) ShortLock lock_;  // shelves do not share a cache line
     Piece* given_back_ = nullptr;
     std::byte* fresh_ = nullptr;
     std::size_t left_ = 0;
