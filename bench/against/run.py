@@ -82,16 +82,23 @@ def run_both(before, now, seed, tries_a_turn):
         turn += 1
 
 
-def measure(before, now, seed, options):
-    """The least of several runs: times by name, before and now."""
-    runs = [run_both(before, now, seed, options.tries_a_turn) for _ in range(options.repeats)]
-    sides = []
-    for side in (0, 1):
-        times = {}
-        for key in runs[0][side]:
-            times.setdefault(key[0], []).append(min(both[side][key] for both in runs))
-        sides.append(times)
-    return sides
+def measure(before, now, options):
+    """By round the least of its runs: times by name, before and now. Runs of a round lie minutes apart: so long these
+    machines may be slow."""
+    rounds = [({}, {}) for _ in range(options.rounds)]
+    for _ in range(options.repeats):
+        for seed, least in enumerate(rounds):
+            for times, known in zip(run_both(before, now, seed, options.tries_a_turn), least):
+                for key, took in times.items():
+                    known[key] = min(known.get(key, took), took)
+    return [tuple(by_name(side) for side in least) for least in rounds]
+
+
+def by_name(times):
+    names = {}
+    for (name, _), took in times.items():
+        names.setdefault(name, []).append(took)
+    return names
 
 
 def count(work, seed):
@@ -139,7 +146,7 @@ def table_of(rounds):
 
 
 def time_rounds(before, now, options, commit):
-    rounds = [measure(before, now, seed, options) for seed in range(options.rounds)]
+    rounds = measure(before, now, options)
     with open(os.path.join(ROOT, 'bench', 'results', 'against.csv'), 'w', newline='') as file:
         table = csv.writer(file, lineterminator='\n')
         table.writerow(['work', f'{commit} us', 'now us', 'ratio', 'least', 'most'])
