@@ -6,11 +6,11 @@
     bench/against/run.py COMMIT --instructions [--rounds N]
 
 Builds the library of COMMIT in build/against, and this one, both with -O3 -march=native, and work.cpp over each. A
-round runs both with the same seed, several times over; they take turns after every try of a cut, so that each finds
-the caches as the other left them, or after several tries. Of a cut the least time counts: what else the machine does
-only adds to it, and these machines change their speed within seconds. Cuts: medians and 99th percentiles of all rounds'
-cuts, and their ratio. Casts: medians of the rounds' least medians, and the median of their ratios. The least and the
-most are of rounds. Writes bench/results/against.csv.
+round runs both with the same seed, several times: each round runs once before any runs again. They take turns after
+every try of a cut, so that each finds the caches as the other left them, or after several tries. Of a cut the least time
+counts: what else the machine does only adds to it, and these machines change their speed, within seconds or for longer.
+Cuts: medians and 99th percentiles of all rounds' cuts, and their ratio. Casts: medians of the rounds' least medians, and
+the median of their ratios. The least and the most are of rounds. Writes bench/results/against.csv.
 
 With --instructions, what each cut executes is counted by callgrind (Debian's valgrind): the same on every machine and
 at every load. Writes bench/results/against_instructions.csv.
@@ -83,8 +83,8 @@ def run_both(before, now, seed, tries_a_turn):
 
 
 def measure(before, now, options):
-    """By round the least of its runs: times by name, before and now. Runs of a round lie minutes apart: so long these
-    machines may be slow."""
+    """By round the least of its runs: times by name, before and now. Each round runs once before any runs again: these
+    machines may be slow for longer than a run takes."""
     rounds = [({}, {}) for _ in range(options.rounds)]
     for _ in range(options.repeats):
         for seed, least in enumerate(rounds):
