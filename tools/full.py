@@ -62,7 +62,7 @@ JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'includ
 
 
 # Test programs that ctest labels "heavy" under the sanitizers; tests/full/sanitized.sh fails when there are others.
-HEAVY_PROGRAMS = 25
+HEAVY_PROGRAMS = 26
 HEAVY_SHARE = 5
 
 
@@ -204,7 +204,7 @@ CLAIMS = [
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
     # A share of the programs each chunk: the seed says which.
-    Claim('sanitized', 'test programs under the address and undefined behaviour sanitizers: tests of a second or more, those with Boost, of glTF, of pictures, of the command line; none fails',
+    Claim('sanitized', 'test programs under the address and undefined behaviour sanitizers: tests of a second or more, those with Boost, of glTF, of pictures, of the command line, of threads; none fails',
           HEAVY_PROGRAMS, HEAVY_SHARE, 'programs',
           ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'bindings/c', 'tests', 'CMakeLists.txt', 'CMakePresets.json', 'cmake'], 'sanitize', sanitized, 'heavy_tests'),
     Claim('fuzz_carve', 'seconds of fuzzing cutters and poses, no crash, hang or broken world', 1_800, 300, 'seconds',
