@@ -17,3 +17,13 @@ function(compile_quickly_sanitized target)
     target_compile_options(${target} PRIVATE -O0)
   endif()
 endfunction()
+
+# library_first(TARGET LIBRARY...): links these, whole, before the target's own objects. Of an inline function that both
+# have, theirs is taken, which is optimised.
+function(library_first target)
+  if(FIRMA_BUILD_TESTS AND NOT WIN32)
+    list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE files)
+    list(JOIN files "," files)
+    target_link_options(${target} PRIVATE "LINKER:--whole-archive,${files},--no-whole-archive")
+  endif()
+endfunction()

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <map>
+#include <utility>
 
 #include "firma/brush_level.h"
 #include "firma/firma.h"
@@ -28,8 +28,9 @@ struct Map {
 std::vector<Map> load_maps() {
     std::vector<Map> maps;
     for (const std::filesystem::path& path : test::sampled(openarena_maps())) {
-        std::ifstream file(path, std::ios::binary);
-        maps.push_back({path.filename().string(), {std::istreambuf_iterator<char>(file), {}}});
+        std::vector<char> bytes(std::filesystem::file_size(path));
+        std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
+        maps.push_back({path.filename().string(), std::move(bytes)});
     }
     return maps;
 }
