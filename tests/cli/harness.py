@@ -16,6 +16,7 @@ FIRST = os.path.join(ROOT, 'levels', 'first.obj')
 # Whether it was built under the address or thread sanitizer: then all takes ten times as long.
 with open(FIRMA, 'rb') as program:
     SANITIZED = re.search(b'__[at]san_init', program.read()) is not None
+PATIENCE = 3000 if SANITIZED else 300  # seconds, for one call
 
 
 class CliTest(unittest.TestCase):
@@ -41,7 +42,7 @@ class CliTest(unittest.TestCase):
         return sorted(os.listdir(self.folder))
 
     def run_firma(self, *arguments, **options):
-        return subprocess.run([FIRMA, *map(str, arguments)], cwd=self.folder, capture_output=True, timeout=300, **options)
+        return subprocess.run([FIRMA, *map(str, arguments)], cwd=self.folder, capture_output=True, timeout=PATIENCE, **options)
 
     def firma(self, *arguments):
         """A call that works; returns what it printed."""

@@ -73,6 +73,14 @@ class Lines(unittest.TestCase):
         self.line(2, 100)
         self.assertEqual(self.run_main('--list')[0], 0)
 
+    def test_what_a_chunk_exercises_goes_by_its_seed(self):
+        self.full.same_sources = lambda commit, sources: commit == 'now' or sources == ['few']
+        self.claim.sources_of = lambda seed: ['few'] if seed == 1 else ['few', 'more']
+        self.line(1, 40, commit='before')
+        self.line(2, 40, 'fail', commit='before')
+        self.assertEqual(self.run_main()[0], 0)
+        self.assertEqual(self.ran, [(2, 40), (3, 20)])
+
     def test_seeds_are_not_used_twice(self):
         self.line(7, 10, 'fail')
         self.line(3, 10)
