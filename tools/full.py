@@ -143,7 +143,8 @@ def levels(what):
     return command
 
 
-SANITIZED_SOURCES = ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'bindings/c', 'tests', 'CMakeLists.txt', 'CMakePresets.json', 'cmake']
+SANITIZED_SOURCES = ['include', 'src', 'gltf', 'scenes', 'cli', 'draw', 'bindings/c', 'tests', ':(exclude)tests/tools', 'CMakeLists.txt',
+                     'CMakePresets.json', 'cmake']
 SHARES_OF_CPP = 2  # shares before the first of the command line
 
 
