@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "firma/cutter.h"
@@ -29,6 +30,9 @@ struct [[nodiscard]] CarveResult {
 struct CarveOptions {
     /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.
     std::string material;
+    /// Where the shot came from, metres, if that is known: what a carving opens between rooms becomes air of the room
+    /// that this lies in, where it touches that.
+    std::optional<Vec3> from = std::nullopt;
 };
 
 /// Takes a placed cutter away from the solid of a world.
@@ -46,7 +50,7 @@ struct CarveOptions {
 ///         holds it).
 /// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), and with the
 /// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
-/// rooms are joined it also grows with these rooms' portals. CarveOptions::material is searched among the world's
+/// portals are made it also grows with their rooms' lists of portals. CarveOptions::material is searched among the world's
 /// materials by name, and a new one copies their list. Takes memory for what is made anew; all else is shared.
 /// CarveRules bounds the cost, CarveReport::times tells it.
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
@@ -54,8 +58,9 @@ struct CarveOptions {
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,
                                const CarveOptions& options = {});
 
-/// Adds a placed cutter to the solid, by the same rules and at the same cost. Among rooms, one that touches no face is
-/// also located, corner by corner until one is found in the air (locate()).
+/// Adds a placed cutter to the solid, by the same rules and at the same cost. Portals lose what it fills; one that it
+/// fills wholly is removed. Among rooms, one that touches no face is also located, corner by corner until one is found in
+/// the air (locate()).
 FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose,
                               const CarveOptions& options = {});
 

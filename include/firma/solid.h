@@ -202,6 +202,11 @@ struct CarveRules {
     std::size_t max_pairs = 20'000'000;
     std::size_t max_corners = 20'000;  ///< of one new face; dividing it into facets takes their square
     double max_cutter_size = 16384;    ///< metres along any axis, once placed
+
+    /// Rooms become one where open portals that carvings made between them are larger than this share of the walls of
+    /// the room that has less of them; never where a closed portal lies between them. 0: rooms stay apart. Above, an
+    /// edit that makes a portal also costs the faces of the rooms that it leads to. Has no effect on solids alone.
+    double merge_share = 0;
 };
 
 enum class CarveKind : std::uint8_t { kCarve, kFill };
