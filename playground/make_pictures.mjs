@@ -52,6 +52,17 @@ await call(page, 'step', 1 / 60, {});
 await call(page, 'look', -0.7, 0.04);
 await shoot(page, 'playground_cliff', 10, folder);
 
+await page.close();
+
+// A crater from near by.
+page = await stand(52, 4, 0.2);
+await fire(page, [[-0.72, 0.12], [-0.75, 0.14], [-0.7, 0.15]]);
+await call(page, 'place', 58.2, -1.9, 0.4);
+await call(page, 'look', -0.62, 0.3);
+await page.evaluate(() => (document.querySelector('#hud').hidden = true));
+await shoot(page, 'playground_crater', 10, folder);
+await page.close();
+
 // The depot's hall, its portals shown.
 page = await stand(18.75, 9.4, 0.01, 'depot.map');
 await call(page, 'togglePortals');

@@ -19,6 +19,7 @@ enum class Kind : std::uint8_t {
     kDiff,
     kFaces,
     kTriangles,
+    kRegionMeshes,
     kBytes
 };
 

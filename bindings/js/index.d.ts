@@ -404,6 +404,83 @@ export interface TriangleSource {
     uvUnit: TextureUnit;
 }
 
+/** What regionMeshes() makes; all faces in cubes of 16 m unless given. */
+export interface RegionMeshOptions {
+    /** Metres: the edge of each cube, from 1 to 1024, in whole sixteenths; 16 unless given. */
+    size?: number;
+    /** Faces that share a bit. */
+    mask?: number;
+    /** Without the faces that bound no solid. */
+    solidOnly?: boolean;
+    /** Whether there are tangents, uvs and blends; true unless given. */
+    textures?: boolean;
+    /** As in TriangleOptions, each finite and not negative. */
+    textureSizes?: Numbers;
+}
+
+/**
+ * The triangles of the faces whose lowest corner (by x, then y, then z) lies in one cube. Vertices are not shared
+ * between faces. docs/drawing.md says how to draw it.
+ */
+export interface RegionMesh {
+    /** The cube is from place * size to (place + 1) * size along each axis. */
+    place: Vector3;
+    /** Metres: place * size; what positions are told from. */
+    origin: Vector3;
+    /** Metres: around all corners; low is above high in an empty mesh. */
+    low: Vector3;
+    high: Vector3;
+    /** Three for each vertex: metres from the origin, exact up to 64 m. */
+    positions: Float32Array;
+    /** Three for each vertex, unit. */
+    normals: Float32Array;
+    /** Four for each vertex: unit, along the face where u grows and v stays; 1, or -1 where the picture is mirrored. */
+    tangents: Float32Array;
+    /** Two for each vertex, in the unit that the run says. */
+    uvs: Float32Array;
+    /** Four for each vertex, 255 in all: how much of the pictures along x, y and z, and of that by uvs. */
+    blends: Uint8Array;
+    /** Three for each triangle: vertices, counter-clockwise seen from the front. */
+    corners: Uint32Array;
+    /** Of each triangle. */
+    faces: Uint32Array;
+    /** In order of material, cut, twoSided, uvUnit. */
+    runs: RegionRun[];
+    parts: RegionParts;
+}
+
+/** Triangles that are drawn alike, one behind the other: a draw call. No other run's triangles name its vertices. */
+export interface RegionRun {
+    material: number;
+    /** Of faces that edits made. */
+    cut: boolean;
+    /** Also seen from behind. */
+    twoSided: boolean;
+    /** What their uvs count. */
+    uvUnit: TextureUnit;
+    firstTriangle: number;
+    triangleCount: number;
+    firstVertex: number;
+    vertexCount: number;
+}
+
+/** The faces of a mesh, in the order of its runs, an entry for each in every array. */
+export interface RegionParts {
+    faces: Uint32Array;
+    /** Three for each: the first corner of the face. With its id it names the face: { face, corner }. */
+    faceCorners: Int32Array;
+    sources: Uint32Array;
+    /** 0: of the level's file; else the number of the edit that made the face. */
+    sourceEdits: Uint32Array;
+    masks: Uint32Array;
+    /** Bits: FACE_TWO_SIDED, FACE_SOLID. */
+    flags: Uint32Array;
+    firstTriangles: Uint32Array;
+    triangleCounts: Uint32Array;
+    firstVertices: Uint32Array;
+    vertexCounts: Uint32Array;
+}
+
 /** A sphere that moves along `path`; radius 0 casts a particle. */
 export interface CastInput {
     centre: Vector;
@@ -782,6 +859,19 @@ export interface World extends Handle {
      * @throws {FirmaError} INVALID for a room that is not there, OUT_OF_RANGE for an origin that is not finite
      */
     triangles(options?: TriangleOptions): Triangles;
+    /**
+     * A renderer's meshes: copies of all faces as triangles, in a mesh for each cube that has any, in order of place.
+     * Costs some microseconds a face.
+     * @throws {FirmaError} INVALID for a size, or sizes of textures, that are none
+     */
+    regionMeshes(options?: RegionMeshOptions): RegionMesh[];
+    /**
+     * The meshes of the cubes that differ between this world and `after`, another version of the level, as they are in
+     * `after`: they replace those of before. A cube that has nothing to draw any more has an empty mesh. Costs the
+     * faces that only one of the worlds has, and all faces of those cubes.
+     * @throws {FirmaError} INVALID as regionMeshes()
+     */
+    changedRegionMeshes(after: World, options?: RegionMeshOptions): RegionMesh[];
     /**
      * How the texture lies on a face, as the level's file says it of the face that it was cut from. Of a face that an
      * edit made, and where the file says nothing, its unit is 'metres': straight along the axis nearest to its normal.

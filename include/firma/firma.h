@@ -14,6 +14,7 @@
 #include "firma/mesh.h"
 #include "firma/polygon.h"
 #include "firma/queries.h"
+#include "firma/region_meshes.h"
 #include "firma/result.h"
 #include "firma/rooms.h"
 #include "firma/save.h"

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
  *
- * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles or bytes is a handle: a struct with a
- * number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released,
- * never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does
- * nothing.
+ * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes or bytes is a handle: a
+ * struct with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was
+ * released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice.
+ * Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -138,6 +138,9 @@ typedef struct firma_faces {
 typedef struct firma_triangles {
     uint64_t id;
 } firma_triangles;
+typedef struct firma_region_meshes {
+    uint64_t id;
+} firma_region_meshes;
 typedef struct firma_bytes {
     uint64_t id;
 } firma_bytes;
@@ -501,6 +504,80 @@ FIRMA_API firma_code firma_world_triangles(firma_world world, const firma_triang
 /* Views are good until the handle is released. */
 FIRMA_API firma_code firma_triangles_get_view(firma_triangles triangles, firma_triangles_view* view);
 FIRMA_API firma_code firma_triangles_release(firma_triangles triangles);
+
+/* ---- meshes by region ------------------------------------------------------------------------------------------- */
+
+/* Triangles that are drawn alike, one behind the other: a draw call. */
+typedef struct firma_region_run {
+    uint32_t material;
+    uint32_t cut;       /* 1: of faces that edits made */
+    uint32_t two_sided; /* 1: also seen from behind */
+    uint32_t uv_unit;   /* firma_texture_unit: what their uvs count */
+    uint32_t first_triangle, triangle_count;
+    uint32_t first_vertex, vertex_count; /* which its triangles name, and no other run's do */
+} firma_region_run;
+
+/* A face, and where it came from. */
+typedef struct firma_region_part {
+    uint32_t face;
+    int32_t corner[3];            /* its first, as in firma_hit */
+    uint32_t source, source_edit; /* as in firma_face */
+    uint32_t mask;
+    uint32_t flags; /* FIRMA_FACE_... */
+    uint32_t first_triangle, triangle_count;
+    uint32_t first_vertex, vertex_count;
+} firma_region_part;
+
+/* The triangles of the faces whose lowest corner (by x, then y, then z) lies in one cube. Arrays are null when they
+ * have no entry, those of textures also without textures. docs/drawing.md says what they mean. */
+typedef struct firma_region_mesh_view {
+    uint32_t size;          /* sizeof(firma_region_mesh_view) */
+    int32_t place[3];       /* the cube is from place * region_size to (place + 1) * region_size */
+    double origin[3];       /* metres: place * region_size; what positions are told from */
+    double low[3], high[3]; /* metres: around all corners; low is above high where there is none */
+    const float* positions; /* three for each vertex: metres from the origin, exact up to 64 m */
+    const float* normals;   /* three for each vertex, unit */
+    const float* tangents;  /* four for each vertex: unit, where u grows and v stays; 1, or -1 where mirrored */
+    const float* uvs;       /* two for each vertex, in the unit that the run says */
+    const uint8_t* blends;  /* four for each vertex, 255 in all: of the pictures along x, y, z, and of that by uvs */
+    size_t vertex_count;
+    const uint32_t* corners; /* three for each triangle: vertices, counter-clockwise seen from the front */
+    const uint32_t* faces;   /* of each triangle */
+    size_t triangle_count;
+    const firma_region_run* runs; /* in order of material, cut, two_sided, uv_unit */
+    size_t run_count;
+    const firma_region_part* parts; /* in the order of runs, in each of face */
+    size_t part_count;
+} firma_region_mesh_view;
+
+/* A null pointer takes the defaults. */
+typedef struct firma_region_options {
+    uint32_t size;               /* sizeof(firma_region_options) */
+    uint32_t mask;               /* faces that share a bit; all */
+    uint32_t solid_only;         /* 1: without the faces that bound no solid */
+    uint32_t no_textures;        /* 1: without tangents, uvs and blends */
+    double region_size;          /* metres: the edge of each cube, 1 to 1024, in whole sixteenths; 16 */
+    const double* texture_sizes; /* as in firma_triangle_options, each finite and not negative */
+    size_t texture_size_count;
+} firma_region_options;
+
+FIRMA_API void firma_region_options_defaults(firma_region_options* options);
+
+/* The meshes of all cubes with triangles to draw, in order of place. FIRMA_ERROR_INVALID for options that are none,
+ * naming which. Costs some microseconds a face. */
+FIRMA_API firma_code firma_world_region_meshes(firma_world world, const firma_region_options* options,
+                                               firma_region_meshes* meshes);
+/* Of two versions of one level: those of the cubes that differ, as they are in `after`. A cube that has nothing to draw
+ * any more, or had nothing, has an empty mesh. Costs the faces that only one of them has, and all faces of those cubes.
+ */
+FIRMA_API firma_code firma_world_changed_region_meshes(firma_world before, firma_world after,
+                                                       const firma_region_options* options,
+                                                       firma_region_meshes* meshes);
+FIRMA_API firma_code firma_region_meshes_get_count(firma_region_meshes meshes, size_t* count);
+/* FIRMA_ERROR_OUT_OF_RANGE beyond the count. Views are good until the handle is released. */
+FIRMA_API firma_code firma_region_meshes_get_view(firma_region_meshes meshes, size_t mesh,
+                                                  firma_region_mesh_view* view);
+FIRMA_API firma_code firma_region_meshes_release(firma_region_meshes meshes);
 
 /* ---- rooms ------------------------------------------------------------------------------------------------------ */
 

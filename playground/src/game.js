@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The parts put together: a world, somebody in it, what is drawn of it. Nothing here knows of frames or keys.
-import { FaceMesh } from './face_mesh.js';
 import { Launcher } from './launcher.js';
 import { Painter } from './painter.js';
 import { PortalPanes } from './portal_panes.js';
 import { Player } from './player.js';
 import { Probe } from './probe.js';
+import { RegionMeshes, regionOptions } from './region_meshes.js';
 import { Rooms } from './rooms.js';
 import { Samples } from './samples.js';
 import { findSpawn } from './spawn.js';
@@ -22,14 +22,14 @@ export class Game {
         this.stage = stage;
         this.probe = new Probe(world);
         this.player = new Player(this.probe);
-        this.launcher = new Launcher(firma, world, this.probe, (diff, after) => this.#redraw(diff, after));
+        this.launcher = new Launcher(firma, world, this.probe, (before, after) => this.#redraw(before, after));
         this.painter = new Painter(this.launcher.materials, (edit, point) => this.launcher.depth(edit, point));
         const materials = makeSurfaceMaterials();
-        this.faces = new FaceMesh(materials.solid, this.painter, materials.clear);
-        this.faces.add(world.faces());
+        this.meshes = new RegionMeshes(materials.solid, this.painter, materials.clear);
+        this.meshes.replace(world.regionMeshes(regionOptions(this.launcher.materials)));
         this.rooms = new Rooms(world);
         this.panes = new PortalPanes();
-        stage.scene.add(this.faces.mesh, this.faces.clearMesh, this.panes.group);
+        stage.scene.add(this.meshes.group, this.panes.group);
         this.floor = world.facts().low[2];
         this.frameMs = new Samples(kFrames);
         this.workMs = new Samples(kFrames);
@@ -110,8 +110,9 @@ export class Game {
             version: Number(facts.version),
             edits: Number(facts.edits),
             faces: facts.faceCount,
-            drawnFaces: this.faces.faceCount,
-            drawnTriangles: this.faces.triangles,
+            drawnFaces: this.meshes.faceCount,
+            drawnTriangles: this.meshes.triangles,
+            regions: this.meshes.regions.size,
             room: this.rooms.here === null ? null : { id: this.rooms.here, name: this.rooms.name(this.rooms.here) },
             rooms: this.rooms.rooms.length,
             portals: { all: this.rooms.portals.length, open: this.rooms.portals.filter((portal) => portal.open).length, shown: this.panes.all },
@@ -135,11 +136,11 @@ export class Game {
         return changed;
     }
 
-    #redraw(diff, after) {
-        this.painter.learn(after.facts().materials);
+    #redraw(before, after) {
+        const { materials } = after.facts();
+        this.painter.learn(materials);
         this.rooms.learn(after);
         this.panes.show(this.rooms.portals);
-        this.faces.remove(diff.removed);
-        this.faces.add(diff.added);
+        this.meshes.replace(before.changedRegionMeshes(after, regionOptions(materials)));
     }
 }

@@ -9,7 +9,7 @@ const kCraterScale = 1.2;
 const kHistoryBytes = 256 * 1024 * 1024;
 
 export class Launcher {
-    /** @param onChange  (diff, world) after each change of the world */
+    /** @param onChange  (before, after): the worlds, after each change */
     constructor(firma, world, probe, onChange) {
         this.firma = firma;
         this.store = firma.openStore(world, kHistoryBytes);
@@ -29,7 +29,7 @@ export class Launcher {
         for (let seed = 1; seed <= 3; ++seed) {
             const cutter = this.firma.crater('rocky', seed);
             const { world: after } = this.world.carve(cutter, { position: at, scale: kCraterScale }, { material: 'rubble' });
-            this.world.diff(after);
+            this.world.changedRegionMeshes(after);
             cutter.release();
             after.release();
         }
@@ -65,7 +65,9 @@ export class Launcher {
             return this.last;
         }
         this.cutMs.add(cutMs);
-        this.dents.set(after.facts().edits, { point: target.hit.point, normal: target.hit.faceNormal, scale: kCraterScale });
+        // A crater in a crater goes on from the wall that the first one hit, so that colours by depth go on too.
+        const wall = this.dents.get(before.hitInfo(target.hit).sourceEdit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
+        this.dents.set(after.facts().edits, { ...wall, scale: kCraterScale });
         this.store.publish(before, after);
         this.last.meshMs = this.#change(after);
         return this.last;
@@ -104,12 +106,11 @@ export class Launcher {
     /** Everything from the world before to the one after: what is drawn, what casts meet. */
     #change(after) {
         const start = performance.now();
-        const diff = this.world.diff(after);
         const before = this.world;
         this.world = after;
         this.probe.world = after;
         this.materials = after.facts().materials;
-        this.onChange(diff, after);
+        this.onChange(before, after);
         before.release(); // the store has its own
         const spent = performance.now() - start;
         this.meshMs.add(spent);

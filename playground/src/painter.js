@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colour of a face, and what its surface is like, from its material's name and where it came from.
-import { kStopsLiquid, kStopsShots, kStopsSight } from './masks.js';
-
 /** Kinds of surface that the shader knows: see surface_material.js. */
-export const kKinds = { plain: 0, panels: 1, rock: 2, ground: 3, sky: 4, glass: 5, water: 6, hidden: 7 };
+export const kKinds = { plain: 0, panels: 1, rock: 2, ground: 3, sky: 4, glass: 5, water: 6 };
 /** From this one on they are not solid to the eye. */
 export const kFirstClear = kKinds.glass;
 
@@ -37,9 +35,6 @@ const kLooks = [
     [/./, [0xa9, 0xaa, 0xa4], 'panels'],
 ];
 
-/** Only who walks meets it. */
-const isClip = (mask) => (mask & (kStopsShots | kStopsSight | kStopsLiquid)) === 0;
-
 /** A number in [0, 1) that two integers give. */
 function chance(a, b) {
     let h = Math.imul(a ^ 0x9e3779b9, 0x85ebca6b) ^ Math.imul(b + 0x7f4a7c15, 0xc2b2ae35);
@@ -63,22 +58,24 @@ export class Painter {
         }
     }
 
-    /** Puts red, green, blue and kind of a corner of face k into `out`. */
-    paint(faces, k, x, y, z, out) {
-        const { colour, kind } = this.looks[faces.materials[k]];
-        const edit = faces.sourceEdits[k];
-        const share = chance(faces.sources[k], edit);
-        let light = kind === kKinds.sky ? 1 : 0.97 + 0.06 * share;
+    /**
+     * Puts red, green, blue and kind of a corner of a face into `out`.
+     * @param face  { material, source, sourceEdit }
+     */
+    paint(face, x, y, z, out) {
+        const { colour, kind } = this.looks[face.material];
+        const edit = face.sourceEdit;
+        let light = kind === kKinds.sky ? 1 : 0.97 + 0.06 * chance(face.source, edit);
         let warm = 0;
         if (edit > 0) {
-            // Deep in the rock it is darker and redder, and each facet has a shade of its own, so that one sees depth.
+            // Deep in the rock it is darker and redder. By the place alone: facets that meet have one colour there.
             const depth = Math.max(0, Math.min(1, this.depth(edit, [x, y, z])));
-            light = (0.84 + 0.32 * share) * (1.14 - 0.62 * depth);
+            light = 1.14 - 0.62 * depth;
             warm = 0.05 * depth;
         }
         out[0] = Math.min(255, colour[0] * light * (1 + warm));
         out[1] = Math.min(255, colour[1] * light);
         out[2] = Math.min(255, colour[2] * light * (1 - warm));
-        out[3] = faces.masks && isClip(faces.masks[k]) ? kKinds.hidden : kind;
+        out[3] = kind;
     }
 }

@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The material of all faces: lit by three's Lambert shader, with a grain worked out from the place, as faces have no
-// coordinates for pictures. What each kind is: painter.js, kKinds.
+// The material of all faces: lit by three's Lambert shader, roughened by one picture (detail_texture.js) that is laid as
+// the meshes say: by coordinates on faces of the level, mixed of three along the axes on those that craters made, so
+// that no seam shows between them. What each kind is: painter.js, kKinds.
 import * as THREE from 'three';
-import { kFirstClear, kKinds } from './painter.js';
+import { makeDetailTexture } from './detail_texture.js';
+import { kFirstClear } from './painter.js';
+import { kPicture } from './region_meshes.js';
 
 const kVertexHead = `
 attribute vec4 surface;
+attribute vec4 blend;
+attribute vec4 tangent;
 varying vec3 vPlace;
 varying vec3 vFlat;
 varying vec4 vSurface;
+varying vec4 vBlend;
+varying vec4 vTangent;
+varying vec2 vLaid;
 `;
 
 const kVertexBody = `
-vPlace = position;
+vPlace = (modelMatrix * vec4(position, 1.0)).xyz; // regions are moved, not turned
 vFlat = normal;
 vSurface = surface;
+vBlend = blend;
+vTangent = tangent;
+vLaid = uv;
 `;
 
 // Faces of the other pass are drawn as points outside of the picture.
@@ -28,6 +39,10 @@ const kFragmentHead = `
 varying vec3 vPlace;
 varying vec3 vFlat;
 varying vec4 vSurface;
+varying vec4 vBlend;
+varying vec4 vTangent;
+varying vec2 vLaid;
+uniform sampler2D detail;
 
 float hashAt(vec3 p) {
     p = fract(p * 0.3183099 + vec3(0.71, 0.113, 0.419));
@@ -55,14 +70,36 @@ float joints(vec3 place, vec3 flatNormal) {
     return 1.0 - 0.2 * strength * max(line.x, line.y);
 }
 
-float grain(vec3 place, vec3 flatNormal, float kind) {
-    float fine = noiseAt(place * 7.0), broad = noiseAt(place * 1.3);
+// What the picture says at a place: how the surface leans, metres a metre, and how bright it is.
+struct Detail { vec3 lean; float bright; };
+
+Detail detailAt(vec3 place, vec3 flatNormal) {
+    vec3 at = place / ${kPicture.toFixed(1)};
+    Detail d = Detail(vec3(0), 0.0);
+    vec3 along[4] = vec3[4](vec3(0, 1, 0), vec3(1, 0, 0), vec3(1, 0, 0), vTangent.xyz);
+    vec3 up[4] = vec3[4](vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 1, 0), vTangent.w * cross(flatNormal, vTangent.xyz));
+    vec2 laid[4] = vec2[4](vec2(at.y, -at.z), vec2(at.x, -at.z), vec2(at.x, -at.y), vLaid);
+    float part[4] = float[4](vBlend.x, vBlend.y, vBlend.z, vBlend.w);
+    for (int k = 0; k < 4; ++k) {
+        vec3 s = texture2D(detail, laid[k]).rgb;
+        d.lean += part[k] * ((s.r * 2.0 - 1.0) * along[k] + (s.g * 2.0 - 1.0) * up[k]);
+        d.bright += part[k] * s.b;
+    }
+    return d;
+}
+
+float grain(vec3 place, vec3 flatNormal, float kind, float fine) {
+    float broad = noiseAt(place * 1.3);
     if (kind < 0.5) return 0.93 + 0.07 * fine + 0.05 * broad;
-    if (kind < 1.5) return (0.92 + 0.07 * fine + 0.06 * broad) * joints(place, flatNormal);
-    if (kind < 2.5) return 0.7 + 0.16 * fine + 0.2 * broad + 0.2 * noiseAt(place * 19.0);
+    if (kind < 1.5) return (0.92 + 0.07 * fine + 0.06 * broad) * mix(1.0, joints(place, flatNormal), vBlend.w);
+    if (kind < 2.5) return 0.66 + 0.4 * fine + 0.2 * broad;
     if (kind < 3.5) return 0.74 + 0.22 * fine + 0.24 * noiseAt(place * 0.35);
     if (kind > 5.5) return 0.9 + 0.2 * broad;
     return 1.0;
+}
+
+float roughness(float kind) {
+    return kind < 0.5 ? 0.1 : kind < 1.5 ? 0.15 : kind < 2.5 ? 0.8 : kind < 3.5 ? 0.4 : 0.0;
 }
 `;
 
@@ -70,7 +107,13 @@ const kFragmentColour = `
 float kind = floor(vSurface.a * 255.0 + 0.5);
 vec3 paint = vSurface.rgb;
 diffuseColor.rgb *= paint * paint * (0.305306 * paint + 0.682171) + 0.012523 * paint; // sRGB to linear, nearly
-diffuseColor.rgb *= grain(vPlace, vFlat, kind);
+Detail detailHere = detailAt(vPlace, vFlat);
+diffuseColor.rgb *= grain(vPlace, vFlat, kind, detailHere.bright);
+`;
+
+const kFragmentNormal = `
+#include <normal_fragment_maps>
+normal = normalize(normal + roughness(kind) * (viewMatrix * vec4(detailHere.lean, 0.0)).xyz);
 `;
 
 // The sky shines by itself; glass lets through more than water.
@@ -81,14 +124,16 @@ if (kind > 3.5 && kind < 4.5) outgoingLight = diffuseColor.rgb * (0.75 + 0.25 * 
 `;
 
 /** @param keeps  of the kinds, which are drawn: a condition of the shading language */
-function makeMaterial(keeps, options) {
+function makeMaterial(keeps, detail, options) {
     const material = new THREE.MeshLambertMaterial(options);
     material.customProgramCacheKey = () => keeps;
     material.onBeforeCompile = (shader) => {
+        shader.uniforms.detail = { value: detail };
         shader.vertexShader = (kVertexHead + shader.vertexShader).replace('#include <begin_vertex>',
             '#include <begin_vertex>\n' + kVertexBody).replace('#include <project_vertex>', '#include <project_vertex>\n' + kVertexEnd(keeps));
         shader.fragmentShader = (kFragmentHead + shader.fragmentShader)
             .replace('#include <color_fragment>', '#include <color_fragment>\n' + kFragmentColour)
+            .replace('#include <normal_fragment_maps>', kFragmentNormal)
             .replace('#include <opaque_fragment>', kFragmentSky);
     };
     return material;
@@ -96,9 +141,9 @@ function makeMaterial(keeps, options) {
 
 /** `solid` for what hides all behind it, `clear` for glass and water, which are seen from both sides. */
 export function makeSurfaceMaterials() {
+    const detail = makeDetailTexture();
     return {
-        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, {}),
-        clear: makeMaterial(`${kKind} >= ${kFirstClear}.0 && ${kKind} < ${kKinds.hidden}.0`,
-            { transparent: true, depthWrite: false, side: THREE.DoubleSide }),
+        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, detail, {}),
+        clear: makeMaterial(`${kKind} >= ${kFirstClear}.0`, detail, { transparent: true, depthWrite: false, side: THREE.DoubleSide }),
     };
 }

@@ -1,117 +1,100 @@
 // SPDX-License-Identifier: MIT
-// What needs no browser: the buffers that faces come to and go from, colours, samples, names of levels.
+// What needs no browser: the buffers of regions, the picture of bumps, colours, samples, names of levels.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { FaceMesh } from '../src/face_mesh.js';
+import { makeHeights, makePixels } from '../src/detail_texture.js';
 import { levelName } from '../src/load_level.js';
 import { kKinds, Painter } from '../src/painter.js';
 import { rimOf } from '../src/portal_panes.js';
+import { RegionMeshes } from '../src/region_meshes.js';
 import { Samples } from '../src/samples.js';
 
-let seed = 1;
-const chance = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
-
-/** A convex polygon somewhere, as World.faces() would list it. */
-function polygons(ids) {
-    const faces = { ids: Uint32Array.from(ids), normals: [], materials: [], sources: [], sourceEdits: [], firstCorners: [], cornerCounts: [], corners: [] };
-    for (const id of ids) {
-        const count = 3 + Math.floor(chance() * 6);
-        const [x, y] = [chance() * 100, chance() * 100];
-        faces.firstCorners.push(faces.corners.length / 3);
-        faces.cornerCounts.push(count);
-        faces.normals.push(0, 0, 1);
-        faces.materials.push(0);
-        faces.sources.push(id);
-        faces.sourceEdits.push(0);
-        for (let c = 0; c < count; ++c) {
-            const angle = (2 * Math.PI * c) / count;
-            faces.corners.push(x + Math.cos(angle), y + Math.sin(angle), id);
-        }
-    }
-    return faces;
+/** A square somewhere for each id, as a mesh of World.regionMeshes(): those above 1000 are of an edit. */
+function regionOf(place, ids) {
+    const size = 16;
+    const own = [...ids].sort((a, b) => (a > 1000) - (b > 1000) || a - b);
+    const positions = own.flatMap((id) => [0, 0, id, 1, 0, id, 1, 1, id, 0, 1, id]);
+    const each = (value) => Uint32Array.from(own, value);
+    const runs = [false, true].map((cut) => {
+        const count = own.filter((id) => id > 1000 === cut).length;
+        const first = cut ? own.length - count : 0;
+        return { material: 0, cut, twoSided: false, uvUnit: cut ? 'metres' : 'repeats', firstTriangle: 2 * first, triangleCount: 2 * count };
+    });
+    return {
+        place, origin: place.map((x) => size * x), low: place.map((x) => size * x), high: place.map((x) => size * x + 1),
+        positions: Float32Array.from(positions),
+        normals: Float32Array.from(own.flatMap(() => [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1])),
+        tangents: Float32Array.from(own.flatMap(() => Array(4).fill([1, 0, 0, 1]).flat())),
+        uvs: Float32Array.from(own.flatMap(() => Array(8).fill(3))),
+        blends: new Uint8Array(16 * own.length),
+        corners: Uint32Array.from(own.flatMap((_, k) => [0, 1, 2, 0, 2, 3].map((c) => 4 * k + c))),
+        faces: Uint32Array.from(own.flatMap((id) => [id, id])),
+        runs: runs.filter((run) => run.triangleCount > 0),
+        parts: {
+            faces: each((id) => id), sources: each((id) => id), sourceEdits: each((id) => (id > 1000 ? 7 : 0)),
+            firstTriangles: each((_, k) => 2 * k), triangleCounts: each(() => 2), firstVertices: each((_, k) => 4 * k), vertexCounts: each(() => 4),
+        },
+    };
 }
 
-const painter = { paint: (faces, k, x, y, z, out) => out.set([1, 2, 3, faces.ids[k] % 5]) };
+const painter = { paint: (face, x, y, z, out) => out.set([face.sourceEdit, x, z % 256, face.source % 5]) };
 
-/** Area of each face as drawn: z is its id. Triangles without area are gone ones. */
-function drawnAreas(mesh) {
-    const areas = new Map();
-    const p = mesh.position.array;
-    assert.equal(mesh.mesh.geometry.drawRange.count, mesh.used * 3);
-    for (let t = 0; t < mesh.used; ++t) {
-        const [ax, ay, az, bx, by, bz, cx, cy, cz] = p.subarray(9 * t, 9 * t + 9);
-        const area = ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2;
-        if (area === 0) continue;
-        assert.ok(area > 0 && az === bz && bz === cz);
-        areas.set(az, (areas.get(az) ?? 0) + area);
-        assert.equal(mesh.colour.array[12 * t + 3], az % 5);
-    }
-    return areas;
-}
-
-function areaOf(faces, k) {
-    const count = faces.cornerCounts[k];
-    return (count / 2) * Math.sin((2 * Math.PI) / count);
-}
-
-test('faces come and go, buffers grow, and what is drawn is what is there', () => {
-    const mesh = new FaceMesh(undefined, painter);
-    const there = new Map();
-    let next = 1;
-    let most = 0;
-    for (let round = 0; round < 60; ++round) {
-        const gone = [...there.keys()].filter(() => chance() < 0.2);
-        const come = polygons(Array.from({ length: 40 + Math.floor(chance() * 300) }, () => next++));
-        mesh.remove(gone);
-        mesh.add(come);
-        for (const id of gone) there.delete(id);
-        come.ids.forEach((id, k) => there.set(id, areaOf(come, k)));
-        assert.equal(mesh.faceCount, there.size);
-        most = Math.max(most, mesh.triangles);
-    }
-    const areas = drawnAreas(mesh);
-    assert.deepEqual([...areas.keys()].sort((a, b) => a - b), [...there.keys()].sort((a, b) => a - b));
-    for (const [id, area] of there) assert.ok(Math.abs(areas.get(id) - area) < 1e-3, `face ${id}`);
-    assert.ok(mesh.used < 1.5 * most, `${mesh.used} triangles hold up to ${most}`); // gaps are used again
+test('regions are put in, replaced and taken out, and no other is touched', () => {
+    const meshes = new RegionMeshes(undefined, painter);
+    meshes.replace([regionOf([0, 0, 0], [1, 2, 3]), regionOf([1, 0, -1], [4])]);
+    assert.deepEqual([meshes.faceCount, meshes.triangles, meshes.group.children.length, meshes.sent], [4, 8, 2, 16]);
+    const other = meshes.regions.get('0,0,0').geometry;
+    const old = meshes.regions.get('1,0,-1').geometry;
+    let disposed = 0;
+    old.addEventListener('dispose', () => ++disposed);
+    meshes.replace([regionOf([1, 0, -1], [5, 1001])]);
+    assert.equal(meshes.regions.get('0,0,0').geometry, other);
+    assert.deepEqual([meshes.faceCount, meshes.sent, disposed], [5, 8, 1]);
+    const { group, geometry, faces, ids } = meshes.regions.get('1,0,-1');
+    assert.deepEqual([...faces], [5, 1001]);
+    assert.deepEqual([...ids], [5, 5, 1001, 1001]);
+    assert.deepEqual(group.position.toArray(), [16, 0, -16]);
+    assert.equal(group.children.length, 1, 'nothing to see through');
+    assert.deepEqual([...geometry.getAttribute('surface').array.subarray(0, 8)], [0, 16, 245, 0, 0, 17, 245, 0]);
+    assert.deepEqual([...geometry.getAttribute('surface').array.subarray(16, 20)], [7, 16, 1001 - 16 - 768, 1]);
+    assert.deepEqual([...geometry.getAttribute('uv').array.subarray(6, 10)], [3, 3, 1.5, 1.5], 'metres become repeats');
+    meshes.replace([regionOf([0, 0, 0], []), regionOf([9, 9, 9], [])]);
+    assert.deepEqual([meshes.faceCount, meshes.triangles, meshes.regions.size, meshes.group.children.length], [2, 4, 1, 1]);
 });
 
-test('more faces than there was room for', () => {
-    const mesh = new FaceMesh(undefined, painter);
-    const first = mesh.capacity;
-    const many = polygons(Array.from({ length: 12000 }, (_, k) => k + 1));
-    mesh.add(many);
-    assert.ok(mesh.capacity > first);
-    const areas = drawnAreas(mesh);
-    assert.equal(areas.size, 12000);
-    many.ids.forEach((id, k) => assert.ok(Math.abs(areas.get(id) - areaOf(many, k)) < 1e-3));
+test('what one sees through is drawn once more, from the same buffers', () => {
+    const glass = { paint: (face, x, y, z, out) => out.set([1, 1, 1, face.source === 2 ? kKinds.glass : kKinds.rock]) };
+    const meshes = new RegionMeshes(undefined, glass, undefined);
+    meshes.replace([regionOf([0, 0, 0], [1, 2])]);
+    const { group, geometry } = meshes.regions.get('0,0,0');
+    assert.deepEqual(group.children.map((mesh) => mesh.geometry), [geometry, geometry]);
 });
 
-test('only what changed is sent', () => {
-    const mesh = new FaceMesh(undefined, painter);
-    mesh.add(polygons(Array.from({ length: 1000 }, (_, k) => k + 1)));
-    for (const attribute of [mesh.position, mesh.normal, mesh.colour]) attribute.clearUpdateRanges();
-    mesh.remove([500]);
-    mesh.add(polygons([2000, 2001]));
-    for (const attribute of [mesh.position, mesh.normal, mesh.colour]) {
-        const sent = attribute.updateRanges.reduce((sum, range) => sum + range.count, 0);
-        assert.ok(sent > 0 && sent <= 3 * 6 * 3 * attribute.itemSize, `${sent}`);
+test('the picture of bumps goes on where it ends', () => {
+    const size = 64;
+    const heights = makeHeights(size);
+    const [least, most] = [Math.min(...heights), Math.max(...heights)];
+    assert.deepEqual([least, most], [0, 1]);
+    const step = (x, y, u, v) => Math.abs(heights[size * (y % size) + (x % size)] - heights[size * (v % size) + (u % size)]);
+    let within = 0;
+    let across = 0;
+    for (let k = 0; k < size; ++k) {
+        for (let j = 0; j + 1 < size; ++j) within = Math.max(within, step(j, k, j + 1, k), step(k, j, k, j + 1));
+        across = Math.max(across, step(size - 1, k, size, k), step(k, size - 1, k, size));
     }
-});
-
-test('a face that is there twice, or goes without having come, is an error', () => {
-    const mesh = new FaceMesh(undefined, painter);
-    mesh.add(polygons([1, 2]));
-    assert.throws(() => mesh.add(polygons([2])), /face 2/);
-    assert.throws(() => mesh.remove([3]), /face 3/);
+    assert.ok(across <= within, `${across} where it goes on, ${within} elsewhere`);
+    const pixels = makePixels(heights, size);
+    assert.equal(pixels.length, 4 * size * size);
+    const mean = (channel) => pixels.reduce((sum, p, k) => sum + (k % 4 === channel ? p : 0), 0) / (size * size);
+    assert.ok(Math.abs(mean(0) - 128) < 2 && Math.abs(mean(1) - 128) < 2, 'level on the whole');
 });
 
 test('colours', () => {
     const painter = new Painter(['wall', 'sky'], (edit, point) => point[2]);
     painter.learn(['wall', 'sky', 'rubble']);
-    const faces = { materials: [0, 1, 2], sourceEdits: [0, 0, 7], sources: [0, 1, 2] };
     const paint = (k, z) => {
         const out = new Uint8Array(4);
-        painter.paint(faces, k, 0, 0, z, out);
+        painter.paint({ material: k, source: k, sourceEdit: [0, 0, 7][k] }, 0, 0, z, out);
         return [...out];
     };
     assert.equal(paint(0, 0)[3], kKinds.panels);
@@ -139,15 +122,14 @@ test('levels are files beside the page', () => {
         assert.throws(() => levelName(`?level=${encodeURIComponent(bad)}`), /a level is/, bad);
 });
 
-test('what one sees through, and what nobody sees', () => {
+test('what one sees through', () => {
     const painter = new Painter(['depot/glass', 'depot/liquids/water', 'wall'], () => 0);
-    const faces = { materials: [0, 1, 2, 2], masks: [3, 8, 1, 7], sourceEdits: [0, 0, 0, 0], sources: [0, 1, 2, 3] };
-    const kinds = faces.materials.map((_, k) => {
+    const kinds = [0, 1, 2].map((material) => {
         const out = new Uint8Array(4);
-        painter.paint(faces, k, 0, 0, 0, out);
+        painter.paint({ material, source: material, sourceEdit: 0 }, 0, 0, 0, out);
         return out[3];
     });
-    assert.deepEqual(kinds, [kKinds.glass, kKinds.water, kKinds.hidden, kKinds.panels]);
+    assert.deepEqual(kinds, [kKinds.glass, kKinds.water, kKinds.panels]);
 });
 
 test('the rim of a portal of several polygons has none of the edges between them', () => {

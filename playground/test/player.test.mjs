@@ -188,7 +188,7 @@ test('the depot: begins where its author says, rooms on the way, through a close
     level.release();
     const probe = new Probe(world);
     const player = new Player(probe);
-    const launcher = new Launcher(firma, world, probe, (diff, after) => rooms.learn(after));
+    const launcher = new Launcher(firma, world, probe, (before, after) => rooms.learn(after));
     const rooms = new Rooms(world);
     const spawn = findSpawn(player, world, 'depot.map', start);
     player.place(spawn.feet);

@@ -18,6 +18,12 @@ FaceInfo face_info(RoomId room, const Block& block, const FaceRecord& record, co
             .normal = owner ? owner->normal : polygon.unit_normal()};
 }
 
+Vec3 unit_normal_of(const Block& block, const FaceRecord& face) {
+    if (const FaceOwner* owner = block.owner_of(face)) return owner->normal;
+    const FaceShape shape(block, face);
+    return shape.polygon.has_area() ? shape.polygon.unit_normal() : Vec3{};
+}
+
 Face describe_face(RoomId room, const Block& block, const FaceRecord& record) {
     const FaceShape shape(block, record);
     return {face_info(room, block, record, shape.polygon),

@@ -9,6 +9,8 @@ namespace firma {
 
 /// What a face is, but for its outline.
 FaceInfo face_info(RoomId room, const Block& block, const FaceRecord& face, const PolygonShape& polygon);
+/// Of the exact plane that a face was cut from; (0, 0, 0) of one that is its own and has no area.
+Vec3 unit_normal_of(const Block& block, const FaceRecord& face);
 Face describe_face(RoomId room, const Block& block, const FaceRecord& face);
 
 /// What finds it again.

@@ -4,35 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "geometry/grid_box.h"
-#include "index/unshared_nodes.h"
 #include "world/block_faces.h"
+#include "world/changed_faces.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
-
-struct Slot {
-    FaceId id;
-    std::uint32_t slot;
-    const Block* block;
-    RoomId room;
-
-    const FaceRecord& face() const { return block->faces[slot]; }
-};
-
-/// The faces in blocks that only one of two worlds has.
-void add_slots(const std::vector<const Node*>& nodes, const WorldData& data, std::vector<Slot>& slots) {
-    for (const Node* node : nodes) {
-        if (!node->is_leaf()) continue;
-        const Block& block = block_of(*node);
-        const RoomId room{data.cells.current_room(block.part)};
-        for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
-            slots.push_back({block.faces[slot].id, slot, &block, room});
-    }
-}
 
 /// But for their rooms.
 bool same(const Portal& one, const Portal& two) {
@@ -43,16 +22,6 @@ bool same(const Portal& one, const Portal& two) {
                       [](const PortalPolygon& p, const PortalPolygon& q) {
                           return std::equal(p.corners.begin(), p.corners.end(), q.corners.begin(), q.corners.end());
                       });
-}
-
-bool same(const Slot& a, const Slot& b) {
-    const FaceRecord &f = a.face(), &g = b.face();
-    if (f.source != g.source || f.edit != g.edit || f.material != g.material || f.mask != g.mask ||
-        f.two_sided != g.two_sided || f.solid != g.solid || f.corner_count != g.corner_count)
-        return false;
-    for (std::size_t k = 0; k < f.corner_count; ++k)
-        if (a.block->corner(f, k) != b.block->corner(g, k)) return false;
-    return true;
 }
 
 class Differ {
@@ -78,33 +47,9 @@ public:
 
 private:
     void compare_faces(const WorldData& before, const WorldData& after) {
-        std::vector<const Node*> old_roots, new_roots;
-        const auto compare = [&](const FaceStore& one, const FaceStore& two) {
-            if (one.root.get() == two.root.get()) return;
-            if (one.root) old_roots.push_back(one.root.get());
-            if (two.root) new_roots.push_back(two.root.get());
-        };
-        compare(before.solid.data().faces, after.solid.data().faces);
-        compare(before.castable, after.castable);
-        const UnsharedNodes nodes = unshared_nodes(old_roots, new_roots);
-        std::vector<Slot> olds, news;
-        add_slots(nodes.before, before, olds);
-        add_slots(nodes.after, after, news);
-        const auto by_id = [](const Slot& a, const Slot& b) { return a.id < b.id; };
-        std::sort(olds.begin(), olds.end(), by_id);
-        std::sort(news.begin(), news.end(), by_id);
-        auto come = news.begin();
-        for (const Slot& gone : olds) {
-            while (come != news.end() && come->id < gone.id) add(*come++, diff_.added);
-            const bool match = come != news.end() && come->id == gone.id;
-            if (match && same(gone, *come)) {
-                ++come;
-                continue;
-            }
-            add(gone, diff_.removed);
-            if (match) add(*come++, diff_.added);
-        }
-        while (come != news.end()) add(*come++, diff_.added);
+        const ChangedFaces faces = changed_faces(before, after);
+        for (const ChangedFace& face : faces.removed) add(face, diff_.removed);
+        for (const ChangedFace& face : faces.added) add(face, diff_.added);
     }
 
     void compare_rooms(const WorldData& before, const WorldData& after) {
@@ -145,11 +90,12 @@ private:
         add_box(portal.box);
     }
 
-    void add(const Slot& slot, std::vector<FaceInfo>& faces) {
-        const FaceRecord& face = slot.face();
-        faces.push_back(face_info(slot.room, *slot.block, face, FaceShape(*slot.block, face).polygon));
-        if (diff_.rooms.empty() || diff_.rooms.back() != slot.room) diff_.rooms.push_back(slot.room);
-        add_box(slot.block->box_of(face));
+    void add(const ChangedFace& changed, std::vector<FaceInfo>& faces) {
+        const Block& block = *changed.place.block;
+        const FaceRecord& face = changed.record();
+        faces.push_back(face_info(changed.room, block, face, FaceShape(block, face).polygon));
+        if (diff_.rooms.empty() || diff_.rooms.back() != changed.room) diff_.rooms.push_back(changed.room);
+        add_box(block.box_of(face));
     }
 
     void add_box(const GridBox& box) {

@@ -5,58 +5,28 @@
 
 #include "firma/world.h"
 #include "index/box_tree.h"
-#include "index/traverse.h"
 #include "solid/region.h"
 #include "world/block_faces.h"
+#include "world/facets_in_box.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
 
-/// Goes through the faces in bins that meet a box, and shows those that `wanted` takes.
-template <class Wanted>
-struct ShowFaces {
-    const WorldData& data;
-    const GridBox box;
-    const Wanted& wanted;
-    FaceVisitor visit;
-    bool ended = false;
-
-    bool enter(const Bin& bin, double& nearest) const {
-        nearest = 0;
-        const Vec3 low = to_metres(box.low), high = to_metres(box.high);
-        for (int axis = 0; axis < 3; ++axis)
-            if (high[axis] < double(bin.box.low[axis]) || low[axis] > double(bin.box.high[axis])) return false;
-        return true;
-    }
-    bool still(double) const { return true; }
-    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
-        const Block& block = as_block(facets);
-        const RoomId room{data.cells.current_room(block.part)};
-        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-            const FaceRecord& record = block.faces[slot];
-            if (!wanted(block, record)) continue;
-            const FaceShape shape(block, record);
-            if (!shape.polygon.has_area()) continue;
-            if (!visit({face_info(room, block, record, shape.polygon), shape.polygon.corners})) return ended = true;
-        }
-        return false;
-    }
-};
-
 constexpr GridBox kWholeWorld{{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}};
 
+/// Shows the faces in bins that meet a box, those that `wanted` takes.
 template <class Wanted, class Roots>
 bool show_faces(const WorldData& data, const Roots& roots, const GridBox& box, const Wanted& wanted,
                 FaceVisitor visit) {
-    ShowFaces<Wanted> show{data, box, wanted, visit};
-    for (const Node* root : roots)
-        if (root && !show.ended) traverse(*root, show);
-    return !show.ended;
-}
-
-std::array<const Node*, 2> all_faces(const WorldData& data) {
-    return {data.solid.data().faces.root.get(), data.castable.root.get()};
+    return facets_in_box(roots, box, [&](const Block& block, std::uint32_t slot) {
+        const FaceRecord& record = block.faces[slot];
+        if (!wanted(block, record)) return true;
+        const FaceShape shape(block, record);
+        if (!shape.polygon.has_area()) return true;
+        const RoomId room{data.cells.current_room(block.part)};
+        return visit({face_info(room, block, record, shape.polygon), shape.polygon.corners});
+    });
 }
 
 /// The first surface step at or above the low end of a range of metres, and the last at or below its high end: where
@@ -75,7 +45,7 @@ bool steps_of(double low, double high, std::int32_t& first, std::int32_t& last) 
 
 bool each_face(const World& world, FaceVisitor visit) {
     const auto any = [](const Block&, const FaceRecord&) { return true; };
-    return show_faces(world.data(), all_faces(world.data()), kWholeWorld, any, visit);
+    return show_faces(world.data(), all_facets(world.data()), kWholeWorld, any, visit);
 }
 
 bool each_face(const World& world, const Box& box, FaceVisitor visit) {
@@ -86,7 +56,7 @@ bool each_face(const World& world, const Box& box, FaceVisitor visit) {
     const auto meets = [&](const Block& block, const FaceRecord& face) {
         return boxes_meet(block.box_of(face), steps);
     };
-    return show_faces(world.data(), all_faces(world.data()), steps, meets, visit);
+    return show_faces(world.data(), all_facets(world.data()), steps, meets, visit);
 }
 
 bool each_face(const World& world, RoomId room, FaceVisitor visit) {
@@ -111,7 +81,7 @@ bool each_face(const World& world, const Region& region, FaceVisitor visit) {
     const auto begins_here = [&](const Block& block, const FaceRecord& face) {
         return region_of(lowest_corner(block, face)) == wanted;
     };
-    return show_faces(world.data(), all_faces(world.data()), cube, begins_here, visit);
+    return show_faces(world.data(), all_facets(world.data()), cube, begins_here, visit);
 }
 
 }  // namespace firma

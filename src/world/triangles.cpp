@@ -6,6 +6,7 @@
 
 #include "base/sort.h"
 #include "geometry/triangulate_convex.h"
+#include "world/lay_texture.h"
 
 namespace firma {
 namespace {
@@ -76,21 +77,9 @@ private:
 
     /// @return what they count
     TextureUnit add_uvs(const FaceInfo& face, std::span<const Vec3> corners) {
-        TextureProjection lies = texture_of(world_, face, corners).value_or(box_projection(face.normal));
-        double width = 1, height = 1;
-        if (lies.unit == TextureUnit::kTexels && face.material < options_.texture_sizes.size()) {
-            const auto [across, down] = options_.texture_sizes[face.material];
-            if (across > 0 && down > 0) {
-                width = across;
-                height = down;
-                lies.unit = TextureUnit::kRepeats;
-            }
-        }
-        for (const Vec3& corner : corners) {
-            const auto [u, v] = lies.at(corner);
-            made_.uvs.push_back({float(u / width), float(v / height)});
-        }
-        return lies.unit;
+        const LaidTexture laid = lay_texture(world_, face, corners, options_.texture_sizes);
+        for (const Vec3& corner : corners) made_.uvs.push_back(laid.at(corner));
+        return laid.lies.unit;
     }
 
     const World& world_;

@@ -303,6 +303,116 @@ static void test_textures(void) {
     CHECK_OK(firma_world_release(world));
 }
 
+/* Faces in view `mesh`, and whether runs and parts cover its triangles. */
+static size_t whole_mesh(const firma_region_mesh_view* mesh) {
+    size_t triangles = 0, vertices = 0;
+    for (size_t r = 0; r < mesh->run_count; ++r) {
+        CHECK(mesh->runs[r].first_triangle == triangles && mesh->runs[r].first_vertex == vertices);
+        triangles += mesh->runs[r].triangle_count;
+        vertices += mesh->runs[r].vertex_count;
+    }
+    CHECK(triangles == mesh->triangle_count && vertices == mesh->vertex_count);
+    for (size_t p = 0; p < mesh->part_count; ++p)
+        for (uint32_t t = 0; t < mesh->parts[p].triangle_count; ++t)
+            CHECK(mesh->faces[mesh->parts[p].first_triangle + t] == mesh->parts[p].face);
+    return mesh->part_count;
+}
+
+static void test_region_meshes(void) {
+    const firma_world room = make_room();
+    firma_region_options options;
+    firma_region_options_defaults(&options);
+    CHECK(options.size == sizeof options && options.region_size == 16 && options.mask == UINT32_MAX);
+    firma_region_options_defaults(NULL);
+    firma_region_meshes meshes = {0};
+    firma_region_mesh_view view = {.size = sizeof view};
+    size_t count = 0;
+    CHECK_OK(firma_world_region_meshes(room, NULL, &meshes));
+    CHECK_OK(firma_region_meshes_get_count(meshes, &count));
+    CHECK(count == 1);
+    CHECK_OK(firma_region_meshes_get_view(meshes, 0, &view));
+    CHECK(whole_mesh(&view) == 6 && view.vertex_count == 24 && view.triangle_count == 12 && view.run_count == 3);
+    CHECK(view.place[0] == 0 && view.origin[2] == 0 && view.low[0] == 0 && view.high[1] == 8 && view.high[2] == 4);
+    for (size_t v = 0; v < view.vertex_count; ++v) {
+        const float *n = view.normals + 3 * v, *t = view.tangents + 4 * v;
+        CHECK(n[0] * t[0] + n[1] * t[1] + n[2] * t[2] == 0 && t[3] == 1);
+        CHECK(view.blends[4 * v + 3] == 255 && view.uvs[2 * v] == view.uvs[2 * v]);
+    }
+    CHECK(view.parts[0].flags == FIRMA_FACE_SOLID && view.parts[0].source_edit == 0 && view.runs[0].cut == 0);
+    firma_faces face = {0};
+    CHECK_OK(firma_world_face(room, view.parts[3].face, view.parts[3].corner, &face));
+    CHECK_OK(firma_faces_release(face));
+    CHECK_FAILS(firma_region_meshes_get_view(meshes, 1, &view), FIRMA_ERROR_OUT_OF_RANGE, "no such mesh");
+    view.size = 4;
+    CHECK_FAILS(firma_region_meshes_get_view(meshes, 0, &view), FIRMA_ERROR_BAD_CALL, "size");
+    view.size = sizeof view;
+    CHECK_FAILS(firma_region_meshes_get_view(meshes, 0, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_region_meshes_get_count(meshes, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_OK(firma_region_meshes_release(meshes));
+    CHECK_FAILS(firma_region_meshes_get_count(meshes, &count), FIRMA_ERROR_BAD_HANDLE, "region meshes");
+    CHECK_FAILS(firma_region_meshes_release(meshes), FIRMA_ERROR_BAD_HANDLE, "released");
+    CHECK_OK(firma_region_meshes_release((firma_region_meshes){0}));
+
+    /* A crater in a corner: in small regions only some change, and together with the others they are all again. */
+    firma_cutter cutter = {0};
+    firma_world after = {0};
+    CHECK_OK(firma_cutter_crater(FIRMA_ROCKY, 1, &cutter));
+    const firma_pose pose = {{7.5, 7.5, 0.5}, {0, 0, 0, 1}, 1};
+    CHECK_OK(firma_carve(room, cutter, &pose, NULL, &after, NULL));
+    options.region_size = 4;
+    options.no_textures = 1;
+    size_t faces = 0, cut = 0;
+    CHECK_OK(firma_world_changed_region_meshes(room, after, &options, &meshes));
+    CHECK_OK(firma_region_meshes_get_count(meshes, &count));
+    CHECK(count > 1);
+    for (size_t k = 0; k < count; ++k) {
+        CHECK_OK(firma_region_meshes_get_view(meshes, k, &view));
+        CHECK(view.tangents == NULL && view.uvs == NULL && view.blends == NULL);
+        faces += whole_mesh(&view);
+        for (size_t r = 0; r < view.run_count; ++r) cut += view.runs[r].cut;
+    }
+    CHECK(cut > 0);
+    CHECK_OK(firma_region_meshes_release(meshes));
+    CHECK_OK(firma_world_changed_region_meshes(after, after, &options, &meshes));
+    CHECK_OK(firma_region_meshes_get_count(meshes, &count));
+    CHECK(count == 0);
+    CHECK_OK(firma_region_meshes_release(meshes));
+    firma_world_facts facts = {.size = sizeof facts};
+    CHECK_OK(firma_world_get_facts(after, &facts));
+    size_t all = 0;
+    CHECK_OK(firma_world_region_meshes(after, &options, &meshes));
+    CHECK_OK(firma_region_meshes_get_count(meshes, &count));
+    for (size_t k = 0; k < count; ++k) {
+        CHECK_OK(firma_region_meshes_get_view(meshes, k, &view));
+        all += whole_mesh(&view);
+    }
+    CHECK(all == facts.face_count && faces <= all);
+    CHECK_OK(firma_region_meshes_release(meshes));
+
+    options.region_size = 0.5;
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID, "size: must be from 1 to");
+    CHECK_FAILS(firma_world_changed_region_meshes(room, after, &options, &meshes), FIRMA_ERROR_INVALID, "size");
+    options.region_size = 4;
+    const double sizes[] = {64, 64, -1, 64};
+    options.texture_size_count = 2;
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_BAD_CALL, "array");
+    options.texture_sizes = sizes;
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID, "texture size 1");
+    options.texture_size_count = 0;
+    options.solid_only = 2;
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID, "solid_only");
+    options.solid_only = 1;
+    options.no_textures = 2;
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID, "no_textures");
+    options.size = 0;
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_BAD_CALL, "size");
+    CHECK_FAILS(firma_world_region_meshes(room, NULL, NULL), FIRMA_ERROR_BAD_CALL, "null");
+    CHECK_FAILS(firma_world_changed_region_meshes(room, (firma_world){0}, NULL, &meshes), FIRMA_ERROR_BAD_HANDLE, "no");
+    CHECK_OK(firma_cutter_release(cutter));
+    CHECK_OK(firma_world_release(after));
+    CHECK_OK(firma_world_release(room));
+}
+
 void test_worlds(void) {
     test_bad_meshes();
     test_options();
@@ -310,4 +420,5 @@ void test_worlds(void) {
     test_room();
     test_triangles();
     test_textures();
+    test_region_meshes();
 }

@@ -19,6 +19,7 @@ const FILLED = {
     facesView: layout.FACES_VIEW,
     texture: layout.TEXTURE,
     trianglesView: layout.TRIANGLES_VIEW,
+    regionMeshView: layout.REGION_MESH_VIEW,
     diffView: layout.DIFF_VIEW,
     report: layout.CARVE_REPORT,
     storeFacts: layout.STORE_FACTS,

@@ -313,6 +313,69 @@ export const TRIANGLE_OPTIONS = Object.freeze({
     reserved: 56,
 });
 
+/** firma_region_run */
+export const REGION_RUN = Object.freeze({
+    sizeof: 32,
+    material: 0,
+    cut: 4,
+    twoSided: 8,
+    uvUnit: 12,
+    firstTriangle: 16,
+    triangleCount: 20,
+    firstVertex: 24,
+    vertexCount: 28,
+});
+
+/** firma_region_part */
+export const REGION_PART = Object.freeze({
+    sizeof: 48,
+    face: 0,
+    corner: 4,
+    source: 16,
+    sourceEdit: 20,
+    mask: 24,
+    flags: 28,
+    firstTriangle: 32,
+    triangleCount: 36,
+    firstVertex: 40,
+    vertexCount: 44,
+});
+
+/** firma_region_mesh_view */
+export const REGION_MESH_VIEW = Object.freeze({
+    sizeof: 144,
+    size: 0,
+    place: 4,
+    origin: 16,
+    low: 40,
+    high: 64,
+    positions: 88,
+    normals: 92,
+    tangents: 96,
+    uvs: 100,
+    blends: 104,
+    vertexCount: 108,
+    corners: 112,
+    faces: 116,
+    triangleCount: 120,
+    runs: 124,
+    runCount: 128,
+    parts: 132,
+    partCount: 136,
+});
+
+/** firma_region_options */
+export const REGION_OPTIONS = Object.freeze({
+    sizeof: 32,
+    size: 0,
+    mask: 4,
+    solidOnly: 8,
+    noTextures: 12,
+    regionSize: 16,
+    textureSizes: 24,
+    textureSizeCount: 28,
+});
+
 /** firma_room */
 export const ROOM = Object.freeze({
     sizeof: 88,

@@ -23,6 +23,7 @@ import {
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
 import { getShownFace, onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
+import { takeRegionMeshes } from './regions.js';
 import { findByName, getNeighbours, getPath, getPortal, getRoom, locate, NO_ROOM } from './rooms.js';
 import { putRules } from './rules.js';
 import { takeTexture, takeTriangles } from './triangles.js';
@@ -164,6 +165,16 @@ export class World extends Handle {
 
     triangles(options) {
         return takeTriangles(this[CORE], this[ID], options);
+    }
+
+    regionMeshes(options) {
+        return takeRegionMeshes(this[CORE], 'firma_world_region_meshes', [this[ID]], options, 'regionMeshes');
+    }
+
+    changedRegionMeshes(after, options) {
+        const core = this[CORE];
+        const worlds = [this[ID], idOf(after, core, 'changedRegionMeshes', 'world')];
+        return takeRegionMeshes(core, 'firma_world_changed_region_meshes', worlds, options, 'changedRegionMeshes');
     }
 
     texture(face) {

@@ -25,6 +25,9 @@ import {
     type Near,
     type Overlap,
     type Portal,
+    type RegionMesh,
+    type RegionParts,
+    type RegionRun,
     type Room,
     type StoreFacts,
     type TriangleRun,
@@ -98,6 +101,13 @@ world.texture(world.closest([1, 2, 3]) ?? 0);
 world.texture({ id: 0, corner: new Int32Array(3) });
 const laid: number = lies.uAxis[0] + lies.uOffset + triangles.uvs[0]! + units.length;
 const origin: number = triangles.positions[0]! + triangles.sources[0]!.face + (run?.material ?? 0);
+
+const meshes: RegionMesh[] = world.regionMeshes({ size: 16, mask: ~8, solidOnly: true, textureSizes: [64, 64] });
+const newer: RegionMesh[] = world.changedRegionMeshes(world.copy(), { textures: false });
+const drawn: RegionRun | undefined = meshes[0]?.runs[0];
+const parts: RegionParts = newer[0]!.parts;
+world.face({ id: parts.faces[0]!, corner: parts.faceCorners.subarray(0, 3) });
+const laidOut: number = meshes[0]!.tangents[3]! + meshes[0]!.blends[3]! + meshes[0]!.place[0] + (drawn?.cut ? 1 : 0);
 
 const input = { centre: [1, 2, 3], radius: 0.4, path: Float64Array.of(1, 2, 3) };
 const counts: CastCounts = { nodes: 0, boxes: 0, faces: 0, precise: 0 };

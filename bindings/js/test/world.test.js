@@ -232,6 +232,68 @@ test('faces as triangles', () => {
     });
 });
 
+test('meshes by region, and those that an edit changed', () => {
+    withLevel((world) => {
+        const kept = new Map();
+        const replace = (meshes) => {
+            for (const mesh of meshes) {
+                if (mesh.faces.length > 0) kept.set(String(mesh.place), mesh);
+                else kept.delete(String(mesh.place));
+            }
+        };
+        const options = { size: 8 };
+        replace(world.regionMeshes(options));
+        releasing([firma.crater('rocky', 1)], (cutter) => {
+            const { world: after } = world.carve(cutter, { position: [35, 29, 0], scale: 1.5 });
+            releasing([after], () => {
+                const changed = world.changedRegionMeshes(after, options);
+                assert.ok(changed.length > 0 && changed.length < kept.size);
+                replace(changed);
+                const anew = after.regionMeshes(options);
+                assert.deepEqual([...kept.values()].sort((a, b) => String(a.place).localeCompare(String(b.place))),
+                    [...anew].sort((a, b) => String(a.place).localeCompare(String(b.place))));
+                const faces = after.faces();
+                const ids = anew.flatMap((mesh) => Array.from(mesh.parts.faces));
+                assert.deepEqual(ids.sort((a, b) => a - b), Array.from(faces.ids));
+                let cut = 0;
+                for (const mesh of anew) {
+                    assert.deepEqual(mesh.origin, mesh.place.map((x) => 8 * x));
+                    const { parts } = mesh;
+                    for (let p = 0; p < parts.faces.length; ++p) {
+                        const face = faces.ids.indexOf(parts.faces[p]);
+                        const own = faces.corners.subarray(3 * faces.firstCorners[face], 3 * (faces.firstCorners[face] + faces.cornerCounts[face]));
+                        const from = parts.firstVertices[p];
+                        assert.equal(parts.vertexCounts[p], faces.cornerCounts[face]);
+                        assert.equal(parts.sourceEdits[p], faces.sourceEdits[face]);
+                        own.forEach((x, k) => assert.equal(mesh.positions[3 * from + k] + mesh.origin[k % 3], x));
+                        assert.equal(mesh.faces[parts.firstTriangles[p]], parts.faces[p]);
+                        const blend = mesh.blends.subarray(4 * from, 4 * from + 4);
+                        assert.equal(blend.reduce((sum, part) => sum + part, 0), 255);
+                        assert.equal(blend[3], parts.sourceEdits[p] > 0 ? 0 : 255);
+                    }
+                    for (const run of mesh.runs) cut += run.cut ? run.triangleCount : 0;
+                    assert.equal(mesh.tangents.length / 4, mesh.positions.length / 3);
+                    assert.equal(mesh.uvs.length / 2, mesh.positions.length / 3);
+                    assert.equal(mesh.normals.length, mesh.positions.length);
+                }
+                assert.ok(cut > 100);
+                const ref = { id: anew[0].parts.faces[0], corner: anew[0].parts.faceCorners.slice(0, 3) };
+                assert.equal(after.face(ref).id, ref.id);
+                assert.equal(after.changedRegionMeshes(after).length, 0);
+            });
+        });
+        const plain = world.regionMeshes({ textures: false })[0];
+        assert.deepEqual([plain.uvs.length, plain.tangents.length, plain.blends.length], [0, 0, 0]);
+        assert.equal(world.regionMeshes({ mask: 0 }).length, 0);
+        throwsCode('INVALID', () => world.regionMeshes({ size: 0.5 }), /size: must be from 1 to 1024 m/);
+        throwsCode('INVALID', () => world.changedRegionMeshes(world, { size: NaN }), /size/);
+        throwsCode('INVALID', () => world.regionMeshes({ textureSizes: [-1, 1] }), /texture_sizes/);
+        throwsCode('BAD_CALL', () => world.changedRegionMeshes(5), /world/);
+        for (const wrong of [5, { size: '8' }, { textures: 1 }, { textureSizes: [1] }, { room: 0 }, { solidOnly: 1 }])
+            throwsCode('BAD_CALL', () => world.regionMeshes(wrong));
+    });
+});
+
 test('textures come out as coordinates', () => {
     const wall = {
         positions: [0, 0, 0, 4, 0, 0, 4, 0, 2, 0, 0, 2],
