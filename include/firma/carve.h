@@ -3,6 +3,7 @@
 // was.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -29,7 +30,14 @@ struct [[nodiscard]] CarveResult {
 struct CarveOptions {
     /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.
     std::string material;
+    /// The number of the edit, for worlds that are to agree on it although they may lack others: 0, the one after the
+    /// last; or 1 to kMaxEditNumber, above that of every edit made before. The ids of the faces of an edit that is
+    /// given its number follow from it, those of the cutter first: up to 1024 depend on no other edit.
+    std::uint32_t edit = 0;
 };
+
+/// An edit cannot be given a higher number.
+inline constexpr std::uint32_t kMaxEditNumber = (std::uint32_t(1) << 21) - 1;
 
 /// Takes a placed cutter away from the solid of a world.
 ///
@@ -42,8 +50,8 @@ struct CarveOptions {
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
 ///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, more
 ///         than 2^21 planes where the cutter touches, a part of it of which no line tells on which side it lies, no
-///         numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction (then `reproduction`
-///         holds it).
+///         numbers left (for 2^32 edits, 2^64 versions, 2^31 ids of faces), a number that an edit before it had, or a
+///         contradiction (then `reproduction` holds it).
 /// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), and with the
 /// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
 /// rooms are joined it also grows with these rooms' portals. CarveOptions::material is searched among the world's
