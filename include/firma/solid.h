@@ -44,7 +44,8 @@ public:
     FIRMA_EXPORT std::size_t face_count() const;
     /// What no face separates from infinity is solid.
     FIRMA_EXPORT bool rock_outside() const;
-    /// How many edits made it: faces of the next one say that they come from edit `edits() + 1`.
+    /// The number of the last edit: how many made it, unless some were given higher ones (CarveOptions::edit). Faces of
+    /// the next one say that they come from edit `edits() + 1`.
     FIRMA_EXPORT std::uint32_t edits() const;
     /// Of all faces, metres; empty where there are none. Never allocates. Costs a few walks through the index, more
     /// where many faces reach to within a float's rounding of the bounds.

@@ -18,12 +18,12 @@
 #include "carve/side_of_solid.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
+#include "solid/face_ids.h"
 
 namespace firma {
 namespace {
 
 /// One less than what says "no face".
-constexpr std::uint32_t kMostFaceIds = ~0u - 1;
 /// How many facets' worth of faces one step makes.
 constexpr std::uint32_t kFacesAStep = 16;
 
@@ -142,6 +142,12 @@ CutJob::Phase CutJob::refuse(ErrorCode code, std::string reason) {
 CutJob::Phase CutJob::place() {
     if (data().edits == std::numeric_limits<std::uint32_t>::max())
         return refuse(ErrorCode::kTooLarge, "the world has no numbers left for new edits");
+    if (terms_.edit > kLastEditNumber)
+        return refuse(ErrorCode::kTooLarge, "an edit cannot have the number " + std::to_string(terms_.edit) +
+                                                "; the last one is " + std::to_string(kLastEditNumber));
+    if (terms_.edit > 0 && terms_.edit <= data().edits)
+        return refuse(ErrorCode::kInvalid, "it is edit " + std::to_string(terms_.edit) + ", and edit " +
+                                               std::to_string(data().edits) + " was made before it");
     if (cutter_.valid() && cutter_.triangles().size() > rules_.max_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
@@ -407,7 +413,7 @@ CutJob::Phase CutJob::apply_materials() {
         by = material;
     }
     NewSource source;
-    source.edit = data().edits + 1;
+    source.edit = edit();
     source.material = terms_.material;
     face_maker_ = std::make_unique<FaceMaker>(input_, crossings(), loops(), source);
     opens_ = opens_several();
@@ -476,13 +482,17 @@ CutJob::Phase CutJob::make_change() {
     if (data().faces.count + terms_.other_faces - removed + added > rules_.max_faces)
         return refuse(ErrorCode::kTooLarge,
                       "the world would have more than " + std::to_string(rules_.max_faces) + " faces");
-    if (data().next_face > kMostFaceIds || added > kMostFaceIds - data().next_face)
-        return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
+    FaceIds ids(data().next_face, terms_.edit);
+    if (!ids.has(added)) return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report_.faces_removed = removed;
     report_.faces_added = added;
     report_.volume = volume_taken(view(), loops());
-    std::uint32_t id = data().next_face;
-    for (FaceSet::Entry& face : change_.added.faces) face.id = {id++};
+    // Those of the cutter first: how many pieces others are cut into depends on the edits before.
+    for (const bool of_cutter : {true, false})
+        for (FaceSet::Entry& face : change_.added.faces)
+            if (terms_.edit == 0 ? of_cutter : (face.edit == edit()) == of_cutter) face.id = {ids.take()};
+    change_.next_face = ids.next_face();
+    change_.edit = edit();
     change_.points = change_of_points(view(), loops());
     if (opens_) make_opening();
     if (clipped_)

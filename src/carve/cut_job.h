@@ -27,6 +27,7 @@ struct CutTerms {
     const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
     std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
+    std::uint32_t edit = 0;                               ///< the number it is given; 0: the one after the last
     /// Which air faces of a part look into: where a carving opens several, or may, CutOpening says how. Empty: it is
     /// not asked.
     std::function<std::uint32_t(std::uint32_t part)> air_of;
@@ -146,6 +147,8 @@ private:
     const NewLoops& loops() const { return clipped_ ? clipped_->loops : arranger_ ? arranger_->loops() : loops_; }
     CutView view() const { return {input_, crossings(), loops()}; }
     const SolidData& data() const { return solid_.data(); }
+    /// The number of this edit.
+    std::uint32_t edit() const { return terms_.edit > 0 ? terms_.edit : data().edits + 1; }
     const Node* index() const { return data().faces.root.get(); }
 
     const Solid solid_;

@@ -8,6 +8,7 @@
 
 #include "carve/judge_rules.h"
 #include "save/sections.h"
+#include "solid/face_ids.h"
 
 namespace firma {
 namespace {
@@ -46,7 +47,8 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     data.known = unpacked.has_records;
     if (flags & kHasRules) data.rules = std::make_shared<const CarveRules>();
 
-    if (faces > data.next_face) return damage.report(section.type(), "has more faces than there were ids");
+    const std::uint64_t numbered = std::uint64_t(std::min(data.edits, kLastEditNumber)) * kIdsAnEdit;
+    if (faces > data.next_face + numbered) return damage.report(section.type(), "has more faces than there were ids");
     unpacked.faces = std::size_t(faces);
     if (data.next_face > kMostFaceIds) return damage.report(section.type(), "has no ids left for new faces");
     if (data.version > kMostVersion || data.edits > kMostEdits)

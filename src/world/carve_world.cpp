@@ -10,10 +10,14 @@
 #include "carve/cut_job.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
+#include "solid/face_ids.h"
 #include "world/count_reaching.h"
 #include "world/room_edit.h"
 
 namespace firma {
+
+static_assert(kMaxEditNumber == kLastEditNumber);
+
 namespace {
 
 double microseconds_since(std::chrono::steady_clock::time_point start) {
@@ -40,6 +44,7 @@ CutTerms terms_of(const WorldData& data, const CarveOptions& options) {
     terms.materials = data.materials.get();
     terms.material = material_index(*data.materials, options.material);
     terms.other_faces = data.castable.count;
+    terms.edit = options.edit;
     if (!data.cells.known()) return terms;
     terms.air_of = [&data](std::uint32_t part) { return data.cells.current_room(part); };
     terms.sheets_at = [&data](const GridBox& box, std::vector<CutSheet>& sheets) {
