@@ -15,7 +15,9 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 Fired fire_blast(World& world, const Blast& blast, const FireOptions& options) {
-    return fire_cut(world, cutter_of(blast), pose_of(blast), options);
+    FireOptions own = options;
+    own.carve.from = blast.from;
+    return fire_cut(world, cutter_of(blast), pose_of(blast), own);
 }
 
 Fired fire_cut(World& world, const Cutter& cutter, const Pose& pose, const FireOptions& options) {

@@ -35,11 +35,13 @@ struct CarveArguments : LevelOutput {
     bool json = false;
 };
 
-constexpr const char* kReportHeader = "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only\n";
+constexpr const char* kReportHeader =
+    "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,reason\n";
 
 constexpr const char* kCarveFooter =
-    R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, no
-others, in any order. Shapes, of mean radius 1 before `radius` scales them:
+    R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, in any
+order, and if you like fx,fy,fz, where the shot came from (metres): what a crater opens between rooms becomes air of the
+room that this lies in. Shapes, of mean radius 1 before `radius` scales them:
   rocky  a rough ball of 180 triangles       spiky  a ball of 180 triangles with 32 spikes
   drill  a pointed rod of 64 triangles       wedge  a blade of 8 triangles
   box    a cube of 12 triangles, 2 a side
@@ -61,6 +63,9 @@ The report: one row a blast, in their order:
   hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
   castable_only
               faces that reach into the cutter and were left as they are, as they bound no closed solid
+  portals     that the blast made: holes between rooms
+  rooms       that it made: pockets in rock
+  reason      why it was refused; empty otherwise. Commas are semicolons
 A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Neither
 refusals nor blasts that came to nothing change the exit code.
 
@@ -133,7 +138,10 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
         fmt::format("{},{},{:.4f},{},{},{},", blast, status_name(fired.result.status), 1e3 * fired.seconds,
                     done ? did.faces_removed : 0, done ? did.faces_added : 0, did.retries);
     append_17(row, done ? did.volume : 0);
-    report.write(row + fmt::format(",{},{}\n", hash_text(world), did.faces_castable_only));
+    std::string reason = fired.result.status == CarveStatus::kRefused ? fired.result.error.text() : "";
+    std::replace(reason.begin(), reason.end(), ',', ';');
+    report.write(row + fmt::format(",{},{},{},{},{}\n", hash_text(world), did.faces_castable_only,
+                                   done ? did.portals : 0, done ? did.rooms : 0, reason));
 }
 
 /// after.obj -> after.repro-7.obj
@@ -162,8 +170,10 @@ void tell_refusal(const CarveArguments& arguments, std::size_t blast, const Carv
 /// A blast as it is, or as the next command of a log: quantised, and with a number of its own.
 Fired fire(World& world, const Blast& blast, FireOptions options, EditLog* log) {
     if (!log) return fire_blast(world, blast, options);
+    options.carve.from = blast.from;
     const EditCommand command =
         crater_command(log->next_number(), {blast.shape, blast.seed}, blast.position, blast.radius, options.carve);
+    options.carve = command.options;
     options.carve.edit = command.number;
     Fired fired = fire_cut(world, cutter_of(blast), command.pose, options);
     if (!fired.result.done()) return fired;

@@ -720,6 +720,11 @@ export interface CarveOptions {
     fill?: boolean;
     /** Name of the material of the faces it leaves; '' unless given. */
     material?: string;
+    /**
+     * Where the shot came from, metres: what a carving opens between rooms becomes air of the room that this lies in,
+     * where it touches that.
+     */
+    from?: Vector;
 }
 
 export interface CarveReport {
@@ -735,6 +740,10 @@ export interface CarveReport {
     facesAdded: number;
     /** That reach into the cutter and are left as they are, as they bound no solid. */
     facesCastableOnly: number;
+    /** That it made: holes between rooms. */
+    portals: number;
+    /** That it made: pockets in rock. */
+    rooms: number;
     /** What zones and materials left of the cutter's scale, 0..1. */
     scale: number;
     /** Cubic metres taken; negative when added. */

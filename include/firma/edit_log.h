@@ -67,8 +67,9 @@ struct EditCommand {
 /// Costs the same for every pose; never allocates.
 [[nodiscard]] FIRMA_EXPORT Pose quantised(const Pose& pose);
 
-/// The same command with its poses quantised, but for turns that are those of the crater's seed (random_turn()), which
-/// take no bytes. Who shoots does this before anybody applies the command, himself included: then all cut alike.
+/// The same command with its poses quantised, and CarveOptions::from put on the input grid; but for turns that are
+/// those of the crater's seed (random_turn()), which take no bytes. Who shoots does this before anybody applies the
+/// command, himself included: then all cut alike.
 [[nodiscard]] FIRMA_EXPORT EditCommand quantised(EditCommand command);
 
 /// A crater as a quantised command: at a position (metres), as large as `radius` (metres) scales its shape, turned by

@@ -226,6 +226,8 @@ struct CarveReport {
     std::size_t faces_removed = 0;        ///< facets that casts met before and meet no more
     std::size_t faces_added = 0;          ///< facets that casts meet from now on
     std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
+    std::size_t portals = 0;              ///< of a world: that it made
+    std::size_t rooms = 0;                ///< likewise
     int retries = 0;                      ///< always 0, as no cutter is moved
     double scale = 1;                     ///< what zones and materials left of the cutter's scale
     double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to

@@ -515,24 +515,26 @@ void CutJob::make_opening() {
 std::vector<CutSheet> CutJob::sheets_left(std::vector<std::uint32_t>& changed) {
     std::vector<CutSheet> left;
     changed.clear();
-    for (std::uint32_t k = 0; k < sheets_.size(); ++k)
-        if (clipped_->changed[k])
-            changed.push_back(sheets_[k].portal);
-        else
+    std::size_t next = 0;  // of the rest
+    for (std::uint32_t k = 0; k < sheets_.size(); ++k) {
+        if (!clipped_->changed[k]) {
             left.push_back(sheets_[k]);
-    for (const SheetRest& rest : clipped_->rest) {
-        CutSheet& sheet = left.emplace_back(sheets_[rest.sheet]);
-        sheet.uses.clear();
-        for (const SheetSide& side : rest.sides) {
-            if (side.edge == SheetSide::kAsItWas)
-                sheet.uses.push_back(side.use);
-            else
-                append_use({side.edge, side.reversed}, sheet.uses);
+            continue;
         }
-        sheet.ends = rest.ends;
+        changed.push_back(sheets_[k].portal);
+        for (; next < clipped_->rest.size() && clipped_->rest[next].sheet == k; ++next) {
+            const SheetRest& rest = clipped_->rest[next];
+            CutSheet& sheet = left.emplace_back(sheets_[k]);
+            sheet.uses.clear();
+            for (const SheetSide& side : rest.sides) {
+                if (side.edge == SheetSide::kAsItWas)
+                    sheet.uses.push_back(side.use);
+                else
+                    append_use({side.edge, side.reversed}, sheet.uses);
+            }
+            sheet.ends = rest.ends;
+        }
     }
-    std::stable_sort(left.begin(), left.end(),
-                     [](const CutSheet& a, const CutSheet& b) { return a.portal < b.portal; });
     return left;
 }
 

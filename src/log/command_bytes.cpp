@@ -224,6 +224,8 @@ EditCommand quantised(EditCommand command) {
     const Quaternion turn = command.pose.rotation;
     command.pose = quantised(command.pose);
     if (by_seed) command.pose.rotation = turn;
+    if (command.options.from)
+        if (const std::optional<GridPoint> grid = snap(*command.options.from)) command.options.from = to_metres(*grid);
     return command;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/assert.h"
+#include "base/sort.h"
 #include "carve/cut_job.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
@@ -56,7 +57,7 @@ CutTerms terms_of(const WorldData& data, const CarveOptions& options) {
                                              numbers.push_back(number);
                                          });
         if (!exact) return;  // RoomEdit::merge_at_portals() then
-        std::sort(numbers.begin(), numbers.end());
+        sort_range(numbers);
         for (const std::uint32_t number : numbers) {
             const Portal& portal = data.cells.portal(number);
             append_sheets(portal, number, data.cells.rooms_of(portal), sheets);
@@ -113,6 +114,10 @@ public:
         result.report.times.gather += report_time_;
         result.report.times.tree += time_;
         if (castable_) result.report.faces_castable_only = castable_->count();
+        if (published_) {
+            result.report.portals = rooms_.portals_made();
+            result.report.rooms = rooms_.rooms_made();
+        }
         result.reproduction = cut_.reproduction();
         result.world = published_ ? after_ : world_;
         return result;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "base/sort.h"
 #include "geometry/flat_loop.h"
 
 namespace firma {
@@ -31,8 +32,7 @@ public:
         std::vector<JoinedSheet> joined;
         for (std::uint32_t k = 0; k < sheets_.size(); ++k)
             if (sets_.find(k) == k) add(k, joined);
-        std::sort(joined.begin(), joined.end(),
-                  [](const JoinedSheet& a, const JoinedSheet& b) { return a.members[0] < b.members[0]; });
+        sort_range(joined, [](const JoinedSheet& a, const JoinedSheet& b) { return a.members[0] < b.members[0]; });
         return joined;
     }
 
@@ -46,8 +46,10 @@ private:
                 const GridPoint b = use.edge().vertex[!use.reversed()]->point.rounded();
                 sides_.push_back({std::min(a, b), std::max(a, b), b < a, k, &use});
             }
-        std::sort(sides_.begin(), sides_.end(), [](const SheetSide& a, const SheetSide& b) {
-            return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.sheet < b.sheet;
+        sort_range(sides_, [](const SheetSide& a, const SheetSide& b) {
+            if (a.low != b.low) return a.low < b.low;
+            if (a.high != b.high) return a.high < b.high;
+            return a.sheet != b.sheet ? a.sheet < b.sheet : a.down < b.down;
         });
     }
 
@@ -89,7 +91,7 @@ private:
                 steps.push_back({side.down ? side.high : side.low, side.down ? side.low : side.high, side.use});
         if (steps.size() > kMostJoinedCorners) return false;
         const auto by_start = [](const Step& a, const Step& b) { return a.from < b.from; };
-        std::sort(steps.begin(), steps.end(), by_start);
+        sort_range(steps, by_start);
         for (std::size_t k = 1; k < steps.size(); ++k)
             if (steps[k].from == steps[k - 1].from) return false;
         std::vector<std::uint8_t> passed(steps.size(), 0);

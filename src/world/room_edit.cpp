@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "index/join_nodes.h"
 #include "world/join_sheets.h"
 
 namespace firma {
 namespace {
-
-template <class Value>
-void sort_once(std::vector<Value>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 template <class Corner>
 double polygon_area(std::size_t count, const Corner& corner) {
@@ -129,8 +124,8 @@ void RoomEdit::take_walls(const CutOpening& opening, const std::vector<std::uint
         const std::uint32_t room = target_of(before_.cells.current_room(facets[k].part));
         if (room != target_of(room_of_pocket[opening.of_taken[k]])) walls.push_back({opening.of_taken[k], room, k});
     }
-    std::stable_sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {
-        return a.pocket != b.pocket ? a.pocket < b.pocket : a.room < b.room;
+    sort_range(walls, [](const Wall& a, const Wall& b) {
+        return a.pocket != b.pocket ? a.pocket < b.pocket : a.room != b.room ? a.room < b.room : a.facet < b.facet;
     });
     for (std::size_t first = 0, end = 0; first < walls.size(); first = end) {
         std::vector<Ref<const SolidFace>> sheets;
@@ -168,7 +163,7 @@ std::vector<std::uint32_t> RoomEdit::made_portals(const std::array<RoomId, 2>& r
             boxes_meet(portal.box, box))
             found.push_back(change.number);
     }
-    std::sort(found.begin(), found.end());
+    sort_range(found);
     return found;
 }
 
@@ -307,7 +302,7 @@ void RoomEdit::divide_portals(CutJob& cut) {
     const GridBox& around = cut.divided_box();
     before_.cells.for_each_portal_where([&](const GridBox& box) { return boxes_meet(box, around); },
                                         [&](std::uint32_t number, const Portal&) { near.push_back(number); });
-    std::sort(near.begin(), near.end());
+    sort_range(near);
     for (const std::uint32_t number : near) {
         const Portal& portal = before_.cells.portal(number);
         if (!portal.is_exact()) {
@@ -410,12 +405,11 @@ void RoomEdit::start(const SolidEdit& solid) {
     targets_.clear();
     edits_.clear();
     next_edit_ = 0;
-    std::sort(rooms_.begin(), rooms_.end(), [](const TouchedRoom& a, const TouchedRoom& b) { return a.room < b.room; });
+    sort_range(rooms_, [](const TouchedRoom& a, const TouchedRoom& b) { return a.room < b.room; });
     for (const TouchedRoom& room : rooms_) target(target_of(room.room)).from.push_back(room.room);
     for (std::uint32_t room = before_.cells.room_count(); room < sum_of_rooms_; ++room) target(room);
     end_portals_within();
-    std::sort(portals_.begin(), portals_.end(),
-              [](const PortalChange& a, const PortalChange& b) { return a.number < b.number; });
+    sort_range(portals_, [](const PortalChange& a, const PortalChange& b) { return a.number < b.number; });
     if (shares_the_solids_index()) {
         for (Target& it : targets_) it.index = solid.result().data().faces.root;
         return;
@@ -431,6 +425,12 @@ void RoomEdit::start(const SolidEdit& solid) {
         edits_[target(target_of_part(block->part)).edit].remove(block, block->box());
     for (const Ref<const Node>& leaf : solid.store().added())
         edits_[target(target_of_part(block_of(*leaf).part)).edit].add(leaf);
+}
+
+std::size_t RoomEdit::portals_made() const {
+    return std::size_t(std::count_if(portals_.begin(), portals_.end(), [&](const PortalChange& change) {
+        return change.number >= before_.cells.portal_count();
+    }));
 }
 
 std::uint32_t RoomEdit::target_of_part(std::uint32_t part) const {

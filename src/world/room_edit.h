@@ -48,6 +48,10 @@ public:
     /// others that are given, become one.
     void merge_at_portals(const GridBox& box, const std::vector<std::uint32_t>& others);
 
+    /// How many there are anew; once start() was called.
+    std::size_t portals_made() const;
+    std::size_t rooms_made() const { return sum_of_rooms_ - before_.cells.room_count(); }
+
     /// Begins to edit the indices of the rooms.
     void start(const SolidEdit& solid);
     /// Does one piece of work; false once there is none left.

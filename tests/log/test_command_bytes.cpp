@@ -45,6 +45,7 @@ TEST(CommandBytes, PosesComeBackToTheBit) {
         EditCommand command = cut_command(std::uint32_t(number), crater, any_pose(rng), k % 2 ? "brick" : "");
         if (k % 5 == 0) command.pose.rotation = random_turn(crater.seed);
         if (k % 7 == 0) command.kind = EditKind::kFill;
+        if (k % 3 == 0) command.options.from = any_pose(rng).position;
         const std::vector<std::byte> bytes = bytes_of(command);
         const EditCommand read = unpack_command(bytes, "test").value();
         EXPECT_EQ(bits_of(read.pose), bits_of(command.pose));
@@ -52,6 +53,7 @@ TEST(CommandBytes, PosesComeBackToTheBit) {
         EXPECT_EQ(read.kind, command.kind);
         EXPECT_EQ(std::get<CraterSeed>(read.cutter), crater);
         EXPECT_EQ(read.options.material, command.options.material);
+        EXPECT_EQ(read.options.from, command.options.from);
         EXPECT_EQ(bytes_of(read), bytes);
     }
 }
@@ -103,14 +105,15 @@ TEST(CommandBytes, ACraterTakesFew) {
     for (int k = 0; k < 2000; ++k) {
         Vec3 at;
         for (int axis = 0; axis < 3; ++axis) at[axis] = rng.uniform(-8000, 8000);
-        const EditCommand command =
-            crater_command(kMaxEditNumber, {CutterShape::kRocky, rng.next()}, at, rng.uniform(0.1, 6), {"concrete"});
+        const EditCommand command = crater_command(kMaxEditNumber, {CutterShape::kRocky, rng.next()}, at,
+                                                   rng.uniform(0.1, 6), {"concrete", at + Vec3{0.1, 2, 0.3}});
         EXPECT_EQ(bits_of(command.pose), bits_of(quantised(command).pose));
         EXPECT_EQ(command.pose.rotation, random_turn(std::get<CraterSeed>(command.cutter).seed));
         longest = std::max(longest, bytes_of(command).size());
     }
     EXPECT_EQ(longest,
-              1u + 1 + 3 + 1 + 8 + 12 + 3 + 2 + 8);  // version, head, number, form, seed, place, scale, material
+              1u + 1 + 3 + 1 + 8 + 12 + 3 + 2 + 8 + 2 + 12);  // version, head, number, form, seed, place, scale,
+                                                              // material, where the shot came from
     EXPECT_LT(longest, 64u);
 }
 
