@@ -133,14 +133,17 @@ Cells make_cells(StoredWorld& stored) {
     std::vector<Ref<const Portal>> made;
     made.reserve(portals.size());
     for (const PortalPart& portal : portals) made.emplace_back(new Portal(portal));
+    std::vector<PortalId> all;
+    for (std::uint32_t k = 0; k < portals.size(); ++k) {
+        cells.set_portal_between(k, std::move(made[k]), !portals[k].open);
+        all.push_back({k});
+    }
+    cells.index_portals(all);
     for (std::uint32_t k = 0; k < records.size(); ++k) {
-        for (const PortalId portal : records[k].portals) records[k].portal_box.add(made[portal.value]->box);
+        cells.set_portal_boxes(records[k]);
         cells.set_room(k, std::make_shared<const RoomRecord>(std::move(records[k])));
     }
-    for (std::uint32_t k = 0; k < portals.size(); ++k) cells.set_portal(k, std::move(made[k]), !portals[k].open);
-    std::vector<PortalId> all;
-    for (std::uint32_t k = 0; k < portals.size(); ++k) all.push_back({k});
-    cells.index_portals(all);
+    cells.put_in(all);
     return cells;
 }
 

@@ -54,7 +54,9 @@ private:
             cells.rooms().bytes(is_new_page) + cells.portals().bytes(is_new_page) + cells.joined().bytes(is_new_page);
         if (cells.portal_index()) add_portals(*cells.portal_index());
         cells.rooms().for_each([&](std::uint32_t, const std::shared_ptr<const RoomRecord>& record) {
-            if (is_new(record.get())) bytes_ += bytes_of(*record);
+            if (!is_new(record.get())) return;
+            bytes_ += bytes_of(*record);
+            if (record->portal_index) add_portals(*record->portal_index);
         });
         cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
             if (is_new(state.portal.get())) bytes_ += state.portal->bytes();
