@@ -4,8 +4,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "firma/chunk.h"
 #include "firma/cutter.h"
 #include "firma/export.h"
 #include "firma/result.h"
@@ -22,6 +25,8 @@ struct [[nodiscard]] CarveResult {
     /// For a refusal that should not be possible (cuts or labels that contradict each other): what it takes to see it
     /// again, an .obj with the candidate faces and the cutter. Empty otherwise.
     std::string reproduction;
+    /// What came loose and left the world, where that was asked for: in an order that is the same everywhere.
+    std::vector<Chunk> chunks;
 
     bool done() const { return status == CarveStatus::kDone; }
 };
@@ -29,6 +34,11 @@ struct [[nodiscard]] CarveResult {
 struct CarveOptions {
     /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.
     std::string material;
+    /// Look for pieces that the cut leaves loose: they leave the world within the same edit, and come back as
+    /// CarveResult::chunks. Nothing: leave them hanging. See with_anchors() for what holds a piece. A fill leaves
+    /// nothing loose; what it puts down free in the air stays there by intent. Ask for it in all edits of a world, or
+    /// in none: a piece that was left hanging is not looked for later.
+    std::optional<ChunkOptions> chunks{};
 };
 
 /// Takes a placed cutter away from the solid of a world.
@@ -48,7 +58,9 @@ struct CarveOptions {
 /// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
 /// rooms are joined it also grows with these rooms' portals. CarveOptions::material is searched among the world's
 /// materials by name, and a new one copies their list. Takes memory for what is made anew; all else is shared.
-/// CarveRules bounds the cost, CarveReport::times tells it.
+/// CarveRules bounds the cost, CarveReport::times tells it. Looking for loose pieces costs the faces that the cut made
+/// and those near it; where these are in several groups, also the faces of the smaller pieces, and of the largest until
+/// they are known to hang together (CarveReport::faces_searched). A piece that leaves costs its faces.
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,

@@ -5,6 +5,7 @@
 #include "firma/brush_level.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/chunk.h"
 #include "firma/cutter.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"

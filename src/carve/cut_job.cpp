@@ -16,6 +16,7 @@
 #include "carve/side_of_solid.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
+#include "solid/hash_face.h"
 
 namespace firma {
 namespace {
@@ -93,6 +94,9 @@ bool CutJob::step() {
         case Phase::kFacets:
             phase_ = make_next_faces();
             break;
+        case Phase::kLoose:
+            phase_ = find_loose();
+            break;
         case Phase::kChange:
             phase_ = make_change();
             break;
@@ -122,6 +126,8 @@ double* CutJob::clock_of(Phase phase) {
             return &times.trace;
         case Phase::kFacets:
             return &times.facets;
+        case Phase::kLoose:
+            return &times.chunks;
         case Phase::kChange:
             return &times.tree;
         case Phase::kEnd:
@@ -358,7 +364,15 @@ CutJob::Phase CutJob::make_next_faces() {
             face_maker_->make_kept(piece);
     }
     if (face_maker_->made().faces.size() > rules_.max_new_faces) return too_many_new_faces();
-    return next_ < all ? Phase::kFacets : Phase::kChange;
+    if (next_ < all) return Phase::kFacets;
+    return terms_.anchors && !input_.fill ? Phase::kLoose : Phase::kChange;
+}
+
+CutJob::Phase CutJob::find_loose() {
+    if (!loose_) loose_ = std::make_unique<Loose>(*this);
+    if (loose_->search.step()) return Phase::kLoose;
+    report_.faces_searched = loose_->search.searched();
+    return Phase::kChange;
 }
 
 std::string CutJob::material_name(std::uint32_t material) const {
@@ -387,9 +401,37 @@ std::vector<FacetPlace> CutJob::facets_removed() {
     return removed;
 }
 
+/// Loose pieces: what is left of them goes, what the cut made of them does not come.
+void CutJob::take_pieces_out() {
+    PointHash hash;
+    FlatMap leaves;
+    for (LoosePiece& piece : loose_->search.pieces()) {
+        CutPiece& taken = pieces_.emplace_back();
+        for (const FacetPlace& face : piece.faces) {
+            add_face(*face.block, face.record(), -1, hash);
+            gather_face(index(), face, taken.removed);
+        }
+        for (const std::uint32_t k : piece.made) {
+            const FaceOwner& owner = *change_.added.owners[k];
+            add_face(static_cast<const SolidFace&>(owner), -1, hash);
+            leaves.at(reinterpret_cast<std::uintptr_t>(&owner)) = k;
+        }
+        append_made(change_.added, piece.made, taken.made);
+        taken.volume = piece.volume;
+        taken.box = piece.box;
+        change_.removed.insert(change_.removed.end(), taken.removed.begin(), taken.removed.end());
+    }
+    for (const auto& [key, sum] : hash.finish().sums()) change_.points.add(key, sum);
+    std::erase_if(change_.added.faces, [&](const FaceSet::Entry& face) {
+        return leaves.find(reinterpret_cast<std::uintptr_t>(face.owner)) != FlatMap::kNone;
+    });
+}
+
 CutJob::Phase CutJob::make_change() {
     change_.removed = facets_removed();
+    change_.points = change_of_points(view(), loops());
     change_.added = face_maker_->take();
+    if (loose_ && !loose_->search.pieces().empty()) take_pieces_out();
     const std::size_t removed = change_.removed.size(), added = change_.added.faces.size();
     if (data().faces.count + terms_.other_faces - removed + added > rules_.max_faces)
         return refuse(ErrorCode::kTooLarge,
@@ -401,7 +443,6 @@ CutJob::Phase CutJob::make_change() {
     report_.volume = volume_taken(view(), loops());
     std::uint32_t id = data().next_face;
     for (FaceSet::Entry& face : change_.added.faces) face.id = {id++};
-    change_.points = change_of_points(view(), loops());
     status_ = CarveStatus::kDone;
     return Phase::kEnd;
 }

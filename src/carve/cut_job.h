@@ -9,6 +9,7 @@
 
 #include "carve/arrange_cut.h"
 #include "carve/cut_faces.h"
+#include "carve/find_loose.h"
 #include "carve/label.h"
 #include "carve/make_faces.h"
 #include "carve/tile_faces.h"
@@ -23,6 +24,15 @@ struct CutTerms {
     const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
     std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
+    const Anchors* anchors = nullptr;                     ///< what holds pieces; null: do not look for loose ones
+};
+
+/// A piece that a cut left loose: all its facets go with SolidChange::removed, or do not come with `added`.
+struct CutPiece {
+    std::vector<FacetPlace> removed;  ///< of faces that the cut left alone: all of each, each with its part
+    FaceSet made;                     ///< of faces that the cut made; ids are left open
+    double volume = 0;                ///< cubic metres
+    GridBox box;
 };
 
 /// Works in pieces of some ten microseconds. Only reads the solid; what it makes is its own.
@@ -44,6 +54,8 @@ public:
     const std::string& reproduction() const { return reproduction_; }
     /// With kDone. Once: it is moved out.
     SolidChange take_change() { return std::move(change_); }
+    /// With kDone, where CutTerms::anchors said to look for them.
+    const std::vector<CutPiece>& pieces() const { return pieces_; }
 
     const Solid& solid() const { return solid_; }
     /// As it was cut with.
@@ -64,6 +76,7 @@ private:
         kTrace,
         kRules,
         kFacets,
+        kLoose,
         kChange,
         kEnd
     };
@@ -78,6 +91,7 @@ private:
     Phase trace();
     Phase apply_materials();
     Phase make_next_faces();
+    Phase find_loose();
     Phase make_change();
 
     Phase refuse(ErrorCode code, std::string reason);
@@ -92,6 +106,7 @@ private:
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
     std::vector<FacetPlace> facets_removed();
+    void take_pieces_out();
     std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
 
@@ -127,6 +142,17 @@ private:
     std::unique_ptr<CutArranger> arranger_;  ///< where the cutter touches: in place of the four above
     KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
+    struct Loose {
+        const CutView view;
+        const CutFaces cut;
+        LooseSearch search;
+        explicit Loose(const CutJob& job)
+            : view(job.view()),
+              cut{view, job.loops(), job.kept_, job.face_maker_->made()},
+              search(job.solid_, cut, *job.terms_.anchors) {}
+    };
+    std::unique_ptr<Loose> loose_;
+    std::vector<CutPiece> pieces_;
 
     std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
 };

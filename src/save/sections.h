@@ -25,6 +25,8 @@ inline constexpr SectionType kEdgesSection = section_type("EDGE");
 inline constexpr SectionType kExactFacesSection = section_type("EXAC");
 inline constexpr SectionType kUsesSection = section_type("USES");
 inline constexpr SectionType kLoopsSection = section_type("LOOP");
+// What holds pieces: may be missing, or passed over.
+inline constexpr SectionType kAnchorsSection = section_type("HOLD");
 // How textures lie: may be missing, or passed over.
 inline constexpr SectionType kTextureMapsSection = section_type("TMAP");
 inline constexpr SectionType kTexturedFacesSection = section_type("TFAC");
@@ -49,6 +51,7 @@ inline constexpr SectionType kSectionsOfBoth[] = {
     kUsesSection,    kLoopsSection};
 inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
                                                       kTextureOutlinesSection};
+inline constexpr SectionType kSectionsOfAnchors[] = {kAnchorsSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
 inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
                                                    kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
@@ -67,6 +70,7 @@ inline constexpr std::size_t kPointBytes = 12;
 inline constexpr std::size_t kPlaneBytes = 40;
 inline constexpr std::size_t kEdgeBytes = 20;
 inline constexpr std::size_t kExactFaceBytes = 36;
+inline constexpr std::size_t kAnchorBytes = 12;
 inline constexpr std::size_t kTextureMapBytes = 72;
 inline constexpr std::size_t kTexturedFaceBytes = 12;
 
@@ -87,6 +91,8 @@ inline constexpr std::uint32_t kClosedPortal = 1;
 // Of a face.
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;
+// What an anchor names.
+inline constexpr std::uint32_t kMaterialHolds = 0, kSourceHolds = 1, kEditHolds = 2, kHangingHolds = 3;
 // Of an edge.
 inline constexpr std::uint32_t kDoubledEdge = 1;
 

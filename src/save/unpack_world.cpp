@@ -4,6 +4,7 @@
 #include "firma/solid.h"
 #include "save/entries.h"
 #include "save/sections.h"
+#include "save/unpack_anchors.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"
@@ -33,6 +34,7 @@ std::vector<SectionType> known_sections(std::uint32_t version) {
     if (version == 1) {
         known.insert(known.end(), std::begin(kSectionsOfVersion1), std::end(kSectionsOfVersion1));
     } else {
+        known.insert(known.end(), std::begin(kSectionsOfAnchors), std::end(kSectionsOfAnchors));
         known.insert(known.end(), std::begin(kSectionsOfTextures), std::end(kSectionsOfTextures));
         known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
     }
@@ -72,6 +74,7 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     const FaceSet faces = version == 1 ? unpack_faces_of_version_1(sections, unpacked, exact, damage)
                                        : unpack_faces(sections, unpacked, exact, damage);
     if (!damage.error()) unpack_portals(sections, unpacked, damage);
+    if (!damage.error() && version > 1) unpacked.world.anchors = unpack_anchors(sections, damage);
     if (!damage.error() && version > 1) unpacked.world.textures = unpack_textures(sections, damage);
     std::optional<UnpackedIndex> index;
     if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);

@@ -12,6 +12,7 @@
 #include "geometry/flat_point.h"
 #include "solid/boundary.h"
 #include "solid/measure_boundary.h"
+#include "solid/shells.h"
 #include "solid/solid_data.h"
 
 namespace firma {
@@ -97,11 +98,7 @@ MassProperties mass_properties(const Solid& solid, double density) {
     GridBox box;
     for (const PatchFace& face : patch.faces) box.add(face.box);
     MomentSum sum(middle_of(box));
-    for (const PatchFace& face : patch.faces) {
-        const auto uses = patch.uses(face);
-        sum.add_face(face.plane->plane, patch.ends(face),
-                     [&](std::uint32_t k) -> const ExactPoint& { return patch.vertices[patch.from(uses[k])].point; });
-    }
+    for (const PatchFace& face : patch.faces) add_face(patch, face, sum);
     return mass_of(sum, density);
 }
 
