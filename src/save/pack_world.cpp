@@ -56,6 +56,7 @@ public:
         if (data_.cells.known()) pack_records();
         if (data_.cells.portal_count() > 0) pack_portals();
         if (exact_) pack_exact();
+        if (data_.anchors) pack_anchors(*data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
         return write_container(sections(), needs_version_3_ ? 3 : 2);
@@ -262,6 +263,17 @@ private:
         for (const std::uint32_t end : face.loop_ends()) loops_.u32(end);
     }
 
+    void pack_anchors(const Anchors& anchors) {
+        const auto add = [&](std::uint32_t kind, std::uint32_t edit, std::uint32_t value) {
+            for (const std::uint32_t number : {kind, edit, value}) anchors_.u32(number);
+        };
+        for (const std::uint32_t material : anchors.materials) add(kMaterialHolds, 0, material);
+        for (const std::uint32_t source : anchors.sources) add(kSourceHolds, 0, source);
+        for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
+        for (const std::uint64_t key : anchors.hanging)
+            add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
+    }
+
     void pack_textures(const FaceTextures& textures) {
         for (const TextureProjection& map : textures.projections()) {
             for (const auto& [axis, offset] : {std::pair(map.u_axis, map.u_offset), {map.v_axis, map.v_offset}}) {
@@ -317,6 +329,7 @@ private:
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };
+        if (data_.anchors) add_optional(kAnchorsSection, anchors_);
         if (data_.textures) {
             add_optional(kTextureMapsSection, texture_maps_);
             add_optional(kTexturedFacesSection, textured_faces_);
@@ -340,6 +353,7 @@ private:
     ByteWriter world_, materials_, rules_, merge_, faces_, vertices_, corners_;
     ByteWriter records_, portals_, portal_polygons_, portal_corners_, portal_faces_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
+    ByteWriter anchors_;
     ByteWriter texture_maps_, textured_faces_, texture_outlines_;
     ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
     FlatMap number_of_node_, number_of_block_;

@@ -4,6 +4,7 @@
 #include "firma/solid.h"
 #include "save/entries.h"
 #include "save/sections.h"
+#include "save/unpack_anchors.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"
@@ -34,6 +35,7 @@ std::vector<SectionType> known_sections(std::uint32_t version) {
         known.insert(known.end(), std::begin(kSectionsOfVersion1), std::end(kSectionsOfVersion1));
     } else {
         if (version > 2) known.insert(known.end(), std::begin(kSectionsOfVersion3), std::end(kSectionsOfVersion3));
+        known.insert(known.end(), std::begin(kSectionsOfAnchors), std::end(kSectionsOfAnchors));
         known.insert(known.end(), std::begin(kSectionsOfTextures), std::end(kSectionsOfTextures));
         known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
     }
@@ -74,6 +76,7 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     if (damage.error()) return *damage.error();
     const FaceSet faces = version == 1 ? unpack_faces_of_version_1(sections, unpacked, exact, damage)
                                        : unpack_faces(sections, unpacked, exact, damage);
+    if (!damage.error() && version > 1) unpacked.world.anchors = unpack_anchors(sections, damage);
     if (!damage.error() && version > 1) unpacked.world.textures = unpack_textures(sections, damage);
     std::optional<UnpackedIndex> index;
     if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);

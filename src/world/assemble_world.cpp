@@ -161,6 +161,7 @@ World world_of(StoredWorld stored) {
     data->tree_options = stored.tree_options;
     data->version = stored.version;
     data->rules = std::move(stored.rules);
+    data->anchors = std::move(stored.anchors);
     data->textures = std::move(stored.textures);
     return World(std::move(data));
 }

@@ -45,6 +45,7 @@ struct StoredWorld {
     Tolerance tolerance;
     TreeOptions tree_options;
     std::shared_ptr<const CarveRules> rules;
+    std::shared_ptr<const Anchors> anchors;
     std::shared_ptr<const FaceTextures> textures;
 };
 World world_of(StoredWorld stored);

@@ -17,6 +17,7 @@ public:
         if (is_new(&data)) bytes_ += sizeof data;
         if (data.materials && is_new(data.materials.get())) add(*data.materials);
         if (data.textures && is_new(data.textures.get())) bytes_ += data.textures->bytes();
+        if (data.anchors && is_new(data.anchors.get())) bytes_ += sizeof(Anchors) + data.anchors->bytes();
         const SolidData& solid = data.solid.data();
         if (is_new(&solid)) bytes_ += sizeof solid;
         add(solid.points);

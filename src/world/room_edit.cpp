@@ -78,6 +78,7 @@ bool RoomEdit::is_swallowed(const TouchedRoom& room) const {
 }
 
 void RoomEdit::open(const CutOpening& opening, std::optional<std::uint32_t> shot_from, FaceSet& added) {
+    if (opening.air) shot_from = opening.air;
     if (shot_from) shot_from = target_of(*shot_from);
     std::vector<std::uint32_t> swallowed;
     for (const TouchedRoom& room : rooms_)
@@ -101,7 +102,7 @@ void RoomEdit::open(const CutOpening& opening, std::optional<std::uint32_t> shot
         };
         for (const Touch& touch : of_pocket)
             if (!best || comes_before(touch, *best)) best = &touch;
-        const std::uint32_t room = best ? best->room : add_new();
+        const std::uint32_t room = opening.air ? *shot_from : best ? best->room : add_new();
         room_of_pocket.push_back(room);
         for (const Touch& touch : of_pocket)
             if (is_cavity(touch) && touch.room != room) merge(touch.room, room);
