@@ -133,8 +133,8 @@ public:
     void set_portal_boxes(RoomRecord& record) const;
     /// The same after an edit: an index is changed, not made anew.
     /// @param before   the cells before it
-    /// @param room     the record's, of before
-    /// @param changed  portals that were added, changed or removed
+    /// @param room     the record's, of before; of several that became one, one of them
+    /// @param changed  portals that were added, changed or removed, and those of the others; each once
     void set_portal_boxes(RoomRecord& record, const Cells& before, std::uint32_t room,
                           std::span<const PortalId> changed) const;
     /// Around portals.

@@ -578,10 +578,17 @@ void RoomEdit::publish(const Target& it, std::vector<PortalId> portals, std::spa
     record.exterior = exterior;
     if (it.room < cells.room_count()) record.name = cells.room(it.room).name;
     record.portals = std::move(portals);
-    if (is_old)
-        next.cells.set_portal_boxes(record, cells, it.room, changed);
-    else
+    if (it.from.empty()) {
         next.cells.set_portal_boxes(record);
+    } else {
+        const std::uint32_t largest = largest_of(it.from, cells);
+        std::vector<PortalId> others(changed.begin(), changed.end());
+        for (const std::uint32_t room : it.from)
+            if (room != largest)
+                others.insert(others.end(), cells.portals_of(room).begin(), cells.portals_of(room).end());
+        sort_once(others);
+        next.cells.set_portal_boxes(record, cells, largest, others);
+    }
     next.set_room(it.room, std::make_shared<const RoomRecord>(std::move(record)), Ref<const RoomFaces>(made.get()));
 }
 
