@@ -61,16 +61,20 @@ std::string read_file(const std::string& path) {
     }
 }
 
-CsvReader::CsvReader(std::string_view text, std::string name, std::span<const std::string_view> columns)
-    : rest_(text), name_(std::move(name)), columns_(columns) {
+CsvReader::CsvReader(std::string_view text, std::string name, std::span<const std::string_view> columns,
+                     std::span<const std::string_view> optional)
+    : rest_(text), name_(std::move(name)), columns_(columns.begin(), columns.end()), required_(columns.size()) {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // spreadsheets write one
     if (!next_line()) throw Failure(name_ + ":1", "the file is empty; a header is required");
     split();
     for (const std::string_view field : fields_) {
-        if (std::find(columns.begin(), columns.end(), field) == columns.end())
-            fail(fmt::format("'{}' is no column; the header must be {}", shown(field), fmt::join(columns, ",")));
+        const bool is_optional = std::find(optional.begin(), optional.end(), field) != optional.end();
+        if (is_optional && !has_optional()) columns_.insert(columns_.end(), optional.begin(), optional.end());
+        if (is_optional || std::find(columns.begin(), columns.end(), field) != columns.end()) continue;
+        const std::string also = optional.empty() ? "" : fmt::format(", and may have {}", fmt::join(optional, ","));
+        fail(fmt::format("'{}' is no column; the header must be {}{}", shown(field), fmt::join(columns, ","), also));
     }
-    for (const std::string_view column : columns) {
+    for (const std::string_view column : columns_) {
         const auto found = std::find(fields_.begin(), fields_.end(), column);
         if (found == fields_.end()) fail(fmt::format("the header lacks '{}'", column));
         if (std::find(found + 1, fields_.end(), column) != fields_.end())

@@ -18,13 +18,17 @@ std::string read_file(const std::string& path);
 std::string shown(std::string_view text);
 
 /// Plain csv: fields between commas, no quotes; blanks around a field do not count; lines end in LF or CRLF. The header
-/// must hold each column asked for exactly once, and no other.
+/// must hold each column asked for exactly once, optional ones all or none, and no other.
 class CsvReader {
 public:
     /// @param text     the file; must outlive the reader
     /// @param name     for messages
     /// @param columns  their names; at() counts in this order
-    CsvReader(std::string_view text, std::string name, std::span<const std::string_view> columns);
+    /// @param optional at() counts them behind `columns`
+    CsvReader(std::string_view text, std::string name, std::span<const std::string_view> columns,
+              std::span<const std::string_view> optional = {});
+
+    bool has_optional() const { return columns_.size() > required_; }
 
     /// Goes on to the next row; false at the end. An empty line is an error, as is a row with too few or too many
     /// fields.
@@ -44,7 +48,8 @@ private:
 
     std::string_view rest_, row_;
     std::string name_;
-    std::span<const std::string_view> columns_;
+    std::vector<std::string_view> columns_;  ///< that the file has
+    std::size_t required_;
     std::vector<std::size_t> place_;        ///< of a column within a row
     std::vector<std::string_view> fields_;  ///< of this row
     std::size_t line_ = 0;                  ///< from 1, the header included

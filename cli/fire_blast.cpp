@@ -15,8 +15,12 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 Fired fire_blast(World& world, const Blast& blast, const FireOptions& options) {
-    const Cutter cutter = cutter_of(blast);
-    const Pose pose = pose_of(blast);
+    FireOptions own = options;
+    own.carve.from = blast.from;
+    return fire_cut(world, cutter_of(blast), pose_of(blast), own);
+}
+
+Fired fire_cut(World& world, const Cutter& cutter, const Pose& pose, const FireOptions& options) {
     Fired fired;
     const Clock::time_point start = Clock::now();
     {

@@ -25,6 +25,9 @@ struct Fired {
 /// within the time measured.
 Fired fire_blast(World& world, const Blast& blast, const FireOptions& options = {});
 
+/// The same of any cutter.
+Fired fire_cut(World& world, const Cutter& cutter, const Pose& pose, const FireOptions& options);
+
 /// Whether nothing came of an edit though the cutter reached into faces, all of them castable only.
 bool met_only_castable(const CarveResult& result);
 

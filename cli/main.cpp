@@ -89,7 +89,7 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(30);
     app.get_formatter()->label("SUBCOMMAND", "VERB");
     app.get_formatter()->label("Subcommands", "Verbs");
-    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),  add_carve(app),
+    const std::vector<Verb> verbs{add_info(app), add_check(app), add_cast(app),  add_carve(app), add_log(app),
                                   add_walk(app), add_draw(app),  add_serve(app), add_demo(app)};
     refuse_unknown_verb(argc, argv, verbs);
     try {

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kBlastColumns{"x", "y", "z", "radius", "shape", "seed"};
 
+constexpr std::array<std::string_view, 3> kFromColumns{"fx", "fy", "fz"};
+
 CutterShape shape_at(const CsvReader& csv, std::size_t column) {
     const std::optional<CutterShape> shape = cutter_shape(csv.at(column));
     if (!shape) csv.fail(fmt::format("shape: '{}' is none of rocky, spiky, drill, wedge, box", shown(csv.at(column))));
@@ -37,7 +39,7 @@ std::uint64_t seed_at(const CsvReader& csv, std::size_t column) {
 
 std::vector<Blast> read_blasts(const std::string& path) {
     const std::string text = read_file(path);
-    CsvReader csv(text, path, kBlastColumns);
+    CsvReader csv(text, path, kBlastColumns, kFromColumns);
     std::vector<Blast> blasts;
     while (csv.next()) {
         Blast blast;
@@ -45,6 +47,10 @@ std::vector<Blast> read_blasts(const std::string& path) {
         blast.radius = csv.number(3);
         blast.shape = shape_at(csv, 4);
         blast.seed = seed_at(csv, 5);
+        if (csv.has_optional()) {
+            Vec3& from = blast.from.emplace();
+            for (int axis = 0; axis < 3; ++axis) from[axis] = csv.number(kBlastColumns.size() + std::size_t(axis));
+        }
         blasts.push_back(blast);
     }
     return blasts;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/atomic_file.h"
+#include "cli/edit_log_file.h"
 #include "cli/failure.h"
 #include "cli/fire_blast.h"
 #include "cli/glb_parts.h"
@@ -21,25 +22,26 @@
 #include "cli/progress.h"
 #include "cli/read_blasts.h"
 #include "cli/write_glb.h"
-#include "firma/save.h"
+#include "cli/write_level.h"
 #include "world/world_data.h"
 
 namespace firma::cli {
 
 namespace {
 
-struct CarveArguments {
+struct CarveArguments : LevelOutput {
     LevelArguments level;
-    std::string blasts, out, report, material, slices, up;
-    bool castable = false;
+    std::string blasts, report, log, material, slices;
     bool json = false;
 };
 
-constexpr const char* kReportHeader = "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only\n";
+constexpr const char* kReportHeader =
+    "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,reason\n";
 
 constexpr const char* kCarveFooter =
-    R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, no
-others, in any order. Shapes, of mean radius 1 before `radius` scales them:
+    R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, in any
+order, and if you like fx,fy,fz, where the shot came from (metres): what a crater opens between rooms becomes air of the
+room that this lies in. Shapes, of mean radius 1 before `radius` scales them:
   rocky  a rough ball of 180 triangles       spiky  a ball of 180 triangles with 32 spikes
   drill  a pointed rod of 64 triangles       wedge  a blade of 8 triangles
   box    a cube of 12 triangles, 2 a side
@@ -61,6 +63,9 @@ The report: one row a blast, in their order:
   hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
   castable_only
               faces that reach into the cutter and were left as they are, as they bound no closed solid
+  portals     that the blast made: holes between rooms
+  rooms       that it made: pockets in rock
+  reason      why it was refused; empty otherwise. Commas are semicolons
 A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Neither
 refusals nor blasts that came to nothing change the exit code.
 
@@ -80,9 +85,14 @@ none, and `firma check` does not take it ("no face"); AFTER.glb is an empty scen
 which would be a fault of Firma, the blast is refused and AFTER.repro-N.obj (N: the blast) holds the faces and the
 cutter.
 
+--log writes what was done, for others to do the same to the same level: `firma log replay` gives the world that AFTER
+holds, to the bit. Each blast is quantised before it is fired, its place to 1/4096 m and its radius to 1/4096, and is
+given a number, from which the ids of its faces follow: so the hashes differ from those of a run without --log. A
+checkpoint, the world's hash, stands after every 100 blasts and at the end.
+
 --json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that are castable only), refused,
 faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
-volume, hash, read_seconds, build_seconds, out, report.
+volume, hash, read_seconds, build_seconds, out, report, log.
 
 For instance, a crater and a drill hole in our level:
   printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
@@ -128,7 +138,10 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
         fmt::format("{},{},{:.4f},{},{},{},", blast, status_name(fired.result.status), 1e3 * fired.seconds,
                     done ? did.faces_removed : 0, done ? did.faces_added : 0, did.retries);
     append_17(row, done ? did.volume : 0);
-    report.write(row + fmt::format(",{},{}\n", hash_text(world), did.faces_castable_only));
+    std::string reason = fired.result.status == CarveStatus::kRefused ? fired.result.error.text() : "";
+    std::replace(reason.begin(), reason.end(), ',', ';');
+    report.write(row + fmt::format(",{},{},{},{},{}\n", hash_text(world), did.faces_castable_only,
+                                   done ? did.portals : 0, done ? did.rooms : 0, reason));
 }
 
 /// after.obj -> after.repro-7.obj
@@ -154,14 +167,29 @@ void tell_refusal(const CarveArguments& arguments, std::size_t blast, const Carv
     std::fputs((text + "\n").c_str(), stderr);
 }
 
+/// A blast as it is, or as the next command of a log: quantised, and with a number of its own.
+Fired fire(World& world, const Blast& blast, FireOptions options, EditLog* log) {
+    if (!log) return fire_blast(world, blast, options);
+    options.carve.from = blast.from;
+    const EditCommand command =
+        crater_command(log->next_number(), {blast.shape, blast.seed}, blast.position, blast.radius, options.carve);
+    options.carve = command.options;
+    options.carve.edit = command.number;
+    Fired fired = fire_cut(world, cutter_of(blast), command.pose, options);
+    if (!fired.result.done()) return fired;
+    if (const std::optional<Error> error = log->append(command)) throw Failure(*error);
+    if (log->commands().size() % kCheckpointEvery == 0) log->add_checkpoint(world);
+    return fired;
+}
+
 Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions& options,
-               const CarveArguments& arguments, AtomicFile* report) {
+               const CarveArguments& arguments, AtomicFile* report, EditLog* log) {
     Progress progress("carving", blasts.size());
     Tally tally;
     tally.faces_before = world.face_count();
     if (report) report->write(kReportHeader);
     for (std::size_t k = 0; k < blasts.size(); ++k) {
-        const Fired fired = fire_blast(world, blasts[k], options);
+        const Fired fired = fire(world, blasts[k], options, log);
         const CarveResult& result = fired.result;
         tally.done += result.done();
         tally.nothing += result.status == CarveStatus::kNothing;
@@ -183,46 +211,6 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
     }
     tally.faces_after = world.face_count();
     return tally;
-}
-
-bool names_glb(const std::string& path) {
-    return has_ending(path, ".glb");
-}
-
-/// An .obj without faces is what is left, but no level to anyone who reads it.
-void tell_if_empty(const CarveArguments& arguments, const World& world) {
-    if (world.face_count() > 0 || names_saved_world(arguments.out)) return;
-    std::fputs(fmt::format("firma: {}: the blasts left no face: {}\n",
-                           is_standard_output(arguments.out) ? "standard output" : arguments.out,
-                           names_glb(arguments.out) ? "its scene is empty"
-                                                    : "it holds none, and `firma check` will not take it")
-                   .c_str(),
-               stderr);
-}
-
-/// Whether an .obj is to have the solid alone: of brushes much is castable only by intent (glass, clips, liquids,
-/// patches), and would leave the file open.
-bool leaves_out(const LoadedLevel& loaded, const CarveArguments& arguments) {
-    if (arguments.castable || names_glb(arguments.out) || names_saved_world(arguments.out)) return false;
-    return loaded.brushes || (loaded.saved && loaded.world.room_count() > 1);
-}
-
-void write_level(const World& world, const LoadedLevel& loaded, const CarveArguments& arguments, AtomicFile& out) {
-    if (names_saved_world(arguments.out)) {
-        const std::vector<std::byte> bytes = pack_world(world);
-        return out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    }
-    if (names_glb(arguments.out)) {
-        const GlbParts parts(world);
-        judge_glb_size(parts.file_bytes(), arguments.out);
-        return write_glb(world, parts, axis_option("--up", arguments.up),
-                         [&](std::string_view bytes) { out.write(bytes); });
-    }
-    const auto put = [&](std::string_view text) {
-        out.write(text);  // throws where that is not possible
-        return true;
-    };
-    take(write_obj(world, put, leaves_out(loaded, arguments) ? ObjFaces::kSolid : ObjFaces::kAll));
 }
 
 Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& tally, const World& world) {
@@ -247,6 +235,7 @@ Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& 
     json["build_seconds"] = loaded.build_seconds;
     json["out"] = arguments.out;
     json["report"] = arguments.report.empty() ? Json() : Json(arguments.report);
+    json["log"] = arguments.log.empty() ? Json() : Json(arguments.log);
     return json;
 }
 
@@ -273,38 +262,32 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
     if (!arguments.slices.empty()) row("a slice", "longest " + seconds_text(tally.longest_slice));
     row("hash", hash_text(world));
     if (!arguments.report.empty()) row("report", arguments.report);
+    if (!arguments.log.empty()) row("log", arguments.log);
     return text;
-}
-
-/// Whoever writes after.map expects a .map.
-void refuse_other_endings(const std::string& out) {
-    const std::string ending = std::filesystem::path(out).extension().string();
-    if (ending.empty() || has_ending(out, ".obj") || names_glb(out) || names_saved_world(out)) return;
-    throw Failure(out, "a level is written as .obj, .glb or .firma, not as " + ending);
 }
 
 /// Outputs must differ from each other, and from what is read, and be of a format that is written.
 void judge_outputs(const CarveArguments& arguments) {
-    if (has_ending(arguments.out, ".gltf"))
-        throw Failure(arguments.out, "glTF is written as one binary file; let its name end in .glb");
-    if (!arguments.up.empty() && !names_glb(arguments.out)) throw Failure("--up", "is for a .glb");
-    if (arguments.castable && (names_glb(arguments.out) || names_saved_world(arguments.out)))
-        throw Failure("--castable", "is for an .obj; a .glb or .firma has such faces anyway");
-    axis_option("--up", arguments.up);
+    judge_level_output(arguments);
     refuse_json_beside(arguments.json, arguments.out);
     refuse_json_beside(arguments.json, arguments.report);
-    for (const std::string& out : {arguments.out, arguments.report}) {
+    for (const std::string& out : {arguments.out, arguments.report, arguments.log}) {
         refuse_overwriting(out, arguments.level.path);
         refuse_overwriting(out, arguments.blasts);
     }
     if (is_standard_output(arguments.out) && is_standard_output(arguments.report))
         throw Failure("--report", "and --out both want standard output; name a file");
     std::error_code none;
-    if (!arguments.report.empty() && std::filesystem::absolute(arguments.out, none).lexically_normal() ==
-                                         std::filesystem::absolute(arguments.report, none).lexically_normal())
-        throw Failure("--report", "and --out name one file");
+    const auto same = [&](const std::string& a, const std::string& b) {
+        return !a.empty() && std::filesystem::absolute(a, none).lexically_normal() ==
+                                 std::filesystem::absolute(b, none).lexically_normal();
+    };
+    if (same(arguments.report, arguments.out)) throw Failure("--report", "and --out name one file");
+    if (same(arguments.log, arguments.out)) throw Failure("--log", "and --out name one file");
+    if (same(arguments.log, arguments.report)) throw Failure("--log", "and --report name one file");
+    if (is_standard_output(arguments.log)) throw Failure("--log", "a log is bytes; name a file");
     refuse_overwriting(arguments.report, arguments.out);
-    refuse_other_endings(arguments.out);
+    refuse_overwriting(arguments.log, arguments.out);
 }
 
 int run(const CarveArguments& arguments) {
@@ -320,11 +303,23 @@ int run(const CarveArguments& arguments) {
     AtomicFile out(arguments.out);
     std::optional<AtomicFile> report;
     if (!arguments.report.empty()) report.emplace(arguments.report);
+    std::optional<AtomicFile> log_file;
+    std::optional<EditLog> log;
+    if (!arguments.log.empty()) {
+        log_file.emplace(arguments.log);
+        log.emplace(loaded.world);
+    }
     World world = loaded.world;
-    Tally tally = fire_all(world, blasts, options, arguments, report ? &*report : nullptr);
+    Tally tally = fire_all(world, blasts, options, arguments, report ? &*report : nullptr, log ? &*log : nullptr);
     write_level(world, loaded, arguments, out);
     out.finish();
+    if (log) {
+        log->add_checkpoint(world);
+        write_edit_log(*log, *log_file);
+        log_file->finish();
+    }
     if (report) report->commit();
+    if (log_file) log_file->commit();
     out.commit();
     tell_if_empty(arguments, world);
     if (arguments.json) {
@@ -343,16 +338,14 @@ Verb add_carve(CLI::App& app) {
     add_level_arguments(command, arguments->level);
     add_rooms_option(command, arguments->level);
     command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts, see below", true);
-    add_out_option(command, arguments->out, ".obj, .firma or .glb to write: the level after all blasts", true);
+    add_level_output(command, *arguments, ".obj, .firma or .glb to write: the level after all blasts", true);
     command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");
+    command.add_option("--log", arguments->log, "FILE",
+                       "edit log to write: the blasts that were done, for `firma log`; see below");
     command.add_option("--material", arguments->material, "NAME", "material of the faces that blasts leave");
     command.add_option(
         "--slices", arguments->slices, "US",
         "run each edit in slices of so many microseconds, 0: as short as they can be; the result is the same");
-    command.add_flag("--castable", arguments->castable,
-                     "of brushes: write into an .obj what is castable only, too, so that it is not closed");
-    command.add_option("--up", arguments->up, "AXIS",
-                       "of a .glb: the level's axis that points up: x, y or z (default z)");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kCarveFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};

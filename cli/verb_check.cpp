@@ -13,6 +13,7 @@
 
 #include "cli/atomic_file.h"
 #include "cli/brush_level.h"
+#include "cli/edit_log_file.h"
 #include "cli/failure.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
@@ -71,6 +72,9 @@ file is empty; one that was there before is replaced. Bad input leaves it as it 
 A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
 read is checked once more. --json: level, sound, faces, rooms, portals, world_fault or null, solid_fault or null,
 solid_faces, exact_faces, rock_outside, version, edits.
+
+An edit log, .firmalog, is read: damage is bad input. Whether its checkpoints hold needs its level: firma log verify.
+--json: as of firma log show, without commands and checkpoints; sound.
 
 Exit codes: 0 sound, notes or not; 1 faults were found; 2 a bad call or bad input, with `firma: place: reason` on
 stderr.
@@ -328,6 +332,7 @@ void judge_pts(const CheckArguments& arguments) {
 
 int run(CheckArguments& arguments) {
     arguments.level.tells_left_out = true;
+    if (names_edit_log(arguments.level.path)) return check_edit_log(arguments.level.path, arguments.json);
     refuse_unknown_ending(arguments.level.path);
     judge_pts(arguments);
     if (names_saved_world(arguments.level.path)) return check_saved_world(load_level(arguments.level), arguments.json);

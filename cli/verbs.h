@@ -14,6 +14,8 @@ Verb add_check(CLI::App& app);
 Verb add_cast(CLI::App& app);
 /// Craters from a csv file, and the level after them.
 Verb add_carve(CLI::App& app);
+/// What an edit log says; whether it holds; the level after it.
+Verb add_log(CLI::App& app);
 /// A sphere that bounces about a closed room, as rows of places.
 Verb add_walk(CLI::App& app);
 /// A plan and a section of a level, with casts, as SVG; or a view of it, as PNG.

@@ -44,7 +44,7 @@ function shoot(who, world, shot) {
 }
 
 const firma = await loadFirma();
-const level = firma.levelFromMap(await readFile('levels/depot.map'), { name: 'levels/depot.map' });
+const level = await firma.levelFromMap(await readFile('levels/depot.map'), { name: 'levels/depot.map' });
 const world = level.world();
 const facts = world.facts();
 console.log(`${facts.faceCount} faces, ${facts.roomCount} rooms, ${facts.portalCount} portals`);

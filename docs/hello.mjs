@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { loadFirma } from 'firma';
 
 const firma = await loadFirma();
-const world = firma.worldFromObj(await readFile('levels/first.obj'), { name: 'first.obj' });
+const world = await firma.worldFromObj(await readFile('levels/first.obj'), { name: 'first.obj' });
 
 const ball = { centre: [35, 29, 2], radius: 0.5, path: [0, 0, 10] };
 const hit = world.cast(ball);

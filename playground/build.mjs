@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bundles the playground into build/playground: index.html, one script, firma.wasm, the levels. Runs on nodejs 18 and 20.
+// Bundles the playground into build/playground: index.html, one script, the modules, the levels. Runs on nodejs 18 and 20.
 //
-//     node build.mjs [FOLDER]        after `cmake --build --preset wasm`, which makes the module
+//     node build.mjs [FOLDER]        after `cmake --build --preset wasm`, which makes the modules
 import { cpSync, existsSync, mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,10 +11,12 @@ const here = path.dirname(fileURLToPath(import.meta.url));
 const root = path.dirname(here);
 const target = path.resolve(process.argv[2] ?? path.join(root, 'build/playground'));
 const wasm = process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm');
-if (!existsSync(wasm)) {
-    console.error(`firma: ${wasm} is not there; cmake --preset wasm && cmake --build --preset wasm`);
-    process.exit(1);
-}
+const readers = path.join(path.dirname(wasm), 'firma_readers.wasm');
+for (const one of [wasm, readers])
+    if (!existsSync(one)) {
+        console.error(`firma: ${one} is not there; cmake --preset wasm && cmake --build --preset wasm`);
+        process.exit(1);
+    }
 
 mkdirSync(target, { recursive: true });
 await build({
@@ -30,5 +32,6 @@ await build({
 });
 cpSync(path.join(here, 'index.html'), path.join(target, 'index.html'));
 cpSync(wasm, path.join(target, 'firma.wasm'));
+cpSync(readers, path.join(target, 'firma_readers.wasm'));
 for (const level of ['depot.map', 'first.obj']) cpSync(path.join(root, 'levels', level), path.join(target, level));
 console.log(`firma: playground in ${path.relative(process.cwd(), target) || '.'}`);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the module for browsers, then the playground around it, into build/playground. Installs what is missing (apt,
+# Builds the modules for browsers, then the playground around it, into build/playground. Installs what is missing (apt,
 # npm); says nothing unless it fails, and then shows why.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -4,7 +4,7 @@
 
 usage: check_words.py [ROOT]     exit 0: none; 1: some, each named; 2: a bad call
 
-Looked through are the prose of *.md, the comments and names of public headers and of index.d.ts, and texts with a blank
+Looked through are the prose of *.md, the comments and names of public headers and of *.d.ts, and texts with a blank
 in them of the programs, the library and the package: what people read. What programs read (columns, keys, options,
 status words) has no blank, or stands in `code`, and is left alone.
 """
@@ -118,7 +118,7 @@ def check(root):
         judge(path, PROSE, prose_of_markdown)
         if path.endswith(HOUSE_FILES):
             judge(path, HOUSE, prose_of_markdown)
-    for path in files('include/firma/*.h', 'bindings/js/index.d.ts'):
+    for path in files('include/firma/*.h', 'bindings/js/*.d.ts'):
         judge(path, PROSE, lambda text: SPAN.sub(blank, only(COMMENT, OLD_NAMES.sub(blank, text))))
         judge(path, NAMES, lambda text: COMMENT.sub(blank, OLD_NAMES.sub(blank, text)))
     keys = re.compile(r'^--json:.*?(?:\n\n|\.\n|\)\")', re.S | re.M)  # of help: keys as programs read them

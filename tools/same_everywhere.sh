@@ -39,11 +39,12 @@ native() {
     "$folder/$1" "$level" "$cuts" "$casts"
 }
 
-preset() { quiet cmake --preset "$1" && quiet cmake --build --preset "$1" --target "$2"; }
+# preset NAME TARGET...
+preset() { quiet cmake --preset "$1" && quiet cmake --build --preset "$1" --target "${@:2}"; }
 
 build_module() {
     need_module >&2
-    preset wasm firma_wasm
+    preset wasm firma_wasm firma_readers_wasm
 }
 
 run() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the module for browsers and node, and runs the JavaScript package's tests in node and Chromium. Ends non-zero
+# Builds the modules for browsers and node, and runs the JavaScript package's tests in node and Chromium. Ends non-zero
 # on any failure, and then shows what failed; else prints a line or two. Installs what is missing (apt, npm).
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -30,6 +30,6 @@ passed || {
     awk '/^not ok/ { show = 1 } show || /^# (pass|fail|skipped|todo) / { print } /^  \.\.\.$/ { show = 0 }' "$log" >&2
     exit 1
 }
-grep -E '^# (firma\.wasm: |100 cuts, )' "$log" | sed 's/^# //'
+grep -E '^# (firma(_readers)?\.wasm: |100 cuts, )' "$log" | sed 's/^# //'
 browser=$(chromium --version --no-sandbox 2>/dev/null | head -n 1)
 echo "$(sed -n 's/^# pass //p' "$log") tests in node $(node --version) and $browser passed"

@@ -34,14 +34,18 @@ must_print() {
 
 cmp LICENSE bindings/js/LICENSE || fail "the package's licence is not the project's"
 cp -r bindings/js "$work/without"
-rm -rf "$work/without/node_modules" "$work/without/src/firma.wasm"
-! (cd "$work/without" && npm pack) >"$log" 2>&1 || fail "npm pack packs without the module"
-grep -q 'not packed: src/firma.wasm is not there' "$log" || fail "npm pack does not say why it refuses"
-[ -z "$(find "$work/without" -name '*.tgz')" ] || fail "npm pack left a file"
-echo "npm pack refuses without the module"
+rm -rf "$work/without/node_modules"
+for name in firma.wasm firma_readers.wasm; do
+    mv "$work/without/src/$name" "$work/"
+    ! (cd "$work/without" && npm pack) >"$log" 2>&1 || fail "npm pack packs without $name"
+    grep -q "not packed: src/$name is not there" "$log" || fail "npm pack does not say why it refuses"
+    [ -z "$(find "$work/without" -name '*.tgz')" ] || fail "npm pack left a file"
+    mv "$work/$name" "$work/without/src/"
+done
+echo "npm pack refuses without a module"
 (cd bindings/js && quietly npm pack --pack-destination "$work")
 package=$(find "$work" -maxdepth 1 -name 'firma-*.tgz')
-for name in LICENSE README.md index.d.ts package.json src/firma.wasm src/index.js; do
+for name in LICENSE README.md index.d.ts readers.d.ts package.json src/firma.wasm src/firma_readers.wasm src/index.js src/readers.js; do
     tar -tf "$package" "package/$name" >/dev/null || fail "$name is not in the package"
 done
 ! tar -xOf "$package" package/package.json | grep -q '"private"' || fail "the package is private"
@@ -66,11 +70,11 @@ mkdir public && mv first.obj public/
 quietly node_modules/.bin/vite build --outDir vite
 must_print "vite" node open_page.mjs vite index.html
 
-mkdir esbuild && cp index.html public/first.obj node_modules/firma/src/firma.wasm esbuild/
+mkdir esbuild && cp index.html public/first.obj node_modules/firma/src/*.wasm esbuild/
 quietly node_modules/.bin/esbuild page.js --bundle --minify --format=esm --outfile=esbuild/page.js
 ! grep -q 'node:' esbuild/page.js || fail "what esbuild makes for browsers asks for node"
 must_print "esbuild" node open_page.mjs esbuild index.html
 
 mkdir packed && cp index.html public/first.obj packed/
 quietly node_modules/.bin/esbuild page=packed.js --bundle --format=esm --loader:.wasm=file --outdir=packed
-must_print "esbuild, the module packed too" node open_page.mjs packed index.html
+must_print "esbuild, the modules packed too" node open_page.mjs packed index.html

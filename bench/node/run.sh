@@ -14,7 +14,7 @@ cd "$(dirname "$0")/../.."
 need_build
 need_module
 cmake --preset wasm >/dev/null
-cmake --build --preset wasm --target firma_wasm >/dev/null
+cmake --build --preset wasm --target firma_wasm firma_readers_wasm >/dev/null
 cd bench/node
 npm ci --omit=optional --no-fund --no-audit --silent
 node bench_casts.mjs "${arguments[@]}"

@@ -85,9 +85,15 @@ firma_code read_options(const firma_carve_options* options, CarveOptions& carve,
                         const char* function) {
     firma_carve_options whole;
     const firma_carve_options* const given = &whole;
-    const auto defaults = [](firma_carve_options* out) { *out = {sizeof(firma_carve_options), 0, nullptr}; };
+    const auto defaults = [](firma_carve_options* out) { *out = {sizeof(firma_carve_options), 0, nullptr, 0, 0, {}}; };
     if (const firma_code code = whole_of(options, +defaults, whole, function)) return code;
     if (given->fill > 1) return fail(FIRMA_ERROR_INVALID, function, "fill must be 0 or 1");
+    if (given->has_from > 1 || given->reserved != 0)
+        return fail(FIRMA_ERROR_INVALID, function, "has_from must be 0 or 1, reserved 0");
+    if (given->has_from) {
+        carve.from = vec(given->from);
+        if (!is_finite(*carve.from)) return fail(FIRMA_ERROR_INVALID, function, "from is not finite");
+    }
     carve.material = text_of(given->material);
     kind = given->fill ? CarveKind::kFill : CarveKind::kCarve;
     return FIRMA_OK;
@@ -165,6 +171,8 @@ void put_report(const CarveResult& result, firma_carve_report* to) {
     out.facets_us = report.times.facets;
     out.tree_us = report.times.tree;
     out.faces_castable_only = report.faces_castable_only;
+    out.portals = report.portals;
+    out.rooms = report.rooms;
     put_sized(out, to);
 }
 

@@ -30,7 +30,7 @@ export type Words = Uint32Array | Uint16Array | Uint8Array | readonly number[];
 export type Bytes = ArrayBuffer | ArrayBufferView;
 
 export type ErrorCode =
-    | 'CANNOT_READ' // the module cannot be read or fetched
+    | 'CANNOT_READ' // a module cannot be read or fetched
     | 'MALFORMED' // data break their format
     | 'OUT_OF_RANGE' // a number is not finite, or beyond what Firma can hold
     | 'TOO_LARGE' // a count or size exceeds a limit
@@ -50,7 +50,8 @@ export class FirmaError extends Error {
 }
 
 /**
- * Loads the module, a new instance of it each time.
+ * Loads the module of worlds, a new instance of it each time. The other module, of readers, which makes levels and
+ * worlds of files, is loaded when the first file is read, or ahead by loadReaders() of 'firma/readers'.
  *
  * @param source nothing: the firma.wasm that comes with the package (fetched in browsers, read as a file in node). Or a
  *     URL (in node also a path), a Response, the bytes, a compiled module; or a promise of one of these
@@ -58,8 +59,17 @@ export class FirmaError extends Error {
  *
  * Costs reading and compiling it; given a compiled module, only an instance and its memory.
  */
-export function loadFirma(source?: Source | PromiseLike<Source>): Promise<Firma>;
+export function loadFirma(source?: Source | PromiseLike<Source>, options?: LoadOptions): Promise<Firma>;
 export type Source = string | URL | Response | Bytes | WebAssembly.Module;
+
+export interface LoadOptions {
+    /**
+     * The module of readers, given as `source` is. None: firma_readers.wasm beside `source`, where that is a URL or path
+     * of a firma.wasm, or the Response of one; else the one that comes with the package. It is taken when the first
+     * file is read: then errors of it show.
+     */
+    readers?: Source | PromiseLike<Source>;
+}
 
 /** What holds memory of the module. */
 export interface Handle {
@@ -77,31 +87,42 @@ export interface Handle {
 export interface Firma {
     /** As '0.2.0'. */
     readonly version: string;
-    /** Objects that are not released yet: 0 when nothing has leaked. */
+    /** Objects that are not released yet, levels too: 0 when nothing has leaked. */
     liveHandles(): number;
+
+    // Files are read by the module of readers, which the first of these calls loads: so they give promises, and every
+    // failure rejects. Arguments are checked, and the file copied, before the call returns. loadReaders() gives the same
+    // functions without promises. What a file makes of the readers' memory does not concern this module: one that is too
+    // large for it stops the readers alone, and the next call starts others.
 
     /**
      * A Wavefront .obj file, as a string or its bytes. Closed pieces can be carved, other faces only cast against. Time
      * and memory grow with the file, here and below: time a little faster than in proportion, as faces are sorted into
      * a tree, and with the pairs of faces close together, as they are tested for crossings. The file is copied into the
-     * module for as long as the call takes.
-     * @throws {FirmaError} MALFORMED, OUT_OF_RANGE, TOO_LARGE, UNSUPPORTED, here and below
+     * module of readers for as long as the call takes, and the world comes from there by pack() and unpackWorld(), which
+     * adds a fifth (a large .bsp) to a half (a small .obj) to the time.
+     * @throws {FirmaError} MALFORMED, OUT_OF_RANGE, TOO_LARGE, UNSUPPORTED, here and below; as loadFirma() where the
+     *     module of readers is not to be had: the message says where it was looked for, and the next call tries again
      */
-    worldFromObj(file: string | Bytes, options?: WorldOptions): World;
+    worldFromObj(file: string | Bytes, options?: WorldOptions): Promise<World>;
     /** A Quake III .bsp file (version 46): its brushes, as of a .map. */
-    worldFromBsp(file: Bytes, options?: WorldOptions): World;
+    worldFromBsp(file: Bytes, options?: WorldOptions): Promise<World>;
     /**
      * A Quake .map file, as a string or its bytes: brushes become one solid, the air rooms, divided by the portals that
      * its author placed. The cost grows also with the brushes and portals that each brush meets.
      */
-    worldFromMap(file: string | Bytes, options?: WorldOptions): World;
+    worldFromMap(file: string | Bytes, options?: WorldOptions): Promise<World>;
     /**
      * A level of brushes as its file has it: for its entities, and for a world of it. Time and memory grow with the
-     * file, time also with the square of a brush's sides; brushes are not joined yet.
+     * file, time also with the square of a brush's sides; brushes are not joined yet. Until it is released the memory is
+     * that of the readers, as large as the largest file has made it.
      */
-    levelFromMap(file: string | Bytes, options?: LevelOptions): Level;
-    levelFromBsp(file: Bytes, options?: LevelOptions): Level;
-    /** As worldFromObj(), of arrays, which are copied. */
+    levelFromMap(file: string | Bytes, options?: LevelOptions): Promise<Level>;
+    levelFromBsp(file: Bytes, options?: LevelOptions): Promise<Level>;
+    /** A cutter of a Wavefront .obj file: cutterFromMesh() of its faces, cut into triangles. */
+    cutterFromObj(file: string | Bytes, name?: string): Promise<Cutter>;
+
+    /** As worldFromObj(), of arrays, which are copied; without a promise, as this module does it. */
     worldFromMesh(mesh: Mesh, options?: WorldOptions): World;
     /**
      * What World.pack() gave, or a .firma file. `name` is for messages. Costs all faces, in time and memory, with the
@@ -127,8 +148,6 @@ export interface Firma {
      * @throws {FirmaError} MALFORMED for a mesh that is not closed, OUT_OF_RANGE, TOO_LARGE
      */
     cutterFromMesh(positions: Numbers, corners: Words, name?: string): Cutter;
-    /** The same of a Wavefront .obj file, which is read first. */
-    cutterFromObj(file: string | Bytes, name?: string): Cutter;
     /**
      * The solid of a world: a chunk that cuts left, a prefab that has been carved. At scale 1, turned by quarter turns
      * about the axes, it cuts exactly, its position snapped to 1/4096 m; at any other pose it is what its facets bound
@@ -179,7 +198,10 @@ export interface LevelOptions {
 
 /** A level of brushes; it never changes. */
 export interface Level extends Handle {
-    /** As worldFromMap() makes it, at the same cost less the reading; the options' scale and name are ignored. */
+    /**
+     * As worldFromMap() makes it, at the same cost less the reading; the options' scale and name are ignored. No
+     * promise: a level is only where there are readers.
+     */
     world(options?: WorldOptions): World;
     /** In the file's order; the first is the world. Copies all of them each time, as do notes() and omissions(). */
     entities(): Entity[];
@@ -698,6 +720,11 @@ export interface CarveOptions {
     fill?: boolean;
     /** Name of the material of the faces it leaves; '' unless given. */
     material?: string;
+    /**
+     * Where the shot came from, metres: what a carving opens between rooms becomes air of the room that this lies in,
+     * where it touches that.
+     */
+    from?: Vector;
 }
 
 export interface CarveReport {
@@ -713,6 +740,10 @@ export interface CarveReport {
     facesAdded: number;
     /** That reach into the cutter and are left as they are, as they bound no solid. */
     facesCastableOnly: number;
+    /** That it made: holes between rooms. */
+    portals: number;
+    /** That it made: pockets in rock. */
+    rooms: number;
     /** What zones and materials left of the cutter's scale, 0..1. */
     scale: number;
     /** Cubic metres taken; negative when added. */

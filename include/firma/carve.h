@@ -3,7 +3,9 @@
 // was.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "firma/cutter.h"
@@ -29,7 +31,17 @@ struct [[nodiscard]] CarveResult {
 struct CarveOptions {
     /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.
     std::string material;
+    /// Where the shot came from, metres, if that is known: what a carving opens between rooms becomes air of the room
+    /// that this lies in, where it touches that.
+    std::optional<Vec3> from = std::nullopt;
+    /// The number of the edit, for worlds that are to agree on it although they may lack others: 0, the one after the
+    /// last; or 1 to kMaxEditNumber, above that of every edit made before. The ids of the faces of an edit that is
+    /// given its number follow from it, those of the cutter first: up to 1024 depend on no other edit.
+    std::uint32_t edit = 0;
 };
+
+/// An edit cannot be given a higher number.
+inline constexpr std::uint32_t kMaxEditNumber = (std::uint32_t(1) << 21) - 1;
 
 /// Takes a placed cutter away from the solid of a world.
 ///
@@ -42,20 +54,21 @@ struct CarveOptions {
 /// @return kDone with the new world; kNothing; or kRefused with the reason: a cutter or pose that cannot be placed (not
 ///         finite, outside the world, collapsed on the grid, crossing itself), a rule of the world, more
 ///         than 2^21 planes where the cutter touches, a part of it of which no line tells on which side it lies, no
-///         numbers left (for 2^32 edits, 2^64 versions, 2^32 ids of faces), or a contradiction (then `reproduction`
-///         holds it).
+///         numbers left (for 2^32 edits, 2^64 versions, 2^31 ids of faces), a number that an edit before it had, or a
+///         contradiction (then `reproduction` holds it).
 /// The cost grows with the cutter's triangles and with the faces near them (CarveReport::candidate_faces), and with the
 /// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
-/// rooms are joined it also grows with these rooms' portals. CarveOptions::material is searched among the world's
-/// materials by name, and a new one copies their list. Takes memory for what is made anew; all else is shared.
+/// portals are made it also grows with their rooms' lists of portals. CarveOptions::material is searched among the
+/// world's materials by name, and a new one copies their list. Takes memory for what is made anew; all else is shared.
 /// CarveRules bounds the cost, CarveReport::times tells it.
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,
                                const CarveOptions& options = {});
 
-/// Adds a placed cutter to the solid, by the same rules and at the same cost. Among rooms, one that touches no face is
-/// also located, corner by corner until one is found in the air (locate()).
+/// Adds a placed cutter to the solid, by the same rules and at the same cost. Portals lose what it fills; one that it
+/// fills wholly is removed. Among rooms, one that touches no face is also located, corner by corner until one is found
+/// in the air (locate()).
 FIRMA_EXPORT CarveResult fill(const World& world, const Cutter& cutter, const Pose& pose,
                               const CarveOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/cutter.h"
+#include "firma/edit_log.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"

@@ -840,6 +840,11 @@ typedef struct firma_carve_options {
     uint32_t size;        /* sizeof(firma_carve_options) */
     uint32_t fill;        /* 0: the cutter is taken away; 1: added */
     const char* material; /* of the faces it leaves; null: "" */
+    /* Where the shot came from, metres: what a carving opens between rooms becomes air of the room that this lies in,
+     * where it touches that. Only with has_from 1. */
+    uint32_t has_from;
+    uint32_t reserved; /* 0 */
+    double from[3];
 } firma_carve_options;
 
 typedef enum firma_carve_status {
@@ -861,15 +866,16 @@ typedef struct firma_carve_report {
     /* That reach into the cutter and are left as they are, as they bound no solid: with FIRMA_CARVE_NOTHING and none of
      * them the cutter met only air. */
     uint64_t faces_castable_only;
+    uint64_t portals, rooms; /* that it made: holes between rooms, pockets in rock */
 } firma_carve_report;
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world
  * before. `options` and `report` may be null.
  * The cutter is taken away, or added, exactly where it lies, also where it touches: nothing is moved.
  * The cost grows with the cutter's triangles and with the faces near them (candidate_faces), and with the logarithm of
- * the world's faces; a cutter that touches is cut up to twice; where rooms are joined also with their portals. The
- * material is searched by its name among the world's, and a new one copies their list. Takes memory for what is made
- * anew; all else is shared. firma_world_with_rules() bounds it. */
+ * the world's faces; a cutter that touches is cut up to twice; where portals are made also with their rooms' lists of
+ * them. The material is searched by its name among the world's, and a new one copies their list. Takes memory for what
+ * is made anew; all else is shared. firma_world_with_rules() bounds it. */
 FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                  const firma_carve_options* options, firma_world* after, firma_carve_report* report);
 

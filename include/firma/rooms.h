@@ -3,9 +3,9 @@
 //
 // A room is a volume of air. Faces bound it, and portals: polygons through which its air passes into that of another
 // room. What lies behind faces is solid. A world from a level that knows no rooms has one, and no portals. Ids of rooms
-// and portals stay what they are through edits: an edit that joins rooms leaves the higher ids empty, and questions
-// asked with one of them are answered for the room that it became part of; portals that it swallows keep their ids, and
-// have no polygons.
+// and portals stay what they are through edits. Rooms stay apart: what an edit opens between them are portals
+// (docs/rooms.md). Of rooms that become one all the same, all but one are empty, and questions asked with one of them
+// are answered for that one; portals that were removed keep their ids, and have no polygons.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ struct RoomInfo {
                             ///< float: up to a millimetre too large, never too small
     std::size_t faces = 0;
     bool exterior = false;  ///< reaches to infinity
-    RoomId merged_into;     ///< itself, unless an edit joined it to another room: then that one, and it is empty
+    RoomId merged_into;     ///< itself, unless an edit made it part of another room: then that one, and it is empty
     std::span<const PortalId> portals;  ///< ascending; good as long as the world
 };
 
@@ -79,7 +79,7 @@ struct PortalInfo {
     std::string_view name;  ///< "" where the level gives none; good as long as the world
     std::uint32_t material = 0;
     std::uint32_t mask = 0;    ///< what it stops while closed (level.h)
-    std::size_t polygons = 0;  ///< 0: an edit has joined the rooms or filled the portal, and it leads nowhere
+    std::size_t polygons = 0;  ///< 0: an edit has made its rooms one or filled it, and it leads nowhere
     bool open = true;
     Box bounds;  ///< metres; empty where it has no polygons
 };

@@ -44,7 +44,8 @@ public:
     FIRMA_EXPORT std::size_t face_count() const;
     /// What no face separates from infinity is solid.
     FIRMA_EXPORT bool rock_outside() const;
-    /// How many edits made it: faces of the next one say that they come from edit `edits() + 1`.
+    /// The number of the last edit: how many made it, unless some were given higher ones (CarveOptions::edit). Faces of
+    /// the next one say that they come from edit `edits() + 1`.
     FIRMA_EXPORT std::uint32_t edits() const;
     /// Of all faces, metres; empty where there are none. Never allocates. Costs a few walks through the index, more
     /// where many faces reach to within a float's rounding of the bounds.
@@ -202,6 +203,11 @@ struct CarveRules {
     std::size_t max_pairs = 20'000'000;
     std::size_t max_corners = 20'000;  ///< of one new face; dividing it into facets takes their square
     double max_cutter_size = 16384;    ///< metres along any axis, once placed
+
+    /// Rooms become one where open portals that carvings made between them are larger than this share of the walls of
+    /// the room that has less of them; never where a closed portal lies between them. 0: rooms stay apart. Above, an
+    /// edit that makes a portal also costs the faces of the rooms that it leads to. Has no effect on solids alone.
+    double merge_share = 0;
 };
 
 enum class CarveKind : std::uint8_t { kCarve, kFill };
@@ -220,6 +226,8 @@ struct CarveReport {
     std::size_t faces_removed = 0;        ///< facets that casts met before and meet no more
     std::size_t faces_added = 0;          ///< facets that casts meet from now on
     std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
+    std::size_t portals = 0;              ///< of a world: that it made
+    std::size_t rooms = 0;                ///< likewise
     int retries = 0;                      ///< always 0, as no cutter is moved
     double scale = 1;                     ///< what zones and materials left of the cutter's scale
     double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to

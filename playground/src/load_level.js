@@ -27,9 +27,9 @@ export async function loadLevel(firma, name) {
     if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     switch (name.toLowerCase().split('.').pop()) {
-        case 'map': return ofBrushes(firma.levelFromMap(bytes, { name }));
-        case 'bsp': return ofBrushes(firma.levelFromBsp(bytes, { name }));
+        case 'map': return ofBrushes(await firma.levelFromMap(bytes, { name }));
+        case 'bsp': return ofBrushes(await firma.levelFromBsp(bytes, { name }));
         case 'firma': return { world: firma.unpackWorld(bytes, name), start: null };
-        default: return { world: firma.worldFromObj(bytes, { name }), start: null };
+        default: return { world: await firma.worldFromObj(bytes, { name }), start: null };
     }
 }

@@ -13,15 +13,18 @@ import { findSpawn, startOf } from '../src/spawn.js';
 import { direction } from '../src/vector.js';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const { loadFirma } = await import(pathToFileURL(process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js')));
-const firma = await loadFirma(readFileSync(process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm')));
+const index = process.env.FIRMA_JS ?? path.join(root, 'bindings/js/src/index.js');
+const { loadFirma } = await import(pathToFileURL(index));
+const { loadReaders } = await import(pathToFileURL(path.join(path.dirname(index), 'readers.js')));
+const firma = await loadFirma(process.env.FIRMA_WASM ?? path.join(root, 'build/wasm/bin/firma.wasm'));
+const readers = await loadReaders(firma);
 const level = readFileSync(path.join(root, 'levels/first.obj'));
 
 let seed = 7;
 const chance = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
 
 function begin(text = level, name = 'first.obj') {
-    const world = firma.worldFromObj(text, { name });
+    const world = readers.worldFromObj(text, { name });
     const probe = new Probe(world);
     const player = new Player(probe);
     const launcher = new Launcher(firma, world, probe, () => {});
@@ -181,7 +184,7 @@ test('no handle is left behind', () => {
 
 test('the depot: begins where its author says, rooms on the way, through a closed portal nobody goes', () => {
     const text = readFileSync(path.join(root, 'levels/depot.map'), 'utf8');
-    const level = firma.levelFromMap(text, { name: 'depot.map' });
+    const level = readers.levelFromMap(text, { name: 'depot.map' });
     const start = startOf(level.entities());
     assert.deepEqual(start, { point: [18.75, 7, 1], yaw: Math.PI });
     const world = level.world();
@@ -220,7 +223,7 @@ test('the depot: begins where its author says, rooms on the way, through a close
 test('where a .map has players start', () => {
     const entity = (...keys) => `{\n${keys.map(([key, value]) => `"${key}" "${value}"\n`).join('')}}\n`;
     const readStart = (text) => {
-        const level = firma.levelFromMap(text);
+        const level = readers.levelFromMap(text);
         try {
             return startOf(level.entities());
         } finally {

@@ -33,6 +33,8 @@ struct Arranged {
     std::vector<OverlaySide> all_uses;  ///< of `edges`
     std::vector<std::uint32_t> loop_ends;
     std::vector<std::uint8_t> stays;  ///< of each of the overlay's faces: whether it is one of the result, as it was
+    /// Of each use of the cells: the edge that it is a part of; kNoEdge where its cell, or the edge, is not kept.
+    std::vector<std::uint32_t> edge_of_use;
 
     std::span<const OverlaySide> uses(const ArrangedFace& face) const {
         return {all_uses.data() + face.first_use, face.use_count};
@@ -54,6 +56,9 @@ struct Selection {
     double longest = 0;
     /// Whether an edge of the overlay may be used again.
     std::function<bool(std::uint32_t edge)> reusable;
+    /// Whether the ends of edges that may be used again stay, where they lie along a line, too: something else than
+    /// these faces ends there.
+    bool keeps_ends = false;
 };
 
 }  // namespace firma

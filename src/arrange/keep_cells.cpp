@@ -31,6 +31,7 @@ public:
             made_.changes = false;
             stage_ = Stage::kEnd;
         }
+        if (made_.changes && made_.edge_of_use.empty()) made_.edge_of_use = writer_.take_edges();
         return PhaseEnd::kDone;
     }
 

@@ -133,9 +133,15 @@ bool CellWriter::passes_through(std::uint32_t use) {
     if (in_.uses[use].forward != in_.uses[after].forward) return false;  // it turns back
     const bool same_edge = in_.uses[use].edge != FacePiece::kNoEdge && in_.uses[use].edge == in_.uses[after].edge;
     if (!same_edge && !in_.contact[in_.flat.to(in_.uses[use])]) return false;
+    if (!same_edge && in_.selection.keeps_ends && (may_stay(use) || may_stay(after))) return false;
     const std::uint32_t there = in_.partner[use], there_after = in_.partner[after];
     if (there == KeptCells::kNone || there_after == KeptCells::kNone) return same_edge && there == there_after;
     return next_[there_after] == there && in_.group_of(there) == in_.group_of(there_after);
+}
+
+bool CellWriter::may_stay(std::uint32_t use) const {
+    const std::uint32_t edge = in_.uses[use].edge;
+    return edge != FacePiece::kNoEdge && in_.selection.reusable(edge);
 }
 
 std::uint32_t CellWriter::edge_of(std::uint32_t first, std::uint32_t last) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "arrange/kept_cells.h"
@@ -25,6 +26,8 @@ public:
     /// Its faces.
     bool write(std::uint32_t group);
     std::size_t group_count() const { return members_first_.size() - 1; }
+    /// See Arranged::edge_of_use. Once: they are moved out.
+    std::vector<std::uint32_t> take_edges() { return std::move(chain_); }
     /// Of the group traced or written last.
     std::size_t uses_traced() const { return group_uses_.size(); }
     std::size_t uses_written() const { return loops_.size(); }
@@ -37,6 +40,8 @@ private:
     /// Whether the point between a use and the next one is none of the result's: only their line passes there, between
     /// the same two faces.
     bool passes_through(std::uint32_t use);
+    /// Whether it came with an edge that may be used again.
+    bool may_stay(std::uint32_t use) const;
     /// The number of the edge that a chain of uses makes, which begins with `first` and ends before a point that stays.
     std::uint32_t edge_of(std::uint32_t first, std::uint32_t last);
     bool is_doubled(std::uint32_t first, std::uint32_t last) const;

@@ -11,6 +11,7 @@
 #include <functional>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace firma {
 
@@ -45,6 +46,13 @@ void sort_range(Range&& range, const Less& less = {}) {
 #else
     std::sort(range.begin(), range.end(), less);
 #endif
+}
+
+/// Each element once, in order.
+template <class T>
+void sort_once(std::vector<T>& all) {
+    sort_range(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
 }  // namespace firma

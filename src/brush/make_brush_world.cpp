@@ -26,7 +26,7 @@ std::uint32_t brush_of(const BrushLevel& level, std::uint32_t side) {
 class WorldMaker {
 public:
     WorldMaker(const BrushLevel& level, const JoinedLevel& joined, const WorldOptions& options)
-        : level_(level), joined_(joined) {
+        : level_(level), joined_(joined), face_maker_(joined.tables, joined.faces, joined.arrangement, joined.facets) {
         parts_.name = level.name;
         parts_.options = options;
         parts_.rooms.resize(joined.rooms.count);
@@ -75,10 +75,9 @@ private:
     }
 
     void add_faces() {
-        JoinFaceMaker maker(joined_.tables, joined_.faces, joined_.arrangement, joined_.facets);
         for (std::uint32_t k = 0; k < joined_.faces.size(); ++k) {
             const std::uint32_t room = joined_.rooms.of_side[k];
-            const Ref<const SolidFace> exact = maker.make(k);
+            const Ref<const SolidFace> exact = face_maker_.make(k);
             if (exact) parts_.rooms[room].faces.owners.emplace_back(exact.get());
             FaceSet::Entry face;
             face.source = joined_.faces[k].source;
@@ -112,8 +111,12 @@ private:
             if (entity < level_.entities.size()) part.name = level_.entities[entity].value("targetname");
             for (const std::uint32_t piece : portal.polygons) {
                 const std::size_t polygon = faces + piece;
-                for (std::uint32_t f = joined_.facets.first[polygon]; f < joined_.facets.first[polygon + 1]; ++f)
+                const Ref<const SolidFace> exact =
+                    face_maker_.make_portal(std::uint32_t(polygon), joined_.portal_pieces[piece].piece.plane);
+                for (std::uint32_t f = joined_.facets.first[polygon]; f < joined_.facets.first[polygon + 1]; ++f) {
                     part.polygons.push_back(joined_.facets.corners[f]);
+                    part.exact.push_back(exact);
+                }
             }
             parts_.portals.push_back(std::move(part));
         }
@@ -140,6 +143,7 @@ private:
 
     const BrushLevel& level_;
     const JoinedLevel& joined_;
+    JoinFaceMaker face_maker_;
     WorldParts parts_;
     std::vector<std::uint32_t> surface_material_;
     std::uint32_t next_face_ = 0;

@@ -2,9 +2,11 @@
 // A cut whose cutter touches what it cuts.
 #include "carve/arrange_cut.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/sort.h"
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
 #include "carve/tile_faces.h"
@@ -110,13 +112,27 @@ CutArranger::End CutArranger::step(const LocatePoint& locate) {
             return go_on(next_, number_.size(), slice, [&](std::uint32_t edge) { write_edge(edge); })
                        ? go_to(Phase::kFaces)
                        : End::kGoesOn;
-        case Phase::kFaces:
+        case Phase::kFaces: {
+            const std::vector<ArrangedFace>& faces = keeper_->made().faces;
+            if (!go_on(next_, faces.size(), slice, [&](std::uint32_t face) { write_face(faces[face]); }))
+                return End::kGoesOn;
+            write_gone();
+            if (!in_.divides) return End::kFine;
+            number_of_piece_.assign(lines_.size(), kNone);
+            return go_to(Phase::kTaken);
+        }
+        case Phase::kTaken:
+            if (!go_on(next_, cell_finder_.cells().cells.size(), slice, [&](std::uint32_t cell) {
+                    if (is_taken(cell)) write_taken(cell);
+                }))
+                return End::kGoesOn;
+            gather_divisions();
+            return go_to(Phase::kDivisions);
+        case Phase::kDivisions:
             break;
     }
-    const std::vector<ArrangedFace>& faces = keeper_->made().faces;
-    if (!go_on(next_, faces.size(), slice, [&](std::uint32_t face) { write_face(faces[face]); })) return End::kGoesOn;
-    write_gone();
-    return End::kFine;
+    return go_on(next_, divided_.size(), slice, [&](std::uint32_t edge) { write_division(edge); }) ? End::kFine
+                                                                                                   : End::kGoesOn;
 }
 
 void CutArranger::take_world() {
@@ -221,6 +237,7 @@ CutArranger::End CutArranger::start_keeping() {
 
 /// Faces that cuts made of one material are one source; what a level's face was divided into stays divided.
 bool CutArranger::alike(std::uint32_t face, std::uint32_t other) const {
+    if (in_.divides) return false;  // which air the cutter's faces will bound is not known yet
     const auto record = [&](std::uint32_t at) -> const FaceRecord& {
         return in_.patch.faces[world_face_[at]].facet.record();
     };
@@ -256,6 +273,7 @@ Selection CutArranger::selection() const {
     selection.longest = largest_face(in_.cutter);
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
     selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
+    selection.keeps_ends = in_.divides;
     return selection;
 }
 
@@ -280,21 +298,31 @@ void CutArranger::start_writing() {
     const Arranged& arranged = keeper_->made();
     number_.assign(arranged.edges.size(), kNone);
     for (const OverlaySide& use : arranged.all_uses) number_[use.edge] = 0;
+    if (!in_.divides) return;
+    const CellSet& cells = cell_finder_.cells();
+    for (std::uint32_t cell = 0; cell < cells.cells.size(); ++cell) {
+        if (!is_taken(cell)) continue;
+        for (const PieceUse& use : cells.uses(cells.cells[cell]))
+            if (const std::uint32_t edge = kept_edge_at(use.piece, cells.cells[cell].face); edge != kNone)
+                number_[edge] = 0;
+    }
 }
 
 void CutArranger::write_edge(std::uint32_t index) {
-    if (number_[index] == kNone) return;
+    if (number_[index] != kNone) number_[index] = number_of_edge(index);
+}
+
+/// The patch's, or a new one.
+std::uint32_t CutArranger::number_of_edge(std::uint32_t index) {
     const ArrangedEdge& edge = keeper_->made().edges[index];
-    if (edge.edge != ArrangedEdge::kNoEdge) {
-        number_[index] = patch_edge_[edge.edge];
-        return;
-    }
-    number_[index] = std::uint32_t(in_.patch.edges.size() + loops_.edges.size());
+    if (edge.edge != ArrangedEdge::kNoEdge) return patch_edge_[edge.edge];
+    const auto number = std::uint32_t(in_.patch.edges.size() + loops_.edges.size());
     loops_.edges.push_back(
         {vertex_of(edge.from),
          vertex_of(edge.to),
          {overlay_.tables.planes.stored(edge.plane[0]).get(), overlay_.tables.planes.stored(edge.plane[1]).get()},
          edge.doubled});
+    return number;
 }
 
 void CutArranger::write_face(const ArrangedFace& face) {
@@ -324,6 +352,117 @@ void CutArranger::write_gone() {
         loops_.gone.push_back(world_face_[face]);
         crossings_.face_cut[world_face_[face]] = spans_.touched(face);
     }
+}
+
+/// Whether it is a piece of the solid's boundary, and goes.
+bool CutArranger::is_taken(std::uint32_t cell) const {
+    if (!in_.opens || !of_world(cell_finder_.cells().cells[cell].face)) return false;
+    const CellLabel label = labeller_->labels()[cell];
+    return label == CellLabel::kIn || label == CellLabel::kSame;
+}
+
+/// The arranged edge that a piece is a part of in the result: of several the one of the same face.
+std::uint32_t CutArranger::kept_edge_at(std::uint32_t piece, std::uint32_t face) const {
+    const std::vector<std::uint32_t>& edges = keeper_->made().edge_of_use;
+    std::uint32_t found = kNone;
+    for (const std::uint32_t use : users_.at(piece)) {
+        if (edges[use] == ArrangedEdge::kNoEdge) continue;
+        if (cell_finder_.cells().cells[users_.cell_of(use)].face == face) return edges[use];
+        if (found == kNone) found = edges[use];
+    }
+    return found;
+}
+
+/// The number of the edge that a side of a face that goes is a part of, see cut_view.h: that of the faces that stay
+/// where there are any, else one that is the patch's whole edge, or the piece alone.
+std::uint32_t CutArranger::edge_at(const PieceUse& use, std::uint32_t face) {
+    if (const std::uint32_t kept = kept_edge_at(use.piece, face); kept != kNone) {
+        if (number_[kept] == kNone) number_[kept] = number_of_edge(kept);
+        return number_[kept];
+    }
+    const Piece& piece = lines_.piece(use.piece);
+    if (use.edge != FacePiece::kNoEdge && patch_edge_[use.edge] != kNone) {
+        const OverlayEdge& edge = overlay_.edges[use.edge];
+        if ((edge.from == piece.from && edge.to == piece.to) || (edge.from == piece.to && edge.to == piece.from))
+            return patch_edge_[use.edge];
+    }
+    std::uint32_t& known = number_of_piece_[use.piece];
+    if (known != kNone) return known;
+    NewEdge made{vertex_of(piece.from), vertex_of(piece.to), {nullptr, nullptr}, users_.at(use.piece).size() > 2};
+    for (int k = 0; k < 2; ++k) {
+        const PlaneId plane =
+            piece.line == Piece::kNoLine ? overlay_.edges[use.edge].plane[k] : overlay_.lines.plane(piece.line, k);
+        made.plane[k] = overlay_.tables.planes.stored(plane).get();
+    }
+    known = std::uint32_t(in_.patch.edges.size() + loops_.edges.size());
+    loops_.edges.push_back(made);
+    return known;
+}
+
+/// The vertex that a side begins at.
+std::uint32_t CutArranger::piece_start(const PieceUse& use) {
+    const Piece& piece = lines_.piece(use.piece);
+    return vertex_of(use.forward ? piece.from : piece.to);
+}
+
+/// Pieces in a row of one edge are one side.
+void CutArranger::append_side(const PieceUse& use, std::uint32_t face, std::vector<PatchUse>& sides) {
+    const std::uint32_t edge = edge_at(use, face);
+    if (!sides.empty() && sides.back().edge == edge) return;
+    const std::uint32_t first = std::uint32_t(in_.patch.edges.size());
+    const std::uint32_t from = edge < first ? in_.patch.edges[edge].vertex[0] : loops_.edges[edge - first].from;
+    sides.push_back({edge, from != piece_start(use)});
+}
+
+void CutArranger::write_taken(std::uint32_t index) {
+    const CellSet& cells = cell_finder_.cells();
+    const Cell& cell = cells.cells[index];
+    NewFace made;
+    made.first_use = std::uint32_t(loops_.all_uses.size());
+    made.first_loop = std::uint32_t(loops_.loop_ends.size());
+    made.face = world_face_[cell.face];
+    made.plane = Ref<const SolidPlane>(in_.patch.faces[made.face].plane);
+    const auto uses = cells.uses(cell);
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : cells.ends(cell)) {
+        // From where an edge begins.
+        std::uint32_t start = first;
+        while (start + 1 < end && edge_at(uses[start], cell.face) == edge_at(uses[end - 1], cell.face)) ++start;
+        sides_.clear();
+        for (std::uint32_t k = 0; k < end - first; ++k)
+            append_side(uses[first + (start - first + k) % (end - first)], cell.face, sides_);
+        loops_.all_uses.insert(loops_.all_uses.end(), sides_.begin(), sides_.end());
+        loops_.loop_ends.push_back(std::uint32_t(loops_.all_uses.size()) - made.first_use);
+        ++made.loop_count;
+        first = end;
+    }
+    made.use_count = std::uint32_t(loops_.all_uses.size()) - made.first_use;
+    loops_.taken.push_back(std::move(made));
+}
+
+/// The pieces of each edge of the patch, along it: those of a line are numbered as they stand on it.
+void CutArranger::gather_divisions() {
+    divided_.assign(overlay_.edges.size(), {});
+    for (std::uint32_t face = 0; face < world_face_.size(); ++face)
+        for (const FacePiece& piece : lines_.of_face(face)) {
+            if (piece.edge == FacePiece::kNoEdge || patch_edge_[piece.edge] == kNone) continue;
+            std::vector<PieceUse>& pieces = divided_[piece.edge];
+            const bool known = std::any_of(pieces.begin(), pieces.end(),
+                                           [&](const PieceUse& use) { return use.piece == piece.piece; });
+            if (!known) pieces.push_back({piece.piece, !piece.reversed, piece.reversed, piece.edge, face});
+        }
+}
+
+void CutArranger::write_division(std::uint32_t edge) {
+    std::vector<PieceUse>& pieces = divided_[edge];
+    if (pieces.empty()) return;
+    sort_range(pieces, [](const PieceUse& a, const PieceUse& b) { return a.piece < b.piece; });
+    if (pieces[0].reversed) std::reverse(pieces.begin(), pieces.end());
+    sides_.clear();
+    for (const PieceUse& piece : pieces) append_side(piece, piece.id, sides_);
+    if (sides_.size() == 1 && sides_[0].edge == patch_edge_[edge]) return;
+    loops_.divisions.push_back({patch_edge_[edge], std::uint32_t(loops_.parts.size()), std::uint32_t(sides_.size())});
+    loops_.parts.insert(loops_.parts.end(), sides_.begin(), sides_.end());
 }
 
 }  // namespace firma

@@ -45,7 +45,20 @@ public:
     const NewLoops& loops() const { return loops_; }
 
 private:
-    enum class Phase : std::uint8_t { kWorld, kCutter, kPairs, kSpans, kLines, kCells, kLabels, kKeep, kEdges, kFaces };
+    enum class Phase : std::uint8_t {
+        kWorld,
+        kCutter,
+        kPairs,
+        kSpans,
+        kLines,
+        kCells,
+        kLabels,
+        kKeep,
+        kEdges,
+        kFaces,
+        kTaken,
+        kDivisions
+    };
 
     void take_world();
     End add_cutter(WorkSlice& slice);
@@ -59,8 +72,17 @@ private:
     Selection selection() const;
     void start_writing();
     void write_edge(std::uint32_t index);
+    std::uint32_t number_of_edge(std::uint32_t index);
     void write_face(const ArrangedFace& face);
     void write_gone();
+    bool is_taken(std::uint32_t cell) const;
+    std::uint32_t kept_edge_at(std::uint32_t piece, std::uint32_t face) const;
+    std::uint32_t edge_at(const PieceUse& use, std::uint32_t face);
+    std::uint32_t piece_start(const PieceUse& use);
+    void append_side(const PieceUse& use, std::uint32_t face, std::vector<PatchUse>& sides);
+    void write_taken(std::uint32_t cell);
+    void gather_divisions();
+    void write_division(std::uint32_t edge);
     std::uint32_t vertex_of(std::uint32_t point);
     bool of_world(std::uint32_t face) const { return face < world_face_.size(); }
 
@@ -78,6 +100,9 @@ private:
     std::vector<std::uint32_t> vertex_of_point_;  ///< see cut_view.h; ~0: none yet
     std::vector<std::uint32_t> met_;              ///< of the overlay's faces: the last one it was tried with
     std::vector<std::uint32_t> number_;           ///< see cut_view.h, of the arranged edges
+    std::vector<std::uint32_t> number_of_piece_;  ///< likewise, of pieces that only taken cells have; ~0: none yet
+    std::vector<std::vector<PieceUse>> divided_;  ///< of the overlay's edges that are the patch's: their pieces
+    std::vector<PatchUse> sides_;                 ///< scratch
 
     // What the phases make, in their order.
     std::unique_ptr<PatchAdder> world_, solid_;

@@ -20,7 +20,9 @@ enum class Verdict : std::uint8_t {
 struct CutInput {
     const SolidPatch& patch;  ///< tiled; all edges not split have their planes
     const CutterSolid& cutter;
-    bool fill = false;  ///< add the cutter to the solid rather than take it away
+    bool fill = false;     ///< add the cutter to the solid rather than take it away
+    bool opens = false;    ///< also asked for: what the cutter takes of faces (NewLoops::taken)
+    bool divides = false;  ///< also asked for, and with `opens`: how edges are divided (NewLoops::divisions)
 };
 
 }  // namespace firma

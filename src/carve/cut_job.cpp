@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 #include "base/assert.h"
+#include "base/disjoint_sets.h"
 #include "carve/change_points.h"
 #include "carve/check_shells.h"
 #include "carve/cut_volume.h"
@@ -16,12 +18,12 @@
 #include "carve/side_of_solid.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
+#include "solid/face_ids.h"
 
 namespace firma {
 namespace {
 
 /// One less than what says "no face".
-constexpr std::uint32_t kMostFaceIds = ~0u - 1;
 /// How many facets' worth of faces one step makes.
 constexpr std::uint32_t kFacesAStep = 16;
 
@@ -140,6 +142,12 @@ CutJob::Phase CutJob::refuse(ErrorCode code, std::string reason) {
 CutJob::Phase CutJob::place() {
     if (data().edits == std::numeric_limits<std::uint32_t>::max())
         return refuse(ErrorCode::kTooLarge, "the world has no numbers left for new edits");
+    if (terms_.edit > kLastEditNumber)
+        return refuse(ErrorCode::kTooLarge, "an edit cannot have the number " + std::to_string(terms_.edit) +
+                                                "; the last one is " + std::to_string(kLastEditNumber));
+    if (terms_.edit > 0 && terms_.edit <= data().edits)
+        return refuse(ErrorCode::kInvalid, "it is edit " + std::to_string(terms_.edit) + ", and edit " +
+                                               std::to_string(data().edits) + " was made before it");
     if (cutter_.valid() && cutter_.triangles().size() > rules_.max_cutter_triangles)
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
@@ -152,6 +160,7 @@ CutJob::Phase CutJob::place() {
         return Phase::kEnd;
     }
     arranger_.reset();
+    clipped_.reset();
     for (int axis = 0; axis < 3; ++axis)
         if (solid_cutter_.box.extent(axis) > rules_.max_cutter_size)
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
@@ -214,10 +223,77 @@ CutJob::Phase CutJob::tile() {
     // All planes now, so that from here on the patch is only read.
     for (std::uint32_t edge = 0; edge < patch_.edges.size(); ++edge)
         if (!patch_.edges[edge].split()) patch_.settle_planes(edge);
+    input_.opens = may_open();
+    sheets_.clear();
+    if (input_.fill && terms_.sheets_at) terms_.sheets_at(grown(solid_cutter_.box, kSurfacePerInput), sheets_);
+    input_.divides = input_.opens || !sheets_.empty();
     if (solid_cutter_.turned) return start_arranging();
     face_cutter_.start();
     next_ = 0;
     return Phase::kCut;
+}
+
+namespace {
+
+/// Whether a mesh is more than one closed surface; a Solid may be.
+bool has_several_shells(const CutterSolid& cutter) {
+    if (cutter.turned) return true;
+    DisjointSets sets(cutter.points.size());
+    for (const CutterSolid::Edge& edge : cutter.edges) sets.join(edge.a, edge.b);
+    for (const CutterSolid::Edge& edge : cutter.edges)
+        if (sets.find(edge.a) != 0) return true;
+    return false;
+}
+
+/// Whether not all faces of a list look into one air.
+template <class Faces, class AirOf>
+bool several_airs(const Faces& faces, const AirOf& air_of) {
+    std::optional<std::uint32_t> first, last_part;
+    for (const std::uint32_t part : faces) {
+        if (last_part == part) continue;
+        last_part = part;
+        const std::uint32_t air = air_of(part);
+        if (first && *first != air) return true;
+        first = air;
+    }
+    return false;
+}
+
+}  // namespace
+
+/// By the faces near the cutter.
+bool CutJob::may_open() const {
+    if (!terms_.air_of || input_.fill) return false;
+    std::vector<std::uint32_t> parts;
+    parts.reserve(patch_.faces.size());
+    for (const PatchFace& face : patch_.faces)
+        if (!face.replaced) parts.push_back(face.facet.block->part);
+    return several_airs(parts, terms_.air_of) || has_several_shells(solid_cutter_);
+}
+
+/// By the faces that go.
+bool CutJob::opens_several() const {
+    if (!input_.opens) return false;
+    std::vector<std::uint32_t> parts;
+    for (const NewFace& face : loops().taken) parts.push_back(patch_.faces[face.face].facet.block->part);
+    return several_airs(parts, terms_.air_of) || has_several_shells(solid_cutter_);
+}
+
+/// The same of any cut.
+bool CutJob::goes_several() const {
+    std::vector<std::uint32_t> parts;
+    for (const std::uint32_t face : loops().gone) parts.push_back(patch_.faces[face].facet.block->part);
+    return several_airs(parts, terms_.air_of);
+}
+
+std::vector<std::uint32_t> CutJob::airs_touched() const {
+    std::vector<std::uint32_t> airs;
+    if (!terms_.air_of) return airs;
+    for (const std::uint32_t face : loops().gone) {
+        const std::uint32_t air = terms_.air_of(patch_.faces[face].facet.block->part);
+        if (std::find(airs.begin(), airs.end(), air) == airs.end()) airs.push_back(air);
+    }
+    return airs;
 }
 
 CutJob::Phase CutJob::move_on(Verdict verdict, Phase next) {
@@ -314,6 +390,8 @@ CutJob::Phase CutJob::take_loops() {
         status_ = CarveStatus::kNothing;
         return Phase::kEnd;
     }
+    if (!sheets_.empty() || (input_.fill && terms_.air_of && goes_several()))
+        clipped_ = clip_sheets(input_, crossings(), loops(), sheets_, terms_.air_of);
     if (loops().faces.size() > rules_.max_new_faces) return too_many_new_faces();
     kept_ = keep_pieces(patch_, loops().gone);
     return Phase::kRules;
@@ -335,17 +413,26 @@ CutJob::Phase CutJob::apply_materials() {
         by = material;
     }
     NewSource source;
-    source.edit = data().edits + 1;
+    source.edit = edit();
     source.material = terms_.material;
     face_maker_ = std::make_unique<FaceMaker>(input_, crossings(), loops(), source);
+    opens_ = opens_several();
+    made_from_.clear();
+    taken_from_.clear();
     next_ = 0;
     return hardest > 0 ? shrink(hardest, "material " + material_name(by), Phase::kFacets) : Phase::kFacets;
 }
 
 CutJob::Phase CutJob::make_next_faces() {
-    const auto cut = std::uint32_t(loops().faces.size()), all = cut + std::uint32_t(kept_.pieces.size());
+    const auto cut = std::uint32_t(loops().faces.size()), whole = cut + std::uint32_t(kept_.pieces.size());
+    const std::uint32_t all = whole + (opens_ ? std::uint32_t(loops().taken.size()) : 0);
     const std::uint32_t end = std::min(next_ + kFacesAStep, all);
     for (; next_ < end; ++next_) {
+        if (next_ >= whole) {
+            face_maker_->make_taken(loops().taken[next_ - whole]);
+            taken_from_.resize(face_maker_->taken().faces.size(), next_ - whole);
+            continue;
+        }
         const bool is_new = next_ < cut;
         const std::uint32_t piece = is_new ? 0 : kept_.pieces[next_ - cut];
         const std::uint32_t corners = is_new ? loops().faces[next_].use_count : patch_.faces[piece].use_count;
@@ -356,6 +443,7 @@ CutJob::Phase CutJob::make_next_faces() {
             face_maker_->make(loops().faces[next_]);
         else
             face_maker_->make_kept(piece);
+        if (opens_ || clipped_) made_from_.resize(face_maker_->made().faces.size(), is_new ? next_ : Pockets::kNone);
     }
     if (face_maker_->made().faces.size() > rules_.max_new_faces) return too_many_new_faces();
     return next_ < all ? Phase::kFacets : Phase::kChange;
@@ -394,16 +482,109 @@ CutJob::Phase CutJob::make_change() {
     if (data().faces.count + terms_.other_faces - removed + added > rules_.max_faces)
         return refuse(ErrorCode::kTooLarge,
                       "the world would have more than " + std::to_string(rules_.max_faces) + " faces");
-    if (data().next_face > kMostFaceIds || added > kMostFaceIds - data().next_face)
-        return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
+    FaceIds ids(data().next_face, terms_.edit);
+    if (!ids.has(added)) return refuse(ErrorCode::kTooLarge, "the world has no ids left for new faces");
     report_.faces_removed = removed;
     report_.faces_added = added;
     report_.volume = volume_taken(view(), loops());
-    std::uint32_t id = data().next_face;
-    for (FaceSet::Entry& face : change_.added.faces) face.id = {id++};
+    // Those of the cutter first: how many pieces others are cut into depends on the edits before.
+    for (const bool of_cutter : {true, false})
+        for (FaceSet::Entry& face : change_.added.faces)
+            if (terms_.edit == 0 ? of_cutter : (face.edit == edit()) == of_cutter) face.id = {ids.take()};
+    change_.next_face = ids.next_face();
+    change_.edit = edit();
     change_.points = change_of_points(view(), loops());
+    if (opens_) make_opening();
+    if (clipped_)
+        for (const std::uint32_t from : made_from_)
+            air_of_added_.push_back(from == Pockets::kNone ? ClippedSheets::kNoAir : clipped_->air[from]);
+    if (terms_.air_of) note_divisions();
     status_ = CarveStatus::kDone;
     return Phase::kEnd;
+}
+
+void CutJob::make_opening() {
+    const Pockets pockets = find_pockets(view(), loops());
+    opening_.pockets = pockets.count;
+    opening_.taken = face_maker_->take_taken();
+    for (const std::uint32_t from : taken_from_) opening_.of_taken.push_back(pockets.of_taken[from]);
+    for (const std::uint32_t from : made_from_)
+        opening_.of_added.push_back(from == Pockets::kNone ? from : pockets.of_face[from]);
+}
+
+std::vector<CutSheet> CutJob::sheets_left(std::vector<std::uint32_t>& changed) {
+    std::vector<CutSheet> left;
+    changed.clear();
+    std::size_t next = 0;  // of the rest
+    for (std::uint32_t k = 0; k < sheets_.size(); ++k) {
+        if (!clipped_->changed[k]) {
+            left.push_back(sheets_[k]);
+            continue;
+        }
+        changed.push_back(sheets_[k].portal);
+        for (; next < clipped_->rest.size() && clipped_->rest[next].sheet == k; ++next) {
+            const SheetRest& rest = clipped_->rest[next];
+            CutSheet& sheet = left.emplace_back(sheets_[k]);
+            sheet.uses.clear();
+            for (const SheetSide& side : rest.sides) {
+                if (side.edge == SheetSide::kAsItWas)
+                    sheet.uses.push_back(side.use);
+                else
+                    append_use({side.edge, side.reversed}, sheet.uses);
+            }
+            sheet.ends = rest.ends;
+        }
+    }
+    return left;
+}
+
+void CutJob::note_divisions() {
+    const auto note = [&](const PatchEdge& edge) {
+        for (const std::uint32_t vertex : edge.vertex) divided_box_.add(patch_.vertices[vertex].point.rounded());
+    };
+    for (const PatchEdge& edge : patch_.edges)
+        if (edge.split()) note(edge);
+    const std::vector<EdgeDivision>& divisions = loops().divisions;
+    if (divisions.empty()) return;
+    division_of_edge_.assign(patch_.edges.size(), ~0u);
+    for (std::uint32_t k = 0; k < divisions.size(); ++k) {
+        division_of_edge_[divisions[k].edge] = k;
+        note(patch_.edges[divisions[k].edge]);
+    }
+}
+
+bool CutJob::divide_edge(const SolidUse& use, std::vector<SolidUse>& parts) {
+    const std::optional<PatchUse> found = patch_.find(use);
+    return found && divide_edge(*found, parts);
+}
+
+bool CutJob::divide_edge(const InputPoint& from, const InputPoint& to, std::vector<SolidUse>& parts) {
+    const std::optional<PatchUse> found = patch_.find(from, to);
+    return found && divide_edge(*found, parts);
+}
+
+bool CutJob::divide_edge(PatchUse use, std::vector<SolidUse>& parts) {
+    const PatchEdge& edge = patch_.edges[use.edge];
+    if (edge.split()) {
+        for (const bool last : {false, true}) {
+            const PatchUse half{edge.half[use.reversed != last], use.reversed};
+            if (!divide_edge(half, parts)) append_use(half, parts);
+        }
+        return true;
+    }
+    if (division_of_edge_.empty() || division_of_edge_[use.edge] == ~0u) return false;
+    const EdgeDivision& division = loops().divisions[division_of_edge_[use.edge]];
+    for (std::uint32_t k = 0; k < division.count; ++k) {
+        PatchUse part = loops().parts[division.first_part + (use.reversed ? division.count - 1 - k : k)];
+        part.reversed = part.reversed != use.reversed;
+        append_use(part, parts);
+    }
+    return true;
+}
+
+void CutJob::append_use(const PatchUse& use, std::vector<SolidUse>& uses) {
+    const Ref<const SolidEdge>& edge = face_maker_->edge(use.edge);
+    uses.emplace_back(edge, use.reversed != face_maker_->runs_against(use.edge, *edge));
 }
 
 }  // namespace firma

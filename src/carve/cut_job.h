@@ -2,13 +2,17 @@
 // One cut, step by step: from a solid and a placed cutter to the change that makes the solid after it.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "carve/arrange_cut.h"
+#include "carve/clip_sheets.h"
 #include "carve/cut_faces.h"
+#include "carve/find_pockets.h"
 #include "carve/label.h"
 #include "carve/make_faces.h"
 #include "carve/tile_faces.h"
@@ -23,6 +27,21 @@ struct CutTerms {
     const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
     std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
+    std::uint32_t edit = 0;                               ///< the number it is given; 0: the one after the last
+    /// Which air faces of a part look into: where a carving opens several, or may, CutOpening says how. Empty: it is
+    /// not asked.
+    std::function<std::uint32_t(std::uint32_t part)> air_of;
+    /// Adds the polygons that stand in the air and meet a box: a fill takes of them what lies in the cutter.
+    std::function<void(const GridBox& box, std::vector<CutSheet>& sheets)> sheets_at;
+};
+
+/// What a carving opens: the pieces of faces that it took, and pockets of new air behind them.
+struct CutOpening {
+    std::uint32_t pockets = 0;            ///< 0: all that was added of the cutter bounds one air
+    FaceSet taken;                        ///< pieces of the solid's faces, their facets in a row; without ids
+    std::vector<std::uint32_t> of_taken;  ///< the pocket of each of `taken.faces`
+    std::vector<std::uint32_t>
+        of_added;  ///< of each of SolidChange::added.faces; Pockets::kNone: a piece of an old one
 };
 
 /// Works in pieces of some ten microseconds. Only reads the solid; what it makes is its own.
@@ -44,6 +63,26 @@ public:
     const std::string& reproduction() const { return reproduction_; }
     /// With kDone. Once: it is moved out.
     SolidChange take_change() { return std::move(change_); }
+    /// Likewise.
+    CutOpening take_opening() { return std::move(opening_); }
+    /// Whether a fill met sheets and it is known what it does to them. With kDone, as the next two.
+    bool clipped() const { return clipped_.has_value(); }
+    /// Of each of SolidChange::added.faces: the air that it bounds; ClippedSheets::kNoAir: see there.
+    const std::vector<std::uint32_t>& air_of_added() const { return air_of_added_; }
+    /// The sheets that are left, in order of portals.
+    /// @param changed  gets the portals of those that are not what they were
+    std::vector<CutSheet> sheets_left(std::vector<std::uint32_t>& changed);
+    bool met_sheets() const { return !sheets_.empty(); }
+    /// The airs that faces that went, whole or in part, looked into: each once, in order of these faces.
+    std::vector<std::uint32_t> airs_touched() const;
+    /// What became of an edge that is used by something else than faces of the solid, too. With kDone.
+    /// @param parts  gets the edges that take its place, as it ran; as faces have them
+    /// @return whether any do
+    bool divide_edge(const SolidUse& use, std::vector<SolidUse>& parts);
+    /// The same between two corners of faces that no cut has touched.
+    bool divide_edge(const InputPoint& from, const InputPoint& to, std::vector<SolidUse>& parts);
+    /// Around all edges of the solid that are divided now.
+    const GridBox& divided_box() const { return divided_box_; }
 
     const Solid& solid() const { return solid_; }
     /// As it was cut with.
@@ -79,6 +118,7 @@ private:
     Phase apply_materials();
     Phase make_next_faces();
     Phase make_change();
+    void make_opening();
 
     Phase refuse(ErrorCode code, std::string reason);
     Phase move_on(Verdict verdict, Phase next);
@@ -92,13 +132,23 @@ private:
     Phase contradiction();
     Phase shrink(double hardness, const std::string& by, Phase otherwise);
     std::vector<FacetPlace> facets_removed();
+    bool may_open() const;
+    bool opens_several() const;
+    bool goes_several() const;
+    void note_divisions();
+    bool divide_edge(PatchUse use, std::vector<SolidUse>& parts);
+    void append_use(const PatchUse& use, std::vector<SolidUse>& uses);
     std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
 
-    const Crossings& crossings() const { return arranger_ ? arranger_->crossings() : face_cutter_.made(); }
-    const NewLoops& loops() const { return arranger_ ? arranger_->loops() : loops_; }
+    const Crossings& crossings() const {
+        return clipped_ ? clipped_->crossings : arranger_ ? arranger_->crossings() : face_cutter_.made();
+    }
+    const NewLoops& loops() const { return clipped_ ? clipped_->loops : arranger_ ? arranger_->loops() : loops_; }
     CutView view() const { return {input_, crossings(), loops()}; }
     const SolidData& data() const { return solid_.data(); }
+    /// The number of this edit.
+    std::uint32_t edit() const { return terms_.edit > 0 ? terms_.edit : data().edits + 1; }
     const Node* index() const { return data().faces.root.get(); }
 
     const Solid solid_;
@@ -128,6 +178,15 @@ private:
     KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
 
+    bool opens_ = false;  ///< several airs
+    CutOpening opening_;
+    std::vector<CutSheet> sheets_;  ///< of a fill
+    std::optional<ClippedSheets> clipped_;
+    std::vector<std::uint32_t> air_of_added_;
+    std::vector<std::uint32_t> made_from_;         ///< of each of SolidChange::added.faces: NewLoops::faces, or ~0
+    std::vector<std::uint32_t> taken_from_;        ///< of each of CutOpening::taken.faces: NewLoops::taken
+    std::vector<std::uint32_t> division_of_edge_;  ///< of the patch: NewLoops::divisions; ~0: none. Empty: none at all
+    GridBox divided_box_;
     std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
 };
 

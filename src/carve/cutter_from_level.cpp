@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/sort.h"
+#include "carve/level_triangles.h"
 #include "firma/cutter.h"
 #include "geometry/exact_integer.h"
 
@@ -42,14 +43,13 @@ public:
                          std::to_string(triangle_count) + " triangles; a cutter has at most " +
                              std::to_string(kMaxCutterTriangles)};
         weld();
-        triangles.reserve(triangle_count);
+        made_.triangles.reserve(triangle_count);
         for (const LevelFace& face : level_.faces)
             if (auto fault = divide(face)) return fault;
         return std::nullopt;
     }
 
-    std::vector<Vec3> vertices;
-    std::vector<CutterTriangle> triangles;
+    LevelTriangles take() { return std::move(made_); }
 
 private:
     Error error(const LevelFace& face, ErrorCode code, std::string reason) const {
@@ -69,7 +69,7 @@ private:
             const bool same = k > 0 && level_.vertices[order[k]] == level_.vertices[order[k - 1]];
             welded_[order[k]] = same ? welded_[order[k - 1]] : order[k];
         }
-        for (const GridPoint& v : level_.vertices) vertices.push_back(to_metres(v));
+        for (const GridPoint& v : level_.vertices) made_.vertices.push_back(to_metres(v));
     }
 
     const GridPoint& at(std::uint32_t vertex) const { return level_.vertices[vertex]; }
@@ -101,7 +101,7 @@ private:
                 if (!ear) outline.insert(outline.begin() + std::ptrdiff_t(k), corner);
             }
             if (ear) {
-                triangles.push_back({before, corner, after});
+                made_.triangles.push_back({before, corner, after});
                 tries = 0;  // k is the next corner now
             } else {
                 ++k;
@@ -109,20 +109,27 @@ private:
             }
         }
         if (outline.size() > 3 || !has_area(outline)) return error(face, ErrorCode::kMalformed, "has no area");
-        triangles.push_back({outline[0], outline[1], outline[2]});
+        made_.triangles.push_back({outline[0], outline[1], outline[2]});
         return std::nullopt;
     }
 
     const Level& level_;
+    LevelTriangles made_;
     std::vector<std::uint32_t> welded_;
 };
 
 }  // namespace
 
-Result<Cutter> cutter_from_level(const Level& level) {
+Result<LevelTriangles> level_triangles(const Level& level) {
     LevelMesh mesh(level);
     if (auto error = mesh.build()) return std::move(*error);
-    return make_cutter(mesh.vertices, mesh.triangles, level.name);
+    return mesh.take();
+}
+
+Result<Cutter> cutter_from_level(const Level& level) {
+    const Result<LevelTriangles> mesh = level_triangles(level);
+    if (!mesh) return mesh.error();
+    return make_cutter(mesh.value().vertices, mesh.value().triangles, level.name);
 }
 
 }  // namespace firma

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "carve/judge_rules.h"
 
+#include <cmath>
+
 namespace firma {
 namespace {
 
@@ -12,6 +14,10 @@ bool is_hardness(double h) {
 
 bool holds_points(const Box& box) {
     return box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z;
+}
+
+bool is_merge_share(double share) {
+    return share >= 0 && share < INFINITY;
 }
 
 std::optional<Error> judge_rules(const CarveRules& rules, const std::string& name) {
@@ -28,6 +34,7 @@ std::optional<Error> judge_rules(const CarveRules& rules, const std::string& nam
     for (std::size_t k = 0; k < rules.hardness.size(); ++k)
         if (!is_hardness(rules.hardness[k]))
             return fault("rules, material " + std::to_string(k), "its hardness is not within 0 and 1");
+    if (!is_merge_share(rules.merge_share)) return fault("rules", "merge_share is no share: a number from 0 on");
     if (!(rules.max_cutter_size > 0)) return fault("rules", "max_cutter_size is not a length above zero");
     return std::nullopt;
 }

@@ -15,6 +15,9 @@ namespace firma {
 /// @param name  for messages: of the level, or of the call; may be empty
 std::optional<Error> judge_rules(const CarveRules& rules, const std::string& name);
 
+/// Whether CarveRules::merge_share is one.
+bool is_merge_share(double share);
+
 /// Also for boxes that reach to infinity; false for boxes not of numbers.
 bool holds_points(const Box& box);
 

@@ -6,7 +6,7 @@ namespace firma {
 FaceMaker::FaceMaker(const CutInput& in, const Crossings& crossings, const NewLoops& loops, const NewSource& source)
     : patch_(in.patch), loops_(loops), view_(in, crossings, loops), source_(source) {
     vertices_.resize(view_.vertex_count());
-    corners_.assign(vertices_.size(), ~0u);
+    made_.corners.assign(vertices_.size(), ~0u);
     edges_.resize(view_.edge_count());
 }
 
@@ -58,15 +58,20 @@ bool FaceMaker::runs_against(std::uint32_t number, const SolidEdge& stored) {
 }
 
 void FaceMaker::make(const NewFace& face) {
-    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle});
+    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle}, made_);
+}
+
+void FaceMaker::make_taken(const NewFace& face) {
+    if (taken_.corners.empty()) taken_.corners.assign(vertices_.size(), ~0u);
+    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle}, taken_);
 }
 
 void FaceMaker::make_kept(std::uint32_t index) {
     const PatchFace& face = patch_.faces[index];
-    make({Ref<const SolidPlane>(face.plane), patch_.uses(face), patch_.ends(face), index, ~0u});
+    make({Ref<const SolidPlane>(face.plane), patch_.uses(face), patch_.ends(face), index, ~0u}, made_);
 }
 
-void FaceMaker::make(const Outline& outline) {
+void FaceMaker::make(const Outline& outline, Target& target) {
     const std::span<const PatchUse> uses = outline.uses;
     points_.clear();
     for (const PatchUse& use : uses) points_.push_back(view_.point(view_.from(use)).rounded());
@@ -89,19 +94,19 @@ void FaceMaker::make(const Outline& outline) {
     for (const GridPoint& p : points_) made->box.add(p);
     made->facets = std::uint32_t(facets_.first.size()) - 1;
     made->set_hash(hashes_);
-    add_facets(outline, *made);
+    add_facets(outline, *made, target);
 }
 
-std::uint32_t FaceMaker::corner(std::uint32_t number) {
-    std::uint32_t& known = corners_[number];
+std::uint32_t FaceMaker::corner(std::uint32_t number, Target& target) const {
+    std::uint32_t& known = target.corners[number];
     if (known == ~0u) {
-        known = std::uint32_t(made_.vertices.size());
-        made_.vertices.push_back(view_.point(number).rounded());
+        known = std::uint32_t(target.set.vertices.size());
+        target.set.vertices.push_back(view_.point(number).rounded());
     }
     return known;
 }
 
-void FaceMaker::add_facets(const Outline& outline, const SolidFace& owner) {
+void FaceMaker::add_facets(const Outline& outline, const SolidFace& owner, Target& target) {
     FaceSet::Entry like;
     if (outline.face != ~0u) {
         const FaceRecord& old = patch_.faces[outline.face].facet.record();
@@ -119,13 +124,13 @@ void FaceMaker::add_facets(const Outline& outline, const SolidFace& owner) {
     }
     like.solid = true;
     like.owner = &owner;
-    made_.owners.emplace_back(&owner);
+    target.set.owners.emplace_back(&owner);
     for (std::size_t k = 0; k + 1 < facets_.first.size(); ++k) {
-        like.first_corner = std::uint32_t(made_.corners.size());
+        like.first_corner = std::uint32_t(target.set.corners.size());
         like.corner_count = facets_.first[k + 1] - facets_.first[k];
         for (std::uint32_t c = facets_.first[k]; c < facets_.first[k + 1]; ++c)
-            made_.corners.push_back(corner(view_.from(outline.uses[facets_.corners[c]])));
-        made_.faces.push_back(like);
+            target.set.corners.push_back(corner(view_.from(outline.uses[facets_.corners[c]]), target));
+        target.set.faces.push_back(like);
     }
 }
 

@@ -33,13 +33,26 @@ public:
     void make(const NewFace& face);
     /// A face of the patch, as it is.
     void make_kept(std::uint32_t face);
+    /// One of NewLoops::taken: into a set of its own, where parts are those that faces had.
+    void make_taken(const NewFace& face);
 
     /// The facets made so far; ids are left open.
-    const FaceSet& made() const { return made_; }
+    const FaceSet& made() const { return made_.set; }
     /// Once: they are moved out.
-    FaceSet take() { return std::move(made_); }
+    FaceSet take() { return std::move(made_.set); }
+    const FaceSet& taken() const { return taken_.set; }
+    FaceSet take_taken() { return std::move(taken_.set); }
+    /// An edge by number, with the objects that faces made of it have.
+    const Ref<const SolidEdge>& edge(std::uint32_t number);
+    /// Whether that object runs against the edge as it is numbered.
+    bool runs_against(std::uint32_t number, const SolidEdge& stored);
 
 private:
+    struct Target {
+        FaceSet set;
+        std::vector<std::uint32_t> corners;  ///< a vertex's place in set.vertices; ~0: none yet
+    };
+
     /// What there is to make, wherever it comes from; `face` and `triangle` as in NewFace.
     struct Outline {
         Ref<const SolidPlane> plane;
@@ -48,21 +61,18 @@ private:
         std::uint32_t face, triangle;
     };
 
-    void make(const Outline& outline);
+    void make(const Outline& outline, Target& target);
     const Ref<const SolidVertex>& vertex(std::uint32_t number);
-    const Ref<const SolidEdge>& edge(std::uint32_t number);
-    bool runs_against(std::uint32_t number, const SolidEdge& stored);
-    std::uint32_t corner(std::uint32_t number);
-    void add_facets(const Outline& outline, const SolidFace& owner);
+    std::uint32_t corner(std::uint32_t number, Target& target) const;
+    void add_facets(const Outline& outline, const SolidFace& owner, Target& target);
 
     const SolidPatch& patch_;
     const NewLoops& loops_;
     const CutView view_;
     const NewSource source_;
-    FaceSet made_;
+    Target made_, taken_;
     std::vector<Ref<const SolidVertex>> vertices_;
     std::vector<Ref<const SolidEdge>> edges_;
-    std::vector<std::uint32_t> corners_;  ///< a vertex's place in made_.vertices; ~0: none yet
     std::vector<GridPoint> points_;
     std::vector<Vec3> exact_;
     FacetMaker facet_maker_;

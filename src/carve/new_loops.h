@@ -26,12 +26,23 @@ struct NewFace {
     std::uint32_t triangle = ~0u;                  ///< the cutter's triangle that it is a piece of; ~0: of the world
 };
 
+/// An edge of the patch that is several edges now.
+struct EdgeDivision {
+    std::uint32_t edge = 0;                   ///< the patch's
+    std::uint32_t first_part = 0, count = 0;  ///< in NewLoops::parts, along the edge
+};
+
 struct NewLoops {
     std::vector<NewEdge> edges;
     std::vector<PatchUse> all_uses;  ///< edges numbered through; see cut_view.h
     std::vector<std::uint32_t> loop_ends;
     std::vector<NewFace> faces;
     std::vector<std::uint32_t> gone;  ///< patch faces that were cut, or taken whole; none that is `replaced`
+
+    // Where CutInput asks for them:
+    std::vector<NewFace> taken;           ///< what of the patch's faces is gone: turned as they were
+    std::vector<EdgeDivision> divisions;  ///< in order of edges
+    std::vector<PatchUse> parts;          ///< of divided edges: edges numbered through, as they run
 
     std::span<const PatchUse> uses(const NewFace& face) const {
         return {all_uses.data() + face.first_use, face.use_count};

@@ -64,12 +64,18 @@ private:
 
     void split_edges() {
         world_parts_.assign(patch_.edges.size(), {});
+        if (in_.divides) taken_parts_.assign(patch_.edges.size(), {});
         for (std::uint32_t e = 0; e < patch_.edges.size(); ++e) {
             if (order_.world_cuts[e].count == 0) continue;
             const PatchEdge& edge = patch_.edges[e];
             const bool outside = labels_.world[edge.vertex[0]] == CutSide::kOutside;
-            world_parts_[e] =
-                split(order_.world_cuts[e], edge.vertex[0], edge.vertex[1], outside, edge.plane[0], edge.plane[1]);
+            const auto split_it = [&](bool keeps) {
+                return split(order_.world_cuts[e], edge.vertex[0], edge.vertex[1], keeps, edge.plane[0], edge.plane[1]);
+            };
+            world_parts_[e] = split_it(outside);
+            if (!in_.divides) continue;
+            taken_parts_[e] = split_it(!outside);
+            note_division(e, outside);
         }
         cutter_parts_.assign(cutter_.edges.size(), {});
         const std::uint32_t base = view_.first_cutter_vertex();
@@ -81,6 +87,15 @@ private:
             cutter_parts_[e] = split(order_.cutter_cuts[e], base + edge.a, base + edge.b, keeps, edge.plane[0].get(),
                                      edge.plane[1].get());
         }
+    }
+
+    /// Parts outside and inside in turn.
+    void note_division(std::uint32_t edge, bool outside) {
+        const std::uint32_t count = order_.world_cuts[edge].count + 1;
+        made_.divisions.push_back({edge, std::uint32_t(made_.parts.size()), count});
+        std::uint32_t next_out = world_parts_[edge].first, next_in = taken_parts_[edge].first;
+        for (std::uint32_t k = 0; k < count; ++k, outside = !outside)
+            made_.parts.push_back({view_.first_new_edge() + (outside ? next_out++ : next_in++), false});
     }
 
     /// Segments that a seam of the cutter divides are one.
@@ -149,13 +164,33 @@ private:
         if (!crossings_.face_cut[index]) {
             if (!inside) return Verdict::kFine;
             made_.gone.push_back(index);
-            if (!outside) return Verdict::kFine;
+            if (!outside) return in_.opens ? trace_taken(index) : Verdict::kFine;
         } else {
             made_.gone.push_back(index);
         }
         for (std::uint32_t k = by_face_[index]; k < by_face_[index + 1]; ++k)
             pieces_.push_back({segment_edge_ + of_face_[k], true});
-        return trace_pieces({Ref<const SolidPlane>(face.plane), 0, 0, 0, 0, index, ~0u});
+        const Verdict verdict = trace_pieces({Ref<const SolidPlane>(face.plane), 0, 0, 0, 0, index, ~0u});
+        return verdict == Verdict::kFine && in_.opens ? trace_taken(index) : verdict;
+    }
+
+    /// What of a face that goes lies inside the cutter.
+    Verdict trace_taken(std::uint32_t index) {
+        const PatchFace& face = patch_.faces[index];
+        pieces_.clear();
+        for (const PatchUse& use : patch_.uses(face)) {
+            if (order_.world_cuts[use.edge].count != 0)
+                take_parts(taken_parts_[use.edge], use.reversed);
+            else if (labels_.world[patch_.from(use)] != CutSide::kOutside)
+                pieces_.push_back(use);
+        }
+        for (std::uint32_t k = by_face_[index]; k < by_face_[index + 1]; ++k)
+            pieces_.push_back({segment_edge_ + of_face_[k], false});
+        const std::size_t faces = made_.faces.size();
+        const Verdict verdict = trace_pieces({Ref<const SolidPlane>(face.plane), 0, 0, 0, 0, index, ~0u});
+        for (std::size_t k = faces; k < made_.faces.size(); ++k) made_.taken.push_back(std::move(made_.faces[k]));
+        made_.faces.resize(faces);
+        return verdict;
     }
 
     /// @param t  a polygon's lowest triangle; of others nothing is made
@@ -264,7 +299,7 @@ private:
     const CutView view_;
     const SolidPatch& patch_;
     const CutterSolid& cutter_;
-    std::vector<Parts> world_parts_, cutter_parts_;
+    std::vector<Parts> world_parts_, taken_parts_, cutter_parts_;
     std::span<const Segment> segments_;  ///< those of the crossings, or joined_
     std::vector<Segment> joined_;
     std::uint32_t segment_edge_ = 0;  ///< number of the first segment's edge
@@ -286,6 +321,9 @@ Verdict trace_loops(const CutInput& in, const Crossings& crossings, const CutOrd
     loops.loop_ends.clear();
     loops.faces.clear();
     loops.gone.clear();
+    loops.taken.clear();
+    loops.divisions.clear();
+    loops.parts.clear();
     return Tracer(in, crossings, order, labels, loops).trace();
 }
 

@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/flat_map.h"
 #include "join/arrangement.h"
 #include "solid/face_set.h"
 #include "solid/make_facets.h"
+#include "solid/solid_face.h"
 
 namespace firma {
 
@@ -59,9 +61,18 @@ public:
 
     /// The face's exact form; null where its one facet says it all.
     Ref<const SolidFace> make(std::uint32_t face);
+    /// Likewise of a portal's polygon, with the edges that faces have. Null also where no plane is known that holds one
+    /// of its edges in the air.
+    /// @param polygon  of the arrangement, behind the faces
+    Ref<const SolidFace> make_portal(std::uint32_t polygon, PlaneId plane);
 
 private:
     bool is_own_facet(std::uint32_t face) const;
+    bool portal_is_its_facets(std::uint32_t polygon);
+    Ref<const SolidFace> make(std::uint32_t polygon, PlaneId plane, std::span<const SolidUse> uses) const;
+    void know_edges();
+    SolidUse portal_side(std::uint32_t from, std::uint32_t to, PlaneId plane);
+    PlaneId plane_through(std::uint32_t from, std::uint32_t to, PlaneId plane) const;
     const Ref<const SolidVertex>& vertex(std::uint32_t point);
     const Ref<const SolidEdge>& edge(std::uint32_t index);
 
@@ -71,6 +82,10 @@ private:
     const JoinFacets& facets_;
     std::vector<Ref<const SolidVertex>> vertices_;
     std::vector<Ref<const SolidEdge>> edges_;
+    FlatMap edge_between_;      ///< of two corners: of the arrangement, of several one that is doubled
+    FlatMap air_edge_between_;  ///< of two corners: in air_edges_
+    std::vector<Ref<const SolidEdge>> air_edges_;  ///< of portals alone
+    std::vector<SolidUse> uses_;
 };
 
 }  // namespace firma

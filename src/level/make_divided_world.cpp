@@ -23,7 +23,10 @@ class WorldMaker {
 public:
     WorldMaker(const Level& level, std::span<const LevelPortal> portals, const DividedMesh& divided, bool rock_outside,
                const WorldOptions& options)
-        : level_(level), portals_(portals), divided_(divided) {
+        : level_(level),
+          portals_(portals),
+          divided_(divided),
+          face_maker_(divided.tables, divided.faces, divided.arrangement, divided.facets) {
         parts_.name = level.name;
         parts_.options = options;
         parts_.materials = level.materials;
@@ -62,8 +65,12 @@ public:
             part.rooms = {RoomId{front}, RoomId{back}};
             part.name = portals_[source].name;
             part.material = no_material;
-            for (std::uint32_t f = divided_.facets.first[faces + k]; f < divided_.facets.first[faces + k + 1]; ++f)
+            const Ref<const SolidFace> exact =
+                face_maker_.make_portal(std::uint32_t(faces + k), divided_.portals[k].piece.plane);
+            for (std::uint32_t f = divided_.facets.first[faces + k]; f < divided_.facets.first[faces + k + 1]; ++f) {
                 part.polygons.push_back(divided_.facets.corners[f]);
+                part.exact.push_back(exact);
+            }
         }
         std::sort(idle.begin(), idle.end());
         idle.erase(std::unique(idle.begin(), idle.end()), idle.end());
@@ -88,10 +95,9 @@ private:
     }
 
     void add_faces() {
-        JoinFaceMaker maker(divided_.tables, divided_.faces, divided_.arrangement, divided_.facets);
         for (std::uint32_t k = 0; k < divided_.faces.size(); ++k) {
             const std::uint32_t room = divided_.rooms.of_side[k];
-            const Ref<const SolidFace> exact = maker.make(k);
+            const Ref<const SolidFace> exact = face_maker_.make(k);
             if (exact) parts_.rooms[room].faces.owners.emplace_back(exact.get());
             FaceSet::Entry face = entry_of(divided_.faces[k].source);
             face.solid = true;
@@ -104,6 +110,7 @@ private:
     const Level& level_;
     const std::span<const LevelPortal> portals_;
     const DividedMesh& divided_;
+    JoinFaceMaker face_maker_;
     WorldParts parts_;
     std::uint32_t next_face_ = 0;
 };

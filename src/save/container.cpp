@@ -75,7 +75,7 @@ private:
         if (version < 1 || version > kFirmaFileVersion)
             return Error{
                 ErrorCode::kUnsupported, name_,
-                "it is of version " + std::to_string(version) + " of the format; this Firma reads versions 1 and 2"};
+                "it is of version " + std::to_string(version) + " of the format; this Firma reads versions 1 to 3"};
         count_ = read_u32(bytes_.data() + 12);
         if (count_ > (bytes_.size() - kHeadBytes) / kTableEntryBytes)
             return fault("it ends within its table of sections");
@@ -103,7 +103,7 @@ std::string section_name(SectionType type) {
     return plain ? letters : digits;
 }
 
-std::vector<std::byte> write_container(std::span<const NewSection> sections) {
+std::vector<std::byte> write_container(std::span<const NewSection> sections, std::uint32_t version) {
     std::uint64_t place = kHeadBytes + sections.size() * kTableEntryBytes;
     ByteWriter table;
     for (const NewSection& section : sections) {
@@ -117,7 +117,7 @@ std::vector<std::byte> write_container(std::span<const NewSection> sections) {
     }
     ByteWriter head;
     for (const unsigned char letter : kMagic) head.u8(letter);
-    head.u32(kFirmaFileVersion);
+    head.u32(version);
     head.u32(std::uint32_t(sections.size()));
     head.u64(place);
     head.u32(0);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firma/result.h"
+#include "firma/save.h"
 #include "save/little_endian.h"
 
 namespace firma {
@@ -37,7 +38,7 @@ struct NewSection {
 };
 
 /// The bytes of a file of these sections, in this order.
-std::vector<std::byte> write_container(std::span<const NewSection> sections);
+std::vector<std::byte> write_container(std::span<const NewSection> sections, std::uint32_t version = kFirmaFileVersion);
 
 struct Section {
     SectionType type = 0;

@@ -58,7 +58,7 @@ public:
         if (exact_) pack_exact();
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
-        return write_container(sections());
+        return write_container(sections(), needs_version_3_ ? 3 : 2);
     }
 
 private:
@@ -90,6 +90,10 @@ private:
     }
 
     void pack_rules(const CarveRules& rules) {
+        if (rules.merge_share > 0) {
+            merge_.f64(rules.merge_share);
+            needs_version_3_ = true;
+        }
         rules_.u32(std::uint32_t(rules.zones.size()));
         rules_.u32(std::uint32_t(rules.hardness.size()));
         for (const std::size_t most : {rules.max_faces, rules.max_candidate_faces, rules.max_new_faces,
@@ -148,25 +152,35 @@ private:
             records_.u32(std::uint32_t(record.name.size()));
             records_.u32(record.exterior ? kExteriorRoom : 0);
             records_.u32(record.merged_into);
+            needs_version_3_ |= record.merged_into > room;
         }
         for (std::uint32_t room = 0; room < cells.room_count(); ++room) add_text(records_, cells.room(room).name);
     }
 
     void pack_portals() {
         const Cells& cells = data_.cells;
+        for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
+            const Portal& portal = cells.portal(k);
+            needs_version_3_ |= portal.made;
+            for (std::size_t p = 0; p < portal.all_polygons().size(); ++p)
+                needs_version_3_ |= portal.exact(p) != nullptr;
+        }
         portals_.u32(cells.portal_count());
         for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
             const Portal& portal = cells.portal(k);
             for (const RoomId room : cells.rooms_of(portal)) portals_.u32(room.value);
             portals_.u32(portal.material);
             portals_.u32(portal.mask);
-            portals_.u32(cells.is_closed(k) ? kClosedPortal : 0);
-            portals_.u32(std::uint32_t(portal.polygons().size()));
+            portals_.u32((cells.is_closed(k) ? kClosedPortal : 0) | (portal.made ? kMadePortal : 0));
+            portals_.u32(std::uint32_t(portal.all_polygons().size()));
             portals_.u32(std::uint32_t(portal.name.size()));
             portals_.u32(0);
-            for (const PortalPolygon& polygon : portal.polygons()) {
-                portal_polygons_.u32(std::uint32_t(polygon.corners.size()));
-                for (const GridPoint& corner : polygon.corners) add_point(portal_corners_, corner);
+            const auto polygons = portal.all_polygons();
+            for (std::size_t p = 0; p < polygons.size(); ++p) {
+                portal_polygons_.u32(std::uint32_t(polygons[p].corners.size()));
+                for (const GridPoint& corner : polygons[p].corners) add_point(portal_corners_, corner);
+                const SolidFace* face = exact_ ? portal.exact(p) : nullptr;
+                portal_faces_.u32(face ? exact_faces_(face) : kOwnFace);
             }
         }
         for (std::uint32_t k = 0; k < cells.portal_count(); ++k) add_text(portals_, cells.portal(k).name);
@@ -280,6 +294,7 @@ private:
         add(kWorldSection, world_);
         add(kMaterialsSection, materials_);
         if (data_.rules) add(kRulesSection, rules_);
+        if (data_.rules && data_.rules->merge_share > 0) add(kMergeSection, merge_);
         add(kFacesSection, faces_);
         add(kVerticesSection, vertices_);
         add(kCornersSection, corners_);
@@ -288,6 +303,7 @@ private:
             add(kPortalsSection, portals_);
             add(kPortalPolygonsSection, portal_polygons_);
             add(kPortalCornersSection, portal_corners_);
+            if (exact_ && needs_version_3_) add(kPortalFacesSection, portal_faces_);
         }
         if (exact_) {
             add(kPlanesSection, plane_data_);
@@ -320,8 +336,9 @@ private:
     const TreeOptions tree_options_;
     const bool exact_, index_;
     std::vector<FaceOfRoom> all_;  ///< in order of id
-    ByteWriter world_, materials_, rules_, faces_, vertices_, corners_;
-    ByteWriter records_, portals_, portal_polygons_, portal_corners_;
+    bool needs_version_3_ = false;
+    ByteWriter world_, materials_, rules_, merge_, faces_, vertices_, corners_;
+    ByteWriter records_, portals_, portal_polygons_, portal_corners_, portal_faces_;
     ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
     ByteWriter texture_maps_, textured_faces_, texture_outlines_;
     ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections of versions 1 and 2, and how large their entries are. docs/formats.md says what is in them.
+// The sections of all versions, and how large their entries are. docs/formats.md says what is in them.
 #pragma once
 
 #include "save/container.h"
@@ -17,6 +17,9 @@ inline constexpr SectionType kRoomRecordsSection = section_type("RECS");
 inline constexpr SectionType kPortalsSection = section_type("PORT");
 inline constexpr SectionType kPortalPolygonsSection = section_type("PPOL");
 inline constexpr SectionType kPortalCornersSection = section_type("PCOR");
+// From version 3 on.
+inline constexpr SectionType kPortalFacesSection = section_type("PEXA");
+inline constexpr SectionType kMergeSection = section_type("MERG");
 // The exact part.
 inline constexpr SectionType kPlanesSection = section_type("PLAN");
 inline constexpr SectionType kGridPointsSection = section_type("GRID");
@@ -47,6 +50,7 @@ inline constexpr SectionType kSectionsOfBoth[] = {
     kCornersSection, kRoomRecordsSection, kPortalsSection,    kPortalPolygonsSection, kPortalCornersSection,
     kPlanesSection,  kGridPointsSection,  kMeetPointsSection, kEdgesSection,          kExactFacesSection,
     kUsesSection,    kLoopsSection};
+inline constexpr SectionType kSectionsOfVersion3[] = {kPortalFacesSection, kMergeSection};
 inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
                                                       kTextureOutlinesSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
@@ -84,6 +88,7 @@ inline constexpr std::uint32_t kNoEntry = ~0u;
 inline constexpr std::uint32_t kExteriorRoom = 1;
 // Of a portal.
 inline constexpr std::uint32_t kClosedPortal = 1;
+inline constexpr std::uint32_t kMadePortal = 2;  ///< by an edit
 // Of a face.
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;

@@ -8,6 +8,7 @@
 
 #include "carve/judge_rules.h"
 #include "save/sections.h"
+#include "solid/face_ids.h"
 
 namespace firma {
 namespace {
@@ -46,7 +47,8 @@ bool unpack_counters(const Entries& section, UnpackedData& unpacked, Damage& dam
     data.known = unpacked.has_records;
     if (flags & kHasRules) data.rules = std::make_shared<const CarveRules>();
 
-    if (faces > data.next_face) return damage.report(section.type(), "has more faces than there were ids");
+    const std::uint64_t numbered = std::uint64_t(std::min(data.edits, kLastEditNumber)) * kIdsAnEdit;
+    if (faces > data.next_face + numbered) return damage.report(section.type(), "has more faces than there were ids");
     unpacked.faces = std::size_t(faces);
     if (data.next_face > kMostFaceIds) return damage.report(section.type(), "has no ids left for new faces");
     if (data.version > kMostVersion || data.edits > kMostEdits)
@@ -94,7 +96,7 @@ CarveZone zone_at(const std::byte* at) {
     return zone;
 }
 
-bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage) {
+bool unpack_rules(const Entries& section, const Entries* merge, UnpackedData& unpacked, Damage& damage) {
     if (section.count() < kRulesBytes) return damage.report(section.type(), "ends before its limits");
     const std::byte* at = section.at(0);
     const std::uint64_t zones = read_u32(at), hardness = read_u32(at + 4);
@@ -122,6 +124,11 @@ bool unpack_rules(const Entries& section, UnpackedData& unpacked, Damage& damage
     }
     if (!names.all_taken()) return damage.report(section.type(), "has bytes behind its last name");
     std::erase_if(rules.zones, [](const CarveZone& zone) { return !holds_points(zone.box); });
+    if (merge && merge->count() > 0) {
+        rules.merge_share = read_f64(merge->at(0));
+        if (merge->count() != 1 || !is_merge_share(rules.merge_share))
+            return damage.report(merge->type(), "is no share of walls");
+    }
     unpacked.world.rules = std::make_shared<const CarveRules>(std::move(rules));
     return true;
 }
@@ -136,7 +143,9 @@ UnpackedData unpack_data(Sections& sections, Damage& damage) {
         return unpacked;
     if (!unpacked.world.rules) return unpacked;
     const Entries rules = sections.entries(kRulesSection, 1);
-    if (!damage.error()) unpack_rules(rules, unpacked, damage);
+    std::optional<Entries> merge;
+    if (sections.has(kMergeSection)) merge = sections.entries(kMergeSection, 8);
+    if (!damage.error()) unpack_rules(rules, merge ? &*merge : nullptr, unpacked, damage);
     return unpacked;
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "save/entries.h"
+#include "solid/solid_face.h"
 #include "world/assemble_world.h"
 
 namespace firma {
@@ -25,6 +27,8 @@ UnpackedData unpack_data(Sections& sections, Damage& damage);
 
 /// Adds records of rooms, and portals. Check the Damage before using them. check_world() does the rest: which rooms and
 /// polygons are sound.
-void unpack_portals(Sections& sections, UnpackedData& unpacked, Damage& damage);
+/// @param exact  of which a portal's polygons may be facets, which are counted; null where the file says nothing of it
+void unpack_portals(Sections& sections, UnpackedData& unpacked, const std::vector<Ref<SolidFace>>* exact,
+                    Damage& damage);
 
 }  // namespace firma

@@ -6,6 +6,18 @@
 namespace firma {
 namespace {
 
+/// A room of which the way to what it is part of by now never ends; nothing where there is none.
+std::optional<std::size_t> part_of_itself(const std::vector<RoomRecord>& records) {
+    std::vector<std::size_t> passed_from(records.size(), records.size());  // the room that its way began at
+    for (std::size_t room = 0; room < records.size(); ++room)
+        for (std::size_t at = room; passed_from[at] == records.size(); at = records[at].merged_into) {
+            passed_from[at] = room;
+            const std::size_t next = records[at].merged_into;
+            if (next != at && passed_from[next] == room) return room;
+        }
+    return {};
+}
+
 bool unpack_records(const Entries& section, UnpackedData& unpacked, Damage& damage) {
     if (unpacked.rooms > section.count() / kRoomRecordBytes)
         return damage.report(section.type(), "has not as many entries as rooms");
@@ -18,20 +30,25 @@ bool unpack_records(const Entries& section, UnpackedData& unpacked, Damage& dama
         records[k].exterior = flags & kExteriorRoom;
         records[k].merged_into = read_u32(at + 8);
         if (flags & ~kExteriorRoom) return damage.report(section.type(), k, "has flags that mean nothing");
-        if (records[k].merged_into > k) return damage.report(section.type(), k, "is part of a higher room");
+        if (records[k].merged_into >= records.size())
+            return damage.report(section.type(), k, "is part of a room that is not there");
         if (!names.take(read_u32(at), records[k].name)) return damage.report(section.type(), k, "ends before its name");
     }
     if (!names.all_taken()) return damage.report(section.type(), "has bytes behind its last name");
+    if (const auto room = part_of_itself(records))
+        return damage.report(section.type(), *room, "is part of itself, by way of others");
     unpacked.world.records = std::move(records);
     return true;
 }
 
 class PortalReader {
 public:
-    PortalReader(Sections& sections, UnpackedData& unpacked, Damage& damage) : unpacked_(unpacked), damage_(damage) {
+    PortalReader(Sections& sections, UnpackedData& unpacked, const std::vector<Ref<SolidFace>>* exact, Damage& damage)
+        : unpacked_(unpacked), exact_(exact), damage_(damage) {
         portals_ = sections.entries(kPortalsSection, 1);
         polygons_ = sections.entries(kPortalPolygonsSection, 4);
         corners_ = sections.entries(kPortalCornersSection, kPointBytes);
+        if (exact) faces_ = sections.entries(kPortalFacesSection, 4);
     }
 
     void read() {
@@ -48,7 +65,7 @@ public:
             if (!names.take(read_u32(at + 24), parts[at_].name)) return fault_here("ends before its name");
         }
         if (!names.all_taken()) return fault("has bytes behind its last name");
-        for (const Entries* part : {&polygons_, &corners_})
+        for (const Entries* part : {&polygons_, &corners_, &faces_})
             if (part->left() > 0) {
                 damage_.report(part->type(), part->taken(), "belongs to no portal");
                 return;
@@ -66,9 +83,11 @@ private:
         part.mask = read_u32(at + 12);
         const std::uint32_t flags = read_u32(at + 16), polygons = read_u32(at + 20);
         part.open = !(flags & kClosedPortal);
+        part.made = flags & kMadePortal;
         for (const RoomId room : part.rooms)
             if (room.value >= unpacked_.rooms) return fault_here("leads to a room that is not there"), false;
-        if (flags & ~kClosedPortal || read_u32(at + 28) != 0) return fault_here("has flags that mean nothing"), false;
+        if (flags & ~(kClosedPortal | kMadePortal) || read_u32(at + 28) != 0)
+            return fault_here("has flags that mean nothing"), false;
         if (polygons > polygons_.left()) return fault_here("has more polygons than there are"), false;
         for (std::uint32_t k = 0; k < polygons; ++k)
             if (!read_polygon(part)) return false;
@@ -87,23 +106,41 @@ private:
         const std::byte* at = corners_.take(corners);
         for (std::uint32_t k = 0; k < corners; ++k, at += kPointBytes)
             polygon.push_back({read_i32(at), read_i32(at + 4), read_i32(at + 8)});
+        return !exact_ || read_face(part);
+    }
+
+    bool read_face(PortalPart& part) {
+        if (faces_.left() == 0) return damage_.report(faces_.type(), "has not as many entries as polygons");
+        const std::size_t entry = faces_.taken();
+        const std::uint32_t face = read_u32(faces_.take(1));
+        if (face != kOwnFace && face >= exact_->size())
+            return damage_.report(faces_.type(), entry, "names an exact face that is not there");
+        if (face == kOwnFace) {
+            part.exact.emplace_back();
+        } else {
+            const Ref<SolidFace>& named = (*exact_)[face];
+            part.exact.emplace_back(named.get());
+            ++named->facets;
+        }
         return true;
     }
 
     UnpackedData& unpacked_;
+    const std::vector<Ref<SolidFace>>* exact_;
     Damage& damage_;
-    Entries portals_, polygons_, corners_;
+    Entries portals_, polygons_, corners_, faces_;
     std::uint64_t at_ = 0;
 };
 
 }  // namespace
 
-void unpack_portals(Sections& sections, UnpackedData& unpacked, Damage& damage) {
+void unpack_portals(Sections& sections, UnpackedData& unpacked, const std::vector<Ref<SolidFace>>* exact,
+                    Damage& damage) {
     unpacked.world.records.resize(1);
     if (!unpacked.has_records) return;
     const Entries records = sections.entries(kRoomRecordsSection, 1);
     if (damage.error() || !unpack_records(records, unpacked, damage)) return;
-    if (unpacked.has_portals) PortalReader(sections, unpacked, damage).read();
+    if (unpacked.has_portals) PortalReader(sections, unpacked, exact, damage).read();
 }
 
 }  // namespace firma

@@ -33,6 +33,7 @@ std::vector<SectionType> known_sections(std::uint32_t version) {
     if (version == 1) {
         known.insert(known.end(), std::begin(kSectionsOfVersion1), std::end(kSectionsOfVersion1));
     } else {
+        if (version > 2) known.insert(known.end(), std::begin(kSectionsOfVersion3), std::end(kSectionsOfVersion3));
         known.insert(known.end(), std::begin(kSectionsOfTextures), std::end(kSectionsOfTextures));
         known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
     }
@@ -69,9 +70,10 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     std::vector<Ref<SolidFace>> exact;
     if (unpacked.exact) exact = unpack_exact(sections, damage);
     if (damage.error()) return *damage.error();
+    unpack_portals(sections, unpacked, version > 2 && unpacked.exact ? &exact : nullptr, damage);
+    if (damage.error()) return *damage.error();
     const FaceSet faces = version == 1 ? unpack_faces_of_version_1(sections, unpacked, exact, damage)
                                        : unpack_faces(sections, unpacked, exact, damage);
-    if (!damage.error()) unpack_portals(sections, unpacked, damage);
     if (!damage.error() && version > 1) unpacked.world.textures = unpack_textures(sections, damage);
     std::optional<UnpackedIndex> index;
     if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);

@@ -13,8 +13,10 @@ namespace firma {
 
 struct SolidChange {
     std::vector<FacetPlace> removed;  ///< each facet once
-    FaceSet added;                    ///< ids from SolidData::next_face on, in a canonical order; parts may be set
+    FaceSet added;                    ///< ids as FaceIds gives them, in a canonical order; parts may be set
     SumsByKey points;                 ///< what comes to SolidData::points
+    std::uint32_t edit = 0;           ///< its number; 0: the one after the last
+    std::uint32_t next_face = 0;      ///< SolidData::next_face after it; 0: behind as many ids as faces were added
 };
 
 /// Makes a solid of the one before, step by step.
@@ -35,7 +37,7 @@ private:
     const Solid before_;
     Solid result_;
     SumsByKey points_;
-    std::uint32_t added_;
+    std::uint32_t next_face_, number_;
     StoreEdit edit_;
 };
 

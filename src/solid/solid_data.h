@@ -14,8 +14,8 @@ namespace firma {
 struct SolidData {
     FaceStore faces;              ///< each marked as solid
     bool rock_outside = false;    ///< whether what no face separates from infinity is solid
-    std::uint32_t next_face = 0;  ///< the id that the next new face gets
-    std::uint32_t edits = 0;      ///< cuts so far: the next one's faces say they come from edit `edits + 1`
+    std::uint32_t next_face = 0;  ///< the id that the next new face gets, of an edit without a number: face_ids.h
+    std::uint32_t edits = 0;      ///< the last one's number: as many as were made, unless some were given theirs
     TreeOptions tree_options;     ///< how indices are built
     /// Sums of PointHash by region.
     PersistentMap<std::uint64_t> points;

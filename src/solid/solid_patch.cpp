@@ -54,6 +54,31 @@ std::uint32_t SolidPatch::find(const FacetPlace& facet) const {
     return face_of_.find(owner ? key_of(owner, kWhole) : key_of(facet.block, facet.slot));
 }
 
+std::uint32_t SolidPatch::find_grid_vertex(const InputPoint& point) const {
+    for (std::uint64_t key = point_key(point);; key = next_key(key)) {
+        const std::uint32_t known = vertex_of_point_.find(key);
+        if (known == FlatMap::kNone || vertices[known].point.grid() == point) return known;
+    }
+}
+
+std::optional<PatchUse> SolidPatch::find(const InputPoint& from, const InputPoint& to) const {
+    const std::uint32_t a = find_grid_vertex(from), b = find_grid_vertex(to);
+    if (a == FlatMap::kNone || b == FlatMap::kNone) return {};
+    const std::uint64_t low = a < b ? a : b, high = a < b ? b : a;
+    const std::uint32_t edge = edge_of_pair_.find(low << 32 | high);
+    if (edge == FlatMap::kNone) return {};
+    return PatchUse{edge, edges[edge].vertex[0] != a};
+}
+
+std::optional<PatchUse> SolidPatch::find(const SolidUse& use) const {
+    const SolidEdge& stored = use.edge();
+    const ExactPoint &from = use.from().point, &to = stored.vertex[!use.reversed()]->point;
+    if (from.on_grid() && to.on_grid() && !stored.doubled) return find(from.grid(), to.grid());
+    const std::uint32_t edge = edge_of_stored_.find(key_of(&stored, 0));
+    if (edge == FlatMap::kNone) return {};
+    return PatchUse{edge, use.reversed()};
+}
+
 std::uint32_t SolidPatch::add(const FacetPlace& facet) {
     const FaceOwner* owner = facet.block->owner_of(facet.record());
     std::uint32_t& known = face_of_.at(owner ? key_of(owner, kWhole) : key_of(facet.block, facet.slot));

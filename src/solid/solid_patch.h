@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,6 +63,10 @@ public:
     /// The number of a facet's face, or kNone.
     static constexpr std::uint32_t kNone = ~0u;
     std::uint32_t find(const FacetPlace& facet) const;
+    /// The edge that a loop uses, where it is here; nothing else.
+    std::optional<PatchUse> find(const SolidUse& use) const;
+    /// The one between two points of the grid that is not doubled.
+    std::optional<PatchUse> find(const InputPoint& from, const InputPoint& to) const;
 
     std::span<const PatchUse> uses(const PatchFace& face) const {
         return {all_uses.data() + face.first_use, face.use_count};
@@ -100,6 +105,7 @@ public:
 private:
     std::uint32_t add_untouched(const FacetPlace& facet);
     std::uint32_t add_stored(const FacetPlace& facet, const SolidFace& face);
+    std::uint32_t find_grid_vertex(const InputPoint& point) const;
     std::uint32_t grid_vertex(const InputPoint& point);
     std::uint32_t stored_vertex(const SolidVertex& vertex);
     std::uint32_t edge_between(std::uint32_t a, std::uint32_t b);

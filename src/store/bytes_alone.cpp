@@ -60,9 +60,11 @@ std::size_t bytes_of(const std::vector<std::string>* names) {
 std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
     std::size_t sum = mine.rooms().bytes_unshared(theirs.rooms()) + mine.portals().bytes_unshared(theirs.portals()) +
                       mine.joined().bytes_unshared(theirs.joined());
-    if (mine.boxes() && mine.boxes() != theirs.boxes())
-        sum +=
-            sizeof(PortalBoxes) + mine.boxes()->tree.bytes() + mine.boxes()->portals.capacity() * sizeof(std::uint32_t);
+    if (mine.portal_index() && mine.portal_index().get() != theirs.portal_index().get()) {
+        const Node *const own = mine.portal_index().get(), *const other = theirs.portal_index().get();
+        for (const Node* node : unshared_nodes({&own, 1}, {&other, std::size_t(other != nullptr)}).before)
+            sum += bytes_of(*node) + (node->is_leaf() ? node->facets->bytes() : 0);
+    }
     mine.rooms().for_each_unshared(theirs.rooms(), [&](std::uint32_t, const auto* own, const auto* other) {
         if (own && (!other || *own != *other)) sum += bytes_of(**own);
     });

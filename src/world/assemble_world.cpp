@@ -108,14 +108,19 @@ std::vector<std::string> unnamed_materials(const Solid& solid) {
     return std::vector<std::string>(count);
 }
 
+/// What each room is part of by now. No way there comes back to where it was.
+std::vector<std::uint32_t> current_rooms(const std::vector<RoomRecord>& records) {
+    std::vector<std::uint32_t> current(records.size());
+    for (std::uint32_t k = 0; k < records.size(); ++k) current[k] = records[k].merged_into;
+    for (std::uint32_t k = 0; k < records.size(); ++k)
+        while (current[current[k]] != current[k]) current[k] = current[current[k]] = current[current[current[k]]];
+    return current;
+}
+
 Cells make_cells(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
-    std::vector<std::uint32_t> current(records.size());  // none is part of a higher one
-    for (std::uint32_t k = 0; k < records.size(); ++k) {
-        const std::uint32_t into = records[k].merged_into;
-        current[k] = into < k ? current[into] : into;
-    }
+    const std::vector<std::uint32_t> current = current_rooms(records);
     for (std::uint32_t k = 0; k < portals.size(); ++k) {
         if (portals[k].polygons.empty()) continue;
         for (const RoomId room : portals[k].rooms) {
@@ -133,7 +138,9 @@ Cells make_cells(StoredWorld& stored) {
         cells.set_room(k, std::make_shared<const RoomRecord>(std::move(records[k])));
     }
     for (std::uint32_t k = 0; k < portals.size(); ++k) cells.set_portal(k, std::move(made[k]), !portals[k].open);
-    if (!portals.empty()) cells.set_boxes();
+    std::vector<PortalId> all;
+    for (std::uint32_t k = 0; k < portals.size(); ++k) all.push_back({k});
+    cells.index_portals(all);
     return cells;
 }
 

@@ -7,13 +7,18 @@
 #include <optional>
 
 #include "base/assert.h"
+#include "base/sort.h"
 #include "carve/cut_job.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
+#include "solid/face_ids.h"
 #include "world/count_reaching.h"
 #include "world/room_edit.h"
 
 namespace firma {
+
+static_assert(kMaxEditNumber == kLastEditNumber);
+
 namespace {
 
 double microseconds_since(std::chrono::steady_clock::time_point start) {
@@ -40,6 +45,24 @@ CutTerms terms_of(const WorldData& data, const CarveOptions& options) {
     terms.materials = data.materials.get();
     terms.material = material_index(*data.materials, options.material);
     terms.other_faces = data.castable.count;
+    terms.edit = options.edit;
+    if (!data.cells.known()) return terms;
+    terms.air_of = [&data](std::uint32_t part) { return data.cells.current_room(part); };
+    terms.sheets_at = [&data](const GridBox& box, std::vector<CutSheet>& sheets) {
+        std::vector<std::uint32_t> numbers;
+        bool exact = true;
+        data.cells.for_each_portal_where([&](const GridBox& other) { return boxes_meet(box, other); },
+                                         [&](std::uint32_t number, const Portal& portal) {
+                                             exact = exact && portal.is_exact();
+                                             numbers.push_back(number);
+                                         });
+        if (!exact) return;  // RoomEdit::merge_at_portals() then
+        sort_range(numbers);
+        for (const std::uint32_t number : numbers) {
+            const Portal& portal = data.cells.portal(number);
+            append_sheets(portal, number, data.cells.rooms_of(portal), sheets);
+        }
+    };
     return terms;
 }
 
@@ -91,6 +114,10 @@ public:
         result.report.times.gather += report_time_;
         result.report.times.tree += time_;
         if (castable_) result.report.faces_castable_only = castable_->count();
+        if (published_) {
+            result.report.portals = rooms_.portals_made();
+            result.report.rooms = rooms_.rooms_made();
+        }
         result.reproduction = cut_.reproduction();
         result.world = published_ ? after_ : world_;
         return result;
@@ -125,26 +152,74 @@ private:
     /// Says which room the faces that come are part of.
     Phase place_faces() {
         SolidChange change = cut_.take_change();
-        for (const FacetPlace& facet : change.removed) rooms_.touch(facet.block->part);
-        find_room();
-        for (FaceSet::Entry& face : change.added.faces)
-            if (face.part == kUnsetPart) face.part = rooms_.target();
+        for (const FacetPlace& facet : change.removed) rooms_.take(facet.block->part);
+        for (const FaceSet::Entry& face : change.added.faces)
+            if (face.part != kUnsetPart) rooms_.keep(face.part);
+        if (world_.data().cells.known()) rooms_.divide_portals(cut_);
+        if (const CutOpening opening = cut_.take_opening(); opening.pockets > 0) {
+            rooms_.open(opening, shot_from(), change.added);
+            if (world_.data().rules) rooms_.merge_by_share(world_.data().rules->merge_share);
+        } else if (cut_.clipped()) {
+            place_at_portals(change.added);
+            rooms_.clip_portals(cut_);
+        } else {
+            const std::uint32_t room = find_room();
+            for (FaceSet::Entry& face : change.added.faces)
+                if (face.part == kUnsetPart) face.part = room;
+        }
         solid_ = std::make_unique<SolidEdit>(world_.solid(), std::move(change));
         return Phase::kSolid;
     }
 
-    /// Once it is known which faces go. A cut that touches no face lies in the rock: a room of its own. What is filled
-    /// in without touching any stands free in the air of one.
-    void find_room() {
-        if (!world_.data().cells.known()) return rooms_.touch(0);
-        const bool touches_faces = rooms_.any();
-        if (touches_faces || cut_.fills()) rooms_.touch_portals(cut_.cutter().box);
-        if (touches_faces || !cut_.fills()) return;
+    /// Whose air a carving's new air is, if that is not told by what it touches.
+    std::optional<std::uint32_t> shot_from() const {
+        if (!options_.from) return {};
+        const Location found = locate(world_, *options_.from);
+        return found.where == Where::kAir ? std::optional(found.room.value) : std::nullopt;
+    }
+
+    /// Faces of a fill that meets portals: what bounds the air of which room is told by portals and walls, or by where
+    /// they are.
+    void place_at_portals(FaceSet& added) {
+        for (std::size_t k = 0; k < added.faces.size(); ++k) {
+            FaceSet::Entry& face = added.faces[k];
+            if (face.part != kUnsetPart) continue;
+            const std::uint32_t air = cut_.air_of_added()[k];
+            face.part = air != ClippedSheets::kNoAir ? air : room_at(added, face);
+            rooms_.add_to(face.part);
+        }
+    }
+    std::uint32_t room_at(const FaceSet& added, const FaceSet::Entry& face) const {
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const Location found = locate(world_, to_metres(added.corner(face, k)));
+            if (found.where == Where::kAir) return found.room.value;
+        }
+        return 0;
+    }
+
+    /// The room of what comes of the cutter, once it is known which faces go: the one that they are of. A carving that
+    /// touches no face lies in the rock: a room of its own. What is filled in without touching any stands free in the
+    /// air of one.
+    std::uint32_t find_room() {
+        if (!world_.data().cells.known()) {
+            rooms_.add_to(0);
+            return 0;
+        }
+        const std::vector<std::uint32_t> touched = cut_.airs_touched();
+        if (cut_.fills()) rooms_.merge_at_portals(cut_.cutter().box, touched);
+        if (!touched.empty()) {
+            rooms_.add_to(touched[0]);
+            return touched[0];
+        }
+        if (!cut_.fills()) return rooms_.add_new();
         for (const ExactPoint& point : cut_.cutter().points) {
             const Location found = locate(world_, to_metres(point.rounded()));
-            if (found.where == Where::kAir) return rooms_.touch(found.room.value);
+            if (found.where != Where::kAir) continue;
+            rooms_.add_to(found.room.value);
+            return found.room.value;
         }
-        rooms_.touch(0);  // too flat for any of its corners to be clear of it: closed by itself, it is sound anywhere
+        rooms_.add_to(0);  // too flat for any of its corners to be clear of it: closed by itself, it is sound anywhere
+        return 0;
     }
 
     Phase publish() {

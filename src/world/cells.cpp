@@ -2,9 +2,12 @@
 // Rooms and portals in persistent pieces.
 #include "world/cells.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/hasher.h"
+#include "geometry/exact_plane.h"
+#include "index/edit_nodes.h"
 #include "world/add_text.h"
 
 namespace firma {
@@ -23,6 +26,9 @@ PortalPolygon make_polygon(std::span<const GridPoint> corners, std::span<const V
     return polygon;
 }
 
+/// Beside whether a portal is closed.
+constexpr std::uint32_t kMadeBit = 2;
+
 std::size_t text_bytes(const std::string& text) {
     return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
 }
@@ -30,22 +36,38 @@ std::size_t text_bytes(const std::string& text) {
 }  // namespace
 
 Portal::Portal(PortalPart from)
-    : made_between(from.rooms), name(std::move(from.name)), material(from.material), mask(from.mask) {
+    : made_between(from.rooms),
+      name(std::move(from.name)),
+      material(from.material),
+      mask(from.mask),
+      made(from.made),
+      exact_(std::move(from.exact)) {
     std::size_t count = 0;
     for (const std::vector<GridPoint>& polygon : from.polygons) count += polygon.size();
     corners_.reserve(count);
     metres_.reserve(count);
     polygons_.reserve(from.polygons.size());
+    std::size_t at_polygon = 0;
     for (const std::vector<GridPoint>& polygon : from.polygons) {
         const std::size_t at = corners_.size();
+        const bool own = !exact(at_polygon++);
         for (const GridPoint& corner : polygon) {
             corners_.push_back(corner);
             metres_.push_back(to_metres(corner));
             box.add(corner);
+            is_exact_ = is_exact_ && (!own || on_input_grid(corner));
         }
         polygons_.push_back(
             make_polygon({corners_.data() + at, polygon.size()}, {metres_.data() + at, polygon.size()}));
     }
+    leave_out_those_without_area();
+}
+
+void Portal::leave_out_those_without_area() {
+    const auto lacks_area = [](const PortalPolygon& polygon) { return !polygon.shape.has_area(); };
+    if (std::none_of(polygons_.begin(), polygons_.end(), lacks_area)) return;
+    all_ = polygons_;
+    std::erase_if(polygons_, lacks_area);
 }
 
 PortalPart Portal::part() const {
@@ -54,14 +76,21 @@ PortalPart Portal::part() const {
     part.name = name;
     part.material = material;
     part.mask = mask;
-    for (const PortalPolygon& polygon : polygons_)
+    part.made = made;
+    part.exact = exact_;
+    for (const PortalPolygon& polygon : all_polygons())
         part.polygons.emplace_back(polygon.corners.begin(), polygon.corners.end());
     return part;
 }
 
 std::size_t Portal::bytes() const {
-    return pool_size(sizeof *this) + text_bytes(name) + polygons_.capacity() * sizeof(PortalPolygon) +
-           corners_.capacity() * sizeof(GridPoint) + metres_.capacity() * sizeof(Vec3);
+    std::size_t faces = 0;
+    for (std::size_t k = 0; k < exact_.size(); ++k)
+        if (exact_[k] && (k == 0 || exact_[k].get() != exact_[k - 1].get())) faces += exact_[k]->bytes();
+    return faces + pool_size(sizeof *this) + text_bytes(name) +
+           (polygons_.capacity() + all_.capacity()) * sizeof(PortalPolygon) +
+           exact_.capacity() * sizeof(Ref<const SolidFace>) + corners_.capacity() * sizeof(GridPoint) +
+           metres_.capacity() * sizeof(Vec3);
 }
 
 std::size_t bytes_of(const RoomRecord& record) {
@@ -75,11 +104,11 @@ std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
     for (RoomId& room : rooms)
         if (!portal.gone() && portals_of(room.value).size() > kCrowd) room = {0};
     Hasher hasher;
-    hasher.add(number, std::uint32_t(state.closed));
+    hasher.add(number, std::uint32_t(state.closed) | (portal.made ? kMadeBit : 0));
     hasher.add(rooms[0].value, rooms[1].value);
     hasher.add(portal.material, portal.mask);
     add_text(hasher, portal.name);
-    for (const PortalPolygon& polygon : portal.polygons()) {
+    for (const PortalPolygon& polygon : portal.all_polygons()) {
         hasher.add(polygon.corners.size());
         for (const GridPoint& p : polygon.corners) {
             hasher.add(p.x, p.y);
@@ -125,13 +154,36 @@ void Cells::join(std::uint32_t room, std::uint32_t into) {
 }
 
 void Cells::set_portal(std::uint32_t number, Ref<const Portal> portal, bool closed) {
+    if (portals_.find(number)) hash_ -= hash_of_portal(number);
+    set_portal_between(number, std::move(portal), closed);
+    hash_ += hash_of_portal(number);
+}
+
+void Cells::set_portal_between(std::uint32_t number, Ref<const Portal> portal, bool closed) {
+    Ref<const Node> leaf;
     if (const PortalState* before = portals_.find(number)) {
-        hash_ -= hash_of_portal(number);
         closed_ -= before->closed;
+        leaf = before->leaf;
     }
     closed_ += closed;
-    portals_.set(number, {std::move(portal), closed});
-    hash_ += hash_of_portal(number);
+    portals_.set(number, {std::move(portal), closed, std::move(leaf)});
+}
+
+void Cells::index_portals(std::span<const PortalId> portals) {
+    NodeEdit edit(portal_index_);
+    for (const PortalId id : portals) {
+        PortalState state = portals_[id.value];
+        if (state.leaf) edit.remove(state.leaf->facets.get(), to_grid(state.leaf->bins[0].box));
+        state.leaf = {};
+        if (!state.portal->gone()) {
+            state.leaf = portal_leaf(id.value, state.portal->box);
+            edit.add(state.leaf);
+        }
+        portals_.set(id.value, std::move(state));
+    }
+    while (edit.step()) {
+    }
+    portal_index_ = edit.result();
 }
 
 void Cells::take_out(std::span<const PortalId> portals) {
@@ -140,18 +192,6 @@ void Cells::take_out(std::span<const PortalId> portals) {
 
 void Cells::put_in(std::span<const PortalId> portals) {
     for (const PortalId portal : portals) hash_ += hash_of_portal(portal.value);
-}
-
-void Cells::set_boxes() {
-    auto boxes = std::make_shared<PortalBoxes>();
-    std::vector<GridBox> all;
-    portals_.for_each([&](std::uint32_t number, const PortalState& state) {
-        if (state.portal->gone()) return;
-        all.push_back(state.portal->box);
-        boxes->portals.push_back(number);
-    });
-    boxes->tree = BoxTree(all);
-    boxes_ = std::move(boxes);
 }
 
 }  // namespace firma

@@ -19,7 +19,8 @@
 #include "firma/level.h"
 #include "geometry/grid_box.h"
 #include "geometry/polygon_shape.h"
-#include "index/box_tree.h"
+#include "solid/solid_face.h"
+#include "world/portal_index.h"
 
 namespace firma {
 
@@ -38,10 +39,14 @@ struct PortalPart {
     /// Convex, exactly planar, disjoint but for edges, on the surface grid, of 3 to 64 corners each, counter-clockwise
     /// seen from rooms[0]: normals point into it. None at all: a portal that is gone, whose id stays.
     std::vector<std::vector<GridPoint>> polygons;
+    /// The exact face that each polygon is a facet of, those of one face in a row; null for one that is its own, with
+    /// corners on the input grid. Empty: all are.
+    std::vector<Ref<const SolidFace>> exact;
     std::string name;
     std::uint32_t material = 0;
     std::uint32_t mask = kStopsSolid;  ///< what it stops while closed (firma/level.h)
     bool open = true;
+    bool made = false;  ///< by an edit
 };
 
 /// A polygon of a portal: a face in the sense of casts.
@@ -61,16 +66,29 @@ public:
     const std::array<RoomId, 2> made_between;
     const std::string name;
     const std::uint32_t material, mask;
-    GridBox box;  ///< of its polygons
+    const bool made;  ///< by an edit
+    GridBox box;      ///< of its polygons
 
+    /// Those with area.
     std::span<const PortalPolygon> polygons() const { return polygons_; }
-    bool gone() const { return polygons_.empty(); }
+    /// Also those that rounding left without, of folded faces; as they were given.
+    std::span<const PortalPolygon> all_polygons() const { return all_.empty() ? polygons_ : all_; }
+    /// Of one of all_polygons(): the face that it is a facet of; null for one that is its own.
+    const SolidFace* exact(std::size_t polygon) const { return exact_.empty() ? nullptr : exact_[polygon].get(); }
+    /// Whether all of its polygons have an exact form, as those of files of before may not.
+    bool is_exact() const { return is_exact_; }
+    bool gone() const { return all_polygons().empty(); }
     /// As it was made, but that it says nothing of being open.
     PortalPart part() const;
     std::size_t bytes() const;
 
 private:
+    void leave_out_those_without_area();
+
     std::vector<PortalPolygon> polygons_;
+    std::vector<PortalPolygon> all_;  ///< empty where each has area
+    std::vector<Ref<const SolidFace>> exact_;
+    bool is_exact_ = true;
     std::vector<GridPoint> corners_;
     std::vector<Vec3> metres_;  ///< the same corners
 };
@@ -78,12 +96,7 @@ private:
 struct PortalState {
     Ref<const Portal> portal;
     bool closed = false;
-};
-
-/// Where portals are, for rays and points: around those that there were at first. Portals that went are still in it.
-struct PortalBoxes {
-    BoxTree tree;
-    std::vector<std::uint32_t> portals;  ///< by number in the tree
+    Ref<const Node> leaf;  ///< of the index over portals; null for one that is gone
 };
 
 /// A value: copies share everything.
@@ -131,10 +144,9 @@ public:
     /// means anything. Not for those that are gone.
     template <class Meets, class Function>
     void for_each_portal_where(const Meets& meets, const Function& function) const {
-        if (!boxes_) return;
-        boxes_->tree.for_each_where(meets, [&](std::uint32_t at) {
-            const std::uint32_t number = boxes_->portals[at];
-            if (!portal(number).gone()) function(number, portal(number));
+        if (!portal_index_) return;
+        for_each_indexed_portal(*portal_index_, meets, [&](std::uint32_t number) {
+            if (meets(portal(number).box)) function(number, portal(number));
             return false;
         });
     }
@@ -142,20 +154,23 @@ public:
     void set_known() { known_ = true; }
     /// Of a world: WorldData::set_room(), which keeps the sum over rooms.
     void set_room(std::uint32_t number, std::shared_ptr<const RoomRecord> record);
+    /// A new portal, or another in its place. Its term of the hash is exchanged; it is not indexed yet.
     void set_portal(std::uint32_t number, Ref<const Portal> portal, bool closed);
+    /// Its term of the hash stays out: between take_out() and put_in().
+    void set_portal_between(std::uint32_t number, Ref<const Portal> portal, bool closed);
+    /// Portals that were set since: takes what they were out of the index, and puts them in as they are.
+    void index_portals(std::span<const PortalId> portals);
     /// A portal's term of hash(). It names the portal's rooms, but for those of more than kCrowd portals: so that
     /// joining such a room to another changes few terms. Which they are follows from where the portal lies.
     std::uint64_t hash_of_portal(std::uint32_t number) const;
     /// Around set_room() where numbers or lists of portals change: takes terms out, and puts them in as they are then.
     void take_out(std::span<const PortalId> portals);
     void put_in(std::span<const PortalId> portals);
-    /// Once all portals of a level are in.
-    void set_boxes();
 
     const PersistentMap<std::shared_ptr<const RoomRecord>>& rooms() const { return rooms_; }
     const PersistentMap<PortalState>& portals() const { return portals_; }
     const PersistentMap<std::uint64_t>& joined() const { return joined_; }
-    const std::shared_ptr<const PortalBoxes>& boxes() const { return boxes_; }
+    const Ref<const Node>& portal_index() const { return portal_index_; }
 
 private:
     static constexpr std::uint64_t kRoot = std::uint64_t(1) << 63;
@@ -170,7 +185,7 @@ private:
     /// which room they are now. Without rooms that were never joined.
     /// Source: R. Tarjan, Efficiency of a good but not linear set union algorithm, 1975: union by rank.
     PersistentMap<std::uint64_t> joined_;
-    std::shared_ptr<const PortalBoxes> boxes_;
+    Ref<const Node> portal_index_;           ///< over those that are not gone; null for none
     std::optional<std::uint32_t> exterior_;  ///< as it was when it was set
     std::size_t closed_ = 0;
     std::uint64_t hash_ = 0;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/exact_point.h"
+#include "solid/solid_face.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -68,7 +70,7 @@ private:
             const RoomRecord& record = cells_.room(room);
             infinite += record.exterior;
             const std::uint32_t into = record.merged_into;
-            if (into > room) return report(room_text(room, "is part of a higher one"), {});
+            if (into >= cells_.room_count()) return report(room_text(room, "is part of one that is not there"), {});
             if (into != room && (data_.faces_of(room).tree || record.exterior))
                 return report(room_text(room, "is part of another, and yet not empty"), {});
             if (cells_.current_room(room) != (into == room ? room : cells_.current_room(into)))
@@ -93,8 +95,40 @@ private:
             for (const PortalPolygon& polygon : portal.polygons())
                 if (check_polygon(polygon.shape.corners) != PolygonFault::kNone)
                     return report(portal_text(k, "has a polygon that is not convex and planar, with area"), {});
+            for (std::size_t p = 0; p < portal.all_polygons().size(); ++p)
+                if (!portal.exact(p) && !portal.all_polygons()[p].shape.has_area())
+                    return report(portal_text(k, "has a polygon that is not convex and planar, with area"), {});
+            if (const char* fault = check_exact(portal)) return report(portal_text(k, fault), {});
         }
         if (!fault_ && cells_.any_closed() != (closed > 0)) report("the count of closed portals is wrong", {});
+    }
+
+    /// Its exact faces: edges that follow each other, on the face's plane, and facets with the same sides.
+    const char* check_exact(const Portal& portal) {
+        const auto polygons = portal.all_polygons();
+        for (std::size_t first = 0, end = 0; first < polygons.size(); first = end) {
+            const SolidFace* face = portal.exact(first);
+            for (end = first + 1; face && end < polygons.size() && portal.exact(end) == face;) ++end;
+            if (!face) continue;
+            sides_.clear();
+            for (std::size_t k = first; k < end; ++k) add_sides(polygons[k], true);
+            std::size_t at = 0;
+            for (const std::uint32_t last : face->loop_ends()) {
+                for (const std::size_t start = at; at < last; ++at) {
+                    const SolidUse& use = face->uses[at];
+                    const SolidVertex& next = face->uses[at + 1 < last ? at + 1 : start].from();
+                    if (use.edge().vertex[!use.reversed()].get() != &next &&
+                        use.edge().vertex[!use.reversed()]->point.rounded() != next.point.rounded())
+                        return "has an exact face whose edges do not follow each other";
+                    if (exact_side(face->plane->plane, use.from().point) != 0)
+                        return "has an exact face with a corner off its plane";
+                    const GridPoint a = use.from().point.rounded(), b = next.point.rounded();
+                    if (a != b) sides_.emplace_back(b, a, FaceId{});
+                }
+            }
+            if (uneven_side()) return "has polygons that are no facets of their exact face";
+        }
+        return nullptr;
     }
 
     void add_sides(const Block& block, const FaceRecord& face) {
@@ -107,6 +141,7 @@ private:
     void add_sides(const PortalPolygon& polygon, bool as_wound) {
         for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
             const GridPoint &a = polygon.corners[k], &b = polygon.corners[polygon.shape.next(k)];
+            if (a == b) continue;
             as_wound ? sides_.emplace_back(a, b, FaceId{}) : sides_.emplace_back(b, a, FaceId{});
         }
     }
@@ -121,16 +156,23 @@ private:
             });
         for (const PortalId id : cells_.portals_of(room)) {
             const Portal& portal = cells_.portal(id.value);
-            for (const PortalPolygon& polygon : portal.polygons())
+            for (const PortalPolygon& polygon : portal.all_polygons())
                 add_sides(polygon, cells_.rooms_of(portal)[0].value == room);
         }
+        if (const Side* side = uneven_side())
+            report(room_text(room, "is not closed by its faces and portals"), side->face);
+    }
+
+    /// A side that is not there as often each way; null where there is none.
+    const Side* uneven_side() {
         std::sort(sides_.begin(), sides_.end());
         for (std::size_t first = 0, end = 0; first < sides_.size(); first = end) {
             std::int64_t sum = 0;
             for (end = first; end < sides_.size() && sides_[end].along(sides_[first]); ++end)
                 sum += sides_[end].down ? -1 : 1;
-            if (sum != 0) return report(room_text(room, "is not closed by its faces and portals"), sides_[first].face);
+            if (sum != 0) return &sides_[first];
         }
+        return nullptr;
     }
 
     const WorldData& data_;

@@ -8,6 +8,7 @@
 #include "base/sort.h"
 #include "firma/world.h"
 #include "index/traverse.h"
+#include "solid/face_ids.h"
 #include "solid/hash_facet.h"
 #include "world/block_faces.h"
 #include "world/check_rooms.h"
@@ -185,8 +186,9 @@ private:
         sort_range(ids_);
         const auto twice = std::adjacent_find(ids_.begin(), ids_.end());
         if (twice != ids_.end()) return report("two faces have one id", {*twice});
-        if (!ids_.empty() && ids_.back() >= world.data().next_face())
-            report("a face's id is not below the next one", {ids_.back()});
+        for (const std::uint32_t id : ids_)
+            if (!was_given(id, world.data().next_face(), world.data().edits()))
+                return report("a face's id is not below the next one", {id});
     }
 
     /// Each block lies in the index of the one room that its faces are part of.

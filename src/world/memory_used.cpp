@@ -52,9 +52,7 @@ private:
         const auto is_new_page = [&](const void* page) { return is_new(page); };
         bytes_ +=
             cells.rooms().bytes(is_new_page) + cells.portals().bytes(is_new_page) + cells.joined().bytes(is_new_page);
-        if (cells.boxes() && is_new(cells.boxes().get()))
-            bytes_ += sizeof(PortalBoxes) + cells.boxes()->tree.bytes() +
-                      cells.boxes()->portals.capacity() * sizeof(std::uint32_t);
+        if (cells.portal_index()) add_portals(*cells.portal_index());
         cells.rooms().for_each([&](std::uint32_t, const std::shared_ptr<const RoomRecord>& record) {
             if (is_new(record.get())) bytes_ += bytes_of(*record);
         });
@@ -70,6 +68,13 @@ private:
             bytes_ += pool_size(sizeof(RoomFaces));
             if (room->tree) add(*room->tree);
         });
+    }
+
+    void add_portals(const Node& node) {
+        if (!is_new(&node)) return;
+        bytes_ += bytes_of(node);
+        for (const Ref<const Node>& child : node.children) add_portals(*child);
+        if (node.is_leaf() && is_new(node.facets.get())) bytes_ += node.facets->bytes();
     }
 
     void add(const Node& node) {

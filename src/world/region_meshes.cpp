@@ -34,13 +34,6 @@ std::optional<Error> judge(const RegionMeshOptions& options) {
     return {};
 }
 
-/// Each once, in order.
-template <class T>
-void sort_once(std::vector<T>& all) {
-    sort_range(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-}
-
 std::array<float, 3> floats_of(const Vec3& v) {
     return {float(v.x), float(v.y), float(v.z)};
 }

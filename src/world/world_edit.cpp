@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several edits that become one new version of the world.
 #include "firma/carve.h"
-#include "world/world_data.h"
+#include "world/one_version.h"
 
 namespace firma {
 
@@ -20,10 +20,7 @@ CarveResult WorldEdit::fill(const Cutter& cutter, const Pose& pose, const CarveO
 }
 
 World WorldEdit::finish() const {
-    if (now_.version() - before_.version() <= 1) return now_;  // never below: there is no edit after the last version
-    auto data = std::make_shared<WorldData>(now_.data());
-    data->version = before_.version() + 1;
-    return World(std::move(data));
+    return as_one_version(before_, now_);
 }
 
 }  // namespace firma

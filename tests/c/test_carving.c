@@ -97,7 +97,7 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     CHECK_FAILS(firma_world_diff(room, after, 0.001, &diff), FIRMA_ERROR_INVALID, "tile");
 
     /* Filling what was cut; nothing to cut in the air; a pose that is none. */
-    firma_carve_options options = {sizeof options, 1, "plaster"};
+    firma_carve_options options = {.size = sizeof options, .fill = 1, .material = "plaster"};
     firma_world filled = {0};
     CHECK_OK(firma_carve(after, cutter, &kInFloor, &options, &filled, &report));
     CHECK(report.status == FIRMA_CARVE_DONE && report.volume < 0);
@@ -113,6 +113,12 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     CHECK(report.status == FIRMA_CARVE_REFUSED && strstr(firma_error_message(), "finite"));
     CHECK(hash_of(same) == hash_of(room));
     CHECK_OK(firma_world_release(same));
+    options.has_from = 2;
+    CHECK_FAILS(firma_carve(room, cutter, &kInFloor, &options, &same, NULL), FIRMA_ERROR_INVALID, "has_from");
+    options.has_from = 1;
+    options.from[1] = INFINITY;
+    CHECK_FAILS(firma_carve(room, cutter, &kInFloor, &options, &same, NULL), FIRMA_ERROR_INVALID, "from");
+    options.has_from = 0;
     options.fill = 2;
     CHECK_FAILS(firma_carve(room, cutter, &kInFloor, &options, &same, NULL), FIRMA_ERROR_INVALID, "fill");
     CHECK_FAILS(firma_carve(room, cutter, NULL, NULL, &same, NULL), FIRMA_ERROR_BAD_CALL, "null");

@@ -332,6 +332,31 @@ static void test_rooms_in_files(const char* folder) {
     CHECK_FAILS(firma_world_load(path, NULL, &world), FIRMA_ERROR_CANNOT_READ, "test_c_api.map");
 }
 
+/* A hole under the gate is a portal of its own; the pocket is the room's that the shot came from. */
+static void test_hole(firma_world world) {
+    firma_cutter cutter = {0};
+    CHECK_OK(firma_cutter_crater(FIRMA_BOX, 1, &cutter));
+    const firma_pose pose = {{4, 2, 0}, {0, 0, 0, 1}, 0.4};
+    for (int room = 0; room < 2; ++room) {
+        const firma_carve_options options = {.size = sizeof options, .has_from = 1, .from = {room == 0 ? 1 : 7, 2, 1}};
+        firma_carve_report report = {.size = sizeof report};
+        firma_world after = {0};
+        CHECK_OK(firma_carve(world, cutter, &pose, &options, &after, &report));
+        CHECK(report.status == FIRMA_CARVE_DONE && report.portals == 1 && report.rooms == 0);
+        const double inside[3] = {4, 2, -0.2};
+        uint32_t where = 0, pocket = 0;
+        CHECK_OK(firma_world_locate(after, inside, &where, &pocket));
+        CHECK(where == FIRMA_AIR && pocket == room_at(world, room == 0 ? 1 : 7));
+        firma_portal gate = {.size = sizeof gate}, hole = {.size = sizeof hole};
+        CHECK_OK(firma_world_portal(after, 0, &gate));
+        CHECK_OK(firma_world_portal(after, 1, &hole));
+        CHECK(strcmp(gate.name, "gate") == 0 && gate.polygon_count > 0);
+        CHECK(hole.polygon_count > 0 && hole.open);
+        CHECK_OK(firma_world_release(after));
+    }
+    CHECK_OK(firma_cutter_release(cutter));
+}
+
 void test_rooms(const char* folder) {
     test_map();
     test_bsp();
@@ -341,6 +366,7 @@ void test_rooms(const char* folder) {
     test_ways(world);
     test_door(world);
     test_casts_by_room(world);
+    test_hole(world);
     test_level();
     CHECK_OK(firma_world_release(world));
     test_rooms_in_files(folder);

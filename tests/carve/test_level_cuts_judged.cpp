@@ -56,7 +56,7 @@ TEST(LevelCuts, InTheDepotHoldEveryInvariant) {
         all.add(tally);
     }
     EXPECT_GE(all.done, 16u);
-    EXPECT_GE(all.joined, 1u);
+    EXPECT_GE(all.holed, 1u);
     EXPECT_GE(all.crossings, 1u);
     EXPECT_GE(all.room_casts, 50u);
     EXPECT_GE(all.points, 20u);

@@ -9,7 +9,7 @@ import unittest
 
 from harness import FIRMA, SANITIZED, CliTest, box
 
-VERBS = ['info', 'check', 'cast', 'carve', 'walk', 'draw', 'serve', 'demo']
+VERBS = ['info', 'check', 'cast', 'carve', 'log', 'walk', 'draw', 'serve', 'demo']
 WALK = ['--start', '1,1,1', '--radius', '0.5', '--seed', '1']
 
 
@@ -30,7 +30,7 @@ class Calls(CliTest):
             self.assertEqual(own, self.firma(verb, '-h'))
             for line in own.splitlines():
                 self.assertLess(len(line), 160, line)
-        for verb in ['cast', 'carve', 'walk', 'draw', 'demo']:
+        for verb in ['cast', 'carve', 'log', 'walk', 'draw', 'demo']:
             self.assertIn('-o,--out', self.firma(verb, '--help'))
 
     def test_version(self):

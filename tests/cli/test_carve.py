@@ -10,7 +10,7 @@ import zlib
 from harness import FIRST, CliTest, box, obj
 
 HEADER = 'x,y,z,radius,shape,seed\n'
-REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only'
+REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,reason'
 FLOOR = '35,29,0.2,1.6,rocky,1\n'     # in the floor of the hall
 AIR = '35,29,3,0.5,rocky,4\n'         # in the middle of its air
 OUTSIDE = '9000,0,0,1,rocky,3\n'

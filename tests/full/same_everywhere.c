@@ -193,7 +193,8 @@ static firma_world cut_once(firma_world world) {
     draw_cutter(&cutter);
     draw_pose(&pose);
     const uint32_t kind = below(10);
-    const firma_carve_options options = {sizeof options, kind == 0, kind < 5 ? "crater" : NULL};
+    const firma_carve_options options = {
+        .size = sizeof options, .fill = kind == 0, .material = kind < 5 ? "crater" : NULL};
     const uint32_t way = below(8);
     if (way == 0)
         carve_in_slices(world, cutter, &pose, &options, &after, &report);

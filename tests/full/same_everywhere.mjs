@@ -319,11 +319,11 @@ function sayRest(print, firma, first, last) {
     again.release();
 }
 
-/** @param module, level what loadFirma() takes, and the bytes of the .obj or .bsp file; @param print gets each line */
+/** @param module, level what loadFirma() takes (its readers lie beside it), and the bytes of the .obj or .bsp file; @param print gets each line */
 export async function run(module, level, cuts, casts, print) {
     const firma = await loadFirma(module);
     const bsp = level[0] === 0x49 && level[1] === 0x42; // "IBSP"
-    const first = bsp ? firma.worldFromBsp(level, { name: 'level' }) : firma.worldFromObj(level, { name: 'level' });
+    const first = await (bsp ? firma.worldFromBsp(level, { name: 'level' }) : firma.worldFromObj(level, { name: 'level' }));
     ({ low, high } = first.facts());
     let world = withRules(first);
     sayMesh(print, firma, first);
@@ -347,5 +347,5 @@ if (typeof process !== 'undefined' && process.argv[1]?.endsWith('same_everywhere
     const { readFile } = await import('node:fs/promises');
     const [module, level, cuts, casts] = process.argv.slice(2);
     if (casts === undefined) throw new Error('usage: node same_everywhere.mjs FIRMA.wasm LEVEL CUTS CASTS');
-    await run(await readFile(module), await readFile(level), Number(cuts), Number(casts), console.log);
+    await run(module, await readFile(level), Number(cuts), Number(casts), console.log);
 }

@@ -238,7 +238,9 @@ TEST(MakeDividedWorld, WhatWasCutAtAPortalIsCarved) {
     ASSERT_EQ(result.status, CarveStatus::kDone);
     EXPECT_FALSE(check_world(result.world));
     EXPECT_LT(measure_solid(result.world).volume, -128.5);
-    EXPECT_EQ(room_at(result.world, {1, 2, 2}), room_at(result.world, {7, 2, 2})) << "by the way around the portal";
+    EXPECT_NE(room_at(result.world, {1, 2, 2}), room_at(result.world, {7, 2, 2}));
+    ASSERT_EQ(portal_count(result.world), 2u) << "the way around the portal";
+    EXPECT_TRUE(portal_info(result.world, {1})->open);
 }
 
 }  // namespace

@@ -61,14 +61,6 @@ Vec3 point_in(const Box& box, Rng& rng) {
     return p;
 }
 
-/// Rooms that are there, not part of another one.
-std::size_t rooms_left(const World& world) {
-    std::size_t count = 0;
-    for (std::uint32_t room = 0; room < world.room_count(); ++room)
-        count += world.data().cells.current_room(room) == room;
-    return count;
-}
-
 /// One cut and everything that is known of it.
 class CutJudge {
 public:
@@ -166,9 +158,40 @@ private:
     void judge_rooms() {
         if (const std::string open = unclosed_room(after_); !open.empty()) fail(open);
         if (after_.room_count() < before_.room_count()) fail("a room is not there any more");
-        if (portal_count(after_) != portal_count(before_)) fail("there are not as many portals as before");
-        tally_.joined += rooms_left(after_) < rooms_left(before_);
+        if (portal_count(after_) < portal_count(before_)) fail("a portal is not there any more");
+        if (!fill_) judge_portals();
+        tally_.holed += portal_count(after_) > portal_count(before_);
+        for (std::uint32_t room = 0; room < before_.room_count(); ++room) {
+            const RoomInfo was = *room_info(before_, {room}), is = *room_info(after_, {room});
+            if (was.merged_into == RoomId{room} && is.merged_into != RoomId{room} && !was.portals.empty())
+                fail("a room became part of another");
+        }
     }
+
+    /// Carving changes no portal that was there, but for its rim and what edits made.
+    void judge_portals() {
+        const Cells &before = before_.data().cells, &after = after_.data().cells;
+        for (std::uint32_t k = 0; k < before.portal_count(); ++k) {
+            const Portal &was = before.portal(k), &is = after.portal(k);
+            if (before.is_closed(k) != after.is_closed(k)) fail("a portal was opened or closed");
+            if (&was == &is || was.gone() || was.made) continue;
+            if (is.gone()) return fail("a portal is gone");
+            const double change = std::fabs(area_of(is) - area_of(was)), size = length_of(was.box);
+            if (change > 0x1p-16 * size) fail("a portal's area changed by " + std::to_string(change));
+        }
+    }
+    static double area_of(const Portal& portal) {
+        double sum = 0;
+        for (const PortalPolygon& polygon : portal.polygons()) {
+            Vec3 twice{0, 0, 0};
+            for (std::size_t k = 2; k < polygon.corners.size(); ++k)
+                twice = twice + cross(polygon.shape.corners[k - 1] - polygon.shape.corners[0],
+                                      polygon.shape.corners[k] - polygon.shape.corners[0]);
+            sum += length(twice) / 2;
+        }
+        return sum;
+    }
+    static double length_of(const GridBox& box) { return length(to_metres(box.high) - to_metres(box.low)); }
 
     void judge_casts() {
         const World scratch = rebuilt(after_);
@@ -343,7 +366,7 @@ void CutTally::add(const CutTally& other) {
     room_casts += other.room_casts;
     crossings += other.crossings;
     ways += other.ways;
-    joined += other.joined;
+    holed += other.holed;
     shared_edges += other.shared_edges;
     carve_seconds += other.carve_seconds;
     failed += other.failed;

@@ -29,7 +29,7 @@ struct CutTally {
     std::uint64_t room_casts = 0;    ///< of worlds with rooms: casts by room against casts of all faces ...
     std::uint64_t crossings = 0;     ///< ... of which so many went through portals
     std::uint64_t ways = 0;          ///< of worlds with rooms: pairs of points in the air
-    std::uint64_t joined = 0;        ///< cuts that made several rooms one
+    std::uint64_t holed = 0;         ///< cuts that made a portal
     std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
     // Of cuts in contact.
     std::uint64_t again = 0;           ///< made again where they were

@@ -152,7 +152,9 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
     };
     const std::size_t second_room = kRoomRecordBytes, first_portal = 4;
     EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 2),
-              "a.firma: section RECS, entry 1: is part of a higher room");
+              "a.firma: section RECS, entry 1: is part of a room that is not there");
+    EXPECT_EQ(with_u32(kRoomRecordsSection, 8, 1),
+              "a.firma: the world is broken: a room's count of faces is not how many there are");
     EXPECT_EQ(with_u32(kRoomRecordsSection, second_room + 8, 0),
               "a.firma: the world is broken: a room's count of faces is not how many there are");
     EXPECT_EQ(with_u32(kRoomRecordsSection, 4, 2), "a.firma: section RECS, entry 0: has flags that mean nothing");
@@ -166,7 +168,7 @@ TEST(UnpackDamage, ErrorsOfRoomsNameTheirPlace) {
     EXPECT_EQ(with_u32(kPortalsSection, first_portal, 1),
               "a.firma: the world is broken: portal 0 leads from a room to itself");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 0), "read");  // the door is open
-    EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 3),
+    EXPECT_EQ(with_u32(kPortalsSection, first_portal + 16, 5),
               "a.firma: section PORT, entry 0: has flags that mean nothing");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 20, 0), "a.firma: section PPOL, entry 0: belongs to no portal");
     EXPECT_EQ(with_u32(kPortalsSection, first_portal + 20, ~0u),
@@ -298,12 +300,12 @@ TEST(UnpackDamage, RulesAreReadAsOnesThatCanBeGiven) {
 
 TEST(UnpackDamage, OtherVersionsSaySo) {
     std::vector<std::byte> bytes = pack_world(tiny_world());
-    put_u32(bytes, 8, 3);
+    put_u32(bytes, 8, 4);
     fix_checksums(bytes);
     const Result<World> read = unpack_world(bytes, "a.firma");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kUnsupported);
-    EXPECT_EQ(read.error().text(), "a.firma: it is of version 3 of the format; this Firma reads versions 1 and 2");
+    EXPECT_EQ(read.error().text(), "a.firma: it is of version 4 of the format; this Firma reads versions 1 to 3");
     const std::string text = "o level\nv 0 0 0\n";
     EXPECT_EQ(unpack_world(std::as_bytes(std::span(text)), "a.obj").error().text(),
               "a.obj: it does not begin as a .firma file does");

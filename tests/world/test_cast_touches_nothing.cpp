@@ -302,7 +302,7 @@ TEST(CastTouchesNothing, NorDoThoseFromRoomToRoom) {
     EXPECT_GT(world.room_count(), 16u);
     EXPECT_TRUE(world.data().cells.any_closed());
     EXPECT_TRUE(pool_arena.holds(&world.data().cells.portal(0)));
-    EXPECT_TRUE(handle_arena.holds(world.data().cells.boxes().get()));
+    EXPECT_TRUE(pool_arena.holds(world.data().cells.portal_index().get()));
     std::vector<Question> all = questions(10'000);
     for (Question& it : all) it.sphere.centre = it.sphere.centre * 1.2 + Vec3{1, 1, 1};
     std::vector<Hit> hits;

@@ -12,7 +12,7 @@ export class Cutter extends Handle {
 }
 
 const POSE_NAMES = ['position', 'rotation', 'scale'];
-const OPTION_NAMES = ['fill', 'material'];
+const OPTION_NAMES = ['fill', 'material', 'from'];
 
 /** The cutter's handle, the pose's and the options' addresses: what every edit begins with. */
 function putOrder(core, lent, cutter, pose, options, place) {
@@ -24,6 +24,7 @@ function putOrder(core, lent, cutter, pose, options, place) {
     number(scale, place, 'scale');
     const fill = flag(given.fill, place, 'fill');
     const material = text(given.material, place, 'material');
+    if (given.from !== undefined) vector(given.from, 3, place, 'from');
     const name = material === '' ? 0 : lent.text(material);
     const { pose: at, carveOptions } = core.at;
     core.setVector(at + POSE.position, position);
@@ -32,6 +33,9 @@ function putOrder(core, lent, cutter, pose, options, place) {
     core.setU32(carveOptions + CARVE_OPTIONS.size, CARVE_OPTIONS.sizeof);
     core.setU32(carveOptions + CARVE_OPTIONS.fill, fill);
     core.setU32(carveOptions + CARVE_OPTIONS.material, name);
+    core.setU32(carveOptions + CARVE_OPTIONS.hasFrom, given.from === undefined ? 0 : 1);
+    core.setU32(carveOptions + CARVE_OPTIONS.reserved, 0);
+    if (given.from !== undefined) core.setVector(carveOptions + CARVE_OPTIONS.from, given.from);
     return [id, at, carveOptions];
 }
 
@@ -53,6 +57,8 @@ function getReport(core) {
         facesRemoved: core.getCount(at + CARVE_REPORT.facesRemoved),
         facesAdded: core.getCount(at + CARVE_REPORT.facesAdded),
         facesCastableOnly: core.getCount(at + CARVE_REPORT.facesCastableOnly),
+        portals: core.getCount(at + CARVE_REPORT.portals),
+        rooms: core.getCount(at + CARVE_REPORT.rooms),
         scale: core.getF64(at + CARVE_REPORT.scale),
         volume: core.getF64(at + CARVE_REPORT.volume),
         times: { ...times, total },

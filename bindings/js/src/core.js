@@ -61,9 +61,12 @@ export class Core {
     /** Of the questions under way that go one by one: what is called for each answer, the innermost last. */
     #visitors = [];
     #batch = 0;
+    #stoppedMessage;
 
-    constructor(exports) {
+    /** @param stoppedMessage of why the module stopped: what every call says then */
+    constructor(exports, stoppedMessage) {
         this.exports = exports;
+        this.#stoppedMessage = stoppedMessage;
         this.memory = exports.memory;
         this.refresh();
         this.call('_initialize');
@@ -157,11 +160,13 @@ export class Core {
 
     #stoppedError() {
         const why = this.stopped?.message ?? this.stopped;
-        return new FirmaError(
-            'INTERNAL',
-            `the module stopped (${why}), perhaps out of memory, and cannot be used: load it anew with loadFirma()`,
-            { cause: this.stopped },
-        );
+        return new FirmaError('INTERNAL', this.#stoppedMessage(why), { cause: this.stopped });
+    }
+
+    /** Of the module, as '0.2.0'. */
+    version() {
+        const version = this.call('firma_version');
+        return `${version >>> 16}.${(version >>> 8) & 255}.${version & 255}`;
     }
 
     /** Memory of the module, 16-byte aligned. @throws {FirmaError} NO_MEMORY */

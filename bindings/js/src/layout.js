@@ -503,15 +503,18 @@ export const POSE = Object.freeze({
 
 /** firma_carve_options */
 export const CARVE_OPTIONS = Object.freeze({
-    sizeof: 12,
+    sizeof: 48,
     size: 0,
     fill: 4,
     material: 8,
+    hasFrom: 12,
+    reserved: 16,
+    from: 24,
 });
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 128,
+    sizeof: 144,
     size: 0,
     status: 4,
     retries: 8,
@@ -530,6 +533,8 @@ export const CARVE_REPORT = Object.freeze({
     facetsUs: 104,
     treeUs: 112,
     facesCastableOnly: 120,
+    portals: 128,
+    rooms: 136,
 });
 
 /** firma_diff_view */

@@ -2,7 +2,7 @@
 // Cutters, edits in one go, in slices, several at once; rules; differences; histories.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { boxMesh, firma, releasing, throwsCode, withLevel } from './helpers.js';
+import { boxMesh, firma, readers, releasing, throwsCode, withLevel } from './helpers.js';
 import { surfacePoints } from './scenario.js';
 
 const tetrahedron = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], corners: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] };
@@ -28,7 +28,7 @@ test('solids as cutters: what a cut took is taken out and put back', () => {
         throwsCode('INVALID', () => firma.cutterFromWorld(rock), /reaches to infinity/);
         throwsCode('BAD_HANDLE', () => firma.cutterFromWorld());
         throwsCode('BAD_CALL', () => firma.cutterFromWorld(rock, 5));
-        const block = keep(firma.worldFromObj(
+        const block = keep(readers.worldFromObj(
             'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n' +
             'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n',
         ));
@@ -51,7 +51,7 @@ test('cutters from meshes', () => {
         );
         const obj = tetrahedron.positions.map((x, k) => (k % 3 === 0 ? '\nv ' : ' ') + x).join('');
         const text = obj + tetrahedron.corners.map((v, k) => (k % 3 === 0 ? '\nf ' : ' ') + (v + 1)).join('');
-        const fromObj = keep(firma.cutterFromObj(text, 'tetra.obj'));
+        const fromObj = keep(readers.cutterFromObj(text, 'tetra.obj'));
         const pose = { position: [7.5, 4, 4], scale: 2 };
         const hashes = [cutter, typed, fromObj].map((one) => {
             const { world: after, report } = world.carve(one, pose);
@@ -75,8 +75,8 @@ test('cutters from meshes', () => {
         throwsCode('BAD_CALL', () => firma.cutterFromMesh(positions, corners.slice(1)));
         throwsCode('BAD_CALL', () => firma.cutterFromMesh(positions, 'corners'));
         throwsCode('BAD_CALL', () => firma.cutterFromMesh(positions, corners, 5));
-        assert.throws(() => firma.cutterFromObj('v 0 0 0', 'nothing.obj'), /nothing\.obj/);
-        throwsCode('BAD_CALL', () => firma.cutterFromObj());
+        assert.throws(() => readers.cutterFromObj('v 0 0 0', 'nothing.obj'), /nothing\.obj/);
+        throwsCode('BAD_CALL', () => readers.cutterFromObj());
     });
 });
 

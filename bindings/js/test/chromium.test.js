@@ -43,14 +43,14 @@ test('Chromium gives the bits that node gives', { timeout: 120_000 }, async () =
             const firma = await loadFirma();
             const level = await (await fetch('/levels/first.obj')).text();
             const start = performance.now();
-            const result = scenario(firma, level, 100, 1000);
+            const result = await scenario(firma, level, 100, 1000);
             const codes = [];
             for (const source of ['/missing.wasm', '/levels/first.obj', 7])
                 await loadFirma(source).catch((error) => codes.push(error instanceof FirmaError && error.code));
             return { result, codes, ms: performance.now() - start };
         });
         const start = performance.now();
-        const inNode = scenario(firma, levelBytes, 100, 1000);
+        const inNode = await scenario(firma, levelBytes, 100, 1000);
         const ms = (performance.now() - start).toFixed();
         console.log(`100 cuts, 1000 casts: ${inPage.ms.toFixed()} ms in Chromium, ${ms} ms in node`);
         assert.deepEqual(inPage.result, inNode);

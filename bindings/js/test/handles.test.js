@@ -5,13 +5,14 @@ import { spawnSync } from 'node:child_process';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { loadFirma } from '../src/index.js';
-import { boxMesh, brush, firma, releasing, throwsCode } from './helpers.js';
+import { loadReaders } from '../src/readers.js';
+import { boxMesh, brush, firma, readers, releasing, throwsCode } from './helpers.js';
 
 const pose = { position: [8, 4, 4] };
 const cast = { centre: [4, 4, 4], radius: 1, path: [6, 0, 0] };
 
-/** One of each kind, and every call that takes it; `module` made them. */
-function everything(module) {
+/** One of each kind, and every call that takes it; `module` made them, with its readers. */
+function everything(module, reading = readers) {
     const world = module.worldFromMesh(boxMesh());
     const cutter = module.crater('rocky', 1);
     return {
@@ -20,7 +21,7 @@ function everything(module) {
         job: world.startCarve(cutter, pose),
         edit: world.edit(),
         store: module.openStore(world, 1e6),
-        level: module.levelFromMap(`{ "classname" "worldspawn" ${brush([0, 0, 0], [64, 64, 64], 'rock')} }`),
+        level: reading.levelFromMap(`{ "classname" "worldspawn" ${brush([0, 0, 0], [64, 64, 64], 'rock')} }`),
     };
 }
 
@@ -102,7 +103,7 @@ test('a second release throws, a second dispose does not', () => {
 
 test('objects of another module are told from ours', async () => {
     const other = await loadFirma();
-    const theirs = everything(other);
+    const theirs = everything(other, await loadReaders(other));
     const ours = everything(firma);
     throwsCode('BAD_HANDLE', () => ours.world.carve(theirs.cutter, pose), /another module/);
     throwsCode('BAD_HANDLE', () => ours.world.startCarve(theirs.cutter, pose), /another module/);
@@ -135,7 +136,7 @@ test('errors release what was made on the way', () => {
         throwsCode('BAD_CALL', () => world.carve(cutter, { position: [1] }));
         throwsCode('INVALID', () => world.diff(world, 0.001));
         throwsCode('BAD_CALL', () => world.castBatch(['x', 1, 1, 1, 1, 1, 1]));
-        assert.throws(() => firma.worldFromObj('nonsense 1 2 3\nf'));
+        assert.throws(() => readers.worldFromObj('nonsense 1 2 3\nf'));
         assert.equal(firma.liveHandles(), held);
     });
 });

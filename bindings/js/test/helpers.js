@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What tests share: the module, the first level, random numbers that are the same everywhere.
+// What tests share: the modules, the first level, random numbers that are the same everywhere.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after } from 'node:test';
 import { FirmaError, loadFirma } from '../src/index.js';
+import { loadReaders } from '../src/readers.js';
 
 export const wasmUrl = new URL('../src/firma.wasm', import.meta.url);
+export const readersUrl = new URL('../src/firma_readers.wasm', import.meta.url);
 export const levelUrl = new URL('../../../levels/first.obj', import.meta.url);
 export const levelBytes = readFileSync(levelUrl);
 
 /** One instance for a test file; at its end nothing may be left in it. */
 export const firma = await loadFirma();
+export const readers = await loadReaders(firma);
 after(() => assert.equal(firma.liveHandles(), 0, 'handles were left'));
 
 /** Runs work(object...), then releases the objects. */
@@ -22,7 +25,7 @@ export function releasing(objects, work) {
     }
 }
 
-export const withLevel = (work) => releasing([firma.worldFromObj(levelBytes, { name: 'first.obj' })], work);
+export const withLevel = (work) => releasing([readers.worldFromObj(levelBytes, { name: 'first.obj' })], work);
 
 /** A room of air in rock, from `low` to `high`: its walls face inward. */
 export function boxMesh(low = [0, 0, 0], high = [8, 8, 8]) {

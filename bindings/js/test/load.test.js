@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { FirmaError, loadFirma } from '../src/index.js';
-import { firma, levelBytes, wasmUrl } from './helpers.js';
+import { boxMesh, firma, levelBytes, readersUrl, wasmUrl } from './helpers.js';
 
 const bytes = await readFile(wasmUrl);
 
@@ -62,7 +62,7 @@ test('every kind of source gives a module of its own', async () => {
     sources.push(new Response(bytes), new Response(bytes, { headers: { 'content-type': 'application/wasm' } }));
     for (const source of sources) {
         const one = await loadFirma(source);
-        const world = one.worldFromObj(levelBytes);
+        const world = await one.worldFromObj(levelBytes);
         assert.equal(one.liveHandles(), 1);
         assert.equal(firma.liveHandles(), 0);
         world.release();
@@ -94,16 +94,21 @@ test('what is not the module is refused', async () => {
     await rejects('UNSUPPORTED', new Uint8Array(asks), /not Firma's module/);
 });
 
-test('the module asks its host for the time alone', async () => {
-    const imports = WebAssembly.Module.imports(await WebAssembly.compile(bytes));
-    assert.deepEqual(imports, [
-        { module: 'firma', name: 'now', kind: 'function' },
-        { module: 'firma', name: 'visit', kind: 'function' },
-    ]);
+test('the modules ask their host for the time and for visitors alone', async () => {
+    const importsOf = async (url) => WebAssembly.Module.imports(await WebAssembly.compile(await readFile(url)));
+    const now = { module: 'firma', name: 'now', kind: 'function' };
+    assert.deepEqual(await importsOf(wasmUrl), [now, { module: 'firma', name: 'visit', kind: 'function' }]);
+    for (const one of await importsOf(readersUrl)) assert.deepEqual(one, now);
 });
 
-test('the module is small', () => {
-    const size = gzipSync(bytes, { level: 9 }).length;
-    console.log(`firma.wasm: ${bytes.length} bytes, ${size} by gzip -9`);
-    assert.ok(size < 450_000, `${size} bytes by gzip -9`);
+test('the modules are small', async () => {
+    for (const [name, url, bound] of [
+        ['firma.wasm', wasmUrl, 450_000],
+        ['firma_readers.wasm', readersUrl, 240_000],
+    ]) {
+        const module = await readFile(url);
+        const size = gzipSync(module, { level: 9 }).length;
+        console.log(`${name}: ${module.length} bytes, ${size} by gzip -9`);
+        assert.ok(size < bound, `${name}: ${size} bytes by gzip -9`);
+    }
 });

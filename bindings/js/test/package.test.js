@@ -8,7 +8,8 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import * as firmaPackage from '../src/index.js';
-import { firma } from './helpers.js';
+import * as readersPackage from '../src/readers.js';
+import { firma, readers } from './helpers.js';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const run = (command, ...args) => spawnSync(command, args, { cwd: root, encoding: 'utf8' });
@@ -49,13 +50,20 @@ test('types fit a program that uses every function', () => {
 });
 
 test('types name what there is, and nothing else', () => {
-    const types = readFileSync(join(root, 'index.d.ts'), 'utf8');
-    const declared = [...types.matchAll(/^export (?:const|class|function) (\w+)/gm)].map((m) => m[1]);
-    assert.deepEqual(declared.sort(), Object.keys(firmaPackage).sort());
+    const typesOf = (file) => readFileSync(join(root, file), 'utf8');
+    for (const [file, entry] of [
+        ['index.d.ts', firmaPackage],
+        ['readers.d.ts', readersPackage],
+    ]) {
+        const declared = [...typesOf(file).matchAll(/^export (?:const|class|function) (\w+)/gm)].map((m) => m[1]);
+        assert.deepEqual(declared.sort(), Object.keys(entry).sort());
+    }
+    const types = typesOf('index.d.ts') + typesOf('readers.d.ts');
     const world = firma.worldFromMesh({ positions: [0, 0, 0, 4, 0, 0, 0, 4, 0], corners: [0, 1, 2] });
     const cutter = firma.crater('box', 1);
     const objects = {
         Firma: firma,
+        Readers: readers,
         World: world,
         Cutter: cutter,
         Edit: world.edit(),
@@ -67,14 +75,15 @@ test('types name what there is, and nothing else', () => {
         const members = [...body.matchAll(/^ {4}(?:readonly )?(\w+)[(:]/gm)].map((m) => m[1]);
         const actual = Object.getOwnPropertyNames(Object.getPrototypeOf(object)).filter((one) => one !== 'constructor');
         assert.deepEqual(members.sort(), actual.sort(), name);
-        if (object !== firma) object.release();
+        object.release?.();
     }
 });
 
 test('the package has its files, and the lock names no host', () => {
     const result = spawnSync('npm', ['pack', '--dry-run', '--json'], { cwd: root, encoding: 'utf8' });
     const files = JSON.parse(result.stdout)[0].files.map((file) => file.path);
-    for (const name of ['src/firma.wasm', 'src/index.js', 'src/layout.js', 'index.d.ts', 'README.md', 'LICENSE', 'package.json'])
+    const code = ['index', 'readers', 'layout'].map((name) => `src/${name}.js`);
+    for (const name of ['src/firma.wasm', 'src/firma_readers.wasm', ...code, 'index.d.ts', 'readers.d.ts', 'README.md', 'LICENSE', 'package.json'])
         assert.ok(files.includes(name), `${name} is not in the package`);
     assert.ok(
         files.every((name) => !/^(test|tools|node_modules)\//.test(name)),

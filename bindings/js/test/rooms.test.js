@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { HitBatch, NO_PORTAL } from '../src/index.js';
-import { brush as box, firma, levelBytes, releasing, throwsCode } from './helpers.js';
+import { brush as box, firma, levelBytes, readers, releasing, throwsCode } from './helpers.js';
 
 const depot = readFileSync(new URL('../../../levels/depot.map', import.meta.url));
 
@@ -15,7 +15,7 @@ const twoRooms =
     `${box([0, 0, -16], [256, 128, 0], 'floor')}${box([0, 0, 128], [256, 128, 144], 'roof')}}\n` +
     `{\n"classname" "func_areaportal"\n"targetname" "gate"\n${box([128, -8, -8], [130, 136, 136], 'skip', 'portal')}}\n` +
     '{\n"classname" "firma_room"\n"name" "größe"\n"origin" "32 64 64"\n}\n';
-const withRooms = (work) => releasing([firma.worldFromMap(twoRooms, { name: 'two.map' })], work);
+const withRooms = (work) => releasing([readers.worldFromMap(twoRooms, { name: 'two.map' })], work);
 const roomAt = (world, x) => world.locate([x, 2, 2]).room;
 
 test('a .map from a string and from bytes', () => {
@@ -25,23 +25,23 @@ test('a .map from a string and from bytes', () => {
         assert.deepEqual(facts.materials.filter((name) => ['wall', 'floor', 'roof'].includes(name)).length, 3);
         world.check();
         assert.equal(world.measure().volume, 9 * 5 * 5 - 8 * 4 * 4);
-        releasing([firma.worldFromMap(new TextEncoder().encode(twoRooms))], (again) =>
+        releasing([readers.worldFromMap(new TextEncoder().encode(twoRooms))], (again) =>
             assert.equal(again.hash(), world.hash()),
         );
-        releasing([firma.worldFromMap(twoRooms, { scale: 1 })], (large) => assert.equal(large.facts().high[0], 272));
+        releasing([readers.worldFromMap(twoRooms, { scale: 1 })], (large) => assert.equal(large.facts().high[0], 272));
     });
     throwsCode(
         'MALFORMED',
-        () => firma.worldFromMap('{\n"classname" "worldspawn"\n}\n', { name: 'nothing.map' }),
+        () => readers.worldFromMap('{\n"classname" "worldspawn"\n}\n', { name: 'nothing.map' }),
         /nothing\.map: no face is left that a cast could meet; 0 brushes/,
     );
     throwsCode(
         'MALFORMED',
-        () => firma.worldFromObj('v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n', { name: 'flat.obj' }),
+        () => readers.worldFromObj('v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n', { name: 'flat.obj' }),
         /flat\.obj: no face is left that a cast could meet; left out: faces without area: 1/,
     );
-    throwsCode('MALFORMED', () => firma.worldFromMap('{\n{ ( 1 2', { name: 'torn.map' }), /torn\.map:2/);
-    throwsCode('BAD_CALL', () => firma.worldFromMap(5));
+    throwsCode('MALFORMED', () => readers.worldFromMap('{\n{ ( 1 2', { name: 'torn.map' }), /torn\.map:2/);
+    throwsCode('BAD_CALL', () => readers.worldFromMap(5));
 });
 
 test('where a point is', () => {
@@ -153,7 +153,7 @@ test('casts by room', () => {
 });
 
 test('the depot: rooms by name, ways, a cut that joins two of them', () => {
-    releasing([firma.worldFromMap(depot, { name: 'depot.map' })], (world) => {
+    releasing([readers.worldFromMap(depot, { name: 'depot.map' })], (world) => {
         const { roomCount, portalCount } = world.facts();
         assert.ok(roomCount > 12 && portalCount > 12);
         const rooms = Array.from({ length: roomCount }, (_, k) => world.room(k));
@@ -185,7 +185,7 @@ test('the depot: rooms by name, ways, a cut that joins two of them', () => {
 });
 
 test('entities of a level, and its world', () => {
-    releasing([firma.levelFromMap(depot, { name: 'depot.map' })], (level) => {
+    releasing([readers.levelFromMap(depot, { name: 'depot.map' })], (level) => {
         const entities = level.entities();
         assert.equal(entities[0].classname, 'worldspawn');
         assert.equal(entities[0].origin, null);
@@ -196,13 +196,13 @@ test('entities of a level, and its world', () => {
         assert.ok(start.line > 1 && start.keys.some(([key, value]) => key === 'classname' && value === start.classname));
         assert.ok(entities.filter((entity) => entity.classname === 'firma_room').length > 12);
         assert.ok(Array.isArray(level.notes()));
-        releasing([level.world({ contactOffset: 0.01 }), firma.worldFromMap(depot, { contactOffset: 0.01 })], (world, other) => {
+        releasing([level.world({ contactOffset: 0.01 }), readers.worldFromMap(depot, { contactOffset: 0.01 })], (world, other) => {
             assert.equal(world.hash(), other.hash());
             assert.equal(world.locate(start.origin).where, 'air');
         });
     });
     const noted = '{ "classname" "worldspawn" { brushDef9 { } } }\n{ "classname" "light" "origin" "1 2" "größe" "ü" "a" "1" "a" "2" }';
-    releasing([firma.levelFromMap(noted, { scale: 0.5 })], (level) => {
+    releasing([readers.levelFromMap(noted, { scale: 0.5 })], (level) => {
         const [, light] = level.entities();
         assert.equal(light.origin, null);
         assert.deepEqual([light.values.get('größe'), light.values.get('a'), light.keys.length], ['ü', '1', 5]);
@@ -213,14 +213,14 @@ test('entities of a level, and its world', () => {
         assert.match(level.omissions()[0].what, /brushDef9/);
         throwsCode('MALFORMED', () => level.world());
     });
-    throwsCode('MALFORMED', () => firma.levelFromMap('{', { name: 'torn.map' }), /torn\.map/);
-    throwsCode('INVALID', () => firma.levelFromMap('{}', { scale: -1 }), /scale/);
-    throwsCode('BAD_CALL', () => firma.levelFromMap(5));
-    throwsCode('BAD_CALL', () => firma.levelFromMap('{}', { scale: '1' }));
+    throwsCode('MALFORMED', () => readers.levelFromMap('{', { name: 'torn.map' }), /torn\.map/);
+    throwsCode('INVALID', () => readers.levelFromMap('{}', { scale: -1 }), /scale/);
+    throwsCode('BAD_CALL', () => readers.levelFromMap(5));
+    throwsCode('BAD_CALL', () => readers.levelFromMap('{}', { scale: '1' }));
 });
 
 test('rooms and portals by name, materials, and the portals that a cast passes', () => {
-    releasing([firma.worldFromMap(depot), firma.levelFromMap(depot)], (world, level) => {
+    releasing([readers.worldFromMap(depot), readers.levelFromMap(depot)], (world, level) => {
         const { materials, roomCount } = world.facts();
         assert.equal(world.material(3), materials[3]);
         throwsCode('INVALID', () => world.material(materials.length));
@@ -257,7 +257,7 @@ test('rooms and portals by name, materials, and the portals that a cast passes',
 });
 
 test('a level without rooms has one', () => {
-    releasing([firma.worldFromObj(levelBytes)], (world) => {
+    releasing([readers.worldFromObj(levelBytes)], (world) => {
         assert.deepEqual([world.facts().roomCount, world.facts().portalCount], [1, 0]);
         assert.equal(world.room(0).faceCount, world.facts().faceCount);
         assert.deepEqual(world.neighbours(0), []);

@@ -26,8 +26,8 @@ class Rng {
     }
 }
 
-test('sixty cuts leave the world that the native library leaves', () => {
-    let world = firma.worldFromObj(levelBytes, { name: 'first.obj' });
+test('sixty cuts leave the world that the native library leaves', async () => {
+    let world = await firma.worldFromObj(levelBytes, { name: 'first.obj' });
     const { low, high } = world.facts();
     const rng = new Rng(20031);
     const shapes = ['rocky', 'spiky', 'drill', 'wedge', 'box'];

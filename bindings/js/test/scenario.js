@@ -45,9 +45,9 @@ export function surfacePoints(world, count, seed) {
 }
 
 /** @param cuts of any shape, every fifth filled; @param casts of the world as it is then */
-export function scenario(firma, level, cuts, casts) {
+export async function scenario(firma, level, cuts, casts) {
     const shapes = ['rocky', 'spiky', 'drill', 'wedge', 'box'];
-    let world = firma.worldFromObj(level, { name: 'first.obj' });
+    let world = await firma.worldFromObj(level, { name: 'first.obj' });
     const counts = { done: 0, nothing: 0, refused: 0 };
     surfacePoints(world, cuts, 7).forEach((position, k) => {
         const cutter = firma.crater(shapes[k % 3 === 0 ? k % 5 : 0], k);

@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { loadFirma } from '../src/index.js';
-import { boxMesh, levelBytes, throwsCode, wasmUrl } from './helpers.js';
+import { loadReaders } from '../src/readers.js';
+import { boxMesh, levelBytes, readers, releasing, throwsCode, wasmUrl } from './helpers.js';
 import { randomCasts } from './scenario.js';
 
 const bytes = readFileSync(wasmUrl);
@@ -82,7 +83,7 @@ test('memory that grows within any call', async () => {
     assert.ok(after.facts().materials.includes('x'));
     const copy = firma.unpackWorld(after.pack());
     assert.equal(copy.hash(), after.hash());
-    throwsCode('MALFORMED', () => firma.worldFromObj('v 0 0 zero', { name: 'röhre' }), /röhre/);
+    throwsCode('MALFORMED', () => readers.worldFromObj('v 0 0 zero', { name: 'röhre' }), /röhre/);
     const store = firma.openStore(world, 1e6);
     store.publish(world, after);
     assert.equal(store.facts().current, 1);
@@ -100,7 +101,7 @@ function coreOf(object) {
 
 test('arguments and answers leave no memory behind', async () => {
     const { firma, exports } = await loadOpen();
-    const level = firma.worldFromObj(levelBytes);
+    const level = await firma.worldFromObj(levelBytes);
     const cutter = firma.crater('rocky', 1);
     const packed = level.pack();
     const round = () => {
@@ -122,12 +123,13 @@ test('arguments and answers leave no memory behind', async () => {
 });
 
 test('memory beyond two and beyond three gigabytes', async () => {
+    const level = releasing([readers.worldFromObj(levelBytes)], (world) => world.pack());
     for (const pages of [33000, 50000]) {
         const { firma, exports } = await loadOpen();
         exports.memory.grow(pages);
         const plain = await loadFirma(bytes);
         const [here, there] = [firma, plain].map((one) => {
-            const world = one.worldFromObj(levelBytes, { name: 'größe' });
+            const world = one.unpackWorld(level, 'größe');
             const cutter = one.crater('spiky', 3);
             const position = world.cast({ centre: [40, 20, 4], radius: 0, path: [30, 1, 0] }).point;
             const { world: after } = world.carve(cutter, { position }, { material: 'größe' });
@@ -167,7 +169,8 @@ test('no memory for arguments: nothing happens, and the module goes on', async (
 test('a trap stops the module for good', async () => {
     const { firma, exports } = await loadOpen();
     const other = await loadFirma(bytes);
-    const world = firma.worldFromObj(levelBytes);
+    const reading = await loadReaders(firma);
+    const world = reading.worldFromObj(levelBytes);
     const packed = world.pack();
     const batch = world.castBatch([40, 20, 4, 0.5, 9, 0, 0]);
     const kept = batch.hit(0);
@@ -185,7 +188,8 @@ test('a trap stops the module for good', async () => {
         () => firma.liveHandles(),
         () => firma.version,
         () => firma.crater('rocky', 1),
-        () => firma.worldFromObj(levelBytes),
+        () => reading.worldFromObj(levelBytes),
+        () => firma.worldFromMesh(boxMesh()),
         () => firma.unpackWorld(packed),
         () => firma.memory([world]),
         () => firma.randomTurn(1),
@@ -212,6 +216,6 @@ test('a trap stops the module for good', async () => {
     assert.equal(world.released, true);
     if (Symbol.dispose) world[Symbol.dispose]();
     // Another instance does not notice.
-    other.worldFromObj(levelBytes).release();
+    (await other.worldFromObj(levelBytes)).release();
     assert.equal(other.liveHandles(), 0);
 });

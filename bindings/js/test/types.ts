@@ -12,6 +12,7 @@ import {
     STOPS_WALK,
     type CarveReport,
     type CastCounts,
+    type Cutter,
     type Diff,
     type Entity,
     type Face,
@@ -37,6 +38,7 @@ import {
     type World,
     type WorldFacts,
 } from 'firma';
+import { loadReaders, type Readers } from 'firma/readers';
 
 const firma = await loadFirma();
 await loadFirma('firma.wasm');
@@ -48,7 +50,7 @@ await loadFirma(await WebAssembly.compile(new ArrayBuffer(8)));
 const version: string = firma.version;
 const live: number = firma.liveHandles();
 
-const world: World = firma.worldFromObj('v 0 0 0', {
+const world: World = await firma.worldFromObj('v 0 0 0', {
     name: 'a',
     contactOffset: 0.001,
     scale: 1,
@@ -57,9 +59,27 @@ const world: World = firma.worldFromObj('v 0 0 0', {
     facesPerLeaf: 4,
     minNodeVolume: 1,
 });
-firma.worldFromObj(new Uint8Array(1));
-firma.worldFromBsp(new ArrayBuffer(1), {});
-firma.worldFromMap('{}', { scale: 1 }).release();
+await firma.worldFromObj(new Uint8Array(1));
+await firma.worldFromBsp(new ArrayBuffer(1), {});
+(await firma.worldFromMap('{}', { scale: 1 })).release();
+const readers: Readers = await loadReaders(firma);
+const same: [World, World, World] = [
+    readers.worldFromObj('', { name: 'a' }),
+    readers.worldFromBsp(new ArrayBuffer(1)),
+    readers.worldFromMap('{}', { scale: 1 }),
+];
+const levels: Level[] = [readers.levelFromMap('{}', { scale: 1 }), readers.levelFromBsp(new ArrayBuffer(1))];
+const ofObj: Cutter = readers.cutterFromObj('', readers.version);
+// @ts-expect-error no promise comes from a Firma's own
+firma.worldFromObj('').release();
+// @ts-expect-error meshes are read by the Firma
+readers.worldFromMesh;
+// @ts-expect-error not a Firma
+await loadReaders(world);
+await loadFirma(undefined, { readers: fetch('firma_readers.wasm') });
+await loadFirma('firma.wasm', { readers: new URL('http://localhost/firma_readers.wasm') });
+// @ts-expect-error an option that is none
+await loadFirma('firma.wasm', { reader: 'readers.wasm' });
 const mesh: Mesh = {
     positions: [0, 0, 0],
     corners: Uint32Array.of(0, 1, 2),
@@ -76,7 +96,7 @@ firma.worldFromBsp('text');
 // @ts-expect-error an option that is none
 firma.worldFromObj('', { skn: 1 });
 
-const level: Level = firma.levelFromMap('{}', { name: 'a', scale: 1 });
+const level: Level = await firma.levelFromMap('{}', { name: 'a', scale: 1 });
 const entity: Entity | undefined = level.entities()[0];
 const spawn: number = (entity?.origin?.[0] ?? 0) + level.metresPerUnit + level.notes().length;
 level.world({ contactOffset: 0.1 }).release();
@@ -147,7 +167,7 @@ const beside: number[] = world.neighbours(0);
 
 const cutter = firma.crater('rocky', 5n);
 firma.cutterFromMesh([0, 0, 0], [0, 1, 2], 'name');
-firma.cutterFromObj('', 'name');
+const mould: Cutter = await firma.cutterFromObj('', 'name');
 firma.cutterFromWorld(world, 'name');
 // @ts-expect-error no such shape
 firma.crater('round', 1);
@@ -224,4 +244,8 @@ export const used = [
     corners,
     waiting,
     gone,
+    same,
+    levels,
+    ofObj,
+    mould,
 ];

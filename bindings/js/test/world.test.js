@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { FACE_SOLID, FACE_TWO_SIDED } from '../src/index.js';
-import { boxMesh, brush, firma, levelBytes, releasing, throwsCode, withLevel } from './helpers.js';
+import { boxMesh, brush, firma, levelBytes, readers, releasing, throwsCode, withLevel } from './helpers.js';
 import { randomCasts } from './scenario.js';
 
 const triangle = 'v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n';
@@ -12,7 +12,7 @@ test('an .obj as text and as bytes of every kind is the same world', () => {
     const text = new TextDecoder().decode(levelBytes);
     const copy = new Uint8Array(levelBytes);
     const all = [text, levelBytes, copy, copy.buffer, new DataView(copy.buffer)].map((file) =>
-        firma.worldFromObj(file),
+        readers.worldFromObj(file),
     );
     releasing(all, (first, ...others) => {
         for (const other of others) assert.equal(other.hash(), first.hash());
@@ -55,13 +55,13 @@ test('facts, check, measure, memory', () => {
 });
 
 test('options are taken', () => {
-    const scaled = firma.worldFromObj(triangle, { scale: 0.5, contactOffset: 0.25, name: 'a triangle' });
+    const scaled = readers.worldFromObj(triangle, { scale: 0.5, contactOffset: 0.25, name: 'a triangle' });
     releasing([scaled], (world) => {
         assert.deepEqual(world.facts().high, [2, 2, 0]);
         assert.equal(world.facts().contactOffset, 0.25);
     });
     const options = { surfaceArea: true, maxDepth: 3, facesPerLeaf: 2, minNodeVolume: 0.5 };
-    releasing([firma.worldFromObj(levelBytes, options), firma.worldFromObj(levelBytes)], (chosen, usual) => {
+    releasing([readers.worldFromObj(levelBytes, options), readers.worldFromObj(levelBytes)], (chosen, usual) => {
         const [shallow, deep] = [chosen, usual].map((world) => {
             const counts = {};
             world.castBatch(randomCasts(200, usual.facts(), 3), { counts });
@@ -77,7 +77,7 @@ test('options are taken', () => {
         { scale: Infinity },
         { scale: -1 },
     ];
-    for (const one of wrong) throwsCode('INVALID', () => firma.worldFromObj(triangle, one));
+    for (const one of wrong) throwsCode('INVALID', () => readers.worldFromObj(triangle, one));
     const bad = [
         { maxDepth: 1.5 },
         { facesPerLeaf: '2' },
@@ -87,15 +87,15 @@ test('options are taken', () => {
         { name: 'a\0b' },
     ];
     for (const one of [...bad, null, 7])
-        throwsCode('BAD_CALL', () => firma.worldFromObj(triangle, one), /^worldFromObj: /);
+        throwsCode('BAD_CALL', () => readers.worldFromObj(triangle, one), /^worldFromObj: /);
 });
 
 test('bad files say where', () => {
-    throwsCode('MALFORMED', () => firma.worldFromObj('v 0 0 zero', { name: 'röhre.obj' }), /röhre\.obj/);
-    throwsCode('OUT_OF_RANGE', () => firma.worldFromObj('v 0 0 0\nf 1 2 3\n'), /2/);
-    throwsCode('MALFORMED', () => firma.worldFromBsp(new Uint8Array(10), { name: 'cut.bsp' }), /cut\.bsp/);
-    throwsCode('BAD_CALL', () => firma.worldFromBsp('text'));
-    for (const one of [undefined, null, 3, [1, 2]]) throwsCode('BAD_CALL', () => firma.worldFromObj(one));
+    throwsCode('MALFORMED', () => readers.worldFromObj('v 0 0 zero', { name: 'röhre.obj' }), /röhre\.obj/);
+    throwsCode('OUT_OF_RANGE', () => readers.worldFromObj('v 0 0 0\nf 1 2 3\n'), /2/);
+    throwsCode('MALFORMED', () => readers.worldFromBsp(new Uint8Array(10), { name: 'cut.bsp' }), /cut\.bsp/);
+    throwsCode('BAD_CALL', () => readers.worldFromBsp('text'));
+    for (const one of [undefined, null, 3, [1, 2]]) throwsCode('BAD_CALL', () => readers.worldFromObj(one));
 });
 
 test('a mesh, with all its arrays and with few', () => {
@@ -141,7 +141,7 @@ test('masks as operators make them, materials by their numbers', () => {
 test('bytes whose memory was transferred are refused', () => {
     const bytes = new Uint8Array(8);
     structuredClone(bytes, { transfer: [bytes.buffer] });
-    throwsCode('BAD_CALL', () => firma.worldFromObj(bytes), /the file cannot be read/);
+    throwsCode('BAD_CALL', () => readers.worldFromObj(bytes), /the file cannot be read/);
 });
 
 test('meshes whose arrays do not fit each other', () => {
@@ -330,7 +330,7 @@ test('textures come out as coordinates', () => {
     throwsCode('OUT_OF_RANGE', () => firma.worldFromMesh({ ...wall, uvs: wall.uvs.fill(NaN) }), /not finite/);
 
     const map = `{\n"classname" "worldspawn"\n${brush([-256, -256, -256], [256, 256, 256], 'wall')}}\n`;
-    releasing([firma.worldFromMap(map), firma.crater('rocky', 1)], (world, cutter) => {
+    releasing([readers.worldFromMap(map), firma.crater('rocky', 1)], (world, cutter) => {
         const { world: after } = world.carve(cutter, { position: [0, 0, 8] });
         releasing([after, firma.unpackWorld(after.pack())], (...worlds) => {
             for (const one of worlds) {

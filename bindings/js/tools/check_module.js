@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Refuses to pack the package without its module, or with one that is not of the package's version.
+// Refuses to pack the package without its modules, or with some that are not of the package's version.
 import { existsSync, readFileSync } from 'node:fs';
 import { loadFirma } from '../src/index.js';
+import { loadReaders } from '../src/readers.js';
 
-const module = new URL('../src/firma.wasm', import.meta.url);
 const { version } = JSON.parse(readFileSync(new URL('../package.json', import.meta.url)));
 
 function refuse(reason) {
@@ -11,6 +11,10 @@ function refuse(reason) {
     process.exit(1);
 }
 
-if (!existsSync(module)) refuse('src/firma.wasm is not there');
-const firma = await loadFirma(readFileSync(module)).catch((error) => refuse(error.message));
+for (const name of ['firma.wasm', 'firma_readers.wasm'])
+    if (!existsSync(new URL(`../src/${name}`, import.meta.url))) refuse(`src/${name} is not there`);
+const firma = await loadFirma().catch((error) => refuse(error.message));
 if (firma.version !== version) refuse(`src/firma.wasm is of version ${firma.version}, the package of ${version}`);
+const readers = await loadReaders(firma).catch((error) => refuse(error.message));
+if (readers.version !== version)
+    refuse(`src/firma_readers.wasm is of version ${readers.version}, the package of ${version}`);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// Edit logs: shown, compared with their level, replayed.
+#include "cli/verbs.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/atomic_file.h"
+#include "cli/edit_log_file.h"
+#include "cli/failure.h"
+#include "cli/json.h"
+#include "cli/load_level.h"
+#include "cli/numbers.h"
+#include "cli/progress.h"
+#include "cli/write_level.h"
+#include "firma/edit_log.h"
+
+namespace firma::cli {
+
+namespace {
+
+struct LogArguments : LevelOutput {
+    std::string what, log;
+    LevelArguments level;  ///< none: an empty path
+    std::string until;
+    bool json = false;
+};
+
+constexpr const char* kLogFooter =
+    R"(A log says what edits were made of a level, in order, as `firma carve --log` and games write it: the level and its log
+give the same world on every machine, to the bit. LEVEL must be the one that the log begins from, read with the same
+options (--scale, --surfaces, --rooms), or the same saved as .firma; its hash is compared.
+
+  firma log show LOG                     what is in it: a line a command
+  firma log verify LOG LEVEL             replays it and compares the world with the hashes in it (checkpoints)
+  firma log replay LOG LEVEL -o AFTER    replays it and writes the level after it, as `firma carve` does
+
+A command: its number, which ascends; carve or fill, with the crater's shape and seed or the cutter's name, its place
+(metres) and scale; door, with the portal; group, several of these as one version. A command that came to nothing or is
+refused changes nothing, as it did when it was made, and is counted. A log whose bytes are damaged is bad input, with the
+byte where that was found; so is, for replay, a checkpoint that does not hold.
+
+--json, show: log, bytes, version (of the format), level_hash, rules_hash (16 hexadecimal digits), level_edits (the number
+of the last edit before it), last_number, command_count, checkpoint_count, commands [{number, kind, cutter, seed or null,
+position, rotation, scale, material; of a door portal, open; of a group parts}], checkpoints [{commands, hash}].
+--json, verify and replay: log, level, holds, fault or null, commands (that were applied), done, nothing, refused,
+checkpoints (that hold), hash, seconds (of the replay), per_command_ms, faces, version (of the world), edits, out or null.
+
+Exit codes: 0 done; 1 `verify` found a checkpoint that does not hold; 2 a bad call or bad input, with
+`firma: place: reason` on stderr.
+)";
+
+int show(const LogArguments& arguments) {
+    const LoadedLog loaded = read_edit_log(arguments.log);
+    const EditLog& log = loaded.log;
+    if (arguments.json) {
+        Json json = edit_log_json(arguments.log, loaded);
+        json["commands"] = Json::array();
+        for (const EditCommand& command : log.commands()) json["commands"].push_back(command_json(command));
+        json["checkpoints"] = Json::array();
+        for (const LogCheckpoint& checkpoint : log.checkpoints())
+            json["checkpoints"].push_back({{"commands", checkpoint.commands}, {"hash", hash_digits(checkpoint.hash)}});
+        print(json_text(std::move(json)));
+        return 0;
+    }
+    std::string text = edit_log_text(arguments.log, loaded);
+    auto checkpoint = log.checkpoints().begin();
+    for (std::size_t k = 0; k <= log.commands().size(); ++k) {
+        if (k > 0) text += "  " + command_text(log.commands()[k - 1]) + "\n";
+        for (; checkpoint != log.checkpoints().end() && checkpoint->commands == k; ++checkpoint)
+            text += "  hash " + hash_digits(checkpoint->hash) + "\n";
+    }
+    print(text);
+    return 0;
+}
+
+struct Replayed {
+    ReplayResult result;
+    double seconds = 0;
+};
+
+Replayed replay_log(const World& level, const EditLog& log, const LogArguments& arguments) {
+    ReplayOptions options;
+    if (!arguments.until.empty())
+        options.last_number =
+            std::uint32_t(count_option("--until", arguments.until, 0, std::numeric_limits<std::uint32_t>::max()));
+    const auto start = std::chrono::steady_clock::now();
+    LogReplay job(level, log, options);
+    Progress progress("replaying", job.commands_in_all());
+    for (bool finished = false; !finished;) {
+        const std::size_t behind = job.commands_behind();
+        finished = job.run(50'000);
+        progress.add(job.commands_behind() - behind);
+    }
+    Replayed replayed{job.result(), 0};
+    replayed.seconds = seconds_since(start);
+    const std::optional<Error>& error = replayed.result.error;
+    if (error && error->code != ErrorCode::kMalformed) throw Failure(arguments.log, error->text());
+    return replayed;
+}
+
+Json replay_json(const LogArguments& arguments, const Replayed& replayed) {
+    const ReplayResult& result = replayed.result;
+    Json json;
+    json["log"] = arguments.log;
+    json["level"] = arguments.level.path;
+    json["holds"] = result.ok();
+    json["fault"] = result.error ? Json(result.error->text()) : Json();
+    json["commands"] = result.commands;
+    json["done"] = result.done;
+    json["nothing"] = result.nothing;
+    json["refused"] = result.refused;
+    json["checkpoints"] = result.checkpoints;
+    json["hash"] = hash_digits(hash_world(result.world));
+    json["seconds"] = replayed.seconds;
+    json["per_command_ms"] = result.commands > 0 ? 1e3 * replayed.seconds / double(result.commands) : 0;
+    json["faces"] = result.world.face_count();
+    json["version"] = result.world.version();
+    json["edits"] = result.world.solid().edits();
+    json["out"] = arguments.out.empty() ? Json() : Json(arguments.out);
+    return json;
+}
+
+std::string replay_text(const LogArguments& arguments, const Replayed& replayed) {
+    const ReplayResult& result = replayed.result;
+    if (result.error) return fmt::format("{}: {}\n", arguments.log, result.error->text());
+    return fmt::format("{}: {} replayed in {}: {} done, {} nothing, {} refused; {}; hash {}\n", arguments.log,
+                       counted(result.commands, "command"), seconds_text(replayed.seconds), grouped(result.done),
+                       grouped(result.nothing), grouped(result.refused),
+                       result.checkpoints == 0 ? "no checkpoint to compare with"
+                                               : counted(result.checkpoints, "checkpoint holds", "checkpoints hold"),
+                       hash_digits(hash_world(result.world)));
+}
+
+void tell(const LogArguments& arguments, const Replayed& replayed) {
+    print(arguments.json ? json_text(replay_json(arguments, replayed)) : replay_text(arguments, replayed));
+}
+
+int verify(const LogArguments& arguments) {
+    const LoadedLog loaded = read_edit_log(arguments.log);
+    const Replayed replayed = replay_log(load_level(arguments.level).world, loaded.log, arguments);
+    tell(arguments, replayed);
+    return replayed.result.ok() ? 0 : 1;
+}
+
+int replay_and_write(const LogArguments& arguments) {
+    judge_level_output(arguments);
+    refuse_json_beside(arguments.json, arguments.out);
+    refuse_overwriting(arguments.out, arguments.log);
+    refuse_overwriting(arguments.out, arguments.level.path);
+    const LoadedLog loaded = read_edit_log(arguments.log);
+    const LoadedLevel level = load_level(arguments.level);
+    AtomicFile out(arguments.out);
+    const Replayed replayed = replay_log(level.world, loaded.log, arguments);
+    if (replayed.result.error) throw Failure(arguments.log, replayed.result.error->text());
+    write_level(replayed.result.world, level, arguments, out);
+    out.commit();
+    tell_if_empty(arguments, replayed.result.world);
+    if (arguments.json || may_print_beside(arguments.out)) tell(arguments, replayed);
+    return 0;
+}
+
+int run(const LogArguments& arguments) {
+    const bool shows = arguments.what == "show", replays = arguments.what == "replay";
+    if (!shows && !replays && arguments.what != "verify")
+        throw Failure("log", "'" + arguments.what + "' is none of show, verify, replay");
+    if (arguments.log.empty()) throw Failure("log", "LOG is required: firma log " + arguments.what + " LOG");
+    if (shows) {
+        if (!arguments.level.path.empty()) throw Failure("log", "show takes a log and no level");
+        if (!arguments.until.empty()) throw Failure("--until", "is for verify and replay");
+    } else if (arguments.level.path.empty()) {
+        throw Failure("log", "LEVEL is required: firma log " + arguments.what + " LOG LEVEL");
+    }
+    if (replays && arguments.out.empty())
+        throw Failure("log", "--out is required: firma log replay LOG LEVEL -o AFTER");
+    if (!replays && !arguments.out.empty()) throw Failure("--out", "is for replay");
+    if (shows) return show(arguments);
+    return replays ? replay_and_write(arguments) : verify(arguments);
+}
+
+}  // namespace
+
+Verb add_log(CLI::App& app) {
+    Command command(app, "log", "Shows an edit log, verifies it against its level, or replays it");
+    const auto arguments = std::make_shared<LogArguments>();
+    command.add_argument("WHAT", arguments->what, "show, verify or replay", true);
+    command.add_argument("LOG", arguments->log, "the log, as firma carve --log writes it", false);
+    add_level_arguments(command, arguments->level, false);
+    add_rooms_option(command, arguments->level);
+    command.add_option("--until", arguments->until, "N", "leave out commands with numbers above this one");
+    add_level_output(command, *arguments, "of replay: .obj, .firma or .glb to write, the level after it", false);
+    add_json_flag(command, arguments->json);
+    command.set_footer(kLogFooter);
+    return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace firma::cli

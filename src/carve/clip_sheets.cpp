@@ -1,0 +1,517 @@
+// SPDX-License-Identifier: MIT
+// What a fill does to polygons that stand in the air and divide it.
+#include "carve/clip_sheets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "arrange/label_cells.h"
+#include "base/disjoint_sets.h"
+#include "base/flat_map.h"
+#include "carve/gather.h"
+#include "solid/make_facets.h"
+
+namespace firma {
+namespace {
+
+constexpr std::uint32_t kNoNumber = ~0u;
+
+/// Where a piece of a sheet lies against the cutter.
+enum class SheetPlace : std::uint8_t { kOut, kIn, kOn, kUnknown };
+
+/// A plane across an axis, at a fine place: input steps.
+Plane fine_plane(int axis, double at) {
+    constexpr double kScale = 1 << 16;
+    Plane plane = axis_plane(axis, 0);
+    const double rounded = std::floor(at * kScale + 0.5);
+    plane.normal[axis] = std::int64_t(kScale);
+    plane.set_offset(-Int128(std::int64_t(rounded)));
+    plane.d = -rounded;
+    plane.size = kScale;
+    return plane;
+}
+
+class SheetClipper {
+public:
+    SheetClipper(const CutInput& in, const Crossings& crossings, const NewLoops& loops,
+                 const std::vector<CutSheet>& sheets, const std::function<std::uint32_t(std::uint32_t)>& air_of)
+        : in_(in), view_(in, crossings, loops), loops_(loops), sheets_(sheets), air_of_(air_of) {
+        made_.crossings = crossings;
+        made_.loops = loops;
+        made_.loops.faces.clear();
+        made_.loops.all_uses.clear();
+        made_.loops.loop_ends.clear();
+        made_.changed.assign(sheets.size(), 0);
+    }
+
+    std::optional<ClippedSheets> clip() {
+        know_divisions();
+        add_faces();
+        add_sheets();
+        arrange();
+        if (!label_sheets()) return {};
+        cell_air_.assign(cells().cells.size(), ClippedSheets::kNoAir);
+        if (!label_faces()) return {};
+        write_faces();
+        write_sheets();
+        if (failed_) return {};
+        return std::move(made_);
+    }
+
+private:
+    const CellSet& cells() const { return cell_finder_.cells(); }
+    bool is_sheet(std::uint32_t face) const { return face >= face_of_.size(); }
+    const CutSheet& sheet(std::uint32_t face) const { return sheets_[face - face_of_.size()]; }
+
+    void know_divisions() {
+        division_of_.assign(in_.patch.edges.size(), kNoNumber);
+        for (std::uint32_t k = 0; k < loops_.divisions.size(); ++k) division_of_[loops_.divisions[k].edge] = k;
+    }
+
+    std::uint32_t point(const ExactPoint& exact) {
+        if (exact.on_grid()) return overlay_.tables.points.add(exact.grid());
+        PlaneId planes[3];
+        for (int k = 0; k < 3; ++k) planes[k] = overlay_.tables.planes.add(*exact.plane(k));
+        return overlay_.tables.points.add(planes[0], planes[1], planes[2]);
+    }
+
+    /// The overlay's edge of one by number.
+    std::uint32_t numbered_edge(std::uint32_t number) {
+        if (overlay_edge_.empty()) overlay_edge_.assign(view_.edge_count(), kNoNumber);
+        std::uint32_t& known = overlay_edge_[number];
+        if (known != kNoNumber) return known;
+        const PatchUse forward{number, false};
+        OverlayEdge made{vertex_point(view_.from(forward)), vertex_point(view_.to(forward))};
+        const SolidPlane* const* planes =
+            number < view_.first_new_edge() ? in_.patch.edges[number].plane : view_.new_edge(number).plane;
+        for (int k = 0; k < 2; ++k) made.plane[k] = overlay_.tables.planes.add(planes[k]->plane);
+        made.doubled =
+            number < view_.first_new_edge() ? in_.patch.edges[number].doubled : view_.new_edge(number).doubled;
+        known = overlay_.add_edge(made);
+        origin_.push_back({number, {}});
+        return known;
+    }
+    std::uint32_t vertex_point(std::uint32_t vertex) {
+        const std::uint32_t at = point(view_.point(vertex));
+        if (vertex_of_point_.size() <= at) vertex_of_point_.resize(at + 1, kNoNumber);
+        if (vertex_of_point_[at] == kNoNumber) vertex_of_point_[at] = vertex;
+        return at;
+    }
+
+    std::uint32_t own_edge(const SolidUse& use) {
+        const SolidEdge& edge = use.edge();
+        std::uint32_t& known = own_edge_.at(reinterpret_cast<std::uintptr_t>(&edge));
+        if (known != FlatMap::kNone) return known;
+        OverlayEdge made{point(edge.vertex[0]->point), point(edge.vertex[1]->point)};
+        for (std::size_t k = 0; k < 2; ++k) made.plane[k] = overlay_.tables.planes.add(edge.plane[k]->plane);
+        made.doubled = edge.doubled;
+        origin_.push_back({kNoNumber, SolidUse(Ref<const SolidEdge>(&edge), false)});
+        return known = overlay_.add_edge(made);
+    }
+
+    /// What the fill makes of the cutter.
+    void add_faces() {
+        for (std::uint32_t k = 0; k < loops_.faces.size(); ++k) {
+            const NewFace& face = loops_.faces[k];
+            if (face.triangle == ~0u) continue;
+            sides_.clear();
+            for (const PatchUse& use : loops_.uses(face)) sides_.push_back({numbered_edge(use.edge), use.reversed});
+            overlay_.add_face(overlay_.tables.planes.add(face.plane->plane), 0, sides_, loops_.ends(face));
+            face_of_.push_back(k);
+        }
+    }
+
+    /// Edges that faces have, too, as these have them now.
+    void add_sheets() {
+        for (const CutSheet& it : sheets_) {
+            sides_.clear();
+            std::vector<std::uint32_t> ends;
+            std::size_t k = 0;
+            for (const std::uint32_t end : it.ends) {
+                for (; k < end; ++k) {
+                    const std::optional<PatchUse> found = in_.patch.find(it.uses[k]);
+                    if (found)
+                        add_numbered_sides(*found);
+                    else
+                        sides_.push_back({own_edge(it.uses[k]), it.uses[k].reversed()});
+                }
+                ends.push_back(std::uint32_t(sides_.size()));
+            }
+            overlay_.add_face(overlay_.tables.planes.add(it.plane->plane), 1, sides_, ends);
+        }
+    }
+
+    void add_numbered_sides(const PatchUse& use) {
+        const PatchEdge& edge = in_.patch.edges[use.edge];
+        if (edge.split()) {
+            for (const bool last : {false, true}) add_numbered_sides({edge.half[use.reversed != last], use.reversed});
+            return;
+        }
+        if (division_of_[use.edge] == kNoNumber) {
+            sides_.push_back({numbered_edge(use.edge), use.reversed});
+            return;
+        }
+        const EdgeDivision& division = loops_.divisions[division_of_[use.edge]];
+        for (std::uint32_t k = 0; k < division.count; ++k) {
+            PatchUse part = loops_.parts[division.first_part + (use.reversed ? division.count - 1 - k : k)];
+            sides_.push_back({numbered_edge(part.edge), part.reversed != use.reversed});
+        }
+    }
+
+    void arrange() {
+        spans_.start();
+        std::vector<GridBox> boxes;
+        for (std::size_t k = 0; k < face_of_.size(); ++k) boxes.push_back(grown(overlay_.faces[k].box, 1));
+        const BoxTree tree(boxes);
+        for (auto face = std::uint32_t(face_of_.size()); face < overlay_.faces.size(); ++face)
+            tree.for_each_meeting(overlay_.faces[face].box, [&](std::uint32_t other) {
+                spans_.meet(other, face);
+                return false;
+            });
+        const auto finish = [](const auto& step) {
+            for (;;) {
+                WorkSlice slice(1u << 20);
+                if (step(slice)) return;
+            }
+        };
+        finish([&](WorkSlice& slice) { return spans_.finish(slice); });
+        finish([&](WorkSlice& slice) { return lines_.divide(slice); });
+        finish([&](WorkSlice& slice) {
+            const PhaseEnd end = cell_finder_.step(slice);
+            failed_ |= end == PhaseEnd::kBroken;
+            return end != PhaseEnd::kGoesOn;
+        });
+        if (!failed_) users_.gather(overlay_, lines_, cells());
+    }
+
+    bool label_sheets() {
+        if (failed_) return false;
+        place_.assign(cells().cells.size(), SheetPlace::kOut);
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
+            if (!is_sheet(cells().cells[cell].face)) continue;
+            place_[cell] = place_of(cells().cells[cell]);
+            if (place_[cell] == SheetPlace::kUnknown) return false;
+        }
+        return true;
+    }
+
+    std::uint32_t start_of(const PieceUse& use) const {
+        const Piece& piece = lines_.piece(use.piece);
+        return use.forward ? piece.from : piece.to;
+    }
+
+    /// By a point within it.
+    SheetPlace place_of(const Cell& cell) {
+        points_.clear();
+        for (const PieceUse& use : cells().uses(cell)) points_.push_back(overlay_.point(start_of(use)).rounded());
+        const Plane& plane = sheet(cell.face).plane->plane;
+        const FlatView view = plane.front_view();
+        if (!facet_maker_.make(points_, cells().ends(cell), view, facets_)) return SheetPlace::kUnknown;
+        Vec3 middle{0, 0, 0};
+        double largest = 0;
+        for (std::size_t k = 0; k < facets_.count(); ++k) {
+            const std::span corners(facets_.corners.data() + facets_.first[k], facets_.first[k + 1] - facets_.first[k]);
+            const auto corner = [&](std::size_t c) {
+                const GridPoint& p = points_[corners[c]];
+                return Vec3{double(p.x), double(p.y), double(p.z)} * (1.0 / kSurfacePerInput);
+            };
+            for (std::size_t c = 2; c < corners.size(); ++c) {
+                const double area = length(cross(corner(c - 1) - corner(0), corner(c) - corner(0)));
+                if (!(area > largest)) continue;
+                largest = area;
+                middle = (corner(0) + corner(c - 1) + corner(c)) * (1.0 / 3);
+            }
+        }
+        const Plane u = fine_plane(view.u(), middle[view.u()]), v = fine_plane(view.v(), middle[view.v()]);
+        if (exact_turn(plane, u, v) == 0) return SheetPlace::kUnknown;
+        const int side = side_of_cutter(in_.cutter, ExactPoint(plane, u, v));
+        return side > 0 ? SheetPlace::kIn : side < 0 ? SheetPlace::kOut : SheetPlace::kOn;
+    }
+
+    bool is_kept(std::uint32_t cell) const {
+        return !is_sheet(cells().cells[cell].face) || place_[cell] == SheetPlace::kOut;
+    }
+
+    /// Of a use by a face: the number of the edge that it is part of; kNoNumber within the face.
+    std::uint32_t number_of_use(std::uint32_t use) const {
+        const std::uint32_t edge = cells().all_uses[use].edge;
+        return edge == FacePiece::kNoEdge ? kNoNumber : origin_[edge].number;
+    }
+
+    bool label_faces() {
+        DisjointSets sets(cells().cells.size());
+        std::vector<std::uint32_t> air(cells().cells.size(), ClippedSheets::kNoAir);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> told;  // cell, air
+        for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) look_around(piece, sets, told);
+        tell_by_walls(told);
+        for (const auto& [cell, which] : told) {
+            std::uint32_t& known = air[sets.find(cell)];
+            if (known == ClippedSheets::kNoAir) known = which;
+            if (known != which) return false;
+        }
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) cell_air_[cell] = air[sets.find(cell)];
+        return true;
+    }
+
+    void look_around(std::uint32_t piece, DisjointSets& sets,
+                     std::vector<std::pair<std::uint32_t, std::uint32_t>>& told) {
+        faces_at_.clear();
+        spokes_.clear();
+        bool any_sheet = false;
+        for (const std::uint32_t use : users_.at(piece)) {
+            const std::uint32_t cell = users_.cell_of(use);
+            if (!is_kept(cell)) continue;
+            const OverlayFace& face = overlay_.faces[cells().cells[cell].face];
+            const bool forward = cells().all_uses[use].forward;
+            any_sheet |= face.operand == 1;
+            if (face.operand == 0) faces_at_.push_back(use);
+            spokes_.push_back({use, cell, forward ? face.plane : from_behind(face.plane), forward, face.operand, 0});
+        }
+        const auto meet = [&](std::uint32_t a, std::uint32_t b) {
+            if (number_of_use(a) == number_of_use(b)) sets.join(users_.cell_of(a), users_.cell_of(b));
+        };
+        if (!any_sheet) {
+            for (std::size_t k = 1; k < faces_at_.size(); ++k)
+                for (std::size_t other = 0; other < k; ++other) meet(faces_at_[other], faces_at_[k]);
+            return;
+        }
+        if (faces_at_.empty()) return;
+        if (lines_.piece(piece).line == Piece::kNoLine) {
+            failed_ = true;
+            return;
+        }
+        sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
+        for (std::size_t k = 0; k < spokes_.size(); ++k) {
+            const CellSpoke& here = spokes_[k];
+            if (here.operand == 1) continue;
+            const CellSpoke& next = spokes_[(k + (here.air_after ? 1 : spokes_.size() - 1)) % spokes_.size()];
+            if (next.operand == 0) {
+                meet(here.use, next.use);
+                continue;
+            }
+            // What comes after it, turning counter-clockwise, lies in front of a sheet that runs forward.
+            const bool front = next.air_after != here.air_after;
+            told.emplace_back(here.cell, sheet(cells().cells[next.cell].face).air[front ? 0 : 1]);
+        }
+        for (const std::uint32_t use : faces_at_)
+            if (const std::uint32_t number = number_of_use(use); number != kNoNumber) at_sheet_.push_back(number);
+    }
+
+    /// Faces that share an edge, without a sheet between them, bound the same air.
+    void tell_by_walls(std::vector<std::pair<std::uint32_t, std::uint32_t>>& told) {
+        std::vector<std::uint32_t> air(view_.edge_count(), ClippedSheets::kNoAir);
+        const auto note = [&](std::uint32_t edge, std::uint32_t face) {
+            air[edge] = air_of_(in_.patch.faces[face].facet.block->part);
+        };
+        std::vector<bool> gone(in_.patch.faces.size(), false);
+        for (const std::uint32_t face : loops_.gone) gone[face] = true;
+        for (std::uint32_t face = 0; face < in_.patch.faces.size(); ++face)
+            if (!gone[face] && !in_.patch.faces[face].replaced)
+                for (const PatchUse& use : in_.patch.uses(in_.patch.faces[face])) note(use.edge, face);
+        for (const NewFace& face : loops_.faces)
+            if (face.face != ~0u)
+                for (const PatchUse& use : loops_.uses(face)) note(use.edge, face.face);
+        for (const std::uint32_t edge : at_sheet_) air[edge] = ClippedSheets::kNoAir;
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
+            const Cell& it = cells().cells[cell];
+            if (is_sheet(it.face)) continue;
+            for (std::uint32_t use = it.first_use; use < it.first_use + it.use_count; ++use) {
+                const std::uint32_t number = number_of_use(use);
+                if (number != kNoNumber && air[number] != ClippedSheets::kNoAir) told.emplace_back(cell, air[number]);
+            }
+        }
+    }
+
+    bool is_whole(const PieceUse& use) const {
+        if (use.edge == FacePiece::kNoEdge) return false;
+        const OverlayEdge& edge = overlay_.edges[use.edge];
+        const Piece& piece = lines_.piece(use.piece);
+        return (edge.from == piece.from && edge.to == piece.to) || (edge.from == piece.to && edge.to == piece.from);
+    }
+
+    std::uint32_t vertex_of(std::uint32_t at) {
+        if (vertex_of_point_.size() <= at) vertex_of_point_.resize(at + 1, kNoNumber);
+        std::uint32_t& known = vertex_of_point_[at];
+        if (known != kNoNumber) return known;
+        known = view_.first_real() + std::uint32_t(made_.crossings.real.size());
+        CutPoint made;
+        made.point = overlay_.point(at);
+        if (!made.point.on_grid())
+            for (int k = 0; k < 3; ++k)
+                made.planes[k] = overlay_.tables.planes.stored(overlay_.tables.points.plane(at, k)).get();
+        made.vertex = known;
+        for (const SolidPlane* plane : made.planes)
+            if (plane) made_.planes.emplace_back(plane);
+        made_.crossings.real.push_back(std::uint32_t(made_.crossings.points.size()));
+        made_.crossings.points.push_back(made);
+        return known;
+    }
+
+    /// The edge that a piece is, by number; kNoNumber where it is a sheet's alone, as it was.
+    std::uint32_t number_at(std::uint32_t piece) {
+        if (number_of_piece_.empty()) number_of_piece_.assign(lines_.size(), kUnset);
+        std::uint32_t& known = number_of_piece_[piece];
+        if (known != kUnset) return known;
+        bool face = false, as_it_was = false;
+        for (const std::uint32_t use : users_.at(piece)) {
+            const PieceUse& it = cells().all_uses[use];
+            const std::uint32_t number = number_of_use(use);
+            face |= !is_sheet(cells().cells[users_.cell_of(use)].face);
+            if (!is_whole(it)) continue;
+            if (number != kNoNumber) return known = number;
+            as_it_was = true;
+        }
+        if (as_it_was && !face) return known = kNoNumber;
+        const Piece& it = lines_.piece(piece);
+        NewEdge made{vertex_of(it.from), vertex_of(it.to), {nullptr, nullptr}, false};
+        const PieceUse& first = cells().all_uses[users_.at(piece)[0]];
+        for (int k = 0; k < 2; ++k) {
+            const PlaneId plane =
+                it.line == Piece::kNoLine ? overlay_.edges[first.edge].plane[k] : overlay_.lines.plane(it.line, k);
+            made_.planes.emplace_back(overlay_.tables.planes.stored(plane).get());
+            made.plane[k] = made_.planes.back().get();
+        }
+        made_.loops.edges.push_back(made);
+        new_from_.push_back(it.from);
+        return known = view_.first_new_edge() + std::uint32_t(made_.loops.edges.size()) - 1;
+    }
+
+    /// Of an edge by number, used from a point on.
+    PatchUse use_of(std::uint32_t number, std::uint32_t from) const {
+        const std::uint32_t first_new = view_.edge_count();
+        const std::uint32_t start =
+            number < first_new ? overlay_.edges[overlay_edge_[number]].from : new_from_[number - first_new];
+        return {number, start != from};
+    }
+
+    /// How many faces of the fill have an edge.
+    void count_uses() {
+        uses_of_edge_.assign(overlay_.edges.size(), 0);
+        for (std::size_t face = 0; face < face_of_.size(); ++face)
+            for (const OverlaySide& side : overlay_.sides(overlay_.faces[face])) ++uses_of_edge_[side.edge];
+    }
+
+    void write_faces() {
+        count_uses();
+        std::size_t next = 0;  // of face_of_
+        for (std::uint32_t k = 0; k < loops_.faces.size(); ++k) {
+            const NewFace& face = loops_.faces[k];
+            if (next == face_of_.size() || face_of_[next] != k) {
+                copy_face(face);
+                continue;
+            }
+            for (std::uint32_t cell = cells().first_of_face[next]; cell < cells().first_of_face[next + 1]; ++cell)
+                write_face(cell, face);
+            ++next;
+        }
+    }
+
+    void copy_face(const NewFace& face) {
+        NewFace made = face;
+        made.first_use = std::uint32_t(made_.loops.all_uses.size());
+        made.first_loop = std::uint32_t(made_.loops.loop_ends.size());
+        for (const PatchUse& use : loops_.uses(face)) made_.loops.all_uses.push_back(use);
+        for (const std::uint32_t end : loops_.ends(face)) made_.loops.loop_ends.push_back(end);
+        made_.loops.faces.push_back(std::move(made));
+        made_.air.push_back(ClippedSheets::kNoAir);
+    }
+
+    void write_face(std::uint32_t index, const NewFace& like) {
+        const Cell& cell = cells().cells[index];
+        NewFace made = like;
+        made.first_use = std::uint32_t(made_.loops.all_uses.size());
+        made.first_loop = std::uint32_t(made_.loops.loop_ends.size());
+        for (const PieceUse& use : cells().uses(cell)) {
+            // An edge that a wall has, too, is not divided: no sheet ends within it.
+            failed_ |= use.edge != FacePiece::kNoEdge && !is_whole(use) && uses_of_edge_[use.edge] == 1;
+            const std::uint32_t number = number_at(use.piece);
+            failed_ |= number == kNoNumber;
+            if (failed_) return;
+            made_.loops.all_uses.push_back(use_of(number, start_of(use)));
+        }
+        for (const std::uint32_t end : cells().ends(cell)) made_.loops.loop_ends.push_back(end);
+        made.use_count = cell.use_count;
+        made.loop_count = cell.loop_count;
+        made_.loops.faces.push_back(std::move(made));
+        made_.air.push_back(cell_air_[index]);
+    }
+
+    void write_sheets() {
+        for (std::uint32_t k = 0; k < sheets_.size(); ++k) {
+            const auto face = std::uint32_t(face_of_.size() + k);
+            const std::uint32_t first = cells().first_of_face[face], end = cells().first_of_face[face + 1];
+            made_.changed[k] = end != first + 1 || place_[first] != SheetPlace::kOut ||
+                               overlay_.faces[face].side_count != sheets_[k].uses.size() ||
+                               cells().cells[first].use_count != sheets_[k].uses.size();
+            if (!made_.changed[k]) continue;
+            for (std::uint32_t cell = first; cell < end; ++cell)
+                if (place_[cell] == SheetPlace::kOut) write_rest(k, cells().cells[cell]);
+        }
+    }
+
+    void write_rest(std::uint32_t sheet, const Cell& cell) {
+        SheetRest rest;
+        rest.sheet = sheet;
+        for (const PieceUse& use : cells().uses(cell)) {
+            SheetSide& side = rest.sides.emplace_back();
+            const std::uint32_t number = number_at(use.piece);
+            if (number == kNoNumber) {
+                const SolidEdge& edge = origin_[use.edge].use.edge();
+                const bool reversed = overlay_.edges[use.edge].from != start_of(use);
+                side.use = SolidUse(Ref<const SolidEdge>(&edge), reversed);
+                continue;
+            }
+            const PatchUse found = use_of(number, start_of(use));
+            side.edge = found.edge;
+            side.reversed = found.reversed;
+        }
+        for (const std::uint32_t end : cells().ends(cell)) rest.ends.push_back(end);
+        made_.rest.push_back(std::move(rest));
+    }
+
+    /// Where an edge of the overlay comes from.
+    struct Origin {
+        std::uint32_t number = kNoNumber;
+        SolidUse use;
+    };
+    static constexpr std::uint32_t kUnset = ~0u - 1;
+
+    const CutInput& in_;
+    const CutView view_;
+    const NewLoops& loops_;
+    const std::vector<CutSheet>& sheets_;
+    const std::function<std::uint32_t(std::uint32_t)>& air_of_;
+    ClippedSheets made_;
+    bool failed_ = false;
+
+    Overlay overlay_;
+    std::vector<std::uint32_t> division_of_;      ///< of the patch's edges
+    std::vector<std::uint32_t> overlay_edge_;     ///< of edges by number
+    std::vector<Origin> origin_;                  ///< of the overlay's edges
+    std::vector<std::uint32_t> vertex_of_point_;  ///< by number, of the overlay's points
+    std::vector<std::uint32_t> face_of_;          ///< NewLoops::faces, of the overlay's first faces; sheets follow
+    std::vector<OverlaySide> sides_;
+    SpanFinder spans_{overlay_};
+    DividedLines lines_{overlay_, spans_};
+    CellFinder cell_finder_{overlay_, spans_, lines_};
+    PieceUsers users_;
+    std::vector<SheetPlace> place_;        ///< of cells
+    std::vector<std::uint32_t> cell_air_;  ///< likewise
+    std::vector<std::uint32_t> uses_of_edge_, number_of_piece_, at_sheet_, faces_at_;
+    std::vector<CellSpoke> spokes_;
+    std::vector<std::uint32_t> new_from_;  ///< the point that each new edge starts at
+    FlatMap own_edge_;                     ///< of the overlay, by address
+    std::vector<GridPoint> points_;
+    FacetMaker facet_maker_;
+    Facets facets_;
+};
+
+}  // namespace
+
+std::optional<ClippedSheets> clip_sheets(const CutInput& in, const Crossings& crossings, const NewLoops& loops,
+                                         const std::vector<CutSheet>& sheets,
+                                         const std::function<std::uint32_t(std::uint32_t part)>& air_of) {
+    return SheetClipper(in, crossings, loops, sheets, air_of).clip();
+}
+
+}  // namespace firma

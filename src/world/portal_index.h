@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// An index over portals, for rays, boxes and points: the same nodes as an index over facets, a leaf a portal.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/grid_box.h"
+#include "index/node.h"
+#include "index/rounded_box.h"
+#include "index/traverse.h"
+
+namespace firma {
+
+/// What a leaf of the index lies over.
+class IndexedPortal final : public IndexedFacets {
+public:
+    explicit IndexedPortal(std::uint32_t portal) : number(portal) {}
+    std::size_t bytes() const override { return pool_size(sizeof *this); }
+
+    const std::uint32_t number;
+};
+
+/// A leaf over one portal.
+Ref<const Node> portal_leaf(std::uint32_t number, const GridBox& box);
+
+/// Calls `function(number)` for each portal whose box, rounded outward, `meets(box)` says yes to, until it returns
+/// true; in no order that means anything. Allocates nothing.
+template <class Meets, class Function>
+void for_each_indexed_portal(const Node& root, const Meets& meets, const Function& function) {
+    struct Visitor {
+        const Meets& meets;
+        const Function& function;
+        bool enter(const Bin& bin, double& nearest) const {
+            nearest = 0;
+            return meets(to_grid(bin.box));
+        }
+        bool still(double) const { return true; }
+        bool facets(const IndexedFacets& facets, std::uint32_t, std::uint32_t) const {
+            return function(static_cast<const IndexedPortal&>(facets).number);
+        }
+    } visitor{meets, function};
+    traverse(root, visitor);
+}
+
+}  // namespace firma
