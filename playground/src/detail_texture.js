@@ -56,7 +56,6 @@ export function makeDetailTexture() {
     texture.magFilter = THREE.LinearFilter;
     texture.minFilter = THREE.LinearMipmapLinearFilter;
     texture.generateMipmaps = true;
-    texture.anisotropy = 4;
     texture.needsUpdate = true;
     return texture;
 }

@@ -70,20 +70,25 @@ float joints(vec3 place, vec3 flatNormal) {
     return 1.0 - 0.2 * strength * max(line.x, line.y);
 }
 
-// What the picture says at a place: how the surface leans, metres a metre, and how bright it is.
+// What the picture says at a place: how the surface leans, metres a metre, and how bright it is. All of a triangle has
+// one kind of blend, so all pixels of a square of four go the same way, and know how far apart they are.
 struct Detail { vec3 lean; float bright; };
 
+void lay(inout Detail d, float part, vec2 laid, vec3 along, vec3 up) {
+    vec3 s = texture2D(detail, laid).rgb;
+    d.lean += part * ((s.r * 2.0 - 1.0) * along + (s.g * 2.0 - 1.0) * up);
+    d.bright += part * s.b;
+}
+
 Detail detailAt(vec3 place, vec3 flatNormal) {
-    vec3 at = place / ${kPicture.toFixed(1)};
     Detail d = Detail(vec3(0), 0.0);
-    vec3 along[4] = vec3[4](vec3(0, 1, 0), vec3(1, 0, 0), vec3(1, 0, 0), vTangent.xyz);
-    vec3 up[4] = vec3[4](vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 1, 0), vTangent.w * cross(flatNormal, vTangent.xyz));
-    vec2 laid[4] = vec2[4](vec2(at.y, -at.z), vec2(at.x, -at.z), vec2(at.x, -at.y), vLaid);
-    float part[4] = float[4](vBlend.x, vBlend.y, vBlend.z, vBlend.w);
-    for (int k = 0; k < 4; ++k) {
-        vec3 s = texture2D(detail, laid[k]).rgb;
-        d.lean += part[k] * ((s.r * 2.0 - 1.0) * along[k] + (s.g * 2.0 - 1.0) * up[k]);
-        d.bright += part[k] * s.b;
+    if (vBlend.w > 0.5) {
+        lay(d, 1.0, vLaid, vTangent.xyz, vTangent.w * cross(flatNormal, vTangent.xyz));
+    } else {
+        vec3 at = place / ${kPicture.toFixed(1)};
+        lay(d, vBlend.x, vec2(at.y, -at.z), vec3(0, 1, 0), vec3(0, 0, 1));
+        lay(d, vBlend.y, vec2(at.x, -at.z), vec3(1, 0, 0), vec3(0, 0, 1));
+        lay(d, vBlend.z, vec2(at.x, -at.y), vec3(1, 0, 0), vec3(0, 1, 0));
     }
     return d;
 }

@@ -59,7 +59,7 @@ ChangedFaces changed_faces(const WorldData& before, const WorldData& after) {
         changed.removed.push_back(removed);
         if (match) changed.added.push_back(*added++);
     }
-    changed.added.insert(changed.added.end(), added, news.end());
+    while (added != news.end()) changed.added.push_back(*added++);
     return changed;
 }
 

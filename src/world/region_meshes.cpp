@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "base/sort.h"
@@ -28,11 +27,10 @@ Error no_size() {
 
 std::optional<Error> judge(const RegionMeshOptions& options) {
     if (!TileGrid::make(options.size)) return no_size();
-    for (std::size_t k = 0; k < options.texture_sizes.size(); ++k)
-        for (const double number : options.texture_sizes[k])
+    for (const std::array<double, 2>& size : options.texture_sizes)
+        for (const double number : size)
             if (!is_finite(number) || number < 0)
-                return Error{ErrorCode::kInvalid, "texture size " + std::to_string(k),
-                             "must be two finite numbers, neither below zero"};
+                return Error{ErrorCode::kInvalid, "texture_sizes", "must be finite numbers, none below zero"};
     return {};
 }
 

@@ -397,7 +397,8 @@ static void test_region_meshes(void) {
     options.texture_size_count = 2;
     CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_BAD_CALL, "array");
     options.texture_sizes = sizes;
-    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID, "texture size 1");
+    CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID,
+                "texture_sizes: must be finite");
     options.texture_size_count = 0;
     options.solid_only = 2;
     CHECK_FAILS(firma_world_region_meshes(room, &options, &meshes), FIRMA_ERROR_INVALID, "solid_only");

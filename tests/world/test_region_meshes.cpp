@@ -450,7 +450,7 @@ TEST(RegionMeshes, BadOptionsAreToldAndOthersKeptTo) {
         const std::vector<std::array<double, 2>> sizes{{64, 64}, {64, bad}};
         const auto result = region_meshes(world, {.texture_sizes = sizes});
         ASSERT_FALSE(result);
-        EXPECT_EQ(result.error().text(), "texture size 1: must be two finite numbers, neither below zero");
+        EXPECT_EQ(result.error().text(), "texture_sizes: must be finite numbers, none below zero");
     }
     EXPECT_TRUE(region_meshes(world, {.mask = 0}).value().empty());
     for (const Tile& place : {Tile{INT32_MAX, 0, 0}, Tile{0, INT32_MIN, 0}, Tile{0, 0, 512}, Tile{-513, 0, 0}})

@@ -288,7 +288,7 @@ test('meshes by region, and those that an edit changed', () => {
         throwsCode('INVALID', () => world.regionMeshes({ size: 0.5 }), /size: must be from 1 to 1024 m/);
         throwsCode('INVALID', () => world.changedRegionMeshes(world, { size: NaN }), /size/);
         throwsCode('INVALID', () => world.regionMeshes({ textureSizes: [-1, 1] }), /texture_sizes/);
-        throwsCode('BAD_CALL', () => world.changedRegionMeshes(5), /world/);
+        throwsCode('BAD_HANDLE', () => world.changedRegionMeshes(5), /not a world/);
         for (const wrong of [5, { size: '8' }, { textures: 1 }, { textureSizes: [1] }, { room: 0 }, { solidOnly: 1 }])
             throwsCode('BAD_CALL', () => world.regionMeshes(wrong));
     });
