@@ -108,7 +108,9 @@ std::vector<std::string> unnamed_materials(const Solid& solid) {
     return std::vector<std::string>(count);
 }
 
-Cells make_cells(StoredWorld& stored) {
+}  // namespace
+
+Cells cells_of(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
     std::vector<std::uint32_t> current(records.size());  // none is part of a higher one
@@ -137,11 +139,9 @@ Cells make_cells(StoredWorld& stored) {
     return cells;
 }
 
-}  // namespace
-
 World world_of(StoredWorld stored) {
     auto data = std::make_shared<WorldData>();
-    data->cells = make_cells(stored);
+    data->cells = cells_of(stored);
     data->set_faces(faces_of_rooms(data->cells, {&stored.solid, &stored.castable}, stored.indices));
     data->castable = stored.castable.store;
     data->solid =
@@ -161,7 +161,7 @@ Result<World> make_world(const Solid& given, const WorldOptions& options) {
     StoredWorld stored;
     stored.records.resize(1);
     auto data = std::make_shared<WorldData>();
-    data->cells = make_cells(stored);
+    data->cells = cells_of(stored);
     const BuiltStore faces = parts_of(solid.data().faces);
     data->set_faces(faces_of_rooms(data->cells, {&faces}));
     data->solid = solid;
