@@ -28,6 +28,7 @@
 #include "firma/vec.h"
 #include "firma/versions.h"
 #include "firma/world.h"
+#include "firma/world_patch.h"
 
 #if __has_include("firma/read_gltf.h")  // of firma::gltf, a library of its own
 #include "firma/read_gltf.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the bytes of a .firma file to a world: the container, the parts, then the world as a whole.
 #include "firma/save.h"
-#include "firma/solid.h"
+#include "save/check_whole.h"
 #include "save/entries.h"
 #include "save/sections.h"
 #include "save/unpack_anchors.h"
@@ -14,19 +14,6 @@
 
 namespace firma {
 namespace {
-
-/// What no part can see by itself.
-void check_whole(const World& world, bool exact, Damage& damage) {
-    const auto face_place = [](FaceId face) {
-        return face.valid() ? ": face " + std::to_string(face.value) : std::string();
-    };
-    if (const std::optional<WorldFault> fault = check_world(world)) {
-        damage.report(ErrorCode::kMalformed, face_place(fault->face), "the world is broken: " + fault->what);
-    } else if (exact) {
-        if (const std::optional<SolidFault> solid = check_solid(world))
-            damage.report(ErrorCode::kMalformed, face_place(solid->face), "the solid is broken: " + solid->what);
-    }
-}
 
 /// What a version of the format has.
 std::vector<SectionType> known_sections(std::uint32_t version) {

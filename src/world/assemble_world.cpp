@@ -117,7 +117,9 @@ std::vector<std::uint32_t> current_rooms(const std::vector<RoomRecord>& records)
     return current;
 }
 
-Cells make_cells(StoredWorld& stored) {
+}  // namespace
+
+Cells cells_of(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
     const std::vector<std::uint32_t> current = current_rooms(records);
@@ -147,11 +149,9 @@ Cells make_cells(StoredWorld& stored) {
     return cells;
 }
 
-}  // namespace
-
 World world_of(StoredWorld stored) {
     auto data = std::make_shared<WorldData>();
-    data->cells = make_cells(stored);
+    data->cells = cells_of(stored);
     data->set_faces(faces_of_rooms(data->cells, {&stored.solid, &stored.castable}, stored.indices));
     data->castable = stored.castable.store;
     data->solid =
@@ -172,7 +172,7 @@ Result<World> make_world(const Solid& given, const WorldOptions& options) {
     StoredWorld stored;
     stored.records.resize(1);
     auto data = std::make_shared<WorldData>();
-    data->cells = make_cells(stored);
+    data->cells = cells_of(stored);
     const BuiltStore faces = parts_of(solid.data().faces);
     data->set_faces(faces_of_rooms(data->cells, {&faces}));
     data->solid = solid;

@@ -49,6 +49,8 @@ struct StoredWorld {
     std::shared_ptr<const FaceTextures> textures;
 };
 World world_of(StoredWorld stored);
+/// Of records and portals, which are moved out.
+Cells cells_of(StoredWorld& stored);
 
 /// @return the world, version 0; kTooLarge beyond 2^31 faces, rooms or portals; kInvalid, naming the portal, where
 /// rooms
