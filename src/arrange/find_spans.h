@@ -30,7 +30,7 @@ public:
 
     /// Once all faces are in the overlay.
     void start();
-    /// Two faces of different solids whose boxes meet.
+    /// Two faces whose boxes meet, of different solids, or both of those that bound nothing.
     void meet(std::uint32_t a, std::uint32_t b);
     /// Once all pairs met: faces in one plane learn of each other's spans, then spans that cross within a face divide
     /// each other.

@@ -170,6 +170,10 @@ private:
                 spans_.meet(other, face);
                 return false;
             });
+        // Sheets side by side are divided alike.
+        for (auto face = std::uint32_t(face_of_.size()); face < overlay_.faces.size(); ++face)
+            for (auto other = std::uint32_t(face_of_.size()); other < face; ++other)
+                if (boxes_meet(overlay_.faces[other].box, overlay_.faces[face].box)) spans_.meet(other, face);
         const auto finish = [](const auto& step) {
             for (;;) {
                 WorkSlice slice(1u << 20);
