@@ -268,13 +268,13 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
 
 /// Outputs must differ from each other, and from what is read, and be of a format that is written.
 void judge_outputs(const CarveArguments& arguments) {
-    judge_level_output(arguments);
-    refuse_json_beside(arguments.json, arguments.out);
-    refuse_json_beside(arguments.json, arguments.report);
     for (const std::string& out : {arguments.out, arguments.report, arguments.log}) {
         refuse_overwriting(out, arguments.level.path);
         refuse_overwriting(out, arguments.blasts);
     }
+    judge_level_output(arguments);
+    refuse_json_beside(arguments.json, arguments.out);
+    refuse_json_beside(arguments.json, arguments.report);
     if (is_standard_output(arguments.out) && is_standard_output(arguments.report))
         throw Failure("--report", "and --out both want standard output; name a file");
     std::error_code none;

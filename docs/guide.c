@@ -169,12 +169,6 @@ int main(void) {
     must(firma_diff_get_view(diff, &changes));
     printf("carved %.3f m3: %zu faces removed, %zu added\n", report.volume, changes.removed_count, changes.added_count);
     for (size_t k = 0; k < changes.room_count; ++k) {
-        firma_room now = {.size = sizeof now};
-        must(firma_world_room(after, changes.rooms[k], &now));
-        if (now.merged_into != changes.rooms[k]) {
-            printf("%s is now part of %s\n", name_of(world, changes.rooms[k]), name_of(after, now.merged_into));
-            continue;
-        }
         firma_triangle_options options;
         firma_triangle_options_defaults(&options);
         options.room = changes.rooms[k];
@@ -182,8 +176,14 @@ int main(void) {
         firma_triangles_view mesh = {.size = sizeof mesh};
         must(firma_world_triangles(after, &options, &triangles));
         must(firma_triangles_get_view(triangles, &mesh));
-        printf("draw %s anew: %zu triangles\n", now.name, mesh.triangle_count);
+        printf("draw %s anew: %zu triangles\n", name_of(after, changes.rooms[k]), mesh.triangle_count);
         must(firma_triangles_release(triangles));
+    }
+    for (size_t k = 0; k < changes.portals_added_count; ++k) {
+        firma_portal hole = {.size = sizeof hole};
+        must(firma_world_portal(after, changes.portals_added[k], &hole));
+        printf("a hole leads from %s", name_of(after, hole.rooms[0]));
+        printf(" to %s\n", name_of(after, hole.rooms[1]));
     }
 
     shoot("the same shot", after, &shot);

@@ -107,13 +107,12 @@ int main() {
     const firma::WorldDiff diff = diff_worlds(world, after);
     std::printf("carved %.3f m3: %zu faces removed, %zu added\n", blast.report.volume, diff.removed.size(),
                 diff.added.size());
-    for (const firma::RoomId changed : diff.rooms) {
-        const firma::RoomId part_of = room_info(after, changed)->merged_into;
-        if (part_of == changed)
-            std::printf("draw %s anew: %zu triangles\n", name_of(after, changed).c_str(),
-                        triangles_of(after, changed).corners.size());
-        else
-            std::printf("%s is now part of %s\n", name_of(world, changed).c_str(), name_of(after, part_of).c_str());
+    for (const firma::RoomId changed : diff.rooms)
+        std::printf("draw %s anew: %zu triangles\n", name_of(after, changed).c_str(),
+                    triangles_of(after, changed).corners.size());
+    for (const firma::PortalId hole : diff.portals_added) {
+        const auto rooms = portal_info(after, hole)->rooms;
+        std::printf("a hole leads from %s to %s\n", name_of(after, rooms[0]).c_str(), name_of(after, rooms[1]).c_str());
     }
 
     print_shot("the same shot", after, cast(after, shot, {.mask = firma::kStopsShots}));

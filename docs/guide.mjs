@@ -81,11 +81,11 @@ if (report.status !== 'done') throw new Error(`nothing carved: ${report.reason}`
 
 const diff = world.diff(after);
 console.log(`carved ${report.volume.toFixed(3)} m3: ${diff.removed.length} faces removed, ${diff.added.ids.length} added`);
-for (const changed of diff.rooms) {
-  const { name, mergedInto } = after.room(changed);
-  if (mergedInto === changed)
-    console.log(`draw ${name} anew: ${after.triangles({ room: changed }).faces.length} triangles`);
-  else console.log(`${world.room(changed).name} is now part of ${after.room(mergedInto).name}`);
+for (const changed of diff.rooms)
+  console.log(`draw ${after.room(changed).name} anew: ${after.triangles({ room: changed }).faces.length} triangles`);
+for (const hole of diff.portalsAdded) {
+  const [from, to] = after.portal(hole).rooms;
+  console.log(`a hole leads from ${after.room(from).name} to ${after.room(to).name}`);
 }
 
 shoot('the same shot', after, shot);

@@ -7,7 +7,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "firma/chunk.h"
 #include "firma/cutter.h"
 #include "firma/export.h"
 #include "firma/result.h"
@@ -24,6 +26,8 @@ struct [[nodiscard]] CarveResult {
     /// For a refusal that should not be possible (cuts or labels that contradict each other): what it takes to see it
     /// again, an .obj with the candidate faces and the cutter. Empty otherwise.
     std::string reproduction;
+    /// What came loose and left the world, where that was asked for: in an order that is the same everywhere.
+    std::vector<Chunk> chunks;
 
     bool done() const { return status == CarveStatus::kDone; }
 };
@@ -38,6 +42,11 @@ struct CarveOptions {
     /// last; or 1 to kMaxEditNumber, above that of every edit made before. The ids of the faces of an edit that is
     /// given its number follow from it, those of the cutter first: up to 1024 depend on no other edit.
     std::uint32_t edit = 0;
+    /// Look for pieces that the cut leaves loose: they leave the world within the same edit, and come back as
+    /// CarveResult::chunks. Nothing: leave them hanging. See with_anchors() for what holds a piece. A fill leaves
+    /// nothing loose; what it puts down free in the air stays there by intent. Ask for it in all edits of a world, or
+    /// in none: a piece that was left hanging is not looked for later.
+    std::optional<ChunkOptions> chunks{};
 };
 
 /// An edit cannot be given a higher number.
@@ -60,7 +69,9 @@ inline constexpr std::uint32_t kMaxEditNumber = (std::uint32_t(1) << 21) - 1;
 /// logarithm of the world's faces. A cutter that touches is cut up to twice, the second time by an arrangement. Where
 /// portals are made it also grows with their rooms' lists of portals. CarveOptions::material is searched among the
 /// world's materials by name, and a new one copies their list. Takes memory for what is made anew; all else is shared.
-/// CarveRules bounds the cost, CarveReport::times tells it.
+/// CarveRules bounds the cost, CarveReport::times tells it. Looking for loose pieces costs the faces that the cut made
+/// and those near it; where these are in several groups, also the faces of the smaller pieces, and of the largest until
+/// they are known to hang together (CarveReport::faces_searched). A piece that leaves costs its faces.
 /// Source: shared vertices by planes as in M. Nehring-Wirxel, P. Trettner, L. Kobbelt, Fast Exact Booleans for Iterated
 /// CSG using Octree-Embedded BSPs, 2021.
 FIRMA_EXPORT CarveResult carve(const World& world, const Cutter& cutter, const Pose& pose,

@@ -154,6 +154,11 @@ public:
     const std::vector<EditCommand>& commands() const { return commands_; }
     const std::vector<LogCheckpoint>& checkpoints() const { return checkpoints_; }
 
+    /// Of a log whose beginning was compacted: the patch (world_patch.h) that stands for it, to be applied to the world
+    /// it begins from before any command; else empty.
+    const std::vector<std::byte>& patch() const { return patch_; }
+    /// The number of the last edit that the patch stands for; 0 without one.
+    std::uint32_t patched_number() const { return patched_number_; }
     /// Solid::edits() of the world it begins from: numbers of commands are above it.
     std::uint32_t level_edits() const { return level_edits_; }
     /// The number of the last command's edit; level_edits() without any.
@@ -168,8 +173,10 @@ public:
 
 private:
     friend class LogReader;
+    friend Result<EditLog> compacted(const World& level, const EditLog& log, std::uint32_t number);
     std::uint64_t level_hash_ = 0, rules_hash_ = 0;
-    std::uint32_t level_edits_ = 0, last_number_ = 0;
+    std::uint32_t level_edits_ = 0, last_number_ = 0, patched_number_ = 0;
+    std::vector<std::byte> patch_;
     std::vector<EditCommand> commands_;
     std::vector<LogCheckpoint> checkpoints_;
 };
@@ -197,8 +204,9 @@ struct [[nodiscard]] ReplayResult {
     std::size_t commands = 0;  ///< so many of them
     std::size_t done = 0, nothing = 0, refused = 0;
     std::size_t checkpoints = 0;  ///< that were compared and hold
-    /// Why it ended early: the log begins from another world, or is under other rules (kInvalid); a checkpoint does not
-    /// hold (kMalformed, naming the command, from 0); memory ran out (kNoMemory).
+    /// Why it ended early: the log begins from another world, is under other rules, or was compacted beyond the last
+    /// number asked for (kInvalid); a checkpoint does not hold, naming the command, from 0, or the patch does not
+    /// (kMalformed and others); memory ran out (kNoMemory).
     std::optional<Error> error;
 
     bool ok() const { return !error; }
@@ -207,7 +215,7 @@ struct [[nodiscard]] ReplayResult {
 /// A log applied to the level it begins from, in slices: the same bits as in one go.
 class LogReplay {
 public:
-    /// Compares the level's hashes with the log's; all else is left to run().
+    /// Compares the level's hashes with the log's; all else is left to run(), which applies a patch in one piece.
     FIRMA_EXPORT LogReplay(World level, EditLog log, const ReplayOptions& options = {});
     FIRMA_EXPORT ~LogReplay();
     /// Leaves a replay behind that is finished, with an error.
@@ -228,6 +236,17 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// The same log with a patch in place of its commands up to a number: for players who join late, as applying it takes
+/// less time than many commands do, though it may take more bytes. What comes of it is the same to the bit, ids
+/// included.
+/// @param level   the world it begins from
+/// @param number  commands with higher ones stay, with the checkpoints after them
+/// @return the log; kInvalid where the log cannot be replayed on the level; kMalformed where a checkpoint does not
+/// hold;
+///         kInvalid where the number is below that of a patch that it has already
+/// Costs replay(), make_patch() and apply_patch(), by which the patch is tried.
+[[nodiscard]] FIRMA_EXPORT Result<EditLog> compacted(const World& level, const EditLog& log, std::uint32_t number);
 
 /// The same in one go.
 FIRMA_EXPORT ReplayResult replay(const World& level, const EditLog& log, const ReplayOptions& options = {});

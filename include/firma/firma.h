@@ -5,12 +5,14 @@
 #include "firma/brush_level.h"
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/chunk.h"
 #include "firma/cutter.h"
 #include "firma/edit_log.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"
+#include "firma/mass.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
 #include "firma/polygon.h"
@@ -26,6 +28,7 @@
 #include "firma/vec.h"
 #include "firma/versions.h"
 #include "firma/world.h"
+#include "firma/world_patch.h"
 
 #if __has_include("firma/read_gltf.h")  // of firma::gltf, a library of its own
 #include "firma/read_gltf.h"

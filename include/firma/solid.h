@@ -232,6 +232,13 @@ struct CarveReport {
     double scale = 1;                     ///< what zones and materials left of the cutter's scale
     double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to
 
+    // Of pieces that came loose, where they were looked for (CarveOptions::chunks): beside `volume`.
+    std::size_t chunks = 0;          ///< that are in CarveResult::chunks
+    double chunk_volume = 0;         ///< cubic metres of these
+    std::size_t crumbs = 0;          ///< too small for that: removed, too
+    double crumb_volume = 0;         ///< cubic metres of these
+    std::size_t faces_searched = 0;  ///< exact faces read beyond the candidates, to find out what is loose
+
     /// Where the time went, microseconds.
     struct Times {
         double place = 0;   ///< cutter turned, snapped, checked
@@ -240,8 +247,9 @@ struct CarveReport {
         double label = 0;   ///< inside and outside
         double trace = 0;   ///< loops of new faces
         double facets = 0;  ///< what casts meet
+        double chunks = 0;  ///< looking for loose pieces, and making solids of them
         double tree = 0;    ///< new blocks
-        FIRMA_INLINE double total() const { return place + gather + cut + label + trace + facets + tree; }
+        FIRMA_INLINE double total() const { return place + gather + cut + label + trace + facets + chunks + tree; }
     } times;
 };
 

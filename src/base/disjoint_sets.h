@@ -12,6 +12,12 @@ class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
+    /// One more, a set of its own.
+    std::uint32_t add() {
+        parent_.push_back(std::uint32_t(parent_.size()));
+        return parent_.back();
+    }
+
     std::uint32_t find(std::uint32_t k) {
         while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
         return k;

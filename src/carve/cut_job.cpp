@@ -18,7 +18,10 @@
 #include "carve/side_of_solid.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
+#include "solid/append_faces.h"
 #include "solid/face_ids.h"
+#include "solid/hash_face.h"
+#include "solid/own_face.h"
 
 namespace firma {
 namespace {
@@ -95,6 +98,9 @@ bool CutJob::step() {
         case Phase::kFacets:
             phase_ = make_next_faces();
             break;
+        case Phase::kLoose:
+            phase_ = find_loose();
+            break;
         case Phase::kChange:
             phase_ = make_change();
             break;
@@ -124,6 +130,8 @@ double* CutJob::clock_of(Phase phase) {
             return &times.trace;
         case Phase::kFacets:
             return &times.facets;
+        case Phase::kLoose:
+            return &times.chunks;
         case Phase::kChange:
             return &times.tree;
         case Phase::kEnd:
@@ -243,6 +251,36 @@ bool has_several_shells(const CutterSolid& cutter) {
     for (const CutterSolid::Edge& edge : cutter.edges)
         if (sets.find(edge.a) != 0) return true;
     return false;
+}
+
+/// The facets of a loose piece that looked into rooms, face by face, each with an exact one.
+void append_walls(const CutPiece& piece, FaceSet& walls) {
+    for (const FaceSet::Entry& face : piece.made.faces) {
+        if (face.part == kUnsetPart) continue;
+        append_face(piece.made, face, walls);
+        walls.faces.back().owner = face.owner;
+        walls.owners.emplace_back(face.owner);
+    }
+    std::vector<GridPoint> corners;
+    for (const FacetPlace& facet : piece.removed) {
+        const FaceRecord& record = facet.record();
+        corners.clear();
+        for (std::uint32_t k = 0; k < record.corner_count; ++k) corners.push_back(facet.block->corner(record, k));
+        Ref<const FaceOwner> owner(facet.block->owner_of(record));
+        if (!owner) owner = Ref<const FaceOwner>(face_of_corners(corners).get());
+        FaceSet::Entry entry;
+        entry.material = record.material;
+        entry.part = facet.block->part;
+        entry.first_corner = std::uint32_t(walls.corners.size());
+        entry.corner_count = record.corner_count;
+        entry.owner = owner.get();
+        for (const GridPoint& corner : corners) {
+            walls.corners.push_back(std::uint32_t(walls.vertices.size()));
+            walls.vertices.push_back(corner);
+        }
+        walls.faces.push_back(entry);
+        walls.owners.push_back(std::move(owner));
+    }
 }
 
 /// Whether not all faces of a list look into one air.
@@ -443,10 +481,19 @@ CutJob::Phase CutJob::make_next_faces() {
             face_maker_->make(loops().faces[next_]);
         else
             face_maker_->make_kept(piece);
-        if (opens_ || clipped_) made_from_.resize(face_maker_->made().faces.size(), is_new ? next_ : Pockets::kNone);
+        if (opens_ || clipped_ || (terms_.anchors && terms_.air_of))
+            made_from_.resize(face_maker_->made().faces.size(), is_new ? next_ : Pockets::kNone);
     }
     if (face_maker_->made().faces.size() > rules_.max_new_faces) return too_many_new_faces();
-    return next_ < all ? Phase::kFacets : Phase::kChange;
+    if (next_ < all) return Phase::kFacets;
+    return terms_.anchors && !input_.fill ? Phase::kLoose : Phase::kChange;
+}
+
+CutJob::Phase CutJob::find_loose() {
+    if (!loose_) loose_ = std::make_unique<Loose>(*this);
+    if (loose_->search.step()) return Phase::kLoose;
+    report_.faces_searched = loose_->search.searched();
+    return Phase::kChange;
 }
 
 std::string CutJob::material_name(std::uint32_t material) const {
@@ -475,9 +522,43 @@ std::vector<FacetPlace> CutJob::facets_removed() {
     return removed;
 }
 
+/// Loose pieces: what is left of them goes, what the cut made of them does not come.
+void CutJob::take_pieces_out() {
+    PointHash hash;
+    FlatMap leaves;
+    for (LoosePiece& piece : loose_->search.pieces()) {
+        CutPiece& taken = pieces_.emplace_back();
+        for (const FacetPlace& face : piece.faces) {
+            add_face(*face.block, face.record(), -1, hash);
+            gather_face(index(), face, taken.removed);
+        }
+        for (const std::uint32_t k : piece.made) {
+            const FaceOwner& owner = *change_.added.owners[k];
+            add_face(static_cast<const SolidFace&>(owner), -1, hash);
+            leaves.at(reinterpret_cast<std::uintptr_t>(&owner)) = k;
+        }
+        append_made(change_.added, piece.made, taken.made);
+        made_of_piece_.push_back(piece.made);
+        taken.volume = piece.volume;
+        taken.box = piece.box;
+        change_.removed.insert(change_.removed.end(), taken.removed.begin(), taken.removed.end());
+    }
+    for (const auto& [key, sum] : hash.finish().sums()) change_.points.add(key, sum);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < change_.added.faces.size(); ++k) {
+        if (leaves.find(reinterpret_cast<std::uintptr_t>(change_.added.faces[k].owner)) != FlatMap::kNone) continue;
+        if (!made_from_.empty()) made_from_[kept] = made_from_[k];
+        change_.added.faces[kept++] = change_.added.faces[k];
+    }
+    change_.added.faces.resize(kept);
+    if (!made_from_.empty()) made_from_.resize(kept);
+}
+
 CutJob::Phase CutJob::make_change() {
     change_.removed = facets_removed();
+    change_.points = change_of_points(view(), loops());
     change_.added = face_maker_->take();
+    if (loose_ && !loose_->search.pieces().empty()) take_pieces_out();
     const std::size_t removed = change_.removed.size(), added = change_.added.faces.size();
     if (data().faces.count + terms_.other_faces - removed + added > rules_.max_faces)
         return refuse(ErrorCode::kTooLarge,
@@ -493,8 +574,7 @@ CutJob::Phase CutJob::make_change() {
             if (terms_.edit == 0 ? of_cutter : (face.edit == edit()) == of_cutter) face.id = {ids.take()};
     change_.next_face = ids.next_face();
     change_.edit = edit();
-    change_.points = change_of_points(view(), loops());
-    if (opens_) make_opening();
+    if (opens_ || (terms_.air_of && !pieces_.empty())) make_opening();
     if (clipped_)
         for (const std::uint32_t from : made_from_)
             air_of_added_.push_back(from == Pockets::kNone ? ClippedSheets::kNoAir : clipped_->air[from]);
@@ -503,13 +583,67 @@ CutJob::Phase CutJob::make_change() {
     return Phase::kEnd;
 }
 
+/// What a loose piece bounds is air of its pocket, once the piece has left.
 void CutJob::make_opening() {
-    const Pockets pockets = find_pockets(view(), loops());
+    std::vector<std::uint32_t> parts = wall_parts();
+    if (!opens_ && !several_airs(parts, terms_.air_of)) return;
+    Pockets pockets = opens_ ? find_pockets(view(), loops()) : one_pocket();
+    if (!opens_) opening_.air = airs_touched()[0];
+    if (opens_) opening_.taken = face_maker_->take_taken();
+    const std::vector<std::uint32_t> pocket_of_piece = join_pockets(pockets);
     opening_.pockets = pockets.count;
-    opening_.taken = face_maker_->take_taken();
     for (const std::uint32_t from : taken_from_) opening_.of_taken.push_back(pockets.of_taken[from]);
     for (const std::uint32_t from : made_from_)
         opening_.of_added.push_back(from == Pockets::kNone ? from : pockets.of_face[from]);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+        append_walls(pieces_[k], opening_.taken);
+        opening_.of_taken.resize(opening_.taken.faces.size(), pocket_of_piece[k]);
+    }
+}
+
+/// The parts of all walls that go with loose pieces, and of those that the cutter took.
+std::vector<std::uint32_t> CutJob::wall_parts() const {
+    std::vector<std::uint32_t> parts;
+    for (const std::uint32_t face : loops().gone) parts.push_back(patch_.faces[face].facet.block->part);
+    for (const CutPiece& piece : pieces_) {
+        for (const FacetPlace& facet : piece.removed) parts.push_back(facet.block->part);
+        for (const FaceSet::Entry& face : piece.made.faces)
+            if (face.part != kUnsetPart) parts.push_back(face.part);
+    }
+    return parts;
+}
+
+Pockets CutJob::one_pocket() const {
+    Pockets pockets;
+    pockets.count = 1;
+    for (const NewFace& face : loops().faces) pockets.of_face.push_back(face.triangle != ~0u ? 0 : Pockets::kNone);
+    return pockets;
+}
+
+/// Those that a loose piece touches become one.
+/// @return the pocket of each piece
+std::vector<std::uint32_t> CutJob::join_pockets(Pockets& pockets) const {
+    DisjointSets sets(pockets.count);
+    std::vector<std::uint32_t> of_piece;
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+        std::uint32_t first = Pockets::kNone;
+        for (const std::uint32_t owner : made_of_piece_[k]) {
+            const std::uint32_t pocket = owner < loops().faces.size() ? pockets.of_face[owner] : Pockets::kNone;
+            if (pocket == Pockets::kNone) continue;
+            if (first == Pockets::kNone) first = pocket;
+            sets.join(first, pocket);
+        }
+        of_piece.push_back(first == Pockets::kNone ? 0 : first);
+    }
+    std::vector<std::uint32_t> number(pockets.count, Pockets::kNone);
+    std::uint32_t next = 0;
+    for (std::uint32_t k = 0; k < number.size(); ++k)
+        if (sets.find(k) == k) number[k] = next++;
+    for (std::vector<std::uint32_t>* all : {&pockets.of_face, &pockets.of_taken, &of_piece})
+        for (std::uint32_t& pocket : *all)
+            if (pocket != Pockets::kNone) pocket = number[sets.find(pocket)];
+    pockets.count = next;
+    return of_piece;
 }
 
 std::vector<CutSheet> CutJob::sheets_left(std::vector<std::uint32_t>& changed) {

@@ -12,6 +12,7 @@
 #include "carve/arrange_cut.h"
 #include "carve/clip_sheets.h"
 #include "carve/cut_faces.h"
+#include "carve/find_loose.h"
 #include "carve/find_pockets.h"
 #include "carve/label.h"
 #include "carve/make_faces.h"
@@ -28,6 +29,7 @@ struct CutTerms {
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
     std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
     std::uint32_t edit = 0;                               ///< the number it is given; 0: the one after the last
+    const Anchors* anchors = nullptr;                     ///< what holds pieces; null: do not look for loose ones
     /// Which air faces of a part look into: where a carving opens several, or may, CutOpening says how. Empty: it is
     /// not asked.
     std::function<std::uint32_t(std::uint32_t part)> air_of;
@@ -35,10 +37,19 @@ struct CutTerms {
     std::function<void(const GridBox& box, std::vector<CutSheet>& sheets)> sheets_at;
 };
 
+/// A piece that a cut left loose: all its facets go with SolidChange::removed, or do not come with `added`.
+struct CutPiece {
+    std::vector<FacetPlace> removed;  ///< of faces that the cut left alone: all of each, each with its part
+    FaceSet made;                     ///< of faces that the cut made; ids are left open
+    double volume = 0;                ///< cubic metres
+    GridBox box;
+};
+
 /// What a carving opens: the pieces of faces that it took, and pockets of new air behind them.
 struct CutOpening {
     std::uint32_t pockets = 0;            ///< 0: all that was added of the cutter bounds one air
-    FaceSet taken;                        ///< pieces of the solid's faces, their facets in a row; without ids
+    std::optional<std::uint32_t> air;     ///< the cutter took walls of this one alone: pockets are part of it
+    FaceSet taken;                        ///< pieces of the solid's faces, and loose pieces' faces; facets in a row
     std::vector<std::uint32_t> of_taken;  ///< the pocket of each of `taken.faces`
     std::vector<std::uint32_t>
         of_added;  ///< of each of SolidChange::added.faces; Pockets::kNone: a piece of an old one
@@ -83,6 +94,8 @@ public:
     bool divide_edge(const InputPoint& from, const InputPoint& to, std::vector<SolidUse>& parts);
     /// Around all edges of the solid that are divided now.
     const GridBox& divided_box() const { return divided_box_; }
+    /// With kDone, where CutTerms::anchors said to look for them.
+    const std::vector<CutPiece>& pieces() const { return pieces_; }
 
     const Solid& solid() const { return solid_; }
     /// As it was cut with.
@@ -103,6 +116,7 @@ private:
         kTrace,
         kRules,
         kFacets,
+        kLoose,
         kChange,
         kEnd
     };
@@ -117,8 +131,12 @@ private:
     Phase trace();
     Phase apply_materials();
     Phase make_next_faces();
+    Phase find_loose();
     Phase make_change();
     void make_opening();
+    std::vector<std::uint32_t> wall_parts() const;
+    Pockets one_pocket() const;
+    std::vector<std::uint32_t> join_pockets(Pockets& pockets) const;
 
     Phase refuse(ErrorCode code, std::string reason);
     Phase move_on(Verdict verdict, Phase next);
@@ -138,6 +156,7 @@ private:
     void note_divisions();
     bool divide_edge(PatchUse use, std::vector<SolidUse>& parts);
     void append_use(const PatchUse& use, std::vector<SolidUse>& uses);
+    void take_pieces_out();
     std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
 
@@ -177,6 +196,18 @@ private:
     std::unique_ptr<CutArranger> arranger_;  ///< where the cutter touches: in place of the four above
     KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
+    struct Loose {
+        const CutView view;
+        const CutFaces cut;
+        LooseSearch search;
+        explicit Loose(const CutJob& job)
+            : view(job.view()),
+              cut{view, job.loops(), job.kept_, job.face_maker_->made()},
+              search(job.solid_, cut, *job.terms_.anchors) {}
+    };
+    std::unique_ptr<Loose> loose_;
+    std::vector<CutPiece> pieces_;
+    std::vector<std::vector<std::uint32_t>> made_of_piece_;  ///< of `pieces_`: owners that the cut made
 
     bool opens_ = false;  ///< several airs
     CutOpening opening_;

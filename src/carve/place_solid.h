@@ -16,8 +16,10 @@ std::optional<Error> place_solid(const Cutter& cutter, const Pose& pose, CutterS
 
 /// The facets of a solid at any pose, snapped to the input grid: triangles without area are left out, their neighbours
 /// take over their corners.
+/// @param mended  not null: where that crosses or touches itself it is mended, see mend_mesh(), and this says how many
+///                triangles that took
 /// @return as place_solid()
-Result<Solid> snap_solid(const Cutter& cutter, const Pose& pose);
+Result<Solid> snap_solid(const Cutter& cutter, const Pose& pose, int* mended = nullptr);
 
 /// Any cutter: a mesh or a solid.
 std::optional<Error> place_any_cutter(const Cutter& cutter, const Pose& pose, CutterSolid& placed);

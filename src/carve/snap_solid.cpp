@@ -7,6 +7,7 @@
 #include "base/decimal.h"
 #include "base/point_numbers.h"
 #include "carve/cutter_data.h"
+#include "carve/mend_mesh.h"
 #include "carve/place_solid.h"
 #include "firma/level.h"
 #include "geometry/grid_orient.h"
@@ -28,6 +29,13 @@ public:
     void add(const Triangle& triangle) {
         const auto& [a, b, c] = triangle;
         if (a != b && b != c && c != a) triangles_.push_back(triangle);
+    }
+
+    /// @return how many triangles went, see mend_mesh()
+    int mend() {
+        std::vector<InputPoint> points;
+        for (std::uint32_t p = 0; p < points_.count(); ++p) points.push_back(point(p));
+        return mend_mesh(points, triangles_);
     }
 
     /// Polygons with area: triangles, with corners of such without area on their sides.
@@ -152,9 +160,24 @@ std::string place_text(const Vec3& at) {
     return exact_decimal(p.x) + ' ' + exact_decimal(p.y) + ' ' + exact_decimal(p.z);
 }
 
+/// Of a whole level, or the reason why it bounds no solid.
+Result<Solid> solid_of(const Level& level, const std::string& name) {
+    const auto refuse = [&](const std::string& reason) {
+        return cutter_error(name, "", ErrorCode::kInvalid,
+                            reason + "; by quarter turns and at scale 1 it would be placed exactly");
+    };
+    if (level.faces.empty()) return refuse("encloses no volume on the grid of 1/4096 m");
+    Result<Solid> made = make_solid(level);
+    if (!made) return made;
+    if (made.value().face_count() == level.faces.size() && !made.value().rock_outside()) return made;
+    const LevelSolidity judged = level_solidity(level);
+    const std::string place = judged.notes.empty() ? "" : " near " + place_text(judged.notes[0].at);
+    return refuse("its facets, turned and snapped to the grid of 1/4096 m, cross or touch each other" + place);
+}
+
 }  // namespace
 
-Result<Solid> snap_solid(const Cutter& cutter, const Pose& pose) {
+Result<Solid> snap_solid(const Cutter& cutter, const Pose& pose, int* mended) {
     const Result<PoseTurn> turn = judge_pose(cutter, pose);
     if (!turn) return turn.error();
     const CutterData& data = *cutter.data();
@@ -166,18 +189,11 @@ Result<Solid> snap_solid(const Cutter& cutter, const Pose& pose) {
         number.push_back(mesh.add(*snapped));
     }
     for (const auto& [a, b, c] : data.triangles) mesh.add(Triangle{number[a], number[b], number[c]});
-    const Level level = mesh.level(data.name);
-    const auto refuse = [&](const std::string& reason) {
-        return cutter_error(data.name, "", ErrorCode::kInvalid,
-                            reason + "; by quarter turns and at scale 1 it would be placed exactly");
-    };
-    if (level.faces.empty()) return refuse("encloses no volume on the grid of 1/4096 m");
-    Result<Solid> made = make_solid(level);
-    if (!made) return made;
-    if (made.value().face_count() == level.faces.size() && !made.value().rock_outside()) return made;
-    const LevelSolidity judged = level_solidity(level);
-    const std::string place = judged.notes.empty() ? "" : " near " + place_text(judged.notes[0].at);
-    return refuse("its facets, turned and snapped to the grid of 1/4096 m, cross or touch each other" + place);
+    SnappedMesh as_snapped = mesh;
+    Result<Solid> made = solid_of(as_snapped.level(data.name), data.name);
+    if (made || !mended) return made;
+    *mended = mesh.mend();
+    return solid_of(mesh.level(data.name), data.name);
 }
 
 }  // namespace firma

@@ -19,6 +19,7 @@ enum class LogRecord : std::uint8_t {
     kCutter = 1,      ///< one that commands after it name by its number, in order
     kCommand = 2,     ///< as put_command()
     kCheckpoint = 3,  ///< hash_world() of the world after the commands before it
+    kPatch = 4,       ///< first of all: the number of the last edit it stands for, and the patch
 };
 /// Records with this bit may be passed over by who does not know them.
 inline constexpr std::uint8_t kOptionalRecord = 128;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "firma/edit_log.h"
+#include "firma/world_patch.h"
 
 namespace firma {
 namespace {
@@ -36,6 +37,7 @@ struct LogReplay::State {
     ReplayResult made;
     std::size_t in_all = 0;
     std::size_t next_checkpoint = 0;
+    bool patched = false;  ///< or nothing to be patched
     std::optional<CommandJob> job;
     bool finished = false;
     bool broken = false;  ///< true while work is done, and for good when an exception leaves it
@@ -45,11 +47,34 @@ struct LogReplay::State {
         made.error = judge_level(EditLog(level), log);
         made.world = std::move(level);
         while (in_all < log.commands().size() && firma::last_number(log.commands()[in_all]) <= last_number) ++in_all;
+        if (!made.error && last_number < log.patched_number())
+            made.error = Error{ErrorCode::kInvalid, "",
+                               "the log was compacted up to edit " + std::to_string(log.patched_number())};
         finished = made.error.has_value();
-        if (!finished) compare();
+        patched = log.patch().empty();
+        if (!finished && patched) compare();
+    }
+
+    /// What stands for the beginning, in one piece.
+    void apply_start() {
+        patched = true;
+        Result<World> begun = apply_patch(made.world, log.patch(), "patch");
+        if (!begun) {
+            made.error = begun.error();
+            finished = true;
+            return;
+        }
+        made.world = std::move(begun).value();
+        if (made.world.solid().edits() > log.patched_number()) {
+            made.error = Error{ErrorCode::kMalformed, "patch", "it stands for later edits than it says"};
+            finished = true;
+            return;
+        }
+        compare();
     }
 
     void work(double microseconds) {
+        if (!patched) return apply_start();
         if (made.commands == in_all) {
             finished = true;
             return;
@@ -74,7 +99,7 @@ struct LogReplay::State {
             ++made.checkpoints;
             return;
         }
-        const std::string where = made.commands == 0 ? "the level" : "command " + std::to_string(made.commands - 1);
+        const std::string where = made.commands == 0 ? "the beginning" : "command " + std::to_string(made.commands - 1);
         made.error =
             Error{ErrorCode::kMalformed, where,
                   "the world's hash is " + hash_in_hex(hash) + ", by the checkpoint after it " + hash_in_hex(expected)};

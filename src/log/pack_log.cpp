@@ -53,6 +53,13 @@ std::vector<std::byte> pack_log(const EditLog& log) {
     out.u32(log.level_edits());
     CutterRecords cutters(out);
     std::uint32_t last = log.level_edits();
+    if (!log.patch().empty()) {
+        ByteWriter content;
+        put_whole(content, log.patched_number() - last);
+        put_bytes(content, log.patch());
+        put_record(out, LogRecord::kPatch, content);
+        last = log.patched_number();
+    }
     auto checkpoint = log.checkpoints().begin();
     const auto put_checkpoints = [&](std::size_t commands) {
         for (; checkpoint != log.checkpoints().end() && checkpoint->commands == commands; ++checkpoint) {

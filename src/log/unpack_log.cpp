@@ -84,12 +84,31 @@ private:
                 if (content.ok() && !content.at_end()) content.fail("bytes behind a checkpoint");
                 return;
             }
+            case LogRecord::kPatch:
+                read_patch(content, where);
+                return;
             case LogRecord::kEnd:
                 break;
         }
         if (!(type & kOptionalRecord))
             in_.fail_at(where, ErrorCode::kUnsupported,
                         "a record of kind " + std::to_string(type) + ", which this Firma does not know");
+    }
+
+    /// What it holds is judged when it is applied.
+    void read_patch(ByteReader& content, std::size_t where) {
+        if (where != kLogHeadBytes) {
+            in_.fail_at(where, ErrorCode::kMalformed, "a patch that is not first of all");
+            return;
+        }
+        const std::uint64_t edits = content.whole();
+        if (content.ok() && (edits > kMaxEditNumber || edits + log_.level_edits_ > kMaxEditNumber))
+            content.fail("it stands for edits beyond the last");
+        const std::span<const std::byte> patch = content.bytes(content.left());
+        if (content.ok() && patch.empty()) content.fail("a patch without content");
+        if (!content.ok()) return;
+        log_.patch_.assign(patch.begin(), patch.end());
+        log_.patched_number_ = log_.last_number_ = log_.level_edits_ + std::uint32_t(edits);
     }
 
     const std::span<const std::byte> bytes_;

@@ -5,34 +5,15 @@
 #include <utility>
 
 #include "base/flat_map.h"
-#include "base/point_numbers.h"
 #include "base/sort.h"
 #include "firma/save.h"
+#include "save/face_packer.h"
+#include "save/pack_cells.h"
 #include "save/sections.h"
-#include "solid/solid_face.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
-
-/// Numbers for objects, from 0, by address: in the order they are asked for, so that no address shows.
-template <class Object>
-class Numbers {
-public:
-    std::uint32_t operator()(const Object* object) {
-        std::uint32_t& known = number_of_.at(reinterpret_cast<std::uintptr_t>(object));
-        if (known == FlatMap::kNone) {
-            known = std::uint32_t(objects_.size());
-            objects_.push_back(object);
-        }
-        return known;
-    }
-    const std::vector<const Object*>& objects() const { return objects_; }
-
-private:
-    FlatMap number_of_;
-    std::vector<const Object*> objects_;
-};
 
 struct FaceOfRoom {
     FaceId id;
@@ -46,16 +27,18 @@ public:
         : data_(world.data()),
           tree_options_(options.index ? data_.tree_options : TreeOptions{}),
           exact_(options.exact),
-          index_(options.index && options.exact) {}
+          index_(options.index && options.exact),
+          face_packer_(options.exact ? &exact_packer_ : nullptr) {}
 
     std::vector<std::byte> pack() {
         pack_data();
-        pack_materials();
         if (data_.rules) pack_rules(*data_.rules);
         pack_faces();
-        if (data_.cells.known()) pack_records();
-        if (data_.cells.portal_count() > 0) pack_portals();
-        if (exact_) pack_exact();
+        // Their faces are numbered behind those of the solid.
+        const CellsVersion needed = add_cells(data_.cells, exact_ ? &exact_packer_ : nullptr, cells_);
+        needs_version_3_ |= needed == CellsVersion::kThree;
+        if (exact_) exact_packer_.pack();
+        if (data_.anchors) pack_anchors(*data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
         return write_container(sections(), needs_version_3_ ? 3 : 2);
@@ -81,14 +64,6 @@ private:
         world_.f64(tree_options_.min_node_volume);
     }
 
-    void pack_materials() {
-        static const std::vector<std::string> kNone;
-        const std::vector<std::string>& names = data_.materials ? *data_.materials : kNone;
-        materials_.u32(std::uint32_t(names.size()));
-        for (const std::string& name : names) materials_.u32(std::uint32_t(name.size()));
-        for (const std::string& name : names) add_text(materials_, name);
-    }
-
     void pack_rules(const CarveRules& rules) {
         if (rules.merge_share > 0) {
             merge_.f64(rules.merge_share);
@@ -107,11 +82,7 @@ private:
             rules_.f64(zone.hardness);
             rules_.u64(zone.name.size());
         }
-        for (const CarveZone& zone : rules.zones) add_text(rules_, zone.name);
-    }
-
-    static void add_text(ByteWriter& out, const std::string& text) {
-        for (const char c : text) out.u8(static_cast<unsigned char>(c));
+        for (const CarveZone& zone : rules.zones) put_text_bytes(rules_, zone.name);
     }
 
     /// In order of id, so that how faces are kept does not show.
@@ -121,69 +92,7 @@ private:
                 all_.push_back({block.faces[slot].id, {&block, slot}, data_.cells.current_room(block.part)});
         });
         sort_range(all_, [](const FaceOfRoom& a, const FaceOfRoom& b) { return a.id < b.id; });
-        for (const FaceOfRoom& face : all_) pack_face(face);
-    }
-
-    void pack_face(const FaceOfRoom& placed) {
-        const FaceRecord& face = placed.place.record();
-        const auto* owner = static_cast<const SolidFace*>(placed.place.block->owner_of(face));
-        for (const std::uint32_t number :
-             {face.id.value, face.source, face.edit, face.material, face.mask, placed.room})
-            faces_.u32(number);
-        faces_.u32(exact_ && owner ? exact_faces_(owner) : kOwnFace);
-        faces_.u8(face.corner_count);
-        faces_.u8(std::uint8_t((face.two_sided ? kTwoSidedFace : 0) | (face.solid && exact_ ? kSolidFace : 0)));
-        faces_.u16(0);
-        for (std::uint32_t k = 0; k < face.corner_count; ++k) corners_.u32(vertex(placed.place.block->corner(face, k)));
-    }
-
-    /// Numbered in order of first use.
-    std::uint32_t vertex(const GridPoint& point) {
-        const std::size_t before = points_.count();
-        const std::uint32_t number = points_.number(point);
-        if (points_.count() > before) add_point(vertices_, point);
-        return number;
-    }
-
-    void pack_records() {
-        const Cells& cells = data_.cells;
-        for (std::uint32_t room = 0; room < cells.room_count(); ++room) {
-            const RoomRecord& record = cells.room(room);
-            records_.u32(std::uint32_t(record.name.size()));
-            records_.u32(record.exterior ? kExteriorRoom : 0);
-            records_.u32(record.merged_into);
-            needs_version_3_ |= record.merged_into > room;
-        }
-        for (std::uint32_t room = 0; room < cells.room_count(); ++room) add_text(records_, cells.room(room).name);
-    }
-
-    void pack_portals() {
-        const Cells& cells = data_.cells;
-        for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
-            const Portal& portal = cells.portal(k);
-            needs_version_3_ |= portal.made;
-            for (std::size_t p = 0; p < portal.all_polygons().size(); ++p)
-                needs_version_3_ |= portal.exact(p) != nullptr;
-        }
-        portals_.u32(cells.portal_count());
-        for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
-            const Portal& portal = cells.portal(k);
-            for (const RoomId room : cells.rooms_of(portal)) portals_.u32(room.value);
-            portals_.u32(portal.material);
-            portals_.u32(portal.mask);
-            portals_.u32((cells.is_closed(k) ? kClosedPortal : 0) | (portal.made ? kMadePortal : 0));
-            portals_.u32(std::uint32_t(portal.all_polygons().size()));
-            portals_.u32(std::uint32_t(portal.name.size()));
-            portals_.u32(0);
-            const auto polygons = portal.all_polygons();
-            for (std::size_t p = 0; p < polygons.size(); ++p) {
-                portal_polygons_.u32(std::uint32_t(polygons[p].corners.size()));
-                for (const GridPoint& corner : polygons[p].corners) add_point(portal_corners_, corner);
-                const SolidFace* face = exact_ ? portal.exact(p) : nullptr;
-                portal_faces_.u32(face ? exact_faces_(face) : kOwnFace);
-            }
-        }
-        for (std::uint32_t k = 0; k < cells.portal_count(); ++k) add_text(portals_, cells.portal(k).name);
+        for (const FaceOfRoom& face : all_) face_packer_.add(face.place, face.room);
     }
 
     /// Blocks and nodes, each once, children before what holds them.
@@ -228,38 +137,15 @@ private:
         return known;
     }
 
-    template <class Point>
-    static void add_point(ByteWriter& out, const Point& point) {
-        for (int axis = 0; axis < 3; ++axis) out.i32(point[axis]);
-    }
-
-    void pack_exact() {
-        for (const SolidFace* face : exact_faces_.objects()) pack_exact_face(*face);
-        // Vertices are numbered through, those of the grid first; which are how many is known only now.
-        Numbers<SolidVertex> on_grid, met;
-        for (const SolidEdge* edge : edges_.objects())
-            for (const Ref<const SolidVertex>& vertex : edge->vertex)
-                (vertex->point.on_grid() ? on_grid : met)(vertex.get());
-        const auto first_met = std::uint32_t(on_grid.objects().size());
-        for (const SolidEdge* edge : edges_.objects()) {
-            for (const Ref<const SolidVertex>& vertex : edge->vertex)
-                edge_data_.u32(vertex->point.on_grid() ? on_grid(vertex.get()) : first_met + met(vertex.get()));
-            for (const Ref<const SolidPlane>& plane : edge->plane) edge_data_.u32(planes_(plane.get()));
-            edge_data_.u32(edge->doubled ? kDoubledEdge : 0);
-        }
-        for (const SolidVertex* vertex : on_grid.objects()) add_point(grid_points_, vertex->point.grid());
-        for (const SolidVertex* vertex : met.objects())
-            for (int k = 0; k < 3; ++k) meet_points_.u32(planes_(vertex->plane(k)));
-        for (const SolidPlane* plane : planes_.objects()) pack_plane(plane->plane);
-    }
-
-    void pack_exact_face(const SolidFace& face) {
-        exact_data_.u32(planes_(face.plane.get()));
-        exact_data_.u32(std::uint32_t(face.uses.size()));
-        exact_data_.u32(std::uint32_t(face.loop_ends().size()));
-        for (int axis = 0; axis < 3; ++axis) exact_data_.f64(face.normal[axis]);
-        for (const SolidUse& use : face.uses) uses_.u32(edges_(&use.edge()) << 1 | std::uint32_t(use.reversed()));
-        for (const std::uint32_t end : face.loop_ends()) loops_.u32(end);
+    void pack_anchors(const Anchors& anchors) {
+        const auto add = [&](std::uint32_t kind, std::uint32_t edit, std::uint32_t value) {
+            for (const std::uint32_t number : {kind, edit, value}) anchors_.u32(number);
+        };
+        for (const std::uint32_t material : anchors.materials) add(kMaterialHolds, 0, material);
+        for (const std::uint32_t source : anchors.sources) add(kSourceHolds, 0, source);
+        for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
+        for (const std::uint64_t key : anchors.hanging)
+            add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
     }
 
     void pack_textures(const FaceTextures& textures) {
@@ -277,13 +163,7 @@ private:
             textured_faces_.u32(face.corner_count);
         }
         // Those of the entries one after the other, as they are made.
-        for (const GridPoint& corner : textures.corners()) add_point(texture_outlines_, corner);
-    }
-
-    void pack_plane(const Plane& plane) {
-        for (const std::int64_t n : plane.normal) plane_data_.u64(std::uint64_t(n));
-        plane_data_.u64(std::uint64_t(plane.offset()));
-        plane_data_.u64(std::uint64_t(plane.offset() >> 64));
+        for (const GridPoint& corner : textures.corners()) put_point(texture_outlines_, corner);
     }
 
     std::vector<NewSection> sections() {
@@ -292,31 +172,17 @@ private:
             all.push_back({type, kRequiredSection, std::move(content)});
         };
         add(kWorldSection, world_);
-        add(kMaterialsSection, materials_);
+        add_materials(data_, all);
         if (data_.rules) add(kRulesSection, rules_);
         if (data_.rules && data_.rules->merge_share > 0) add(kMergeSection, merge_);
-        add(kFacesSection, faces_);
-        add(kVerticesSection, vertices_);
-        add(kCornersSection, corners_);
-        if (data_.cells.known()) add(kRoomRecordsSection, records_);
-        if (data_.cells.portal_count() > 0) {
-            add(kPortalsSection, portals_);
-            add(kPortalPolygonsSection, portal_polygons_);
-            add(kPortalCornersSection, portal_corners_);
-            if (exact_ && needs_version_3_) add(kPortalFacesSection, portal_faces_);
-        }
-        if (exact_) {
-            add(kPlanesSection, plane_data_);
-            add(kGridPointsSection, grid_points_);
-            add(kMeetPointsSection, meet_points_);
-            add(kEdgesSection, edge_data_);
-            add(kExactFacesSection, exact_data_);
-            add(kUsesSection, uses_);
-            add(kLoopsSection, loops_);
-        }
+        face_packer_.add_to(all);
+        for (NewSection& section : cells_)
+            if (needs_version_3_ || section.type != kPortalFacesSection) all.push_back(std::move(section));
+        if (exact_) exact_packer_.add_to(all);
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };
+        if (data_.anchors) add_optional(kAnchorsSection, anchors_);
         if (data_.textures) {
             add_optional(kTextureMapsSection, texture_maps_);
             add_optional(kTexturedFacesSection, textured_faces_);
@@ -337,17 +203,14 @@ private:
     const bool exact_, index_;
     std::vector<FaceOfRoom> all_;  ///< in order of id
     bool needs_version_3_ = false;
-    ByteWriter world_, materials_, rules_, merge_, faces_, vertices_, corners_;
-    ByteWriter records_, portals_, portal_polygons_, portal_corners_, portal_faces_;
-    ByteWriter plane_data_, grid_points_, meet_points_, edge_data_, exact_data_, uses_, loops_;
+    ExactPacker exact_packer_;
+    FacePacker face_packer_;
+    std::vector<NewSection> cells_;
+    ByteWriter world_, rules_, merge_, anchors_;
     ByteWriter texture_maps_, textured_faces_, texture_outlines_;
     ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
     FlatMap number_of_node_, number_of_block_;
-    PointNumbers points_;
     std::uint32_t node_count_ = 0, block_count_ = 0;
-    Numbers<SolidFace> exact_faces_;
-    Numbers<SolidEdge> edges_;
-    Numbers<SolidPlane> planes_;
 };
 
 }  // namespace

@@ -28,6 +28,8 @@ inline constexpr SectionType kEdgesSection = section_type("EDGE");
 inline constexpr SectionType kExactFacesSection = section_type("EXAC");
 inline constexpr SectionType kUsesSection = section_type("USES");
 inline constexpr SectionType kLoopsSection = section_type("LOOP");
+// What holds pieces: may be missing, or passed over.
+inline constexpr SectionType kAnchorsSection = section_type("HOLD");
 // How textures lie: may be missing, or passed over.
 inline constexpr SectionType kTextureMapsSection = section_type("TMAP");
 inline constexpr SectionType kTexturedFacesSection = section_type("TFAC");
@@ -53,6 +55,7 @@ inline constexpr SectionType kSectionsOfBoth[] = {
 inline constexpr SectionType kSectionsOfVersion3[] = {kPortalFacesSection, kMergeSection};
 inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
                                                       kTextureOutlinesSection};
+inline constexpr SectionType kSectionsOfAnchors[] = {kAnchorsSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
 inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
                                                    kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
@@ -71,6 +74,7 @@ inline constexpr std::size_t kPointBytes = 12;
 inline constexpr std::size_t kPlaneBytes = 40;
 inline constexpr std::size_t kEdgeBytes = 20;
 inline constexpr std::size_t kExactFaceBytes = 36;
+inline constexpr std::size_t kAnchorBytes = 12;
 inline constexpr std::size_t kTextureMapBytes = 72;
 inline constexpr std::size_t kTexturedFaceBytes = 12;
 
@@ -92,6 +96,8 @@ inline constexpr std::uint32_t kMadePortal = 2;  ///< by an edit
 // Of a face.
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;
+// What an anchor names.
+inline constexpr std::uint32_t kMaterialHolds = 0, kSourceHolds = 1, kEditHolds = 2, kHangingHolds = 3;
 // Of an edge.
 inline constexpr std::uint32_t kDoubledEdge = 1;
 

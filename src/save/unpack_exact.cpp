@@ -3,6 +3,7 @@
 #include "save/unpack_exact.h"
 
 #include <cmath>
+#include <utility>
 
 #include "save/sections.h"
 
@@ -23,7 +24,12 @@ bool suits(const Vec3& normal, const Plane& plane) {
 
 class ExactReader {
 public:
-    explicit ExactReader(Damage& damage) : damage_(damage) {}
+    ExactReader(Damage& damage, ExactImports imports)
+        : damage_(damage),
+          against_(std::move(imports.against)),
+          planes_(std::move(imports.planes)),
+          vertices_(std::move(imports.vertices)),
+          edges_(std::move(imports.edges)) {}
 
     std::vector<Ref<SolidFace>> read(Sections& sections) {
         const Entries planes = sections.entries(kPlanesSection, kPlaneBytes);
@@ -141,7 +147,8 @@ private:
             const std::uint32_t use = read_u32(uses_.take(1));
             if (use >> 1 >= edges_.size())
                 return damage_.report(uses_.type(), entry, "names an edge that is not there");
-            face.uses.emplace_back(edges_[use >> 1], (use & 1) != 0);
+            const bool against = use >> 1 < against_.size() && against_[use >> 1];
+            face.uses.emplace_back(edges_[use >> 1], ((use & 1) != 0) != against);
             face.box.add(face.uses.back().from().point.rounded());
         }
         return true;
@@ -166,6 +173,7 @@ private:
 
     Damage& damage_;
     Entries uses_, ends_;
+    std::vector<bool> against_;
     std::vector<Ref<const SolidPlane>> planes_;
     std::vector<Ref<const SolidVertex>> vertices_;
     std::vector<Ref<const SolidEdge>> edges_;
@@ -174,8 +182,17 @@ private:
 
 }  // namespace
 
-std::vector<Ref<SolidFace>> unpack_exact(Sections& sections, Damage& damage) {
-    return ExactReader(damage).read(sections);
+void ExactImports::add(const SolidFace& face) {
+    planes.push_back(face.plane);
+    for (const SolidUse& use : face.uses) {
+        edges.emplace_back(use.address());
+        vertices.emplace_back(&use.from());
+        against.push_back(use.reversed());
+    }
+}
+
+std::vector<Ref<SolidFace>> unpack_exact(Sections& sections, Damage& damage, ExactImports imports) {
+    return ExactReader(damage, std::move(imports)).read(sections);
 }
 
 }  // namespace firma

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From the bytes of a .firma file to a world: the container, the parts, then the world as a whole.
 #include "firma/save.h"
-#include "firma/solid.h"
+#include "save/check_whole.h"
 #include "save/entries.h"
 #include "save/sections.h"
+#include "save/unpack_anchors.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"
@@ -14,19 +15,6 @@
 namespace firma {
 namespace {
 
-/// What no part can see by itself.
-void check_whole(const World& world, bool exact, Damage& damage) {
-    const auto face_place = [](FaceId face) {
-        return face.valid() ? ": face " + std::to_string(face.value) : std::string();
-    };
-    if (const std::optional<WorldFault> fault = check_world(world)) {
-        damage.report(ErrorCode::kMalformed, face_place(fault->face), "the world is broken: " + fault->what);
-    } else if (exact) {
-        if (const std::optional<SolidFault> solid = check_solid(world))
-            damage.report(ErrorCode::kMalformed, face_place(solid->face), "the solid is broken: " + solid->what);
-    }
-}
-
 /// What a version of the format has.
 std::vector<SectionType> known_sections(std::uint32_t version) {
     std::vector<SectionType> known(std::begin(kSectionsOfBoth), std::end(kSectionsOfBoth));
@@ -34,6 +22,7 @@ std::vector<SectionType> known_sections(std::uint32_t version) {
         known.insert(known.end(), std::begin(kSectionsOfVersion1), std::end(kSectionsOfVersion1));
     } else {
         if (version > 2) known.insert(known.end(), std::begin(kSectionsOfVersion3), std::end(kSectionsOfVersion3));
+        known.insert(known.end(), std::begin(kSectionsOfAnchors), std::end(kSectionsOfAnchors));
         known.insert(known.end(), std::begin(kSectionsOfTextures), std::end(kSectionsOfTextures));
         known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
     }
@@ -74,6 +63,7 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
     if (damage.error()) return *damage.error();
     const FaceSet faces = version == 1 ? unpack_faces_of_version_1(sections, unpacked, exact, damage)
                                        : unpack_faces(sections, unpacked, exact, damage);
+    if (!damage.error() && version > 1) unpacked.world.anchors = unpack_anchors(sections, damage);
     if (!damage.error() && version > 1) unpacked.world.textures = unpack_textures(sections, damage);
     std::optional<UnpackedIndex> index;
     if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);

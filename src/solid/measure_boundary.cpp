@@ -16,15 +16,6 @@ struct Flat {
     DoubleDouble u, v;
 };
 
-InputPoint middle_of(const SolidPatch& patch) {
-    GridBox box;
-    for (const PatchFace& face : patch.faces) box.add(face.box);
-    InputPoint middle;
-    for (int axis = 0; axis < 3; ++axis)
-        middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2 / kSurfacePerInput);
-    return middle;
-}
-
 /// (numerator - origin * w) / w: the difference has 186 bits.
 DoubleDouble coordinate(const Int256& numerator, const Int256& w, std::int32_t origin) {
     return to_double_double(numerator - w * std::int64_t(origin)) / to_double_double(w);
@@ -64,6 +55,13 @@ Int128 six_times_cone(const FacetPlace& facet, const GridPoint& apex) {
 
 }  // namespace
 
+InputPoint middle_of(const GridBox& box) {
+    InputPoint middle;
+    for (int axis = 0; axis < 3; ++axis)
+        middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2 / kSurfacePerInput);
+    return middle;
+}
+
 DoubleDouble to_double_double(const Int256& value) {
     const bool negative = value.sign() < 0;
     const Int256 magnitude = negative ? -value : value;
@@ -81,7 +79,9 @@ BoundaryMeasures measure_boundary(const Boundary& boundary) {
     const SolidPatch& patch = boundary.patch;
     BoundaryMeasures sums{};
     if (patch.faces.empty()) return sums;
-    const InputPoint apex = middle_of(patch);
+    GridBox box;
+    for (const PatchFace& face : patch.faces) box.add(face.box);
+    const InputPoint apex = middle_of(box);
     for (const PatchFace& face : patch.faces) {
         const Plane& plane = face.plane->plane;
         if (!plane.valid()) continue;

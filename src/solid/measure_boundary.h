@@ -17,6 +17,9 @@ struct BoundaryMeasures {
 /// The nearest double-double but for a few of its last bits.
 DoubleDouble to_double_double(const Int256& value);
 
+/// A point of the input grid in the middle of a box.
+InputPoint middle_of(const GridBox& box);
+
 /// Sums are taken about a point in the middle, so that the volume of a small solid far out keeps its digits too.
 BoundaryMeasures measure_boundary(const Boundary& boundary);
 

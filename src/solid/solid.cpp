@@ -5,6 +5,7 @@
 #include "solid/bounds_of.h"
 #include "solid/check_boundary.h"
 #include "solid/first_seen.h"
+#include "solid/hash_face.h"
 #include "solid/hash_points.h"
 #include "solid/measure_boundary.h"
 #include "solid/same_boundary.h"
@@ -17,31 +18,6 @@ namespace {
 std::shared_ptr<const SolidData> no_solid() {
     static const auto none = std::make_shared<const SolidData>();
     return none;
-}
-
-/// A face that no cut has touched: its corners say it all.
-void add_untouched(const Block& block, const FaceRecord& face, PointHash& hash) {
-    Plane plane;
-    for (std::size_t k = 2; k < face.corner_count && !plane.valid(); ++k)  // the first ones may lie on a line
-        plane = plane_through(to_input(block.corner(face, 0)), to_input(block.corner(face, k - 1)),
-                              to_input(block.corner(face, k)));
-    hash.start_face(plane, 1);
-    for (std::size_t k = 0; k < face.corner_count; ++k) {
-        const GridPoint from = block.corner(face, k);
-        const GridPoint to = block.corner(face, k + 1u < face.corner_count ? k + 1 : 0);
-        hash.add_edge(from, to, LineDirection::along(from, to));
-    }
-}
-
-void add_stored(const SolidFace& face, PointHash& hash) {
-    hash.start_face(face.plane->plane, 1);
-    for (const SolidUse& use : face.uses) {
-        const SolidEdge& edge = use.edge();
-        const ExactPoint &from = edge.vertex[use.reversed()]->point, &to = edge.vertex[!use.reversed()]->point;
-        hash.add_edge(from.rounded(), to.rounded(),
-                      from.on_grid() && to.on_grid() ? LineDirection::along(from.rounded(), to.rounded())
-                                                     : LineDirection::of(edge.plane[0]->plane, edge.plane[1]->plane));
-    }
 }
 
 /// Whether an object is seen for the first time.
@@ -83,10 +59,7 @@ void hash_points_anew(SolidData& data) {
         for_each_block(*data.faces.root, [&](const Block& block) {
             for (const FaceRecord& face : block.faces) {
                 const FaceOwner* owner = block.owner_of(face);
-                if (!owner)
-                    add_untouched(block, face, hash);
-                else if (owner->facets == 1 || is_first(seen, owner))
-                    add_stored(static_cast<const SolidFace&>(*owner), hash);
+                if (!owner || owner->facets == 1 || is_first(seen, owner)) add_face(block, face, 1, hash);
             }
         });
     const SumsByKey& sums = hash.finish();

@@ -56,34 +56,6 @@ std::size_t bytes_of(const std::vector<std::string>* names) {
     return sum;
 }
 
-/// Of what is beside the faces.
-std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
-    std::size_t sum = mine.rooms().bytes_unshared(theirs.rooms()) + mine.portals().bytes_unshared(theirs.portals()) +
-                      mine.joined().bytes_unshared(theirs.joined());
-    if (mine.portal_index() && mine.portal_index().get() != theirs.portal_index().get()) {
-        const Node *const own = mine.portal_index().get(), *const other = theirs.portal_index().get();
-        for (const Node* node : unshared_nodes({&own, 1}, {&other, std::size_t(other != nullptr)}).before)
-            sum += bytes_of(*node) + (node->is_leaf() ? node->facets->bytes() : 0);
-    }
-    mine.rooms().for_each_unshared(theirs.rooms(), [&](std::uint32_t, const auto* own, const auto* other) {
-        if (own && (!other || *own != *other)) sum += bytes_of(**own);
-    });
-    mine.portals().for_each_unshared(theirs.portals(),
-                                     [&](std::uint32_t, const PortalState* own, const PortalState* other) {
-                                         if (own && (!other || own->portal.get() != other->portal.get()))
-                                             sum += own->portal->bytes();
-                                     });
-    return sum;
-}
-
-std::size_t bytes_of_room_faces_alone(const RoomFacesMap& mine, const RoomFacesMap& theirs) {
-    std::size_t sum = mine.bytes_unshared(theirs);
-    mine.for_each_unshared(theirs, [&](std::uint32_t, const auto* own, const auto* other) {
-        if (own && (!other || own->get() != other->get())) sum += pool_size(sizeof(RoomFaces));
-    });
-    return sum;
-}
-
 /// Each once, in order of address.
 template <class Object>
 void sort_once(std::vector<const Object*>& objects) {
@@ -100,6 +72,35 @@ struct Roots {
         if (other) theirs.push_back(other.get());
     }
 };
+
+/// Of what is beside the faces.
+std::size_t bytes_of_cells_alone(const Cells& mine, const Cells& theirs) {
+    std::size_t sum = mine.rooms().bytes_unshared(theirs.rooms()) + mine.portals().bytes_unshared(theirs.portals()) +
+                      mine.joined().bytes_unshared(theirs.joined());
+    Roots portals;
+    portals.add(mine.portal_index(), theirs.portal_index());
+    mine.rooms().for_each_unshared(theirs.rooms(), [&](std::uint32_t, const auto* own, const auto* other) {
+        if (own && (!other || *own != *other)) sum += bytes_of(**own);
+        portals.add(own ? (*own)->portal_index : Ref<const Node>(), other ? (*other)->portal_index : Ref<const Node>());
+    });
+    std::vector<const Node*> nodes = unshared_nodes(portals.mine, portals.theirs).before;
+    sort_once(nodes);
+    for (const Node* node : nodes) sum += bytes_of(*node) + (node->is_leaf() ? node->facets->bytes() : 0);
+    mine.portals().for_each_unshared(theirs.portals(),
+                                     [&](std::uint32_t, const PortalState* own, const PortalState* other) {
+                                         if (own && (!other || own->portal.get() != other->portal.get()))
+                                             sum += own->portal->bytes();
+                                     });
+    return sum;
+}
+
+std::size_t bytes_of_room_faces_alone(const RoomFacesMap& mine, const RoomFacesMap& theirs) {
+    std::size_t sum = mine.bytes_unshared(theirs);
+    mine.for_each_unshared(theirs, [&](std::uint32_t, const auto* own, const auto* other) {
+        if (own && (!other || own->get() != other->get())) sum += pool_size(sizeof(RoomFaces));
+    });
+    return sum;
+}
 
 /// Whether an index has a node, by the boxes of its bins.
 bool has_node(const Node* root, const Node& wanted) {

@@ -117,7 +117,9 @@ std::vector<std::uint32_t> current_rooms(const std::vector<RoomRecord>& records)
     return current;
 }
 
-Cells make_cells(StoredWorld& stored) {
+}  // namespace
+
+Cells cells_of(StoredWorld& stored) {
     std::vector<RoomRecord>& records = stored.records;
     const std::vector<PortalPart>& portals = stored.portals;
     const std::vector<std::uint32_t> current = current_rooms(records);
@@ -133,22 +135,23 @@ Cells make_cells(StoredWorld& stored) {
     std::vector<Ref<const Portal>> made;
     made.reserve(portals.size());
     for (const PortalPart& portal : portals) made.emplace_back(new Portal(portal));
+    std::vector<PortalId> all;
+    for (std::uint32_t k = 0; k < portals.size(); ++k) {
+        cells.set_portal_between(k, std::move(made[k]), !portals[k].open);
+        all.push_back({k});
+    }
+    cells.index_portals(all);
     for (std::uint32_t k = 0; k < records.size(); ++k) {
-        for (const PortalId portal : records[k].portals) records[k].portal_box.add(made[portal.value]->box);
+        cells.set_portal_boxes(records[k]);
         cells.set_room(k, std::make_shared<const RoomRecord>(std::move(records[k])));
     }
-    for (std::uint32_t k = 0; k < portals.size(); ++k) cells.set_portal(k, std::move(made[k]), !portals[k].open);
-    std::vector<PortalId> all;
-    for (std::uint32_t k = 0; k < portals.size(); ++k) all.push_back({k});
-    cells.index_portals(all);
+    cells.put_in(all);
     return cells;
 }
 
-}  // namespace
-
 World world_of(StoredWorld stored) {
     auto data = std::make_shared<WorldData>();
-    data->cells = make_cells(stored);
+    data->cells = cells_of(stored);
     data->set_faces(faces_of_rooms(data->cells, {&stored.solid, &stored.castable}, stored.indices));
     data->castable = stored.castable.store;
     data->solid =
@@ -158,6 +161,7 @@ World world_of(StoredWorld stored) {
     data->tree_options = stored.tree_options;
     data->version = stored.version;
     data->rules = std::move(stored.rules);
+    data->anchors = std::move(stored.anchors);
     data->textures = std::move(stored.textures);
     return World(std::move(data));
 }
@@ -168,7 +172,7 @@ Result<World> make_world(const Solid& given, const WorldOptions& options) {
     StoredWorld stored;
     stored.records.resize(1);
     auto data = std::make_shared<WorldData>();
-    data->cells = make_cells(stored);
+    data->cells = cells_of(stored);
     const BuiltStore faces = parts_of(solid.data().faces);
     data->set_faces(faces_of_rooms(data->cells, {&faces}));
     data->solid = solid;

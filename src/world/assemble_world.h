@@ -45,9 +45,12 @@ struct StoredWorld {
     Tolerance tolerance;
     TreeOptions tree_options;
     std::shared_ptr<const CarveRules> rules;
+    std::shared_ptr<const Anchors> anchors;
     std::shared_ptr<const FaceTextures> textures;
 };
 World world_of(StoredWorld stored);
+/// Of records and portals, which are moved out.
+Cells cells_of(StoredWorld& stored);
 
 /// @return the world, version 0; kTooLarge beyond 2^31 faces, rooms or portals; kInvalid, naming the portal, where
 /// rooms

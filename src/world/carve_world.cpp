@@ -9,6 +9,7 @@
 #include "base/assert.h"
 #include "base/sort.h"
 #include "carve/cut_job.h"
+#include "carve/make_chunk.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
 #include "solid/face_ids.h"
@@ -39,8 +40,15 @@ std::shared_ptr<const std::vector<std::string>> with_material(
     return longer;
 }
 
-CutTerms terms_of(const WorldData& data, const CarveOptions& options) {
+/// What holds pieces, where loose ones are asked for.
+std::shared_ptr<const Anchors> anchors_of(const World& world, const CarveOptions& options, CarveKind kind) {
+    if (!options.chunks || kind == CarveKind::kFill || world.data().anchors) return world.data().anchors;
+    return with_anchors(world).data().anchors;
+}
+
+CutTerms terms_of(const WorldData& data, const CarveOptions& options, const Anchors* anchors) {
     CutTerms terms;
+    if (options.chunks) terms.anchors = anchors;
     terms.rules = data.rules.get();
     terms.materials = data.materials.get();
     terms.material = material_index(*data.materials, options.material);
@@ -66,13 +74,22 @@ CutTerms terms_of(const WorldData& data, const CarveOptions& options) {
     return terms;
 }
 
+/// What was filled in where nothing was stays there by intent.
+std::shared_ptr<const Anchors> with_edit(const std::shared_ptr<const Anchors>& anchors, std::uint32_t edit) {
+    if (!anchors) return anchors;
+    auto more = std::make_shared<Anchors>(*anchors);
+    more->edits.push_back(edit);
+    return more;
+}
+
 /// Works in pieces of some ten microseconds. Only reads the world; what it makes is its own until it is published.
 class WorldCut {
 public:
     WorldCut(World world, Cutter cutter, const Pose& pose, const CarveOptions& options, CarveKind kind)
         : world_(std::move(world)),
           options_(options),
-          cut_(world_.solid(), std::move(cutter), pose, terms_of(world_.data(), options), kind),
+          anchors_(anchors_of(world_, options, kind)),
+          cut_(world_.solid(), std::move(cutter), pose, terms_of(world_.data(), options, anchors_.get()), kind),
           rooms_(world_.data()) {}
 
     /// Does one piece of work; false once there is none left.
@@ -98,6 +115,10 @@ public:
             case Phase::kRooms:
                 if (!rooms_.step()) phase_ = publish();
                 break;
+            case Phase::kChunks:
+                phase_ = make_next_chunk();
+                chunk_time_ += microseconds_since(start);
+                return true;
             case Phase::kCut:
             case Phase::kEnd:
                 return false;
@@ -113,6 +134,7 @@ public:
         result.report = cut_.report();
         result.report.times.gather += report_time_;
         result.report.times.tree += time_;
+        result.report.times.chunks += chunk_time_;
         if (castable_) result.report.faces_castable_only = castable_->count();
         if (published_) {
             result.report.portals = rooms_.portals_made();
@@ -120,11 +142,19 @@ public:
         }
         result.reproduction = cut_.reproduction();
         result.world = published_ ? after_ : world_;
+        if (!published_) return result;
+        result.chunks = chunks_;
+        result.report.chunks = chunks_.size();
+        for (const CutPiece& piece : cut_.pieces()) {
+            const bool is_chunk = is_large(piece);
+            (is_chunk ? result.report.chunk_volume : result.report.crumb_volume) += piece.volume;
+            result.report.crumbs += !is_chunk;
+        }
         return result;
     }
 
 private:
-    enum class Phase : std::uint8_t { kCut, kCastable, kPlaceFaces, kSolid, kRooms, kEnd };
+    enum class Phase : std::uint8_t { kCut, kCastable, kChunks, kPlaceFaces, kSolid, kRooms, kEnd };
 
     /// Versions are numbered: after the last number there is no other edit.
     Phase cut_on() {
@@ -137,7 +167,18 @@ private:
         return counts ? Phase::kCastable : after_castable();
     }
 
-    Phase after_castable() const { return cut_.status() == CarveStatus::kDone ? Phase::kPlaceFaces : Phase::kEnd; }
+    Phase after_castable() const {
+        if (cut_.status() != CarveStatus::kDone) return Phase::kEnd;
+        return cut_.pieces().empty() ? Phase::kPlaceFaces : Phase::kChunks;
+    }
+
+    bool is_large(const CutPiece& piece) const { return piece.volume >= options_.chunks->min_volume; }
+
+    Phase make_next_chunk() {
+        const CutPiece& piece = cut_.pieces()[next_piece_++];
+        if (is_large(piece)) chunks_.push_back(make_chunk(piece, world_.solid(), options_.chunks->density));
+        return next_piece_ < cut_.pieces().size() ? Phase::kChunks : Phase::kPlaceFaces;
+    }
 
     Phase count_castable() {
         const WorldData& data = world_.data();
@@ -152,6 +193,7 @@ private:
     /// Says which room the faces that come are part of.
     Phase place_faces() {
         SolidChange change = cut_.take_change();
+        stands_free_ = cut_.fills() && change.removed.empty();
         for (const FacetPlace& facet : change.removed) rooms_.take(facet.block->part);
         for (const FaceSet::Entry& face : change.added.faces)
             if (face.part != kUnsetPart) rooms_.keep(face.part);
@@ -227,6 +269,7 @@ private:
         data->solid = solid_->result();
         rooms_.publish(*data);
         data->materials = with_material(data->materials, options_.material);
+        data->anchors = stands_free_ ? with_edit(anchors_, data->edits()) : anchors_;
         after_ = World(std::move(data));
         published_ = true;
         return Phase::kEnd;
@@ -234,15 +277,20 @@ private:
 
     const World world_;
     const CarveOptions options_;
+    const std::shared_ptr<const Anchors> anchors_;
     CutJob cut_;
     std::optional<ReachCount> castable_;
     RoomEdit rooms_;
     std::unique_ptr<SolidEdit> solid_;
     World after_;
     bool published_ = false;
+    bool stands_free_ = false;  ///< filled in where nothing was
+    std::vector<Chunk> chunks_;
+    std::size_t next_piece_ = 0;
     std::optional<Error> refused_;
     Phase phase_ = Phase::kCut;
     double time_ = 0;         ///< microseconds, of what comes after the cut
+    double chunk_time_ = 0;   ///< of making chunks
     double report_time_ = 0;  ///< of counting faces for the report alone
 };
 

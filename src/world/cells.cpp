@@ -94,7 +94,8 @@ std::size_t Portal::bytes() const {
 }
 
 std::size_t bytes_of(const RoomRecord& record) {
-    return sizeof record + text_bytes(record.name) + record.portals.capacity() * sizeof(PortalId);
+    return sizeof record + text_bytes(record.name) + record.portals.capacity() * sizeof(PortalId) +
+           record.portal_boxes.capacity() * sizeof(GridBox);
 }
 
 std::uint64_t Cells::hash_of_portal(std::uint32_t number) const {
@@ -184,6 +185,39 @@ void Cells::index_portals(std::span<const PortalId> portals) {
     while (edit.step()) {
     }
     portal_index_ = edit.result();
+}
+
+void Cells::set_portal_boxes(RoomRecord& record) const {
+    record.portal_box = box_of(record.portals);
+    record.portal_boxes.clear();
+    record.portal_index = {};
+    if (record.portals.size() <= kCrowd) {
+        record.portal_boxes.reserve(record.portals.size());
+        for (const PortalId id : record.portals) record.portal_boxes.push_back(portal(id.value).box);
+        return;
+    }
+    std::vector<Ref<const Node>> leaves;
+    leaves.reserve(record.portals.size());
+    for (const PortalId id : record.portals) leaves.push_back(portals_[id.value].leaf);
+    record.portal_index = join_nodes(leaves);
+}
+
+void Cells::set_portal_boxes(RoomRecord& record, const Cells& before, std::uint32_t room,
+                             std::span<const PortalId> changed) const {
+    const RoomRecord& old = before.room(room);
+    if (record.portals.size() <= kCrowd || !old.portal_index) return set_portal_boxes(record);
+    record.portal_box = box_of(record.portals);
+    NodeEdit edit(old.portal_index);
+    for (const PortalId id : changed) {
+        if (std::binary_search(old.portals.begin(), old.portals.end(), id)) {
+            const Ref<const Node>& leaf = before.portals_[id.value].leaf;
+            edit.remove(leaf->facets.get(), to_grid(leaf->bins[0].box));
+        }
+        if (std::binary_search(record.portals.begin(), record.portals.end(), id)) edit.add(portals_[id.value].leaf);
+    }
+    while (edit.step()) {
+    }
+    record.portal_index = edit.result();
 }
 
 void Cells::take_out(std::span<const PortalId> portals) {

@@ -19,6 +19,7 @@
 #include "firma/level.h"
 #include "geometry/grid_box.h"
 #include "geometry/polygon_shape.h"
+#include "index/box_tree.h"
 #include "solid/solid_face.h"
 #include "world/portal_index.h"
 
@@ -27,10 +28,12 @@ namespace firma {
 /// A volume of air.
 struct RoomRecord {
     std::string name;
-    bool exterior = false;          ///< it reaches to infinity
-    std::uint32_t merged_into = 0;  ///< itself; of a room that an edit made part of another: that one
-    std::vector<PortalId> portals;  ///< that lead out of it, ascending; without those that are gone
-    GridBox portal_box;             ///< around these: Cells::box_of()
+    bool exterior = false;              ///< it reaches to infinity
+    std::uint32_t merged_into = 0;      ///< itself; of a room that an edit made part of another: that one
+    std::vector<PortalId> portals;      ///< that lead out of it, ascending; without those that are gone
+    std::vector<GridBox> portal_boxes;  ///< of each; none at all where `portal_index` is set
+    GridBox portal_box;                 ///< around these: Cells::box_of()
+    Ref<const Node> portal_index;       ///< over them, where they are a crowd; else null
 };
 
 /// A portal on its way into a world: where the air of one room passes into that of another.
@@ -102,6 +105,7 @@ struct PortalState {
 /// A value: copies share everything.
 class Cells {
 public:
+    /// So many portals of a room are gone through one by one.
     static constexpr std::size_t kCrowd = 64;
 
     std::uint32_t room_count() const { return std::uint32_t(rooms_.size()); }
@@ -112,6 +116,27 @@ public:
     bool is_closed(std::uint32_t portal) const { return portals_[portal].closed; }
     bool any_closed() const { return closed_ > 0; }
     std::span<const PortalId> portals_of(std::uint32_t room) const { return rooms_[room]->portals; }
+    /// Calls `function(portal)` for the portals of a room whose boxes meet a box, and perhaps for others near it; in no
+    /// order that means anything, until it returns true.
+    template <class Function>
+    void for_each_portal_of(std::uint32_t room, const GridBox& around, const Function& function) const {
+        const RoomRecord& record = *rooms_[room];
+        if (record.portal_index) {
+            for_each_indexed_portal(
+                *record.portal_index, [&](const GridBox& box) { return boxes_meet(box, around); }, function);
+            return;
+        }
+        for (std::size_t k = 0; k < record.portals.size(); ++k)
+            if (boxes_meet(record.portal_boxes[k], around) && function(record.portals[k].value)) return;
+    }
+    /// A record's boxes and index, once its portals are set and indexed.
+    void set_portal_boxes(RoomRecord& record) const;
+    /// The same after an edit: an index is changed, not made anew.
+    /// @param before   the cells before it
+    /// @param room     the record's, of before; of several that became one, one of them
+    /// @param changed  portals that were added, changed or removed, and those of the others; each once
+    void set_portal_boxes(RoomRecord& record, const Cells& before, std::uint32_t room,
+                          std::span<const PortalId> changed) const;
     /// Around portals.
     GridBox box_of(std::span<const PortalId> portals) const {
         GridBox box;

@@ -78,8 +78,29 @@ private:
             if (portals[room] != record.portals) return report(room_text(room, "does not list its portals"), {});
             if (record.portal_box != cells_.box_of(record.portals))
                 return report(room_text(room, "has a wrong box around its portals"), {});
+            if (!finds_its_portals(record))
+                return report(room_text(room, "does not find its portals by their boxes"), {});
         }
         if (infinite > 1) report("more than one room, or rock as well, reaches to infinity", {});
+    }
+
+    /// Its boxes, or its index over them.
+    bool finds_its_portals(const RoomRecord& record) const {
+        const bool crowd = record.portals.size() > Cells::kCrowd;
+        if (crowd != bool(record.portal_index) || record.portal_boxes.size() != (crowd ? 0 : record.portals.size()))
+            return false;
+        for (std::size_t k = 0; k < record.portal_boxes.size(); ++k)
+            if (record.portal_boxes[k] != cells_.portal(record.portals[k].value).box) return false;
+        if (!crowd) return true;
+        std::vector<PortalId> found;
+        for_each_indexed_portal(
+            *record.portal_index, [](const GridBox&) { return true; },
+            [&](std::uint32_t number) {
+                found.push_back({number});
+                return false;
+            });
+        std::sort(found.begin(), found.end());
+        return found == record.portals;
     }
 
     void check_portals() {

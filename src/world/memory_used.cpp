@@ -17,6 +17,7 @@ public:
         if (is_new(&data)) bytes_ += sizeof data;
         if (data.materials && is_new(data.materials.get())) add(*data.materials);
         if (data.textures && is_new(data.textures.get())) bytes_ += data.textures->bytes();
+        if (data.anchors && is_new(data.anchors.get())) bytes_ += sizeof(Anchors) + data.anchors->bytes();
         const SolidData& solid = data.solid.data();
         if (is_new(&solid)) bytes_ += sizeof solid;
         add(solid.points);
@@ -54,7 +55,9 @@ private:
             cells.rooms().bytes(is_new_page) + cells.portals().bytes(is_new_page) + cells.joined().bytes(is_new_page);
         if (cells.portal_index()) add_portals(*cells.portal_index());
         cells.rooms().for_each([&](std::uint32_t, const std::shared_ptr<const RoomRecord>& record) {
-            if (is_new(record.get())) bytes_ += bytes_of(*record);
+            if (!is_new(record.get())) return;
+            bytes_ += bytes_of(*record);
+            if (record->portal_index) add_portals(*record->portal_index);
         });
         cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
             if (is_new(state.portal.get())) bytes_ += state.portal->bytes();

@@ -2,6 +2,8 @@
 // Portals' polygons, made of exact faces.
 #include "world/portal_sheets.h"
 
+#include "solid/own_face.h"
+
 namespace firma {
 
 void SheetMaker::add(const Ref<const SolidPlane>& plane, std::span<const SolidUse> uses,
@@ -36,23 +38,6 @@ namespace {
 
 InputPoint grid_corner(const PortalPolygon& polygon, std::size_t k) {
     return to_input(polygon.corners[k % polygon.corners.size()]);
-}
-
-/// Of a polygon that is its own exact face.
-Ref<const SolidPlane> plane_of(const PortalPolygon& polygon) {
-    Plane plane;
-    for (std::size_t k = 2; k < polygon.corners.size() && !plane.valid(); ++k)
-        plane = plane_through(grid_corner(polygon, 0), grid_corner(polygon, k - 1), grid_corner(polygon, k));
-    return Ref<const SolidPlane>(new SolidPlane(plane));
-}
-
-SolidUse side_between(const InputPoint& from, const InputPoint& to, const Ref<const SolidPlane>& plane) {
-    Ref<SolidEdge> edge(new SolidEdge);
-    edge->vertex[0] = Ref<const SolidVertex>(new SolidVertex(from));
-    edge->vertex[1] = Ref<const SolidVertex>(new SolidVertex(to));
-    edge->plane[0] = plane;
-    edge->plane[1] = Ref<const SolidPlane>(new SolidPlane(edge_plane(from, to, plane->plane)));
-    return SolidUse(Ref<const SolidEdge>(edge.get()), false);
 }
 
 class PortalDivider {
@@ -115,7 +100,7 @@ private:
             uses_.emplace_back();
         }
         if (whole.size() == polygon.corners.size()) return false;
-        plane_ = plane_of(polygon);
+        plane_ = plane_of_corners(polygon.corners);
         for (std::size_t k = 0; k < whole.size(); ++k)
             uses_[whole[k]] = side_between(corner(sides[k]), corner(sides[k] + 1), plane_);
         ends_.assign(1, std::uint32_t(uses_.size()));
@@ -148,7 +133,7 @@ void append_sheets(const Portal& portal, std::uint32_t number, std::array<RoomId
             sheet.ends.assign(face->loop_ends().begin(), face->loop_ends().end());
             continue;
         }
-        sheet.plane = plane_of(polygons[k]);
+        sheet.plane = plane_of_corners(polygons[k].corners);
         for (std::size_t c = 0; c < polygons[k].corners.size(); ++c)
             sheet.uses.push_back(
                 side_between(grid_corner(polygons[k], c), grid_corner(polygons[k], c + 1), sheet.plane));

@@ -78,6 +78,7 @@ bool RoomEdit::is_swallowed(const TouchedRoom& room) const {
 }
 
 void RoomEdit::open(const CutOpening& opening, std::optional<std::uint32_t> shot_from, FaceSet& added) {
+    if (opening.air) shot_from = opening.air;
     if (shot_from) shot_from = target_of(*shot_from);
     std::vector<std::uint32_t> swallowed;
     for (const TouchedRoom& room : rooms_)
@@ -101,7 +102,7 @@ void RoomEdit::open(const CutOpening& opening, std::optional<std::uint32_t> shot
         };
         for (const Touch& touch : of_pocket)
             if (!best || comes_before(touch, *best)) best = &touch;
-        const std::uint32_t room = best ? best->room : add_new();
+        const std::uint32_t room = opening.air ? *shot_from : best ? best->room : add_new();
         room_of_pocket.push_back(room);
         for (const Touch& touch : of_pocket)
             if (is_cavity(touch) && touch.room != room) merge(touch.room, room);
@@ -536,14 +537,15 @@ void RoomEdit::publish(WorldData& next) const {
     next.cells.take_out(affected);
     for (const PortalChange& change : portals_)
         next.cells.set_portal_between(change.number, change.state.portal, change.state.closed);
-    for (std::size_t k = 0; k < targets_.size(); ++k) publish(targets_[k], std::move(lists[k]), next);
+    if (!changed.empty()) next.cells.index_portals(changed);
+    for (std::size_t k = 0; k < targets_.size(); ++k) publish(targets_[k], std::move(lists[k]), changed, next);
     for (const PortalChange& change : portals_)
         if (change.number >= before_.cells.portal_count()) affected.push_back({change.number});
     next.cells.put_in(affected);
-    if (!changed.empty()) next.cells.index_portals(changed);
 }
 
-void RoomEdit::publish(const Target& it, std::vector<PortalId> portals, WorldData& next) const {
+void RoomEdit::publish(const Target& it, std::vector<PortalId> portals, std::span<const PortalId> changed,
+                       WorldData& next) const {
     const Cells& cells = before_.cells;
     Ref<RoomFaces> made(new RoomFaces);
     made->tree = it.edit == kNone ? it.index : edits_[it.edit].result();
@@ -560,13 +562,14 @@ void RoomEdit::publish(const Target& it, std::vector<PortalId> portals, WorldDat
     }
     for (const std::uint32_t room : it.from) {
         if (room == it.room) continue;
-        next.set_room(room,
-                      std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, it.room, {}, {}}),
-                      Ref<const RoomFaces>(new RoomFaces));
+        next.set_room(
+            room, std::make_shared<const RoomRecord>(RoomRecord{cells.room(room).name, false, it.room, {}, {}, {}, {}}),
+            Ref<const RoomFaces>(new RoomFaces));
     }
     const bool is_old = it.from.size() == 1 && it.from[0] == it.room;
+    const auto has_changed = [&](PortalId id) { return std::binary_search(portals.begin(), portals.end(), id); };
     if (is_old && std::ranges::equal(cells.portals_of(it.room), portals) &&
-        (portals_.empty() || next.cells.box_of(portals) == cells.room(it.room).portal_box)) {
+        std::none_of(changed.begin(), changed.end(), has_changed)) {
         next.set_room(it.room, cells.record(it.room), Ref<const RoomFaces>(made.get()));
         return;
     }
@@ -575,7 +578,17 @@ void RoomEdit::publish(const Target& it, std::vector<PortalId> portals, WorldDat
     record.exterior = exterior;
     if (it.room < cells.room_count()) record.name = cells.room(it.room).name;
     record.portals = std::move(portals);
-    record.portal_box = next.cells.box_of(record.portals);
+    if (it.from.empty()) {
+        next.cells.set_portal_boxes(record);
+    } else {
+        const std::uint32_t largest = largest_of(it.from, cells);
+        std::vector<PortalId> others(changed.begin(), changed.end());
+        for (const std::uint32_t room : it.from)
+            if (room != largest)
+                others.insert(others.end(), cells.portals_of(room).begin(), cells.portals_of(room).end());
+        sort_once(others);
+        next.cells.set_portal_boxes(record, cells, largest, others);
+    }
     next.set_room(it.room, std::make_shared<const RoomRecord>(std::move(record)), Ref<const RoomFaces>(made.get()));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -97,7 +98,8 @@ private:
     void end_portals_within();
     std::vector<PortalId> portals_after(const Target& it) const;
     void add_affected(const Target& it, std::size_t portals_after, std::vector<PortalId>& affected) const;
-    void publish(const Target& it, std::vector<PortalId> portals, WorldData& next) const;
+    void publish(const Target& it, std::vector<PortalId> portals, std::span<const PortalId> changed,
+                 WorldData& next) const;
 
     const WorldData& before_;
     std::uint32_t sum_of_rooms_;                                   ///< those that are new counted

@@ -69,11 +69,13 @@ public:
         return taken;
     }
 
-    /// Once each, by the earliest way.
+    /// Once each, by the earliest way; of several, through the lowest portal.
     void wait(const WaitingRoom& more) {
         for (std::size_t k = 0; k < count_; ++k)
             if (waiting_[k].room == more.room && waiting_[k].behind == more.behind) {
-                if (more.reached < waiting_[k].reached) waiting_[k] = more;
+                const WaitingRoom& known = waiting_[k];
+                if (more.reached < known.reached || (more.reached == known.reached && more.portal < known.portal))
+                    waiting_[k] = more;
                 return;
             }
         if (count_ == room_for_) make_room();

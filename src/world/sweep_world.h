@@ -157,21 +157,19 @@ private:
     /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
     /// wait.
     void pass_portals(const WaitingRoom& from, bool first_look, const SweepBox& boxes) {
-        const GridBox around = box_of_sweep();
-        for (const PortalId id : data_.cells.portals_of(from.room)) {
-            const std::uint32_t index = id.value;
+        // A large hall may have dozens; most are nowhere near.
+        data_.cells.for_each_portal_of(from.room, box_of_sweep(), [&](std::uint32_t index) {
             const Portal& portal = data_.cells.portal(index);
-            // A large hall may have dozens; most are nowhere near.
-            if (!boxes_meet(portal.box, around)) continue;
             const std::uint32_t beyond = data_.cells.beyond(portal, from.room);
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
-            if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal, boxes)) return;
+            if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal, boxes)) return true;
             double reached = 0;
-            if (behind ? rooms_.looked_into(beyond) : rooms_.passed(beyond)) continue;
-            if (!reaches(portal, boxes, reached)) continue;
+            if (behind ? rooms_.looked_into(beyond) : rooms_.passed(beyond)) return false;
+            if (!reaches(portal, boxes, reached)) return false;
             rooms_.wait({reached > from.reached ? reached : from.reached, beyond, index, behind});
-        }
+            return false;
+        });
     }
 
     /// Around all that the sphere may touch up to the latest time; what lies outside, SweepBox would not enter.

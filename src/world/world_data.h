@@ -14,6 +14,7 @@
 #include "firma/solid.h"
 #include "firma/tree_options.h"
 #include "firma/world.h"
+#include "solid/anchors.h"
 #include "solid/face_store.h"
 #include "solid/solid_data.h"
 #include "world/cells.h"
@@ -34,6 +35,7 @@ struct WorldData {
     TreeOptions tree_options;  ///< how indices are built, and rebuilt by edits
     std::uint64_t version = 0;
     std::shared_ptr<const CarveRules> rules;       ///< null: none
+    std::shared_ptr<const Anchors> anchors;        ///< what holds pieces; null: not said yet. In no hash
     std::shared_ptr<const FaceTextures> textures;  ///< of the level's file; null: none. In no hash
 
     std::size_t face_count() const { return solid.face_count() + castable.count; }

@@ -2,6 +2,7 @@
 // Edits of worlds of several rooms: every room stays closed, every answer true.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <optional>
 #include <set>
 #include <utility>
@@ -197,6 +198,54 @@ TEST(CarveRooms, PiecesOfPortalsInOnePlaneBecomeOne) {
     for (std::size_t k = 0; k < hole.all_polygons().size(); ++k) sheets.insert(hole.exact(k));
     EXPECT_EQ(sheets.size(), 1u);
     EXPECT_EQ(hash_world(unpack_world(pack_world(world), "test").value()), hash_world(world));
+}
+
+/// A beam through a portal, shot at both ends: what it bounded is air then, of the room that it was shot from last, and
+/// its walls in the other one are a portal.
+TEST(CarveRooms, APieceThatLeavesIsAir) {
+    const World world = two_halves();
+    const std::array<Vec3, 8> corners = {Vec3{-2.5, -0.3, -0.3}, {2.5, -0.3, -0.3}, {2.5, 0.3, -0.3}, {-2.5, 0.3, -0.3},
+                                         {-2.5, -0.3, 0.3},      {2.5, -0.3, 0.3},  {2.5, 0.3, 0.3},  {-2.5, 0.3, 0.3}};
+    const std::array<CutterTriangle, 12> triangles = {CutterTriangle{0, 2, 1},
+                                                      {0, 3, 2},
+                                                      {4, 5, 6},
+                                                      {4, 6, 7},
+                                                      {0, 1, 5},
+                                                      {0, 5, 4},
+                                                      {1, 2, 6},
+                                                      {1, 6, 5},
+                                                      {2, 3, 7},
+                                                      {2, 7, 6},
+                                                      {3, 0, 4},
+                                                      {3, 4, 7}};
+    const Cutter beam = make_cutter(corners, triangles, "beam").value();
+    // From one far wall to the other: x from -0.5 to 8.5.
+    const CarveResult filled = fill(world, beam, {.position = {4, 2, 2}, .scale = 1.8});
+    ASSERT_TRUE(filled.done());
+    test::expect_sound_world(filled.world);
+    ASSERT_LT(area_of(filled.world, {0}), 15.5) << "the portal lost what the beam fills";
+    for (const double first : {1.0, 7.0}) {
+        CarveOptions options;
+        options.chunks.emplace();
+        const Cutter blast = make_crater(CutterShape::kBox, 3);
+        CarveResult result = carve(filled.world, blast, {.position = {first, 2, 2}, .scale = 0.9}, options);
+        ASSERT_TRUE(result.done());
+        EXPECT_EQ(result.chunks.size(), 0u);
+        result = carve(result.world, blast, {.position = {8 - first, 2, 2}, .scale = 0.9}, options);
+        ASSERT_TRUE(result.done());
+        ASSERT_EQ(result.chunks.size(), 1u);
+        test::expect_sound_world(result.world);
+        EXPECT_EQ(room_info(result.world, {1})->merged_into, RoomId{1});
+        const std::uint32_t last = first == 1 ? 1 : 0;
+        EXPECT_EQ(locate(result.world, {3.7, 2, 2}), in_room(last));
+        EXPECT_EQ(locate(result.world, {4.3, 2, 2}), in_room(last));
+        EXPECT_EQ(locate(result.world, {3, 1, 1}), in_room(0));
+        EXPECT_EQ(locate(result.world, {5, 1, 1}), in_room(1));
+        EXPECT_EQ(result.report.portals, 1u);
+        scenes::Rng rng(5);
+        expect_casts_agree(result.world, {4, 2, 2}, 2, rng, 200);
+        EXPECT_EQ(hash_world(unpack_world(pack_world(result.world), "test").value()), hash_world(result.world));
+    }
 }
 
 /// By the rule that a caller may choose: rooms become one where carvings opened enough of the walls, but not at a door

@@ -86,6 +86,7 @@ std::size_t entry_size(SectionType type) {
         case kFacesSection:
             return kFaceBytes;
         case kRoomRecordsSection:
+        case kAnchorsSection:
         case kPortalCornersSection:
         case kVerticesSection:
         case kGridPointsSection:

@@ -269,8 +269,10 @@ TEST(GltfRooms, DividedWorldsAreCarved) {
     EXPECT_EQ(area_of(portal_polygons(away, PortalId{0})), 16);
     EXPECT_NE(room_at(away, {1, 2, 2}), room_at(away, {7, 2, 2}));
     EXPECT_EQ(room_at(away, {1.5, -0.3, 2}), room_at(away, {1, 2, 2}));
-    const World around = carved(4);  // a way past the portal: the rooms are one
-    EXPECT_EQ(room_at(around, {1, 2, 2}), room_at(around, {7, 2, 2}));
+    const World around = carved(4);  // a way past the portal: another portal
+    EXPECT_NE(room_at(around, {1, 2, 2}), room_at(around, {7, 2, 2}));
+    EXPECT_EQ(portal_count(around), 2u);
+    EXPECT_EQ(area_of(portal_polygons(around, PortalId{0})), 16);
 }
 
 /// Our level with three portals through all of it, far beyond its rim.

@@ -155,6 +155,40 @@ TEST(EditLog, ACutterIsThereOnce) {
     EXPECT_EQ(std::get<Cutter>(read.commands()[0].cutter).data(), std::get<Cutter>(read.commands()[49].cutter).data());
 }
 
+TEST(EditLog, ACompactedOneGivesTheSameWorld) {
+    const World level = two_halls();
+    const std::vector<EditCommand> commands = all_kinds();
+    const Logged logged = log_of(level, commands);
+    for (const std::size_t kept : {commands.size(), commands.size() - 4, std::size_t(9), std::size_t(0)}) {
+        const std::uint32_t number = kept < commands.size() ? last_number(commands[commands.size() - 1 - kept]) : 0;
+        const Result<EditLog> made = compacted(level, logged.log, number);
+        ASSERT_TRUE(made) << made.error().text();
+        EXPECT_EQ(made.value().commands().size(), kept);
+        EXPECT_EQ(made.value().last_number(), logged.log.last_number());
+        EXPECT_EQ(made.value().patched_number(), number);
+        const std::vector<std::byte> bytes = pack_log(made.value());
+        const Result<EditLog> read = unpack_log(bytes, "test");
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_EQ(pack_log(read.value()), bytes);
+        const ReplayResult result = replay(level, read.value());
+        ASSERT_TRUE(result.ok()) << result.error->text();
+        EXPECT_EQ(hash_world(result.world), hash_world(logged.world));
+        EXPECT_EQ(result.commands, kept);
+        EXPECT_EQ(result.checkpoints, kept + (kept < commands.size())) << "that of the patch, and one a command";
+        EXPECT_FALSE(check_world(result.world));
+        EXPECT_FALSE(check_solid(result.world));
+        // Once more, further.
+        const Result<EditLog> again = compacted(level, read.value(), logged.log.last_number());
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_EQ(hash_world(replay(level, again.value()).world), hash_world(logged.world));
+        EXPECT_TRUE(again.value().commands().empty());
+        if (number > 0) {
+            EXPECT_FALSE(compacted(level, read.value(), number - 1));
+        }
+    }
+    EXPECT_FALSE(compacted(logged.world, logged.log, 1));
+}
+
 std::vector<std::byte> small_log() {
     const World level = two_halls();
     const test::TriangleMesh box = test::box_mesh({-1, -1, -1}, {1, 1, 1});

@@ -92,6 +92,25 @@ TEST(PackWorld, HowTexturesLie) {
     EXPECT_FALSE(texture_of(bare, bare.faces()[0].ref()));
 }
 
+/// In no hash, and a reader may pass it over.
+TEST(PackWorld, WhatHoldsPieces) {
+    World world = with_anchors(room_world(), {.hanging = true, .materials = {""}, .sources = {7, 3, 7}});
+    const CarveResult post =
+        fill(world, make_crater(CutterShape::kBox, 1), {.position = {0.1, 0.2, 1.5}, .scale = 0.25});
+    ASSERT_TRUE(post.done());
+    EXPECT_EQ(post.world.data().anchors->edits, (std::vector<std::uint32_t>{1})) << "it stands free";
+    for (const World& saved : {world, post.world}) {
+        expect_round_trip(saved);
+        const World read = unpacked(pack_world(saved));
+        ASSERT_TRUE(read.data().anchors);
+        EXPECT_TRUE(*read.data().anchors == *saved.data().anchors);
+        EXPECT_EQ(read.data().anchors->sources, (std::vector<std::uint32_t>{3, 7}));
+    }
+    EXPECT_FALSE(unpacked(pack_world(room_world())).data().anchors) << "nothing was said";
+    for (const Section& section : read_container(pack_world(world), "test").value())
+        EXPECT_TRUE(section.type != kAnchorsSection || !section.required());
+}
+
 TEST(PackWorld, RoomsPortalsAndDoors) {
     expect_round_trip(two_rooms());
     const World read = unpacked(pack_world(two_rooms()));

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "firma/chunk.h"
 #include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/save/saved_worlds.h"
@@ -15,7 +16,7 @@ namespace {
 /// Of a small world with an exact part, and without.
 std::vector<std::vector<std::byte>> small_files() {
     return {pack_world(tiny_world()), pack_world(tiny_world(), {.exact = false}), pack_world(World()),
-            pack_world(two_rooms()), pack_world(papered_world(), {.index = false})};
+            pack_world(two_rooms()), pack_world(with_anchors(papered_world()), {.index = false})};
 }
 
 TEST(UnpackDamage, EveryByteFlipped) {
@@ -239,6 +240,25 @@ TEST(UnpackDamage, ErrorsOfTexturesNameTheirPlace) {
     EXPECT_EQ(without(kTextureMapsSection), "a.firma: section TFAC: is there without a reason");
     EXPECT_EQ(without(kTexturedFacesSection), "a.firma: section TFAC: is missing");
     EXPECT_EQ(without(kTextureOutlinesSection), "a.firma: section TCOR: is missing");
+}
+
+TEST(UnpackDamage, ErrorsOfAnchorsNameTheirPlace) {
+    const World world = with_anchors(tiny_world(), {.hanging = false, .materials = {""}, .sources = {3, 5}});
+    const auto with_u32 = [&](std::size_t at, std::uint32_t value) {
+        std::vector<std::byte> bytes = pack_world(world);
+        for (const SectionPlace& place : section_places(bytes))
+            if (place.type == kAnchorsSection) put_u32(bytes, place.first + at, value);
+        fix_checksums(bytes);
+        const Result<World> read = unpack_world(bytes, "a.firma");
+        return read ? "read" : read.error().text();
+    };
+    const std::size_t second = kAnchorBytes, third = 2 * kAnchorBytes;
+    EXPECT_EQ(with_u32(8, 77), "read") << "a material that is not there holds nothing";
+    EXPECT_EQ(with_u32(0, 4), "a.firma: section HOLD, entry 0: has flags that mean nothing");
+    EXPECT_EQ(with_u32(second + 4, 1), "a.firma: section HOLD, entry 1: has flags that mean nothing");
+    EXPECT_EQ(with_u32(second + 8, 5), "a.firma: section HOLD, entry 2: is out of order");
+    EXPECT_EQ(with_u32(third, 0), "a.firma: section HOLD, entry 2: is out of order");
+    EXPECT_EQ(with_u32(third, kHangingHolds), "read");
 }
 
 TEST(UnpackDamage, ContactOffsetAndCountersAreOnesToGoOnWith) {

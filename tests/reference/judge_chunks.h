@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Whether a cut with loose pieces taken out is what it should be: against the same cut without, flooded as a whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "firma/carve.h"
+
+namespace firma::reference {
+
+/// Edit and source of faces of which none bounds anything else but bodies that hang free.
+using HangingFaces = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+HangingFaces hanging_faces(const World& world);
+
+struct ChunkVerdict {
+    std::string fault;  ///< "" for none
+    std::size_t loose = 0;
+};
+
+/// @param before   a world of which every body is held
+/// @param hanging  of the first world; nothing else holds
+/// @param result   of a cut with CarveOptions::chunks and no crumbs
+/// @param plain    of the same cut without
+ChunkVerdict judge_chunks(const World& before, const HangingFaces& hanging, const CarveResult& result,
+                          const CarveResult& plain);
+
+}  // namespace firma::reference

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Patches: what differs between two worlds makes one of the other, to the bit; peers who lost edits are repaired;
+// hostile bytes never harm a world.
+#include <gtest/gtest.h>
+
+#include "firma/edit_log.h"
+#include "firma/rooms.h"
+#include "firma/world_patch.h"
+#include "save/patch_sections.h"
+#include "scenes/rng.h"
+#include "tests/carve/cutters.h"
+#include "tests/save/saved_worlds.h"
+
+namespace firma {
+namespace {
+
+/// Two halls of 64 m: many regions.
+World large_halls() {
+    return assemble_world(two_halves_parts(64)).value();
+}
+
+/// Craters on the floor, the walls, the ceiling and around the portal, in clusters that overlap.
+EditCommand some_crater(std::uint32_t number, scenes::Rng& rng) {
+    constexpr CutterShape kShapes[] = {CutterShape::kRocky, CutterShape::kRocky, CutterShape::kDrill,
+                                       CutterShape::kWedge, CutterShape::kBox};
+    Vec3 at{rng.uniform(0, 128), rng.uniform(0, 64), rng.uniform(0, 64)};
+    if (rng.next() % 2 == 0) at = {64 + rng.uniform(-6, 6), rng.uniform(0, 4), rng.uniform(0, 20)};
+    at[int(rng.next() % 2) + 1] = rng.next() % 2 ? 0 : 64;
+    const std::uint64_t seed = rng.next();
+    return crater_command(number, {kShapes[seed % 5], seed}, at, rng.uniform(0.5, 2.5),
+                          {number % 10 == 0 ? "stone" + std::to_string(number) : "crater"});
+}
+
+std::vector<EditCommand> some_commands(std::uint32_t count, std::uint64_t seed) {
+    scenes::Rng rng(seed);
+    std::vector<EditCommand> commands;
+    for (std::uint32_t k = 1; k <= count; ++k) commands.push_back(some_crater(k, rng));
+    return commands;
+}
+
+void expect_same(const World& one, const World& two) {
+    EXPECT_EQ(hash_world(one), hash_world(two));
+    EXPECT_EQ(hash_solid(one), hash_solid(two));
+    EXPECT_EQ(hash_regions(one), hash_regions(two));
+    EXPECT_TRUE(same_solid(one, two));
+    EXPECT_FALSE(check_world(one));
+    EXPECT_FALSE(check_solid(one));
+    // Edits go on alike.
+    scenes::Rng rng(77);
+    World a = one, b = two;
+    for (std::uint32_t k = 1; k <= 10; ++k) {
+        const EditCommand command = some_crater(1000 + k, rng);
+        a = apply(a, command).world;
+        b = apply(b, command).world;
+        ASSERT_EQ(hash_world(a), hash_world(b));
+    }
+}
+
+TEST(WorldPatch, MakesOneWorldOfAnother) {
+    const World level = large_halls();
+    World world = level;
+    for (const EditCommand& command : some_commands(60, 1)) world = apply(world, command).world;
+    const std::vector<std::byte> patch = make_patch(level, world);
+    const Result<World> made = apply_patch(level, patch, "patch");
+    ASSERT_TRUE(made) << made.error().text();
+    expect_same(made.value(), world);
+    // And back.
+    const Result<World> back = apply_patch(world, make_patch(world, level), "patch");
+    ASSERT_TRUE(back) << back.error().text();
+    expect_same(back.value(), level);
+    // From a version in between, on the way from the sound peer and from the one that was made by a patch.
+    World later = world;
+    scenes::Rng rng(2);
+    for (std::uint32_t k = 61; k <= 80; ++k) later = apply(later, some_crater(k, rng)).world;
+    const std::vector<std::byte> more = make_patch(world, later);
+    EXPECT_LT(more.size(), patch.size());
+    for (const World& from : {world, made.value()}) {
+        const Result<World> next = apply_patch(from, more, "patch");
+        ASSERT_TRUE(next) << next.error().text();
+        expect_same(next.value(), later);
+    }
+}
+
+TEST(WorldPatch, OfNothingIsSmall) {
+    const World level = large_halls();
+    const std::vector<std::byte> patch = make_patch(level, level);
+    EXPECT_LT(patch.size(), 1200u);
+    expect_same(apply_patch(level, patch, "patch").value(), level);
+}
+
+TEST(WorldPatch, HasDoorsAndRooms) {
+    const World level = large_halls();
+    const World closed = *set_portal_open(level, {0}, false);
+    const Result<World> made = apply_patch(level, make_patch(level, closed), "patch");
+    ASSERT_TRUE(made) << made.error().text();
+    EXPECT_FALSE(portal_info(made.value(), {0})->open);
+    expect_same(made.value(), closed);
+    const Result<World> opened = apply_patch(closed, make_patch(closed, level), "patch");
+    ASSERT_TRUE(opened) << opened.error().text();
+    expect_same(opened.value(), level);
+}
+
+/// What two peers do when their hashes differ. @return the bytes that travelled
+std::size_t repair(World& broken, const World& sound) {
+    // The broken peer hears the other one's hashes of regions, 28 bytes each, and answers with a list.
+    const std::vector<RegionHash> heard = hash_regions(sound);
+    const std::vector<Region> regions = differing_regions(hash_regions(broken), heard);
+    const std::vector<std::byte> list = list_faces(broken, regions);
+    const Result<std::vector<std::byte>> patch = make_patch(sound, list, "list");
+    EXPECT_TRUE(patch) << patch.error().text();
+    const Result<World> made = apply_patch(broken, patch.value(), "patch");
+    EXPECT_TRUE(made) << made.error().text();
+    broken = made.value();
+    return 28 * heard.size() + list.size() + patch.value().size();
+}
+
+TEST(WorldPatch, RepairsAfterLostEdits) {
+    const std::vector<EditCommand> commands = some_commands(300, 3);
+    const World level = large_halls();
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        scenes::Rng rng(seed);
+        World all = level, some = level;
+        std::size_t lost = 0;
+        for (const EditCommand& command : commands) {
+            all = apply(all, command).world;
+            if (rng.next() % 100 == 0)
+                ++lost;
+            else
+                some = apply(some, command).world;
+        }
+        if (lost == 0) continue;
+        ASSERT_NE(hash_world(some), hash_world(all));
+        repair(some, all);
+        expect_same(some, all);
+    }
+}
+
+TEST(WorldPatch, RepairsAgainAndAgain) {
+    World all = large_halls(), some = all;
+    scenes::Rng rng(5);
+    for (std::uint32_t k = 1; k <= 120; ++k) {
+        const EditCommand command = some_crater(k, rng);
+        all = apply(all, command).world;
+        if (k % 7 != 0) some = apply(some, command).world;
+        if (k % 21 == 20) repair(some, all);
+        if (k % 21 == 20) {
+            ASSERT_EQ(hash_world(some), hash_world(all)) << k;
+        }
+    }
+    repair(some, all);
+    expect_same(some, all);
+}
+
+TEST(WorldPatch, IsForItsWorldAlone) {
+    const World level = large_halls();
+    scenes::Rng rng(6);
+    const World one = apply(level, some_crater(1, rng)).world;
+    const std::vector<std::byte> patch = make_patch(level, one);
+    const Result<World> made = apply_patch(one, patch, "patch");
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().text(), "patch: the patch was made for another world");
+    EXPECT_FALSE(unpack_world(patch, "patch")) << "a patch is no world";
+    EXPECT_FALSE(apply_patch(level, pack_world(one), "patch")) << "a world is no patch";
+    EXPECT_FALSE(make_patch(level, patch, "list")) << "a patch is no list";
+}
+
+std::vector<std::byte> small_patch(const World& level) {
+    Pose pose;
+    pose.position = {1, 3.9, 2};
+    CarveOptions options{"crater", 1};
+    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, options).world;
+    return make_patch(once, carve(once, make_crater(CutterShape::kWedge, 5), pose, {"other", 2}).world);
+}
+
+TEST(WorldPatch, EveryFlippedByteAndTruncationIsRefused) {
+    const World level = two_halves();
+    Pose pose;
+    pose.position = {1, 3.9, 2};
+    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, {"crater", 1}).world;
+    std::vector<std::byte> bytes = small_patch(level);
+    const std::uint64_t before = hash_world(once);
+    ASSERT_TRUE(apply_patch(once, bytes, "patch"));
+    for (std::size_t k = 0; k < bytes.size(); ++k) {
+        bytes[k] ^= std::byte(0x21);
+        EXPECT_FALSE(apply_patch(once, bytes, "patch"));
+        bytes[k] ^= std::byte(0x21);
+    }
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        EXPECT_FALSE(apply_patch(once, std::span(bytes).first(length), "patch"));
+    EXPECT_EQ(hash_world(once), before);
+}
+
+TEST(WorldPatch, EveryFlippedBitBeyondTheChecksumsIsRefusedOrHarmless) {
+    const World level = two_halves();
+    Pose pose;
+    pose.position = {1, 3.9, 2};
+    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, {"crater", 1}).world;
+    const std::vector<std::byte> sound = small_patch(level);
+    const std::uint64_t after = hash_world(apply_patch(once, sound, "patch").value());
+    std::size_t harmless = 0;
+    for (const SectionPlace& place : section_places(sound))
+        for (std::size_t k = place.first; k < place.first + place.length; ++k)
+            for (const unsigned flip : {1u, 0x80u}) {
+                std::vector<std::byte> bytes = sound;
+                bytes[k] ^= std::byte(flip);
+                fix_checksums(bytes);
+                const Result<World> made = apply_patch(once, bytes, "patch");
+                if (!made) continue;
+                ++harmless;
+                // A normal's last bits, or what the reader passes over.
+                EXPECT_EQ(hash_world(made.value()), after) << section_name(place.type);
+                EXPECT_FALSE(check_world(made.value()));
+                EXPECT_FALSE(check_solid(made.value()));
+            }
+    EXPECT_GT(harmless, 0u);
+}
+
+TEST(WorldPatch, ListsAreTakenAsHostile) {
+    const World level = two_halves();
+    const std::vector<Region> everywhere = differing_regions(hash_regions(level), {});
+    EXPECT_EQ(everywhere.size(), hash_regions(level).size());
+    const std::vector<std::byte> sound = list_faces(level, everywhere);
+    for (std::size_t length = 0; length < sound.size(); ++length)
+        EXPECT_FALSE(make_patch(level, std::span(sound).first(length), "list"));
+    for (const SectionPlace& place : section_places(sound))
+        for (std::size_t k = place.first; k < place.first + place.length; ++k) {
+            std::vector<std::byte> bytes = sound;
+            bytes[k] ^= std::byte(0x80);
+            fix_checksums(bytes);
+            const auto patch = make_patch(level, bytes, "list");
+            if (patch) {
+                EXPECT_FALSE(apply_patch(level, patch.value(), "patch") &&
+                             hash_world(apply_patch(level, patch.value(), "patch").value()) != hash_world(level));
+            }
+        }
+    const std::vector<Region> outside{{-300, 0, 0}, {0, 0, 256}, {INT32_MIN, INT32_MAX, 0}};
+    EXPECT_TRUE(make_patch(level, list_faces(level, outside), "list"));
+}
+
+}  // namespace
+}  // namespace firma
