@@ -10,6 +10,7 @@
 #include "firma/grid.h"
 #include "firma/hit.h"
 #include "firma/level.h"
+#include "firma/matter.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
 #include "firma/polygon.h"

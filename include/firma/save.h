@@ -28,7 +28,7 @@ struct SaveOptions {
 };
 
 /// What pack_world() writes and unpack_world() reads; files of older versions stay readable.
-inline constexpr std::uint32_t kFirmaFileVersion = 2;
+inline constexpr std::uint32_t kFirmaFileVersion = 3;
 
 /// A world as the bytes of a .firma file: everything that hash_world() covers, the tolerance, the options for trees,
 /// the rules for carving and how textures lie. The same world, made the same way, gives the same bytes on every

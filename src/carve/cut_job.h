@@ -2,7 +2,9 @@
 // One cut, step by step: from a solid and a placed cutter to the change that makes the solid after it.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,7 +13,9 @@
 #include "carve/cut_faces.h"
 #include "carve/label.h"
 #include "carve/make_faces.h"
+#include "carve/split_matter.h"
 #include "carve/tile_faces.h"
+#include "carve/trim_cutter.h"
 #include "firma/solid.h"
 #include "solid/change_solid.h"
 
@@ -22,7 +26,11 @@ struct CutTerms {
     const CarveRules* rules = nullptr;                    ///< null: none
     const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
-    std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
+    /// What the solid is made of. With materials of insides these count in place of `material`, but for fills.
+    CutMatters matters;
+    /// A piece as a solid, for what may not be carved. None where there is nothing such.
+    std::function<std::optional<Solid>(const MatterPiece&)> solid_of;
+    std::size_t other_faces = 0;  ///< that count for CarveRules::max_faces beside the solid's
 };
 
 /// Works in pieces of some ten microseconds. Only reads the solid; what it makes is its own.
@@ -56,6 +64,7 @@ private:
     enum class Phase : std::uint8_t {
         kPlace,
         kCheck,
+        kTrim,
         kGather,
         kTile,
         kCut,
@@ -63,6 +72,7 @@ private:
         kLabel,
         kTrace,
         kRules,
+        kSplit,
         kFacets,
         kChange,
         kEnd
@@ -70,6 +80,7 @@ private:
 
     Phase place();
     Phase judge_cutter();
+    Phase trim();
     Phase gather();
     Phase tile();
     Phase cut_next_faces();
@@ -77,6 +88,8 @@ private:
     Phase label();
     Phase trace();
     Phase apply_materials();
+    Phase split_on();
+    Phase start_facets(std::uint32_t material);
     Phase make_next_faces();
     Phase make_change();
 
@@ -88,9 +101,14 @@ private:
     CutSide locate_point(const ExactPoint& point) const;
     Phase too_many_pairs();
     Phase too_many_new_faces();
-    const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
-    Phase shrink(double hardness, const std::string& by, Phase otherwise);
+    double hardness_at_middle() const;
+    double hardness_of_zones(const Vec3& middle) const;
+    double hardness_of_matter(const Vec3& middle) const;
+    Pose scaled_pose() const;
+    std::vector<CutShield> shields() const;
+    std::optional<std::string> taken_and_hard() const;
+    bool shows_insides() const { return !terms_.matters.inside.empty() && !input_.fill; }
     std::vector<FacetPlace> facets_removed();
     std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
@@ -98,6 +116,8 @@ private:
     const Crossings& crossings() const { return arranger_ ? arranger_->crossings() : face_cutter_.made(); }
     const NewLoops& loops() const { return arranger_ ? arranger_->loops() : loops_; }
     CutView view() const { return {input_, crossings(), loops()}; }
+    // What comes of it: the same, split where matters meet.
+    const NewLoops& made_loops() const { return splitter_ ? splitter_->loops() : loops(); }
     const SolidData& data() const { return solid_.data(); }
     const Node* index() const { return data().faces.root.get(); }
 
@@ -113,6 +133,11 @@ private:
     SolidChange change_;
     Phase phase_ = Phase::kPlace;
 
+    bool hardness_asked_ = false;
+    std::string cut_short_by_;               ///< the first such thing
+    std::vector<std::uint32_t> source_of_;   ///< by face of the trimmed cutter: the triangle it is a part of
+    std::optional<std::uint32_t> material_;  ///< of all faces that the cutter leaves; none: they are of several matters
+
     CutterSolid solid_cutter_;
     SolidPatch patch_;
     std::vector<FacetPlace> facets_;  ///< gathered
@@ -124,7 +149,8 @@ private:
     CutOrder order_;
     Labels labels_;
     NewLoops loops_;
-    std::unique_ptr<CutArranger> arranger_;  ///< where the cutter touches: in place of the four above
+    std::unique_ptr<CutArranger> arranger_;     ///< where the cutter touches: in place of the four above
+    std::unique_ptr<MatterSplitter> splitter_;  ///< where several matters are near
     KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
 

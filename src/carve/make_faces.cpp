@@ -58,7 +58,7 @@ bool FaceMaker::runs_against(std::uint32_t number, const SolidEdge& stored) {
 }
 
 void FaceMaker::make(const NewFace& face) {
-    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle});
+    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle, face.material});
 }
 
 void FaceMaker::make_kept(std::uint32_t index) {
@@ -114,7 +114,7 @@ void FaceMaker::add_facets(const Outline& outline, const SolidFace& owner) {
     } else {
         like.source = outline.triangle;
         like.edit = source_.edit;
-        like.material = source_.material;
+        like.material = outline.material != ~0u ? outline.material : source_.material;
         like.part = source_.part;
     }
     like.solid = true;

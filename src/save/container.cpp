@@ -75,7 +75,7 @@ private:
         if (version < 1 || version > kFirmaFileVersion)
             return Error{
                 ErrorCode::kUnsupported, name_,
-                "it is of version " + std::to_string(version) + " of the format; this Firma reads versions 1 and 2"};
+                "it is of version " + std::to_string(version) + " of the format; this Firma reads versions 1 to 3"};
         count_ = read_u32(bytes_.data() + 12);
         if (count_ > (bytes_.size() - kHeadBytes) / kTableEntryBytes)
             return fault("it ends within its table of sections");

@@ -8,6 +8,7 @@
 #include "base/point_numbers.h"
 #include "base/sort.h"
 #include "firma/save.h"
+#include "save/pack_matters.h"
 #include "save/sections.h"
 #include "solid/solid_face.h"
 #include "world/world_data.h"
@@ -298,6 +299,8 @@ private:
             add(kUsesSection, uses_);
             add(kLoopsSection, loops_);
         }
+        if (data_.matters)
+            for (NewSection& section : pack_matters(*data_.matters)) all.push_back(std::move(section));
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };

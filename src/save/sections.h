@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections of versions 1 and 2, and how large their entries are. docs/formats.md says what is in them.
+// The sections of versions 1 to 3, and how large their entries are. docs/formats.md says what is in them.
 #pragma once
 
 #include "save/container.h"
@@ -29,6 +29,14 @@ inline constexpr SectionType kLoopsSection = section_type("LOOP");
 inline constexpr SectionType kTextureMapsSection = section_type("TMAP");
 inline constexpr SectionType kTexturedFacesSection = section_type("TFAC");
 inline constexpr SectionType kTextureOutlinesSection = section_type("TCOR");
+// What it is made of, from version 3 on: all of them, or none where there is nothing to say.
+inline constexpr SectionType kMattersSection = section_type("MTTR");
+inline constexpr SectionType kPiecesSection = section_type("PIEC");
+inline constexpr SectionType kPiecePlanesSection = section_type("PPLA");
+inline constexpr SectionType kPiecePolygonsSection = section_type("PPLY");
+inline constexpr SectionType kPieceCornersSection = section_type("PCRN");
+inline constexpr SectionType kPieceMaterialsSection = section_type("PMAT");
+inline constexpr SectionType kMatterSourcesSection = section_type("MSRC");
 // The index: may be missing, or passed over.
 inline constexpr SectionType kIndexBlocksSection = section_type("IBLK");
 inline constexpr SectionType kIndexFacesSection = section_type("IFAC");
@@ -49,6 +57,9 @@ inline constexpr SectionType kSectionsOfBoth[] = {
     kUsesSection,    kLoopsSection};
 inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
                                                       kTextureOutlinesSection};
+inline constexpr SectionType kSectionsOfMatters[] = {
+    kMattersSection,      kPiecesSection,         kPiecePlanesSection,  kPiecePolygonsSection,
+    kPieceCornersSection, kPieceMaterialsSection, kMatterSourcesSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
 inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
                                                    kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
@@ -69,6 +80,9 @@ inline constexpr std::size_t kEdgeBytes = 20;
 inline constexpr std::size_t kExactFaceBytes = 36;
 inline constexpr std::size_t kTextureMapBytes = 72;
 inline constexpr std::size_t kTexturedFaceBytes = 12;
+inline constexpr std::size_t kMattersBytes = 16;  ///< without matters and patterns
+inline constexpr std::size_t kMatterBytes = 32;   ///< without its texts
+inline constexpr std::size_t kPieceBytes = 48;
 
 // Flags of the world.
 inline constexpr std::uint32_t kRockOutside = 1;
@@ -87,6 +101,8 @@ inline constexpr std::uint32_t kClosedPortal = 1;
 // Of a face.
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;
+// Of a piece.
+inline constexpr std::uint32_t kSkyPiece = 1;
 // Of an edge.
 inline constexpr std::uint32_t kDoubledEdge = 1;
 

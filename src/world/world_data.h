@@ -15,6 +15,7 @@
 #include "firma/tree_options.h"
 #include "firma/world.h"
 #include "solid/face_store.h"
+#include "solid/matter_pieces.h"
 #include "solid/solid_data.h"
 #include "world/cells.h"
 #include "world/face_textures.h"
@@ -35,6 +36,7 @@ struct WorldData {
     std::uint64_t version = 0;
     std::shared_ptr<const CarveRules> rules;       ///< null: none
     std::shared_ptr<const FaceTextures> textures;  ///< of the level's file; null: none. In no hash
+    std::shared_ptr<const MatterPieces> matters;   ///< null: they would say nothing
 
     std::size_t face_count() const { return solid.face_count() + castable.count; }
     bool rock_outside() const { return solid.rock_outside(); }

@@ -119,9 +119,9 @@ class FirmaFile(CliTest):
         self.write('text.firma', 'o level\n')
         self.refuse('info', 'text.firma', says=['text.firma: it does not begin as a .firma file does'])
         damaged = bytearray(bytes_before)
-        damaged[8] = 3
+        damaged[8] = 4
         self.write('new.firma', bytes(damaged))
-        self.refuse('check', 'new.firma', says=['new.firma: it is of version 3'])
+        self.refuse('check', 'new.firma', says=['new.firma: it is of version 4'])
         self.refuse('check', 'none.firma', says=['none.firma: cannot be read'])
 
     def test_files_of_version_1_stay_readable(self):

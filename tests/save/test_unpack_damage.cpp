@@ -298,12 +298,12 @@ TEST(UnpackDamage, RulesAreReadAsOnesThatCanBeGiven) {
 
 TEST(UnpackDamage, OtherVersionsSaySo) {
     std::vector<std::byte> bytes = pack_world(tiny_world());
-    put_u32(bytes, 8, 3);
+    put_u32(bytes, 8, 4);
     fix_checksums(bytes);
     const Result<World> read = unpack_world(bytes, "a.firma");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kUnsupported);
-    EXPECT_EQ(read.error().text(), "a.firma: it is of version 3 of the format; this Firma reads versions 1 and 2");
+    EXPECT_EQ(read.error().text(), "a.firma: it is of version 4 of the format; this Firma reads versions 1 to 3");
     const std::string text = "o level\nv 0 0 0\n";
     EXPECT_EQ(unpack_world(std::as_bytes(std::span(text)), "a.obj").error().text(),
               "a.obj: it does not begin as a .firma file does");
