@@ -54,8 +54,9 @@ struct BrushWorldReport {
 /// have the names of point entities `firma_room` in them, portals the `targetname` of the entity that their brush
 /// belongs to.
 ///
-/// What is painted with the sky refuses cuts (its materials' hardness is 1, but for materials that the options' rules
-/// name): a hole in it would look into the void.
+/// Each brush of the solid is a piece of a matter (firma/matter.h, docs/matter.md). One that is painted with the sky
+/// may not be carved, but where CarveRules::hardness has an entry for its material: a hole in it would look into the
+/// void.
 ///
 /// A face's source is the index of its brush's side; that of a surface counts on from there.
 ///

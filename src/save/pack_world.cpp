@@ -9,6 +9,7 @@
 #include "firma/save.h"
 #include "save/face_packer.h"
 #include "save/pack_cells.h"
+#include "save/pack_matters.h"
 #include "save/sections.h"
 #include "world/world_data.h"
 
@@ -41,6 +42,7 @@ public:
         if (data_.anchors) pack_anchors(*data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
+        needs_version_3_ |= bool(data_.matters);
         return write_container(sections(), needs_version_3_ ? 3 : 2);
     }
 
@@ -179,6 +181,8 @@ private:
         for (NewSection& section : cells_)
             if (needs_version_3_ || section.type != kPortalFacesSection) all.push_back(std::move(section));
         if (exact_) exact_packer_.add_to(all);
+        if (data_.matters)
+            for (NewSection& section : pack_matters(*data_.matters)) all.push_back(std::move(section));
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };
