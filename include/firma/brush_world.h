@@ -76,6 +76,11 @@ struct BrushWorldReport {
 [[nodiscard]] FIRMA_EXPORT Result<World> read_world(const std::string& path, const WorldOptions& options = {},
                                                     const ReadOptions& read = {});
 
+/// The volumes in which nothing falls: a box (metres) around each brush of the entities `firma_anchor`, for
+/// AnchorRules::volumes of a world of this level. Brushes that are open, or without volume, have none. Costs the
+/// level's brushes.
+[[nodiscard]] FIRMA_EXPORT std::vector<Box> anchor_volumes(const BrushLevel& level);
+
 struct DivideOptions {
     /// An opening divides two rooms when its area is less than so many times that of a square wall of the smaller one,
     /// were that a cube. 0: none does.

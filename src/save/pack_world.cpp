@@ -148,6 +148,10 @@ private:
         for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
         for (const std::uint64_t key : anchors.hanging)
             add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
+        std::uint32_t number = 0;  // of a coordinate
+        for (const GridBox& volume : anchors.volumes)
+            for (const GridPoint& corner : {volume.low, volume.high})
+                for (int axis = 0; axis < 3; ++axis) add(kVolumeHolds, number++, std::uint32_t(corner[axis]));
     }
 
     void pack_textures(const FaceTextures& textures) {

@@ -111,7 +111,8 @@ inline constexpr std::uint32_t kMadePortal = 2;  ///< by an edit
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;
 // What an anchor names.
-inline constexpr std::uint32_t kMaterialHolds = 0, kSourceHolds = 1, kEditHolds = 2, kHangingHolds = 3;
+inline constexpr std::uint32_t kMaterialHolds = 0, kSourceHolds = 1, kEditHolds = 2, kHangingHolds = 3,
+                               kVolumeHolds = 4;
 // Of a piece.
 inline constexpr std::uint32_t kSkyPiece = 1;
 // Of an edge.

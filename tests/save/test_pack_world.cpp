@@ -94,7 +94,10 @@ TEST(PackWorld, HowTexturesLie) {
 
 /// In no hash, and a reader may pass it over.
 TEST(PackWorld, WhatHoldsPieces) {
-    World world = with_anchors(room_world(), {.hanging = true, .materials = {""}, .sources = {7, 3, 7}});
+    World world = with_anchors(room_world(), {.hanging = true,
+                                              .materials = {""},
+                                              .sources = {7, 3, 7},
+                                              .volumes = {{{1, 2, 3}, {4, 5, 6}}, {{-1e9, 0, 0}, {0, 1, 1}}}});
     const CarveResult post =
         fill(world, make_crater(CutterShape::kBox, 1), {.position = {0.1, 0.2, 1.5}, .scale = 0.25});
     ASSERT_TRUE(post.done());
@@ -105,6 +108,7 @@ TEST(PackWorld, WhatHoldsPieces) {
         ASSERT_TRUE(read.data().anchors);
         EXPECT_TRUE(*read.data().anchors == *saved.data().anchors);
         EXPECT_EQ(read.data().anchors->sources, (std::vector<std::uint32_t>{3, 7}));
+        EXPECT_EQ(read.data().anchors->volumes.size(), 2u);
     }
     EXPECT_FALSE(unpacked(pack_world(room_world())).data().anchors) << "nothing was said";
     for (const Section& section : read_container(pack_world(world), "test").value())
