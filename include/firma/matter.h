@@ -25,7 +25,7 @@ enum class FractureStyle : std::uint8_t {
     kChunks,     ///< brick, concrete, rock
     kSplinters,  ///< wood
     kBends,      ///< steel
-    kPane,      ///< glass
+    kPane,       ///< glass
 };
 
 /// The style of a name ("chunks", "splinters", "bends", "pane"); nothing for any other. Never allocates, as
