@@ -6,12 +6,6 @@
 
 static const firma_pose kInFloor = {{4, 4, 0}, {0, 0, 0, 1}, 1.5};
 
-static uint64_t hash_of(firma_world world) {
-    uint64_t hash = 0;
-    CHECK_OK(firma_world_hash(world, &hash));
-    return hash;
-}
-
 static void test_cutters(void) {
     firma_cutter cutter = {0};
     CHECK_FAILS(firma_cutter_crater(5, 1, &cutter), FIRMA_ERROR_INVALID, "no shape 5");
