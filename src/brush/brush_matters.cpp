@@ -18,6 +18,7 @@ public:
             const bool filler = what == SideKind::What::kFiller || what == SideKind::What::kNothing;
             of_material_.push_back(filler ? 0 : matter_of_texture(table, material));
         }
+        if (of_material_.empty()) of_material_.push_back(0);  // a level without names has material 0
         if (!level.entities.empty()) of_world_ = named(level.entities[0].value("matter")).value_or(0);
     }
 
@@ -30,8 +31,9 @@ public:
     /// The material that most sides have which are no fillers; of fillers alone, that of most sides.
     std::uint32_t look_of(const Brush& brush) {
         const auto unfilled = [&](const BrushSide& side) {
+            if (level_.materials.empty()) return 0u;
             const SideKind::What what = side_kind(level_.materials[side.material]).what;
-            return what == SideKind::What::kFiller || what == SideKind::What::kNothing ? 0 : side.material + 1;
+            return what == SideKind::What::kFiller || what == SideKind::What::kNothing ? 0u : side.material + 1;
         };
         if (const auto found = most(brush, unfilled)) return *found - 1;
         return most(brush, [](const BrushSide& side) { return side.material + 1; }).value_or(1) - 1;
@@ -96,6 +98,7 @@ MatterPieces matters_of_brushes(const BrushLevel& level, const JoinedLevel& join
     const auto sides = std::uint32_t(level.sides.size());
     std::vector<std::uint32_t> of_surface;
     for (const std::string& material : level.surfaces.materials) of_surface.push_back(finder.of_name(material));
+    if (of_surface.empty()) of_surface.push_back(0);
     for (std::uint32_t k = 0; k < level.surfaces.faces.size(); ++k)
         add_source(made, sides + k, of_surface[level.surfaces.faces[k].material]);
     made.pieces.reserve(joined.bodies.size());
