@@ -169,7 +169,8 @@ std::vector<std::byte> small_patch(const World& level) {
     pose.position = {1, 3.9, 2};
     CarveOptions options{.material = "crater", .edit = 1};
     const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, options).world;
-    return make_patch(once, carve(once, make_crater(CutterShape::kWedge, 5), pose, {.material = "other", .edit = 2}).world);
+    return make_patch(once,
+                      carve(once, make_crater(CutterShape::kWedge, 5), pose, {.material = "other", .edit = 2}).world);
 }
 
 TEST(WorldPatch, EveryFlippedByteAndTruncationIsRefused) {
