@@ -75,6 +75,8 @@ Json edit_log_json(const std::string& path, const LoadedLog& loaded) {
     json["rules_hash"] = hash_digits(log.rules_hash());
     json["level_edits"] = log.level_edits();
     json["last_number"] = log.last_number();
+    json["patched_number"] = log.patch().empty() ? Json() : Json(log.patched_number());
+    json["patch_bytes"] = log.patch().size();
     json["command_count"] = log.commands().size();
     json["checkpoint_count"] = log.checkpoints().size();
     return json;
@@ -82,8 +84,11 @@ Json edit_log_json(const std::string& path, const LoadedLog& loaded) {
 
 std::string edit_log_text(const std::string& path, const LoadedLog& loaded) {
     const EditLog& log = loaded.log;
-    return fmt::format("{}: an edit log of {}, {} and {}; it begins from the world of hash {}\n", path,
-                       bytes_text(loaded.bytes), counted(log.commands().size(), "command"),
+    const std::string patch = log.patch().empty() ? ""
+                                                  : fmt::format("a patch of {} up to edit {}, ",
+                                                                bytes_text(log.patch().size()), log.patched_number());
+    return fmt::format("{}: an edit log of {}: {}{} and {}; it begins from the world of hash {}\n", path,
+                       bytes_text(loaded.bytes), patch, counted(log.commands().size(), "command"),
                        counted(log.checkpoints().size(), "checkpoint"), hash_digits(log.level_hash()));
 }
 

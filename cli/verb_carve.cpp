@@ -288,6 +288,7 @@ void judge_outputs(const CarveArguments& arguments) {
     if (is_standard_output(arguments.log)) throw Failure("--log", "a log is bytes; name a file");
     refuse_overwriting(arguments.report, arguments.out);
     refuse_overwriting(arguments.log, arguments.out);
+    refuse_other_endings(arguments.out);
 }
 
 int run(const CarveArguments& arguments) {

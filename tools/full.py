@@ -237,6 +237,12 @@ CLAIMS = [
           + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'sanitize', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
           'seconds', CARVE_SOURCES + ['include/firma/save.h', 'src/save', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('load_firma', 'bytes'), 'sanitize', fuzz('load_firma'), 'fuzz_load_firma'),
+    Claim('fuzz_read_log', 'seconds of fuzzing edit logs and commands, then replays, no crash, hang or broken world', 600, 300, 'seconds',
+          CARVE_SOURCES + ['include/firma/edit_log.h', 'src/save', 'src/log', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('read_log', 'bytes'),
+          'sanitize', fuzz('read_log'), 'fuzz_read_log'),
+    Claim('fuzz_read_patch', 'seconds of fuzzing patches and lists of faces, then an edit, no crash, hang or broken world', 600, 300, 'seconds',
+          CARVE_SOURCES + ['include/firma/edit_log.h', 'include/firma/world_patch.h', 'src/save', 'src/log', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h']
+          + fuzzer('read_patch', 'bytes'), 'sanitize', fuzz('read_patch'), 'fuzz_read_patch'),
 ]
 
 

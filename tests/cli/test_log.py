@@ -78,6 +78,21 @@ class Log(CliTest):
         self.assertEqual((half['commands'], half['edits'], half['checkpoints']), (120, 120, 1))
         self.assertEqual(self.firma_json('log', 'verify', 'a.firmalog', 'box.obj', '--until', '0')['commands'], 0)
 
+    def test_compact(self):
+        carved = self.carve()
+        for until in [[], ['--until', '150'], ['--until', '0']]:
+            told = self.firma_json('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'c.firmalog', *until)
+            self.assertEqual(told['bytes'], len(self.read('c.firmalog')))
+            self.assertGreater(told['patch_bytes'], 0)
+            self.assertEqual(told['patched_number'], int(until[1]) if until else carved['done'])
+            self.assertEqual(told['command_count'], carved['done'] - told['patched_number'])
+            replayed = self.firma_json('log', 'verify', 'c.firmalog', 'box.obj')
+            self.assertEqual(replayed['hash'], carved['hash'])
+            self.assertEqual(replayed['commands'], told['command_count'])
+            self.assertIn('a patch of ', self.firma('log', 'show', 'c.firmalog'))
+        self.firma('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'c.firmalog', '--until', '100')
+        self.refuse('log', 'verify', 'c.firmalog', 'box.obj', '--until', '99', says='was compacted up to edit 100')
+
     def test_logs_go_on_from_saved_worlds(self):
         carved = self.carve()
         self.write('c.csv', blasts(20, 2, 8))
@@ -118,12 +133,16 @@ class Log(CliTest):
     def test_bad_calls(self):
         self.write('b.csv', HEADER + '4,4,0,0.7,rocky,1\n')
         self.carve()
-        self.refuse('log', 'fly', 'a.firmalog', says="'fly' is none of show, verify")
+        self.refuse('log', 'fly', 'a.firmalog', says="'fly' is none of show, verify, replay, compact")
         self.refuse('log', 'show', says='LOG is required')
         self.refuse('log', 'show', 'a.firmalog', 'box.obj', says='no level')
         self.refuse('log', 'verify', 'a.firmalog', says='LEVEL is required')
         self.refuse('log', 'replay', 'a.firmalog', 'box.obj', says='--out is required')
         self.refuse('log', 'verify', 'a.firmalog', 'box.obj', '-o', 'x.obj', says='--out: is for replay')
+        self.refuse('log', 'compact', 'a.firmalog', 'box.obj', says='--out is required')
+        self.refuse('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'a.firmalog', says='a.firmalog')
+        self.refuse('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'x', '--castable', says='--castable')
+        self.refuse('log', 'compact', 'a.firmalog', FIRST, '-o', 'x', says='begins from another world')
         self.refuse('log', 'show', 'a.firmalog', '--until', '3', says='--until')
         self.refuse('log', 'verify', 'a.firmalog', 'box.obj', '--until', '-3', says='--until')
         self.refuse('log', 'verify', 'a.firmalog', FIRST, says='begins from another world')

@@ -167,16 +167,17 @@ TEST(WorldPatch, IsForItsWorldAlone) {
 std::vector<std::byte> small_patch(const World& level) {
     Pose pose;
     pose.position = {1, 3.9, 2};
-    CarveOptions options{"crater", 1};
+    CarveOptions options{.material = "crater", .edit = 1};
     const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, options).world;
-    return make_patch(once, carve(once, make_crater(CutterShape::kWedge, 5), pose, {"other", 2}).world);
+    return make_patch(once,
+                      carve(once, make_crater(CutterShape::kWedge, 5), pose, {.material = "other", .edit = 2}).world);
 }
 
 TEST(WorldPatch, EveryFlippedByteAndTruncationIsRefused) {
     const World level = two_halves();
     Pose pose;
     pose.position = {1, 3.9, 2};
-    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, {"crater", 1}).world;
+    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, {.material = "crater", .edit = 1}).world;
     std::vector<std::byte> bytes = small_patch(level);
     const std::uint64_t before = hash_world(once);
     ASSERT_TRUE(apply_patch(once, bytes, "patch"));
@@ -194,7 +195,7 @@ TEST(WorldPatch, EveryFlippedBitBeyondTheChecksumsIsRefusedOrHarmless) {
     const World level = two_halves();
     Pose pose;
     pose.position = {1, 3.9, 2};
-    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, {"crater", 1}).world;
+    const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, {.material = "crater", .edit = 1}).world;
     const std::vector<std::byte> sound = small_patch(level);
     const std::uint64_t after = hash_world(apply_patch(once, sound, "patch").value());
     std::size_t harmless = 0;
