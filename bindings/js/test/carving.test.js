@@ -116,7 +116,7 @@ test('a cut, its report, and the world before', () => {
         assert.equal(report.scale, 1);
         assert.ok(Math.abs(world.measure().volume - after.measure().volume - report.volume) < 1e-6);
         const { total, ...phases } = report.times;
-        assert.deepEqual(Object.keys(phases), ['place', 'gather', 'cut', 'label', 'trace', 'facets', 'tree']);
+        assert.deepEqual(Object.keys(phases), ['place', 'gather', 'cut', 'label', 'trace', 'facets', 'chunks', 'tree']);
         assert.ok(total > 0 && Math.abs(total - Object.values(phases).reduce((a, b) => a + b)) < 1e-6);
         assert.deepEqual([after.facts().version, after.facts().edits], [1, 1]);
         assert.ok(after.facts().materials.includes('größe'));
