@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -112,6 +113,8 @@ Json command_json(const EditCommand& command) {
     json["rotation"] = command.pose.rotation;
     json["scale"] = command.pose.scale;
     json["material"] = command.options.material;
+    const std::optional<ChunkOptions>& chunks = command.options.chunks;
+    json["chunks"] = chunks ? Json{{"min_volume", chunks->min_volume}, {"density", chunks->density}} : Json();
     return json;
 }
 
@@ -125,6 +128,8 @@ std::string command_text(const EditCommand& command) {
     if (const auto* crater = std::get_if<CraterSeed>(&command.cutter)) text += fmt::format(" of seed {}", crater->seed);
     text += fmt::format(" at {}, scale {}", point_text(command.pose.position), command.pose.scale);
     if (!command.options.material.empty()) text += ", material " + command.options.material;
+    if (const std::optional<ChunkOptions>& chunks = command.options.chunks)
+        text += fmt::format(", with chunks of {} m3 and {} kg/m3", chunks->min_volume, chunks->density);
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/anchor_options.h"
 #include "cli/atomic_file.h"
 #include "cli/edit_log_file.h"
 #include "cli/failure.h"
@@ -27,6 +28,7 @@ namespace {
 struct LogArguments : LevelOutput {
     std::string what, log;
     LevelArguments level;  ///< none: an empty path
+    AnchorArguments anchors;
     std::string until;
     bool json = false;
 };
@@ -34,7 +36,8 @@ struct LogArguments : LevelOutput {
 constexpr const char* kLogFooter =
     R"(A log says what edits were made of a level, in order, as `firma carve --log` and games write it: the level and its log
 give the same world on every machine, to the bit. LEVEL must be the one that the log begins from, read with the same
-options (--scale, --surfaces, --rooms, --matter), or the same saved as .firma; its hash is compared.
+options (--scale, --surfaces, --rooms, --matter), or the same saved as .firma; its hash is compared. Pieces that come loose leave
+again where the commands say so; --anchors and --no-hanging must be those that `firma carve` was given.
 
   firma log show LOG                     what is in it: a line a command
   firma log verify LOG LEVEL             replays it and compares the world with the hashes in it (checkpoints)
@@ -49,8 +52,8 @@ byte where that was found; so is, for replay, a checkpoint that does not hold.
 
 --json, show: log, bytes, version (of the format), level_hash, rules_hash (16 hexadecimal digits), level_edits (the number
 of the last edit before it), last_number, patched_number or null (of the last edit that a patch stands for), patch_bytes,
-command_count, checkpoint_count, commands [{number, kind, cutter, seed or null,
-position, rotation, scale, material; of a door portal, open; of a group parts}], checkpoints [{commands, hash}].
+command_count, checkpoint_count, commands [{number, kind, cutter, seed or null, position, rotation, scale, material,
+chunks {min_volume, density} or null; of a door portal, open; of a group parts}], checkpoints [{commands, hash}].
 --json, compact: as show, of the log written, without commands and checkpoints; seconds.
 --json, verify and replay: log, level, holds, fault or null, commands (that were applied), done, nothing, refused,
 checkpoints (that hold), hash, seconds (of the replay), per_command_ms, faces, version (of the world), edits, out or null.
@@ -150,7 +153,8 @@ void tell(const LogArguments& arguments, const Replayed& replayed) {
 
 int verify(const LogArguments& arguments) {
     const LoadedLog loaded = read_edit_log(arguments.log);
-    const Replayed replayed = replay_log(load_level(arguments.level).world, loaded.log, arguments);
+    const Replayed replayed =
+        replay_log(anchored(load_level(arguments.level).world, arguments.anchors), loaded.log, arguments);
     tell(arguments, replayed);
     return replayed.result.ok() ? 0 : 1;
 }
@@ -164,7 +168,7 @@ int replay_and_write(const LogArguments& arguments) {
     const LoadedLog loaded = read_edit_log(arguments.log);
     const LoadedLevel level = load_level(arguments.level);
     AtomicFile out(arguments.out);
-    const Replayed replayed = replay_log(level.world, loaded.log, arguments);
+    const Replayed replayed = replay_log(anchored(level.world, arguments.anchors), loaded.log, arguments);
     if (replayed.result.error) throw Failure(arguments.log, replayed.result.error->text());
     write_level(replayed.result.world, level, arguments, out);
     out.commit();
@@ -183,7 +187,8 @@ int compact(const LogArguments& arguments) {
     const LoadedLevel level = load_level(arguments.level);
     AtomicFile out(arguments.out);
     const auto start = std::chrono::steady_clock::now();
-    const Result<EditLog> made = compacted(level.world, loaded.log, last_number_of(arguments));
+    const Result<EditLog> made =
+        compacted(anchored(level.world, arguments.anchors), loaded.log, last_number_of(arguments));
     if (!made) throw Failure(arguments.log, made.error().text());
     write_edit_log(made.value(), out);
     out.commit();
@@ -208,6 +213,9 @@ int run(const LogArguments& arguments) {
     if (shows) {
         if (!arguments.level.path.empty()) throw Failure("log", "show takes a log and no level");
         if (!arguments.until.empty()) throw Failure("--until", "is for verify and replay");
+        if (arguments.anchors.given())
+            throw Failure(arguments.anchors.materials.empty() ? "--no-hanging" : "--anchors",
+                          "is for verify, replay and compact");
     } else if (arguments.level.path.empty()) {
         throw Failure("log", "LEVEL is required: firma log " + arguments.what + " LOG LEVEL");
     }
@@ -229,6 +237,7 @@ Verb add_log(CLI::App& app) {
     add_level_arguments(command, arguments->level, false);
     add_rooms_option(command, arguments->level);
     add_matter_option(command, arguments->level);
+    add_anchor_options(command, arguments->anchors);
     command.add_option("--until", arguments->until, "N",
                        "leave out commands with numbers above this one; of compact: they stay commands");
     add_level_output(command, *arguments,

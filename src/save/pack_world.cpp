@@ -7,6 +7,7 @@
 #include "base/flat_map.h"
 #include "base/sort.h"
 #include "firma/save.h"
+#include "save/anchor_bytes.h"
 #include "save/face_packer.h"
 #include "save/pack_cells.h"
 #include "save/pack_matters.h"
@@ -39,7 +40,7 @@ public:
         const CellsVersion needed = add_cells(data_.cells, exact_ ? &exact_packer_ : nullptr, cells_);
         needs_version_3_ |= needed == CellsVersion::kThree;
         if (exact_) exact_packer_.pack();
-        if (data_.anchors) pack_anchors(*data_.anchors);
+        if (data_.anchors) put_anchors(anchors_, *data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
         needs_version_3_ |= bool(data_.matters);
@@ -137,21 +138,6 @@ private:
             block_faces_.u32(std::uint32_t(at - all_.begin()));
         }
         return known;
-    }
-
-    void pack_anchors(const Anchors& anchors) {
-        const auto add = [&](std::uint32_t kind, std::uint32_t edit, std::uint32_t value) {
-            for (const std::uint32_t number : {kind, edit, value}) anchors_.u32(number);
-        };
-        for (const std::uint32_t material : anchors.materials) add(kMaterialHolds, 0, material);
-        for (const std::uint32_t source : anchors.sources) add(kSourceHolds, 0, source);
-        for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
-        for (const std::uint64_t key : anchors.hanging)
-            add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
-        std::uint32_t number = 0;  // of a coordinate
-        for (const GridBox& volume : anchors.volumes)
-            for (const GridPoint& corner : {volume.low, volume.high})
-                for (int axis = 0; axis < 3; ++axis) add(kVolumeHolds, number++, std::uint32_t(corner[axis]));
     }
 
     void pack_textures(const FaceTextures& textures) {

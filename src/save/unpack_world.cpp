@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From the bytes of a .firma file to a world: the container, the parts, then the world as a whole.
 #include "firma/save.h"
+#include "save/anchor_bytes.h"
 #include "save/check_whole.h"
 #include "save/entries.h"
 #include "save/sections.h"
-#include "save/unpack_anchors.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"

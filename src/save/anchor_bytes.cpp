@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds pieces, of a saved world: lists that are searched by halves must ascend.
-#include "save/unpack_anchors.h"
+// What holds pieces, in bytes and out of them: lists that are searched by halves must ascend.
+#include "save/anchor_bytes.h"
 
 #include <tuple>
 
@@ -24,6 +24,20 @@ bool unpack_volumes(const std::vector<std::int32_t>& coordinates, std::vector<Gr
 }
 
 }  // namespace
+
+void put_anchors(ByteWriter& out, const Anchors& anchors) {
+    const auto add = [&](std::uint32_t kind, std::uint32_t edit, std::uint32_t value) {
+        for (const std::uint32_t number : {kind, edit, value}) out.u32(number);
+    };
+    for (const std::uint32_t material : anchors.materials) add(kMaterialHolds, 0, material);
+    for (const std::uint32_t source : anchors.sources) add(kSourceHolds, 0, source);
+    for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
+    for (const std::uint64_t key : anchors.hanging) add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
+    std::uint32_t number = 0;  // of a coordinate
+    for (const GridBox& volume : anchors.volumes)
+        for (const GridPoint& corner : {volume.low, volume.high})
+            for (int axis = 0; axis < 3; ++axis) add(kVolumeHolds, number++, std::uint32_t(corner[axis]));
+}
 
 std::shared_ptr<const Anchors> unpack_anchors(Sections& sections, Damage& damage) {
     if (!sections.has(kAnchorsSection)) return nullptr;
