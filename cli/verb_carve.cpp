@@ -338,6 +338,7 @@ Verb add_carve(CLI::App& app) {
     const auto arguments = std::make_shared<CarveArguments>();
     add_level_arguments(command, arguments->level);
     add_rooms_option(command, arguments->level);
+    add_matter_option(command, arguments->level);
     command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts, see below", true);
     add_level_output(command, *arguments, ".obj, .firma or .glb to write: the level after all blasts", true);
     command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");

@@ -377,6 +377,7 @@ Verb add_demo(CLI::App& app) {
     const auto arguments = std::make_shared<DemoArguments>();
     add_level_arguments(command, arguments->level, false);
     add_rooms_option(command, arguments->level);
+    add_matter_option(command, arguments->level);
     add_out_option(command, arguments->out, "SVG to write (default: see below); its folder is made when missing",
                    false);
     command.add_option("--casts", arguments->casts, "N", "how many, 1 .. 10000000 (default 100000)");

@@ -34,7 +34,7 @@ struct LogArguments : LevelOutput {
 constexpr const char* kLogFooter =
     R"(A log says what edits were made of a level, in order, as `firma carve --log` and games write it: the level and its log
 give the same world on every machine, to the bit. LEVEL must be the one that the log begins from, read with the same
-options (--scale, --surfaces, --rooms), or the same saved as .firma; its hash is compared.
+options (--scale, --surfaces, --rooms, --matter), or the same saved as .firma; its hash is compared.
 
   firma log show LOG                     what is in it: a line a command
   firma log verify LOG LEVEL             replays it and compares the world with the hashes in it (checkpoints)
@@ -228,6 +228,7 @@ Verb add_log(CLI::App& app) {
     command.add_argument("LOG", arguments->log, "the log, as firma carve --log writes it", false);
     add_level_arguments(command, arguments->level, false);
     add_rooms_option(command, arguments->level);
+    add_matter_option(command, arguments->level);
     command.add_option("--until", arguments->until, "N",
                        "leave out commands with numbers above this one; of compact: they stay commands");
     add_level_output(command, *arguments,

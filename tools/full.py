@@ -105,6 +105,10 @@ def digs(what):
     return lambda seed, count: [f'{BUILD}/full_digs', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def chunks(seed, count):
+    return [f'{BUILD}/full_chunks', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
 def index(seed, count):
     return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
 
@@ -184,6 +188,8 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_digs.cpp', 'tests/full/options.h'] + reference('judge_digs', 'judge_cut'), 'test', digs('lattice'), 'full_digs'),
     Claim('mixed_digs', 'large blocks cut and filled 80 times by blocks, wedges, gears and craters: none refused, boundary and volume after each, the same again nothing',
           1_000, 250, 'digs', CARVE_SOURCES + ['tests/full/full_digs.cpp', 'tests/full/options.h'] + reference('judge_digs', 'judge_cut'), 'test', digs('mixed'), 'full_digs'),
+    Claim('chunks', 'halls of pillars and bridges shot at 100 times each: the loose pieces that each cut finds are those of a flood of all faces', 200, 50, 'halls',
+          CARVE_SOURCES + ['tests/full/full_chunks.cpp', 'tests/full/options.h'] + reference('judge_chunks'), 'test', chunks, 'full_chunks'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),

@@ -9,6 +9,7 @@
 #include "firma/save.h"
 #include "save/face_packer.h"
 #include "save/pack_cells.h"
+#include "save/pack_matters.h"
 #include "save/sections.h"
 #include "world/world_data.h"
 
@@ -41,6 +42,7 @@ public:
         if (data_.anchors) pack_anchors(*data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
+        needs_version_3_ |= bool(data_.matters);
         return write_container(sections(), needs_version_3_ ? 3 : 2);
     }
 
@@ -146,6 +148,10 @@ private:
         for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
         for (const std::uint64_t key : anchors.hanging)
             add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
+        std::uint32_t number = 0;  // of a coordinate
+        for (const GridBox& volume : anchors.volumes)
+            for (const GridPoint& corner : {volume.low, volume.high})
+                for (int axis = 0; axis < 3; ++axis) add(kVolumeHolds, number++, std::uint32_t(corner[axis]));
     }
 
     void pack_textures(const FaceTextures& textures) {
@@ -179,6 +185,8 @@ private:
         for (NewSection& section : cells_)
             if (needs_version_3_ || section.type != kPortalFacesSection) all.push_back(std::move(section));
         if (exact_) exact_packer_.add_to(all);
+        if (data_.matters)
+            for (NewSection& section : pack_matters(*data_.matters)) all.push_back(std::move(section));
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };

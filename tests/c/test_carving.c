@@ -179,7 +179,7 @@ static void test_edit(firma_world room, firma_cutter cutter) {
 }
 
 static void test_rules(firma_world room, firma_cutter cutter) {
-    const firma_zone zone = {"vault", {3, 3, -1}, {5, 5, 1}, 1};
+    const firma_zone zone = {"vault", {2, 2, -2}, {6, 6, 2}, 1};
     firma_rules rules = {0};
     firma_world guarded = {0}, after = {0};
     CHECK_FAILS(firma_world_with_rules(room, &rules, &guarded), FIRMA_ERROR_BAD_CALL, "size");
