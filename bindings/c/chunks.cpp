@@ -52,19 +52,23 @@ const firma::Chunk* find_chunk(const ChunksObject& object, std::size_t chunk, co
     return nullptr;
 }
 
-/// A world of a solid whose materials have their names.
-Result<World> named_world(const Solid& solid, const World& of) {
+/// A world of a piece whose materials have their names.
+Result<World> named_world(const Solid& solid, const ChunksObject& of) {
     WorldOptions options;
-    options.tolerance = of.tolerance();
-    options.tree = of.data().tree_options;
+    options.tolerance = of.tolerance;
+    options.tree = of.tree;
     Result<World> world = make_world(solid, options);
-    if (!world || !of.data().materials) return world;
+    if (!world || !of.materials) return world;
     auto data = std::make_shared<WorldData>(world.value().data());
-    data->materials = of.data().materials;
+    data->materials = of.materials;
     return World(std::move(data));
 }
 
 }  // namespace
+
+ChunksObject::ChunksObject(std::vector<firma::Chunk> all, const World& of)
+    : chunks(std::move(all)), materials(of.data().materials), tolerance(of.tolerance()), tree(of.data().tree_options) {}
+
 }  // namespace firma::c
 
 using namespace firma;
@@ -130,7 +134,7 @@ firma_code firma_chunks_world(firma_chunks chunks, size_t chunk, firma_world* wo
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const firma::Chunk* const found = find_chunk(*object, chunk, function);
         if (!found) return FIRMA_ERROR_OUT_OF_RANGE;
-        Result<World> made = named_world(found->solid, object->world);
+        Result<World> made = named_world(found->solid, *object);
         if (!made) return fail(made.error());
         return give(std::make_unique<WorldObject>(std::move(made).value()), world, function);
     });

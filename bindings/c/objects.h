@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -86,13 +87,15 @@ struct BytesObject final : Object {
 /// Bytes, or the error in their place, as a handle.
 firma_code give_bytes(Result<std::vector<std::byte>> made, firma_bytes* out, const char* function);
 
-/// Pieces, and what worlds of them take over from the world that they were of.
+/// Pieces, and what worlds of them take over from the world that they were of, which is not held.
 struct ChunksObject final : Object {
     static constexpr Kind kKind = Kind::kChunks;
     static constexpr const char* kNoun = "list of chunks";
-    ChunksObject(std::vector<firma::Chunk> all, World w) : chunks(std::move(all)), world(std::move(w)) {}
+    ChunksObject(std::vector<firma::Chunk> all, const World& of);
     std::vector<firma::Chunk> chunks;
-    World world;
+    std::shared_ptr<const std::vector<std::string>> materials;
+    Tolerance tolerance;
+    TreeOptions tree;
 };
 
 struct CommandObject final : Object {
