@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "carve/group_loops.h"
 #include "geometry/flat_point.h"
 
@@ -23,7 +24,7 @@ constexpr std::uint32_t kNone32 = ~0u;
 /// What wins comes first: what may not be carved, then the lower number.
 std::vector<std::uint32_t> in_order(const MatterPieces& pieces, const CarveRules* rules,
                                     std::vector<std::uint32_t> numbers) {
-    std::sort(numbers.begin(), numbers.end());
+    sort_range(numbers);
     if (any_hard(pieces, rules))
         std::stable_partition(numbers.begin(), numbers.end(),
                               [&](std::uint32_t k) { return hardness_of(pieces, pieces.pieces[k], rules) >= 1; });
@@ -179,7 +180,7 @@ std::optional<GridPoint> MatterSplitter::point_within(const Part& part) const {
     const FlatView view = plane.front_view();
     std::vector<double> heights;
     for (const PatchUse& use : part.uses) heights.push_back(view_.point(view_.from(use)).approximate()[view.v()]);
-    std::sort(heights.begin(), heights.end());
+    sort_range(heights);
     double at = 0, gap = 0;
     for (std::size_t k = 0; k + 1 < heights.size(); ++k)
         if (heights[k + 1] - heights[k] > gap) {
@@ -194,7 +195,7 @@ std::optional<GridPoint> MatterSplitter::point_within(const Part& part) const {
         if ((a_v < at) == (b_v < at)) continue;
         crossed.push_back(a[view.u()] + (b[view.u()] - a[view.u()]) * ((at - a_v) / (b_v - a_v)));
     }
-    std::sort(crossed.begin(), crossed.end());
+    sort_range(crossed);
     double middle = 0, width = -1;
     for (std::size_t k = 0; k + 1 < crossed.size(); k += 2)
         if (crossed[k + 1] - crossed[k] > width) {
@@ -313,8 +314,9 @@ int MatterSplitter::order(const Plane& plane, std::uint32_t a, std::uint32_t b) 
 bool MatterSplitter::pair_changes(const Plane& plane) {
     order_.clear();
     for (std::uint32_t k = 0; k < changes_.size(); ++k) order_.push_back(k);
-    std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return order(plane, changes_[a].vertex, changes_[b].vertex) > 0;
+    sort_range(order_, [&](std::uint32_t a, std::uint32_t b) {
+        const int along = order(plane, changes_[a].vertex, changes_[b].vertex);
+        return along != 0 ? along > 0 : a < b;
     });
     std::stable_sort(touching_.begin(), touching_.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return order(plane, a, b) > 0; });
@@ -586,10 +588,10 @@ void MatterSplitter::finish() {
         const Base& it = base_of(base);
         plane_ = it.plane[0];
         const Plane& other = it.plane[1]->plane;
-        std::sort(vertices.begin(), vertices.end());
+        sort_range(vertices);
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         const bool forward = order(other, it.from, it.to) > 0;
-        std::sort(vertices.begin(), vertices.end(), [&](std::uint32_t a, std::uint32_t b) {
+        sort_range(vertices, [&](std::uint32_t a, std::uint32_t b) {
             const int along = order(other, a, b);
             return forward ? along > 0 : along < 0;
         });
@@ -617,7 +619,7 @@ void MatterSplitter::finish() {
         like.face = index;
         add_face(like, in_.patch.uses(face), in_.patch.ends(face), kNone32);
     }
-    std::sort(made_.gone.begin(), made_.gone.end());
+    sort_range(made_.gone);
     divide_taken();
 }
 

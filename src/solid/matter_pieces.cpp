@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/hasher.h"
+#include "base/sort.h"
 #include "solid/solid_data.h"
 
 namespace firma {
@@ -88,7 +89,7 @@ std::size_t MatterPieces::bytes() const {
     // Neighbours share planes: each is counted where it is used first.
     std::vector<const SolidPlane*> each;
     for (const Ref<const SolidPlane>& plane : planes) each.push_back(plane.get());
-    std::sort(each.begin(), each.end());
+    sort_range(each);
     sum += std::size_t(std::unique(each.begin(), each.end()) - each.begin()) * pool_size(sizeof(SolidPlane));
     return sum;
 }
