@@ -34,7 +34,7 @@ CAST_SOURCES = HEADERS + ['src/base', 'src/geometry', 'src/cast', 'src/index', '
 OF_PORTALS = ('divide_mesh.', 'make_divided_world.', 'portal_polygons.')
 LEVEL = [f'src/level/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'src', 'level'))) if not name.startswith(OF_PORTALS)]
 # All scenes but those of levels with rooms.
-OF_ROOMS = ('brush_piles.', 'divided_building.', 'level_cuts.')
+OF_ROOMS = ('blast', 'brush_piles.', 'divided_building.', 'level_cuts.')
 SCENES = [f'scenes/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'scenes'))) if not name.startswith(OF_ROOMS)]
 CARVE_SOURCES = CAST_SOURCES + SCENES + LEVEL + ['src/arrange', 'src/carve', 'levels/first.obj']
 
@@ -91,6 +91,11 @@ def carve(seed, count):
 def contact(seed, count):
     subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
     return [f'{BUILD}/full_contact', '--count', str(count), '--seed', str(seed), '--threads', '2', '--maps', 'build/openarena']
+
+
+def blasts(seed, count):
+    subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
+    return [f'{BUILD}/full_blasts', '--count', str(count), '--seed', str(seed), '--threads', '2', '--maps', 'build/openarena']
 
 
 def cube_grid(seed, count):
@@ -220,6 +225,10 @@ CLAIMS = [
     # A chunk is all kinds of cuts in all six levels.
     Claim('level_cuts', 'cuts of every kind in the depot and five maps of OpenArena, each judged by all that must hold after an edit', 3_456,
           1_152, 'cuts', JOIN_SOURCES + ['levels/depot.map'] + JUDGE_CUT, 'test', levels('cuts'), 'full_levels'),
+    Claim('blasts', 'blasts in the depot, maps of OpenArena and buildings on grids, a third of the doors closed, each judged by all that must hold of rooms', 10_000,
+          2_000, 'blasts', CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush', 'levels/depot.map',
+                                            'tests/openarena_maps.h', 'tests/full/full_blasts.cpp', 'tests/full/family_run.h', 'tests/full/options.h']
+          + JUDGE_CUT + reference('judge_blast', 'judge_chunks'), 'test', blasts, 'full_blasts'),
     # A share of the programs each chunk: the seed says which.
     Claim('sanitized', 'test programs under the address and undefined behaviour sanitizers: tests of a second or more, those with Boost, of glTF, of pictures, of the command line, of threads; none fails',
           HEAVY_PROGRAMS, HEAVY_SHARE, 'programs',

@@ -133,8 +133,9 @@ bool CellWriter::passes_through(std::uint32_t use) {
     if (in_.uses[use].forward != in_.uses[after].forward) return false;  // it turns back
     const bool same_edge = in_.uses[use].edge != FacePiece::kNoEdge && in_.uses[use].edge == in_.uses[after].edge;
     if (!same_edge && !in_.contact[in_.flat.to(in_.uses[use])]) return false;
-    if (!same_edge && in_.selection.keeps_ends && (may_stay(use) || may_stay(after))) return false;
     const std::uint32_t there = in_.partner[use], there_after = in_.partner[after];
+    if (in_.selection.keeps_ends && !(same_edge && is_one_edge(use, after)) && edge_ends_between(use, after))
+        return false;
     if (there == KeptCells::kNone || there_after == KeptCells::kNone) return same_edge && there == there_after;
     return next_[there_after] == there && in_.group_of(there) == in_.group_of(there_after);
 }
@@ -142,6 +143,31 @@ bool CellWriter::passes_through(std::uint32_t use) {
 bool CellWriter::may_stay(std::uint32_t use) const {
     const std::uint32_t edge = in_.uses[use].edge;
     return edge != FacePiece::kNoEdge && in_.selection.reusable(edge);
+}
+
+bool CellWriter::is_one_edge(std::uint32_t use, std::uint32_t after) const {
+    const std::uint32_t there = in_.partner[use], there_after = in_.partner[after], edge = in_.uses[use].edge;
+    if (!may_stay(use)) return false;
+    if (there == KeptCells::kNone || there_after == KeptCells::kNone) return there == there_after;
+    return in_.uses[there].edge == edge && in_.uses[there_after].edge == edge;
+}
+
+bool CellWriter::edge_ends_between(std::uint32_t use, std::uint32_t after) const {
+    return has_ending(in_.uses[use].piece, in_.uses[after].piece) ||
+           has_ending(in_.uses[after].piece, in_.uses[use].piece);
+}
+
+bool CellWriter::has_ending(std::uint32_t piece, std::uint32_t next) const {
+    const auto stays = [&](std::uint32_t other) {
+        return in_.is_kept(other) && !in_.dissolved[other] && may_stay(other);
+    };
+    const auto beyond = in_.users.at(next);
+    for (const std::uint32_t one : in_.users.at(piece))
+        if (stays(one) && std::none_of(beyond.begin(), beyond.end(), [&](std::uint32_t other) {
+                return stays(other) && in_.uses[other].edge == in_.uses[one].edge;
+            }))
+            return true;
+    return false;
 }
 
 std::uint32_t CellWriter::edge_of(std::uint32_t first, std::uint32_t last) {

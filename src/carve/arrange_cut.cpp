@@ -355,10 +355,20 @@ void CutArranger::write_gone() {
 }
 
 /// Whether it is a piece of the solid's boundary, and goes.
-bool CutArranger::is_taken(std::uint32_t cell) const {
-    if (!in_.opens || !of_world(cell_finder_.cells().cells[cell].face)) return false;
+bool CutArranger::goes(std::uint32_t cell) const {
+    if (!of_world(cell_finder_.cells().cells[cell].face)) return false;
     const CellLabel label = labeller_->labels()[cell];
     return label == CellLabel::kIn || label == CellLabel::kSame;
+}
+
+bool CutArranger::is_taken(std::uint32_t cell) const {
+    return in_.opens && goes(cell);
+}
+
+bool CutArranger::takes_walls() const {
+    for (std::uint32_t cell = 0; cell < cell_finder_.cells().cells.size(); ++cell)
+        if (goes(cell)) return true;
+    return false;
 }
 
 /// The arranged edge that a piece is a part of in the result: of several the one of the same face.

@@ -43,6 +43,8 @@ public:
     /// After kFine. They look at planes of this object.
     const Crossings& crossings() const { return crossings_; }
     const NewLoops& loops() const { return loops_; }
+    /// Whether anything of a wall goes: a cutter may touch walls along edges alone.
+    bool takes_walls() const;
 
 private:
     enum class Phase : std::uint8_t {
@@ -75,6 +77,7 @@ private:
     std::uint32_t number_of_edge(std::uint32_t index);
     void write_face(const ArrangedFace& face);
     void write_gone();
+    bool goes(std::uint32_t cell) const;
     bool is_taken(std::uint32_t cell) const;
     std::uint32_t kept_edge_at(std::uint32_t piece, std::uint32_t face) const;
     std::uint32_t edge_at(const PieceUse& use, std::uint32_t face);

@@ -15,6 +15,8 @@ namespace firma {
 namespace {
 
 constexpr std::uint32_t kNoNumber = ~0u;
+/// Input steps: the middle of a triangle that is wider lies in it, however it is rounded (fine_plane()).
+constexpr double kThinnest = 0x1p-10;
 
 /// Where a piece of a sheet lies against the cutter.
 enum class SheetPlace : std::uint8_t { kOut, kIn, kOn, kUnknown };
@@ -203,25 +205,31 @@ private:
     /// By a point within it.
     SheetPlace place_of(const Cell& cell) {
         points_.clear();
-        for (const PieceUse& use : cells().uses(cell)) points_.push_back(overlay_.point(start_of(use)).rounded());
+        exact_.clear();
+        for (const PieceUse& use : cells().uses(cell)) {
+            const ExactPoint corner = overlay_.point(start_of(use));
+            points_.push_back(corner.rounded());
+            exact_.push_back(corner.approximate());
+        }
         const Plane& plane = sheet(cell.face).plane->plane;
         const FlatView view = plane.front_view();
-        if (!facet_maker_.make(points_, cells().ends(cell), view, facets_)) return SheetPlace::kUnknown;
+        if (!facet_maker_.make(points_, cells().ends(cell), view, facets_))
+            facet_maker_.make_folded(points_, exact_, cells().ends(cell), view, facets_);
         Vec3 middle{0, 0, 0};
-        double largest = 0;
+        double thickest = 0;
         for (std::size_t k = 0; k < facets_.count(); ++k) {
             const std::span corners(facets_.corners.data() + facets_.first[k], facets_.first[k + 1] - facets_.first[k]);
-            const auto corner = [&](std::size_t c) {
-                const GridPoint& p = points_[corners[c]];
-                return Vec3{double(p.x), double(p.y), double(p.z)} * (1.0 / kSurfacePerInput);
-            };
+            const auto corner = [&](std::size_t c) { return exact_[corners[c]]; };
             for (std::size_t c = 2; c < corners.size(); ++c) {
-                const double area = length(cross(corner(c - 1) - corner(0), corner(c) - corner(0)));
-                if (!(area > largest)) continue;
-                largest = area;
-                middle = (corner(0) + corner(c - 1) + corner(c)) * (1.0 / 3);
+                const Vec3 a = corner(0), b = corner(c - 1), d = corner(c);
+                const double area = length(cross(b - a, d - a));
+                const double width = area / std::max({length(b - a), length(d - a), length(d - b), kThinnest});
+                if (!(width > thickest)) continue;
+                thickest = width;
+                middle = (a + b + d) * (1.0 / 3);
             }
         }
+        if (thickest < kThinnest) return SheetPlace::kUnknown;
         const Plane u = fine_plane(view.u(), middle[view.u()]), v = fine_plane(view.v(), middle[view.v()]);
         if (exact_turn(plane, u, v) == 0) return SheetPlace::kUnknown;
         const int side = side_of_cutter(in_.cutter, ExactPoint(plane, u, v));
@@ -258,9 +266,13 @@ private:
         faces_at_.clear();
         spokes_.clear();
         bool any_sheet = false;
+        bool at_wall = false;  // where the rim of a sheet that goes lies on a wall: the fill touches that along a line
         for (const std::uint32_t use : users_.at(piece)) {
             const std::uint32_t cell = users_.cell_of(use);
-            if (!is_kept(cell)) continue;
+            if (!is_kept(cell)) {
+                at_wall |= number_of_use(use) != kNoNumber;
+                continue;
+            }
             const OverlayFace& face = overlay_.faces[cells().cells[cell].face];
             const bool forward = cells().all_uses[use].forward;
             any_sheet |= face.operand == 1;
@@ -268,6 +280,7 @@ private:
             spokes_.push_back({use, cell, forward ? face.plane : from_behind(face.plane), forward, face.operand, 0});
         }
         const auto meet = [&](std::uint32_t a, std::uint32_t b) {
+            if (at_wall && number_of_use(a) == kNoNumber) return;
             if (number_of_use(a) == number_of_use(b)) sets.join(users_.cell_of(a), users_.cell_of(b));
         };
         if (!any_sheet) {
@@ -347,23 +360,45 @@ private:
         return known;
     }
 
-    /// The edge that a piece is, by number; kNoNumber where it is a sheet's alone, as it was.
-    std::uint32_t number_at(std::uint32_t piece) {
-        if (number_of_piece_.empty()) number_of_piece_.assign(lines_.size(), kUnset);
-        std::uint32_t& known = number_of_piece_[piece];
-        if (known != kUnset) return known;
-        bool face = false, as_it_was = false;
+    /// The edge that a use is part of, by number; kNoNumber where it is a sheet's alone, as it was. Where faces meet
+    /// along a line two and two, each two have an edge of their own.
+    std::uint32_t number_at(const PieceUse& use, bool of_sheet) {
+        const std::uint32_t number = use.edge == FacePiece::kNoEdge ? kNoNumber : origin_[use.edge].number;
+        if (number != kNoNumber && is_whole(use)) return number;
+        return of_sheet ? number_of_sheet(use.piece) : number_of_part(use.piece, number);
+    }
+
+    /// A new edge between two faces of the fill: part of one that they have, or across a face.
+    std::uint32_t number_of_part(std::uint32_t piece, std::uint32_t number) {
+        std::uint32_t& known = number_of_part_.at(std::uint64_t(piece) << 32 | number);
+        if (known != FlatMap::kNone) return known;
+        bool doubled = false;
+        for (const std::uint32_t use : users_.at(piece)) {
+            const std::uint32_t other = number_of_use(use);
+            doubled |= other != kNoNumber && other != number;
+        }
+        return known = add_edge(piece, doubled);
+    }
+
+    /// Of a sheet, where it has no number: that of a face, if there is one.
+    std::uint32_t number_of_sheet(std::uint32_t piece) {
+        bool as_it_was = false, face = false;
+        std::uint32_t part = kNoNumber;
         for (const std::uint32_t use : users_.at(piece)) {
             const PieceUse& it = cells().all_uses[use];
             const std::uint32_t number = number_of_use(use);
-            face |= !is_sheet(cells().cells[users_.cell_of(use)].face);
-            if (!is_whole(it)) continue;
-            if (number != kNoNumber) return known = number;
-            as_it_was = true;
+            if (is_whole(it) && number != kNoNumber) return number;
+            as_it_was |= is_whole(it);
+            if (is_sheet(cells().cells[users_.cell_of(use)].face)) continue;
+            face = true;
+            part = std::min(part, number);
         }
-        if (as_it_was && !face) return known = kNoNumber;
+        return as_it_was && !face ? kNoNumber : number_of_part(piece, part);
+    }
+
+    std::uint32_t add_edge(std::uint32_t piece, bool doubled) {
         const Piece& it = lines_.piece(piece);
-        NewEdge made{vertex_of(it.from), vertex_of(it.to), {nullptr, nullptr}, false};
+        NewEdge made{vertex_of(it.from), vertex_of(it.to), {nullptr, nullptr}, doubled};
         const PieceUse& first = cells().all_uses[users_.at(piece)[0]];
         for (int k = 0; k < 2; ++k) {
             const PlaneId plane =
@@ -373,7 +408,7 @@ private:
         }
         made_.loops.edges.push_back(made);
         new_from_.push_back(it.from);
-        return known = view_.first_new_edge() + std::uint32_t(made_.loops.edges.size()) - 1;
+        return view_.first_new_edge() + std::uint32_t(made_.loops.edges.size()) - 1;
     }
 
     /// Of an edge by number, used from a point on.
@@ -424,7 +459,7 @@ private:
         for (const PieceUse& use : cells().uses(cell)) {
             // An edge that a wall has, too, is not divided: no sheet ends within it.
             failed_ |= use.edge != FacePiece::kNoEdge && !is_whole(use) && uses_of_edge_[use.edge] == 1;
-            const std::uint32_t number = number_at(use.piece);
+            const std::uint32_t number = number_at(use, false);
             failed_ |= number == kNoNumber;
             if (failed_) return;
             made_.loops.all_uses.push_back(use_of(number, start_of(use)));
@@ -454,7 +489,9 @@ private:
         rest.sheet = sheet;
         for (const PieceUse& use : cells().uses(cell)) {
             SheetSide& side = rest.sides.emplace_back();
-            const std::uint32_t number = number_at(use.piece);
+            // Nor is one of a wall that the fill only touches: its faces would have to be divided, too.
+            failed_ |= use.edge != FacePiece::kNoEdge && origin_[use.edge].number != kNoNumber && !is_whole(use);
+            const std::uint32_t number = number_at(use, true);
             if (number == kNoNumber) {
                 const SolidEdge& edge = origin_[use.edge].use.edge();
                 const bool reversed = overlay_.edges[use.edge].from != start_of(use);
@@ -474,7 +511,6 @@ private:
         std::uint32_t number = kNoNumber;
         SolidUse use;
     };
-    static constexpr std::uint32_t kUnset = ~0u - 1;
 
     const CutInput& in_;
     const CutView view_;
@@ -497,11 +533,13 @@ private:
     PieceUsers users_;
     std::vector<SheetPlace> place_;        ///< of cells
     std::vector<std::uint32_t> cell_air_;  ///< likewise
-    std::vector<std::uint32_t> uses_of_edge_, number_of_piece_, at_sheet_, faces_at_;
+    std::vector<std::uint32_t> uses_of_edge_, at_sheet_, faces_at_;
     std::vector<CellSpoke> spokes_;
     std::vector<std::uint32_t> new_from_;  ///< the point that each new edge starts at
+    FlatMap number_of_part_;               ///< of new edges: by piece, and by the number of the edge divided there
     FlatMap own_edge_;                     ///< of the overlay, by address
     std::vector<GridPoint> points_;
+    std::vector<Vec3> exact_;
     FacetMaker facet_maker_;
     Facets facets_;
 };

@@ -431,9 +431,15 @@ bool CutJob::goes_several() const {
 std::vector<std::uint32_t> CutJob::airs_touched() const {
     std::vector<std::uint32_t> airs;
     if (!terms_.air_of) return airs;
-    for (const std::uint32_t face : loops().gone) {
+    if (!input_.fill && arranger_ && !arranger_->takes_walls()) return airs;
+    const auto add = [&](std::uint32_t face) {
         const std::uint32_t air = terms_.air_of(patch_.faces[face].facet.block->part);
         if (std::find(airs.begin(), airs.end(), air) == airs.end()) airs.push_back(air);
+    };
+    if (input_.opens) {
+        for (const NewFace& taken : loops().taken) add(taken.face);
+    } else {
+        for (const std::uint32_t face : loops().gone) add(face);
     }
     return airs;
 }
@@ -717,7 +723,10 @@ void CutJob::make_opening() {
     std::vector<std::uint32_t> parts = wall_parts();
     if (!opens_ && !several_airs(parts, terms_.air_of)) return;
     Pockets pockets = opens_ ? find_pockets(made_view(), made_loops()) : one_pocket();
-    if (!opens_) opening_.air = airs_touched()[0];
+    if (!opens_) {
+        const std::vector<std::uint32_t> airs = airs_touched();
+        opening_.air = airs.empty() ? terms_.air_of(parts[0]) : airs[0];
+    }
     if (opens_) opening_.taken = face_maker_->take_taken();
     const std::vector<std::uint32_t> pocket_of_piece = join_pockets(pockets);
     opening_.pockets = pockets.count;

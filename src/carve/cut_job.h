@@ -90,7 +90,8 @@ public:
     /// @param changed  gets the portals of those that are not what they were
     std::vector<CutSheet> sheets_left(std::vector<std::uint32_t>& changed);
     bool met_sheets() const { return !sheets_.empty(); }
-    /// The airs that faces that went, whole or in part, looked into: each once, in order of these faces.
+    /// The airs that faces that went, whole or in part, looked into: each once, in order of these faces. Without
+    /// those of faces of which a carving only divides edges.
     std::vector<std::uint32_t> airs_touched() const;
     /// What became of an edge that is used by something else than faces of the solid, too. With kDone.
     /// @param parts  gets the edges that take its place, as it ran; as faces have them

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/memory.h"
 #include "firma/queries.h"
@@ -16,6 +17,7 @@
 #include "firma/versions.h"
 #include "scenes/divided_building.h"
 #include "store/bytes_alone.h"
+#include "tests/brush/depot_level.h"
 #include "tests/carve/cutters.h"
 #include "tests/reference/judge_rooms.h"
 #include "tests/world/two_halves.h"
@@ -368,6 +370,47 @@ TEST(CarveRooms, LargeWalls) {
     }
     EXPECT_GT(holed, 5);
     EXPECT_GT(alone, 5);
+}
+
+CarveResult cut_box(const World& world, const Vec3& low, const Vec3& high) {
+    return carve(world, test::box_mesh(low, high).cutter().value(), {});
+}
+
+/// A box that ends in a portal's plane touches the other room's walls along an edge alone: it takes nothing of them.
+TEST(CarveRooms, AHoleAlongAPortalIsTheRoomsWhoseWallItTook) {
+    const World world = two_halves();
+    for (const std::uint32_t room : {0u, 1u}) {
+        const double x = room == 0 ? 3 : 4;
+        const CarveResult result = cut_box(world, {x, 1, -0.5}, {x + 1, 2, 0.5});
+        ASSERT_TRUE(result.done());
+        test::expect_sound_world(result.world);
+        EXPECT_EQ(portal_count(result.world), 1u);
+        EXPECT_EQ(locate(result.world, {x + 0.5, 1.5, -0.25}), in_room(room));
+    }
+}
+
+/// In the rock, along an edge of a room's walls: nothing of a wall goes, so it is a room of its own.
+TEST(CarveRooms, APocketThatTouchesWallsAlongAnEdgeIsARoom) {
+    const World world = two_halves();
+    for (const double y : {-1.0, 1.0}) {
+        const CarveResult result = cut_box(world, {1, y, -1}, {2, y + 1, 0});
+        ASSERT_TRUE(result.done());
+        test::expect_sound_world(result.world);
+        const bool at_edge = y < 0;
+        EXPECT_EQ(result.world.room_count(), at_edge ? 3u : 2u);
+        EXPECT_EQ(locate(result.world, {1.5, y + 0.5, -0.5}), in_room(at_edge ? 2 : 0));
+    }
+}
+
+/// Beside a doorway of the depot, through a wall of a metre, ending in its far side's plane, and deeper than the floor:
+/// where edges of the walls end on one line, edges of the pocket end as well. (tests/full/full_blasts.cpp, depot,
+/// seed=1 case=0.)
+TEST(CarveRooms, EdgesOnOneLineEndWhereThoseOfWallsDo) {
+    const World world = make_world(test::depot_level()).value();
+    const CarveResult result = cut_box(world, {4, 14, 3.75}, {7.5, 15.5, 6.75});
+    ASSERT_TRUE(result.done());
+    test::expect_sound_world(result.world);
+    EXPECT_EQ(reference::unclosed_room(result.world), "");
 }
 
 TEST(CarveRooms, ManyCutsInBuildings) {

@@ -39,6 +39,10 @@ void DirectedEdges::add(std::span<const Vec3> polygon) {
         add(on_grid(polygon[k]), on_grid(polygon[k + 1 < polygon.size() ? k + 1 : 0]));
 }
 
+void DirectedEdges::add(std::span<const GridPoint> polygon) {
+    for (std::size_t k = 0; k < polygon.size(); ++k) add(polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0]);
+}
+
 std::string DirectedEdges::first_open(std::uint64_t* shared) {
     std::sort(edges_.begin(), edges_.end(),
               [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });

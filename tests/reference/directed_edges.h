@@ -18,6 +18,7 @@ public:
     void add(const FacetPlace& facet);
     /// @param polygon  metres, on the surface grid
     void add(std::span<const Vec3> polygon);
+    void add(std::span<const GridPoint> polygon);
 
     /// "open edge from ... to ..." for the first edge that does not go as often each way; empty when all do.
     /// @param shared  added to: edges that more than two polygons have

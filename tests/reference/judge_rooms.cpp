@@ -27,6 +27,12 @@ std::string text_of(const Location& where) {
     return where.where == Where::kSolid ? "in the solid" : "nowhere it is sure of";
 }
 
+bool box_holds(const Box& box, const Vec3& point) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(box.low[axis] <= point[axis] && point[axis] <= box.high[axis])) return false;
+    return true;
+}
+
 }  // namespace
 
 bool same_hit(const Hit& a, const Hit& b) {
@@ -37,21 +43,25 @@ bool same_hit(const Hit& a, const Hit& b) {
 }
 
 std::string unclosed_room(const World& world) {
-    for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-        DirectedEdges edges;
+    const Cells& cells = world.data().cells;
+    std::vector<DirectedEdges> edges(world.room_count());
+    for (std::uint32_t room = 0; room < world.room_count(); ++room)
         for (const FacetPlace& place : facets_of_room(world, room))
-            if (place.record().solid) edges.add(place);
-        for (std::uint32_t portal = 0; portal < portal_count(world); ++portal) {
-            const PortalInfo info = *portal_info(world, {portal});
-            if (info.rooms[0].value != room && info.rooms[1].value != room) continue;
-            for (std::vector<Vec3> polygon : portal_polygons(world, {portal})) {
-                if (info.rooms[0].value != room) std::reverse(polygon.begin(), polygon.end());
-                edges.add(polygon);
-            }
+            if (place.record().solid) edges[room].add(place);
+    for (std::uint32_t k = 0; k < cells.portal_count(); ++k) {
+        const Portal& portal = cells.portal(k);
+        if (portal.gone()) continue;
+        const std::array<RoomId, 2> rooms = cells.rooms_of(portal);
+        for (const PortalPolygon& polygon : portal.all_polygons()) {
+            std::vector<GridPoint> corners(polygon.corners.begin(), polygon.corners.end());
+            edges[rooms[0].value].add(corners);
+            std::reverse(corners.begin(), corners.end());
+            edges[rooms[1].value].add(corners);
         }
-        if (const std::string open = edges.first_open(); !open.empty())
-            return "around room " + std::to_string(room) + " there is an " + open;
     }
+    for (std::uint32_t room = 0; room < edges.size(); ++room)
+        if (const std::string open = edges[room].first_open(); !open.empty())
+            return "around room " + std::to_string(room) + " there is an " + open;
     return "";
 }
 
@@ -80,12 +90,20 @@ RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_co
             rooms_[info.rooms[1].value].portals.push_back(std::move(polygon));
         }
     }
+    for (Bounds& bounds : rooms_) {
+        for (const FacetPlace& place : bounds.facets)
+            for (const std::uint16_t corner : place.block->corners_of(place.record()))
+                bounds.box.add(to_metres(place.block->vertices[corner]));
+        for (const std::vector<Vec3>& polygon : bounds.portals)
+            for (const Vec3& corner : polygon) bounds.box.add(corner);
+    }
 }
 
-std::string RoomBounds::judge(const Vec3& point) const {
+std::string RoomBounds::judge(const Vec3& point, Location* found) const {
     Location where{Where::kSolid, {}};
     for (std::uint32_t room = 0; room < rooms_.size(); ++room) {
         const Bounds& bounds = rooms_[room];
+        if (!bounds.exterior && !box_holds(bounds.box, point)) continue;
         // Fronts look into the room: its boundary winds -1 times around what is in it.
         double in = bounds.exterior - winding(bounds.facets, point);
         for (const std::vector<Vec3>& polygon : bounds.portals) in -= winding(polygon, point);
@@ -97,6 +115,7 @@ std::string RoomBounds::judge(const Vec3& point) const {
                    text_of(point);
         where = {Where::kAir, {room}};
     }
+    if (found) *found = where;
     const Location said = locate(world_, point);
     if (said == where) return "";
     return text_of(point) + " lies " + text_of(where) + ", and locate() says " + text_of(said);

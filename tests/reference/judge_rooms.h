@@ -30,14 +30,17 @@ public:
     explicit RoomBounds(const World& world);
 
     /// Where the solid angles of all facets and portals put a point, and whether locate() says so too. In double, for
-    /// points well clear of all faces.
+    /// points well clear of all faces. A room whose box the point is not in is left out: what is closed
+    /// (unclosed_room()) winds around nothing there.
+    /// @param found  where that is, when given
     /// @return what is wrong: in two rooms at once, or not where locate() has it; else empty
-    std::string judge(const Vec3& point) const;
+    std::string judge(const Vec3& point, Location* found = nullptr) const;
 
 private:
     struct Bounds {
         std::vector<FacetPlace> facets;
         std::vector<std::vector<Vec3>> portals;  ///< fronts look into the room
+        Box box;                                 ///< around both
         bool exterior = false;
     };
     const World& world_;
