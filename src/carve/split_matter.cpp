@@ -318,8 +318,10 @@ bool MatterSplitter::pair_changes(const Plane& plane) {
         const int along = order(plane, changes_[a].vertex, changes_[b].vertex);
         return along != 0 ? along > 0 : a < b;
     });
-    std::stable_sort(touching_.begin(), touching_.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return order(plane, a, b) > 0; });
+    sort_range(touching_, [&](std::uint32_t a, std::uint32_t b) {
+        const int along = order(plane, a, b);
+        return along != 0 ? along > 0 : a < b;
+    });
     if (order_.size() % 2 != 0) return false;
     // Those at one place come in turn, into the front and out of it.
     for (std::size_t k = 0; k < order_.size(); ++k) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/sort.h"
 #include "geometry/exact_integer.h"
 #include "geometry/exact_plane.h"
 #include "solid/append_faces.h"
@@ -111,15 +112,18 @@ void add_sources(const Level& level, const LevelSolids& solids, const std::vecto
                  const std::vector<std::uint32_t>& matter_of_material, MatterPieces& made) {
     std::map<std::uint32_t, std::uint32_t> of_piece;
     for (const Shell& shell : shells) of_piece[solids.piece[shell.faces[0]]] = shell.matter;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> of_source;
-    for (std::uint32_t f = 0; f < level.faces.size(); ++f)
-        of_source.push_back({level.faces[f].source, solids.solid[f] ? of_piece[solids.piece[f]]
-                                                                    : matter_of_material[level.faces[f].material]});
-    std::stable_sort(of_source.begin(), of_source.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t k = 0; k < of_source.size(); ++k)
-        if (k == 0 || of_source[k].first != of_source[k - 1].first)
-            add_source(made, of_source[k].first, of_source[k].second);
+    std::vector<std::uint32_t> by_source;
+    for (std::uint32_t f = 0; f < level.faces.size(); ++f) by_source.push_back(f);
+    const auto source = [&](std::uint32_t face) { return level.faces[face].source; };
+    sort_range(by_source, [&](std::uint32_t a, std::uint32_t b) {
+        return source(a) != source(b) ? source(a) < source(b) : a < b;
+    });
+    for (std::size_t k = 0; k < by_source.size(); ++k) {
+        const std::uint32_t face = by_source[k];
+        if (k > 0 && source(face) == source(by_source[k - 1])) continue;
+        add_source(made, source(face),
+                   solids.solid[face] ? of_piece[solids.piece[face]] : matter_of_material[level.faces[face].material]);
+    }
 }
 
 }  // namespace
@@ -171,8 +175,10 @@ MatterPieces matters_of_level(const Level& level, const LevelSolids& solids, con
         made.rest_look = looks.empty() ? shells[0].look : most_said(looks);
     }
     if (is_one) return made;
-    std::stable_sort(shells.begin(), shells.end(),
-                     [](const Shell& a, const Shell& b) { return a.box.volume() < b.box.volume(); });
+    sort_range(shells, [](const Shell& a, const Shell& b) {
+        const auto one = a.box.volume(), other = b.box.volume();
+        return one != other ? one < other : a.faces[0] < b.faces[0];
+    });
     for (const Shell& shell : shells) {
         if (!shell.looks_out) continue;
         MatterPiece& piece = made.pieces.emplace_back();
