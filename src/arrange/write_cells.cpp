@@ -134,8 +134,7 @@ bool CellWriter::passes_through(std::uint32_t use) {
     const bool same_edge = in_.uses[use].edge != FacePiece::kNoEdge && in_.uses[use].edge == in_.uses[after].edge;
     if (!same_edge && !in_.contact[in_.flat.to(in_.uses[use])]) return false;
     const std::uint32_t there = in_.partner[use], there_after = in_.partner[after];
-    if (in_.selection.keeps_ends && !(same_edge && is_one_edge(use, after)) && edge_ends_between(use, after))
-        return false;
+    if (in_.selection.keeps_ends && ends_stay(use, after)) return false;
     if (there == KeptCells::kNone || there_after == KeptCells::kNone) return same_edge && there == there_after;
     return next_[there_after] == there && in_.group_of(there) == in_.group_of(there_after);
 }
@@ -145,16 +144,16 @@ bool CellWriter::may_stay(std::uint32_t use) const {
     return edge != FacePiece::kNoEdge && in_.selection.reusable(edge);
 }
 
-bool CellWriter::is_one_edge(std::uint32_t use, std::uint32_t after) const {
+bool CellWriter::ends_stay(std::uint32_t use, std::uint32_t after) const {
     const std::uint32_t there = in_.partner[use], there_after = in_.partner[after], edge = in_.uses[use].edge;
-    if (!may_stay(use)) return false;
-    if (there == KeptCells::kNone || there_after == KeptCells::kNone) return there == there_after;
-    return in_.uses[there].edge == edge && in_.uses[there_after].edge == edge;
-}
-
-bool CellWriter::edge_ends_between(std::uint32_t use, std::uint32_t after) const {
-    return has_ending(in_.uses[use].piece, in_.uses[after].piece) ||
-           has_ending(in_.uses[after].piece, in_.uses[use].piece);
+    const std::uint32_t piece = in_.uses[use].piece, next = in_.uses[after].piece;
+    const bool one_edge = may_stay(use) && in_.uses[after].edge == edge;
+    // What lies beyond is not here: the edge stays as it is.
+    if (one_edge && there == KeptCells::kNone && there_after == KeptCells::kNone) return false;
+    if (in_.users.shared(piece) != in_.users.shared(next)) return true;
+    const bool one_beyond = there != KeptCells::kNone && there_after != KeptCells::kNone &&
+                            in_.uses[there].edge == edge && in_.uses[there_after].edge == edge;
+    return !(one_edge && one_beyond) && (has_ending(piece, next) || has_ending(next, piece));
 }
 
 bool CellWriter::has_ending(std::uint32_t piece, std::uint32_t next) const {

@@ -42,11 +42,9 @@ private:
     bool passes_through(std::uint32_t use);
     /// Whether it came with an edge that may be used again.
     bool may_stay(std::uint32_t use) const;
-    /// Whether two uses are of one edge that may be used again, on both of its sides.
-    bool is_one_edge(std::uint32_t use, std::uint32_t after) const;
-    /// Whether an edge that may be used again ends between the pieces of two uses, that of any face of the result: then
-    /// the edges of all faces end there.
-    bool edge_ends_between(std::uint32_t use, std::uint32_t after) const;
+    /// With Selection::keeps_ends: whether the point between a use and the next one is an end all the same, that of any
+    /// face's edge that may be used again, or of the line along which the solids touch: then all edges end there.
+    bool ends_stay(std::uint32_t use, std::uint32_t after) const;
     bool has_ending(std::uint32_t piece, std::uint32_t next) const;
     /// The number of the edge that a chain of uses makes, which begins with `first` and ends before a point that stays.
     std::uint32_t edge_of(std::uint32_t first, std::uint32_t last);
