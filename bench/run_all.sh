@@ -4,8 +4,8 @@
 #
 #   bench/run_all.sh [name ...]        only these: the article's questions (formulas inside boxes edges tree subdivision
 #                                      stop_distance), first_level pieces carve carve_allocations carve_cgal
-#                                      carve_rebuild carved_casts versions levels save store peers openarena node
-#                                      sweeps digs hostile cgal_exact
+#                                      carve_rebuild carved_casts versions region_meshes levels save store peers openarena node
+#                                      sweeps digs chunks hostile cgal_exact
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -28,8 +28,8 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions levels save store openarena peers node \
-    sweeps digs hostile cgal_exact
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save store openarena peers node \
+    sweeps digs chunks hostile cgal_exact
 for name in "$@"; do
     echo "--- $name"
     case $name in

@@ -72,16 +72,18 @@ void cast_between(const std::vector<Query>& queries, std::size_t first, std::siz
 
 }  // namespace
 
-DemoCraters fire_demo_craters(const World& before, const std::vector<Query>& queries, std::size_t count,
-                              std::uint64_t seed) {
+DemoCraters fire_demo_craters(const World& level, const World& before, const std::vector<Query>& queries,
+                              std::size_t count, std::uint64_t seed) {
     DemoCraters did;
     did.after = before;
     const Box bounds = before.bounds();
     const double diagonal = bounds.empty() ? 1 : length(bounds.high - bounds.low);
     const std::vector<Blast> blasts = make_blasts(before, queries, diagonal, count, seed);
+    FireOptions options;
+    options.carve.chunks = ChunkOptions{};
     Progress progress("carving", blasts.size());
     for (std::size_t k = 0; k < blasts.size(); ++k) {
-        const Fired fired = fire_blast(did.after, blasts[k]);
+        const Fired fired = fire_blast(did.after, blasts[k], options);
         ++did.fired;
         did.done += fired.result.done();
         did.nothing += fired.result.status == CarveStatus::kNothing;
@@ -93,12 +95,15 @@ DemoCraters fire_demo_craters(const World& before, const std::vector<Query>& que
         if (fired.result.done()) {
             did.seconds.push_back(fired.seconds);
             did.volume += fired.result.report.volume;
+            did.chunks += fired.result.report.chunks;
+            did.chunk_volume += fired.result.report.chunk_volume;
+            did.crumbs += fired.result.report.crumbs;
         }
         const auto [first, last] = share(queries.size(), k, blasts.size());
         cast_between(queries, first, last, did);
         for (std::size_t r = 0; r < kRaysACrater; ++r, ++did.rays) {
             const Query ray = ray_of(queries[did.rays % queries.size()], diagonal);
-            did.escaped_before += escapes(before, ray);
+            did.escaped_before += escapes(level, ray);
             did.escaped += escapes(did.after, ray);
         }
         progress.add(1);

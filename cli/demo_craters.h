@@ -20,6 +20,8 @@ struct DemoCraters {
     std::map<std::string, std::size_t> refusals;  ///< by reason
     std::vector<double> seconds;                  ///< of those that were done
     double volume = 0;                            ///< cubic metres taken
+    std::size_t chunks = 0, crumbs = 0;           ///< pieces that came loose and left
+    double chunk_volume = 0;                      ///< cubic metres of chunks
     std::size_t casts = 0;                        ///< between craters
     double cast_seconds = 0;
     std::size_t rays = 0;            ///< through all of the level, from its air
@@ -29,8 +31,10 @@ struct DemoCraters {
 };
 
 /// Fires craters of 0.4 to 1.6 m, most of them rocky, at points that casts meet, and after each its share of the
-/// queries and a hundred rays.
-DemoCraters fire_demo_craters(const World& before, const std::vector<Query>& queries, std::size_t count,
-                              std::uint64_t seed);
+/// queries and a hundred rays. Pieces that come loose leave.
+/// @param level   as it was read: where rays escape from it, it is open
+/// @param before  the same, or after some edits
+DemoCraters fire_demo_craters(const World& level, const World& before, const std::vector<Query>& queries,
+                              std::size_t count, std::uint64_t seed);
 
 }  // namespace firma::cli

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/numbers.h"
+#include "firma/matter.h"
 #include "firma/rooms.h"
 #include "firma/solid.h"
 
@@ -36,6 +37,18 @@ Json rooms_json(const World& world) {
     return rooms;
 }
 
+/// What it is made of; of a table those that it has.
+Json matters_json(const World& world) {
+    const MatterCounts counts = count_matters(world);
+    Json of = Json::array();
+    for (std::uint32_t k = 0; k < counts.of_matter.size(); ++k)
+        if (counts.of_matter[k] > 0) of.push_back({{"name", matter(world, k).name}, {"pieces", counts.of_matter[k]}});
+    return {{"pieces", counts.pieces},
+            {"protected", counts.protected_pieces},
+            {"rest", matter(world, counts.rest).name},
+            {"of", std::move(of)}};
+}
+
 Json portals_json(const World& world) {
     Json portals = Json::array();
     for (std::uint32_t k = 0; k < portal_count(world); ++k) {
@@ -62,6 +75,7 @@ void add_world(Json& json, const World& world) {
                     {"overlap", tree.overlap},  {"bytes", tree.bytes},   {"bytes_per_face", tree.bytes_per_face()}};
     const SolidMeasures solid = measure_solid(world);
     json["solid"] = {{"faces", solid.facets}, {"volume", solid.volume}, {"area", solid.area}};
+    json["matter"] = matters_json(world);
 }
 
 std::string info_row(const char* what, const std::string& value) {
@@ -83,6 +97,28 @@ std::string rooms_text(const World& world) {
 
 }  // namespace
 
+namespace {
+
+/// "3 pieces: brick 2, wood 1; 1 may not be carved"; "rock"
+std::string matters_text(const World& world, const MatterCounts& counts) {
+    const auto name = [&](std::uint32_t k) {
+        const std::string& text = matter(world, k).name;
+        return text.empty() ? "other" : text;
+    };
+    if (counts.pieces == 0) return name(counts.rest);
+    std::string text = counted(counts.pieces, "piece");
+    const char* between = ": ";
+    for (std::uint32_t k = 0; k < counts.of_matter.size(); ++k) {
+        if (counts.of_matter[k] == 0) continue;
+        text += between + name(k) + " " + grouped(counts.of_matter[k]);
+        between = ", ";
+    }
+    if (counts.protected_pieces > 0) text += fmt::format("; {} may not be carved", grouped(counts.protected_pieces));
+    return text;
+}
+
+}  // namespace
+
 std::string world_text(const World& world) {
     std::string text;
     if (const Box bounds = world.bounds(); !bounds.empty()) {
@@ -97,6 +133,8 @@ std::string world_text(const World& world) {
                                                 : fmt::format("{} faces bound {:.6g} m3 of {}, by {:.6g} m2",
                                                               grouped(solid.facets), std::fabs(solid.volume),
                                                               solid.volume < 0 ? "air" : "rock", solid.area));
+    if (const MatterCounts matters = count_matters(world); matters.pieces > 0 || matters.rest != 0)
+        text += info_row("matter", matters_text(world, matters));
     const TreeStatistics tree = world.statistics();
     text += info_row(
         "tree",

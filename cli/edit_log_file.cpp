@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -75,6 +76,8 @@ Json edit_log_json(const std::string& path, const LoadedLog& loaded) {
     json["rules_hash"] = hash_digits(log.rules_hash());
     json["level_edits"] = log.level_edits();
     json["last_number"] = log.last_number();
+    json["patched_number"] = log.patch().empty() ? Json() : Json(log.patched_number());
+    json["patch_bytes"] = log.patch().size();
     json["command_count"] = log.commands().size();
     json["checkpoint_count"] = log.checkpoints().size();
     return json;
@@ -82,8 +85,11 @@ Json edit_log_json(const std::string& path, const LoadedLog& loaded) {
 
 std::string edit_log_text(const std::string& path, const LoadedLog& loaded) {
     const EditLog& log = loaded.log;
-    return fmt::format("{}: an edit log of {}, {} and {}; it begins from the world of hash {}\n", path,
-                       bytes_text(loaded.bytes), counted(log.commands().size(), "command"),
+    const std::string patch = log.patch().empty() ? ""
+                                                  : fmt::format("a patch of {} up to edit {}, ",
+                                                                bytes_text(log.patch().size()), log.patched_number());
+    return fmt::format("{}: an edit log of {}: {}{} and {}; it begins from the world of hash {}\n", path,
+                       bytes_text(loaded.bytes), patch, counted(log.commands().size(), "command"),
                        counted(log.checkpoints().size(), "checkpoint"), hash_digits(log.level_hash()));
 }
 
@@ -107,6 +113,8 @@ Json command_json(const EditCommand& command) {
     json["rotation"] = command.pose.rotation;
     json["scale"] = command.pose.scale;
     json["material"] = command.options.material;
+    const std::optional<ChunkOptions>& chunks = command.options.chunks;
+    json["chunks"] = chunks ? Json{{"min_volume", chunks->min_volume}, {"density", chunks->density}} : Json();
     return json;
 }
 
@@ -120,6 +128,8 @@ std::string command_text(const EditCommand& command) {
     if (const auto* crater = std::get_if<CraterSeed>(&command.cutter)) text += fmt::format(" of seed {}", crater->seed);
     text += fmt::format(" at {}, scale {}", point_text(command.pose.position), command.pose.scale);
     if (!command.options.material.empty()) text += ", material " + command.options.material;
+    if (const std::optional<ChunkOptions>& chunks = command.options.chunks)
+        text += fmt::format(", with chunks of {} m3 and {} kg/m3", chunks->min_volume, chunks->density);
     return text;
 }
 

@@ -36,6 +36,12 @@ void add_rooms_option(Command& command, LevelArguments& arguments) {
                        "author's portals");
 }
 
+void add_matter_option(Command& command, LevelArguments& arguments) {
+    command.add_option("--matter", arguments.matter, "FILE",
+                       "a table of what the level is made of, in place of the built-in one (docs/formats.md); not for "
+                       ".firma");
+}
+
 ReadOptions read_options(const LevelArguments& arguments) {
     ReadOptions options;
     if (arguments.scale.empty()) return options;
@@ -176,7 +182,12 @@ LoadedLevel load_quietly(const LevelArguments& arguments, const WorldOptions& op
 
 }  // namespace
 
-LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& options) {
+LoadedLevel load_level(const LevelArguments& arguments, const WorldOptions& given) {
+    WorldOptions options = given;
+    if (!arguments.matter.empty()) {
+        if (names_saved_world(arguments.path)) throw Failure("--matter", "a .firma file has its own table with it");
+        options.matters = take(read_matter_file(arguments.matter));
+    }
     LoadedLevel loaded = load_quietly(arguments, options);
     const std::vector<Omission> omissions = left_out(loaded);
     if (!omissions.empty() && !arguments.tells_left_out)

@@ -20,6 +20,7 @@ struct LevelArguments {
     std::string path;
     std::string scale;      ///< as typed; empty for the format's own
     std::string rooms;      ///< "auto": the air is divided where it narrows; empty: as the author's portals do
+    std::string matter;     ///< a file with a table of matters; empty: the built-in one
     bool surfaces = false;  ///< of a .bsp the drawn surfaces rather than the brushes
     /// The verb tells on standard output what was left out: then nothing of it is said on stderr.
     bool tells_left_out = false;
@@ -29,6 +30,9 @@ struct LevelArguments {
 void add_level_arguments(Command& command, LevelArguments& arguments, bool required = true);
 /// Adds --rooms.
 void add_rooms_option(Command& command, LevelArguments& arguments);
+
+/// Adds --matter.
+void add_matter_option(Command& command, LevelArguments& arguments);
 
 ReadOptions read_options(const LevelArguments& arguments);
 /// The same for glTF, where y points up and becomes z.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/anchor_options.h"
 #include "cli/describe_world.h"
 #include "cli/json.h"
 #include "cli/numbers.h"
@@ -73,6 +74,7 @@ Json saved_info_json(const LoadedLevel& loaded) {
     json["materials"] = material_names(loaded.world);
     add_world(json, loaded.world);
     json["rules"] = {{"zones", data.rules ? data.rules->zones.size() : 0}, {"hard_materials", hard_materials(data)}};
+    json["anchors"] = anchors_json(loaded.world);
     json["read_seconds"] = loaded.read_seconds;
     return json;
 }
@@ -93,6 +95,7 @@ std::string saved_info_text(const LoadedLevel& loaded) {
     text += info_row("materials", grouped(material_names(loaded.world).size()));
     text += info_row("rules", fmt::format("{} zones, {} hard materials", data.rules ? data.rules->zones.size() : 0,
                                           hard_materials(data)));
+    if (const std::string held = anchors_text(loaded.world); !held.empty()) text += info_row("anchors", held);
     text += world_text(loaded.world);
     return text + info_row("time", seconds_text(loaded.read_seconds) + " to read and check");
 }
@@ -113,11 +116,12 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
         std::string text;
         if (fault) text += fmt::format("{}: the world is broken: {}\n", loaded.level.name, fault->what);
         if (solid) text += fmt::format("{}: the solid is broken: {}\n", loaded.level.name, solid->what);
-        print(text + fmt::format("{}: {}; a saved world of {}, {} and {} after {}; {} of the faces bound solids{}\n",
+        const std::string held = anchors_text(world);
+        print(text + fmt::format("{}: {}; a saved world of {}, {} and {} after {}; {} of the faces bound solids{}{}\n",
                                  loaded.level.name, fault || solid ? "faulty" : "sound", counted(counts.total, "face"),
                                  counted(world.room_count(), "room"), counted(portal_count(world), "portal"),
                                  counted(world.data().edits(), "edit"), grouped(counts.solid),
-                                 world.data().rock_outside() ? ", rock outside" : ""));
+                                 world.data().rock_outside() ? ", rock outside" : "", held.empty() ? "" : "; " + held));
         return fault || solid ? 1 : 0;
     }
     const auto reason = [](const auto& found) { return found ? Json(found->what) : Json(); };
@@ -134,6 +138,7 @@ int check_saved_world(const LoadedLevel& loaded, bool as_json) {
     json["rock_outside"] = world.data().rock_outside();
     json["version"] = world.data().version;
     json["edits"] = world.data().edits();
+    json["anchors"] = anchors_json(world);
     print(json_text(std::move(json)));
     return fault || solid ? 1 : 0;
 }

@@ -9,8 +9,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cli/anchor_options.h"
 #include "cli/atomic_file.h"
 #include "cli/edit_log_file.h"
 #include "cli/failure.h"
@@ -23,6 +25,7 @@
 #include "cli/read_blasts.h"
 #include "cli/write_glb.h"
 #include "cli/write_level.h"
+#include "firma/chunk.h"
 #include "world/world_data.h"
 
 namespace firma::cli {
@@ -31,12 +34,15 @@ namespace {
 
 struct CarveArguments : LevelOutput {
     LevelArguments level;
-    std::string blasts, report, log, material, slices;
-    bool json = false;
+    AnchorArguments anchors;
+    std::string blasts, report, log, material, slices, min_volume, density, chunk_report;
+    bool chunks = false, json = false;
 };
 
 constexpr const char* kReportHeader =
-    "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,reason\n";
+    "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,chunks,chunk_volume,"
+    "reason\n";
+constexpr const char* kChunkHeader = "blast,chunk,volume,mass,x,y,z,ixx,iyy,izz,ixy,ixz,iyz\n";
 
 constexpr const char* kCarveFooter =
     R"(Blasts: csv with a header; the columns x,y,z (place, metres), radius (metres), shape and seed: all of them, in any
@@ -65,9 +71,20 @@ The report: one row a blast, in their order:
               faces that reach into the cutter and were left as they are, as they bound no closed solid
   portals     that the blast made: holes between rooms
   rooms       that it made: pockets in rock
+  chunks      pieces that came loose with it and left the level; 0 without --chunks
+  chunk_volume
+              of these, cubic metres, 17 significant digits; `volume` is what the cutter took, without them
   reason      why it was refused; empty otherwise. Commas are semicolons
 A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Neither
 refusals nor blasts that came to nothing change the exit code.
+
+--chunks looks for loose pieces after each blast: what the blast cuts off and nothing holds leaves the level. Held is rock
+around rooms; what hangs free in LEVEL as it is read, and its parts, unless --no-hanging; faces of the materials that
+--anchors names, and what hangs on them. A .firma file keeps what was said for it, unless these options say it anew.
+Pieces smaller than --min-volume leave as well, but are only counted (crumbs). Give --chunks to all runs over a level or
+to none: a piece left hanging is not looked for later. --chunk-report writes a row a chunk: blast (its row, from 0), chunk
+(of that blast, from 0), volume (cubic metres), mass (kilograms, by --density), x,y,z (its centre of mass, metres, where it
+was), ixx,iyy,izz,ixy,ixz,iyz (the tensor of inertia about that, kg m2, 17 significant digits).
 
 The level written goes by the ending of AFTER. A .firma file holds all of it, its exact solid, tree and counters
 too: blasts go on from it as if there had been no file between. A .glb is binary glTF 2.0, for viewers and engines: the
@@ -88,11 +105,13 @@ cutter.
 --log writes what was done, for others to do the same to the same level: `firma log replay` gives the world that AFTER
 holds, to the bit. Each blast is quantised before it is fired, its place to 1/4096 m and its radius to 1/4096, and is
 given a number, from which the ids of its faces follow: so the hashes differ from those of a run without --log. A
-checkpoint, the world's hash, stands after every 100 blasts and at the end.
+checkpoint, the world's hash, stands after every 100 blasts and at the end. With --chunks it says so of every blast: then
+replay needs the same --anchors and --no-hanging.
 
 --json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that are castable only), refused,
 faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
-volume, hash, read_seconds, build_seconds, out, report, log.
+volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume (all five null without --chunks), hash, read_seconds,
+build_seconds, out, report, chunk_report, log.
 
 For instance, a crater and a drill hole in our level:
   printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
@@ -108,6 +127,8 @@ struct Tally {
     double longest_slice = 0, longest = 0;
     std::uint64_t retries = 0;
     double volume = 0;
+    std::size_t chunks = 0, crumbs = 0;
+    double chunk_volume = 0, chunk_mass = 0, crumb_volume = 0;
 };
 
 const char* status_name(CarveStatus status) {
@@ -140,8 +161,25 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
     append_17(row, done ? did.volume : 0);
     std::string reason = fired.result.status == CarveStatus::kRefused ? fired.result.error.text() : "";
     std::replace(reason.begin(), reason.end(), ',', ';');
-    report.write(row + fmt::format(",{},{},{},{},{}\n", hash_text(world), did.faces_castable_only,
-                                   done ? did.portals : 0, done ? did.rooms : 0, reason));
+    row += fmt::format(",{},{},{},{},{},", hash_text(world), did.faces_castable_only, done ? did.portals : 0,
+                       done ? did.rooms : 0, done ? did.chunks : 0);
+    append_17(row, done ? did.chunk_volume : 0);
+    report.write(row + "," + reason + "\n");
+}
+
+void write_chunks(AtomicFile& report, std::size_t blast, const std::vector<Chunk>& chunks) {
+    for (std::size_t k = 0; k < chunks.size(); ++k) {
+        const MassProperties& mass = chunks[k].mass;
+        const Vec3 centre = chunks[k].origin + mass.centre;
+        std::string row = fmt::format("{},{}", blast, k);
+        for (const double value :
+             {mass.volume, mass.mass, centre.x, centre.y, centre.z, mass.inertia[0].x, mass.inertia[1].y,
+              mass.inertia[2].z, mass.inertia[0].y, mass.inertia[0].z, mass.inertia[1].z}) {
+            row += ",";
+            append_17(row, value);
+        }
+        report.write(row + "\n");
+    }
 }
 
 /// after.obj -> after.repro-7.obj
@@ -182,12 +220,19 @@ Fired fire(World& world, const Blast& blast, FireOptions options, EditLog* log) 
     return fired;
 }
 
+/// What is written on the way; null: not asked for.
+struct Reports {
+    AtomicFile* blasts = nullptr;
+    AtomicFile* chunks = nullptr;
+};
+
 Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions& options,
-               const CarveArguments& arguments, AtomicFile* report, EditLog* log) {
+               const CarveArguments& arguments, const Reports& reports, EditLog* log) {
     Progress progress("carving", blasts.size());
     Tally tally;
     tally.faces_before = world.face_count();
-    if (report) report->write(kReportHeader);
+    if (reports.blasts) reports.blasts->write(kReportHeader);
+    if (reports.chunks) reports.chunks->write(kChunkHeader);
     for (std::size_t k = 0; k < blasts.size(); ++k) {
         const Fired fired = fire(world, blasts[k], options, log);
         const CarveResult& result = fired.result;
@@ -204,8 +249,14 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
         if (result.done()) {
             tally.seconds.push_back(fired.seconds);
             tally.volume += result.report.volume;
+            tally.chunks += result.report.chunks;
+            tally.chunk_volume += result.report.chunk_volume;
+            for (const Chunk& chunk : result.chunks) tally.chunk_mass += chunk.mass.mass;
+            tally.crumbs += result.report.crumbs;
+            tally.crumb_volume += result.report.crumb_volume;
         }
-        if (report) write_row(*report, k, fired, world);
+        if (reports.blasts) write_row(*reports.blasts, k, fired, world);
+        if (reports.chunks) write_chunks(*reports.chunks, k, result.chunks);
         if (result.status == CarveStatus::kRefused) tell_refusal(arguments, k, result);
         progress.add(1);
     }
@@ -230,11 +281,18 @@ Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& 
     json["longest_slice_ms"] = 1e3 * tally.longest_slice;
     json["retries"] = tally.retries;
     json["volume"] = tally.volume;
+    const auto of_chunks = [&](const auto& value) { return arguments.chunks ? Json(value) : Json(); };
+    json["chunks"] = of_chunks(tally.chunks);
+    json["chunk_volume"] = of_chunks(tally.chunk_volume);
+    json["chunk_mass"] = of_chunks(tally.chunk_mass);
+    json["crumbs"] = of_chunks(tally.crumbs);
+    json["crumb_volume"] = of_chunks(tally.crumb_volume);
     json["hash"] = hash_text(world);
     json["read_seconds"] = loaded.read_seconds;
     json["build_seconds"] = loaded.build_seconds;
     json["out"] = arguments.out;
     json["report"] = arguments.report.empty() ? Json() : Json(arguments.report);
+    json["chunk_report"] = arguments.chunk_report.empty() ? Json() : Json(arguments.chunk_report);
     json["log"] = arguments.log.empty() ? Json() : Json(arguments.log);
     return json;
 }
@@ -256,19 +314,24 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
         row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them{}", grouped(faces),
                                     leaves_out(loaded, arguments) ? "; not written (--castable writes them)" : ""));
     row("volume", fmt::format("{:.6g} cubic metres taken", tally.volume));
+    if (arguments.chunks)
+        row("chunks", fmt::format("{} came loose, {:.6g} cubic metres, {:.6g} kg; {} of {:.3g} cubic metres",
+                                  grouped(tally.chunks), tally.chunk_volume, tally.chunk_mass,
+                                  counted(tally.crumbs, "crumb"), tally.crumb_volume));
     if (!tally.seconds.empty())
         row("an edit", fmt::format("median {}, 99th percentile {}", seconds_text(percentile(tally.seconds, 0.5)),
                                    seconds_text(percentile(tally.seconds, 0.99))));
     if (!arguments.slices.empty()) row("a slice", "longest " + seconds_text(tally.longest_slice));
     row("hash", hash_text(world));
     if (!arguments.report.empty()) row("report", arguments.report);
+    if (!arguments.chunk_report.empty()) row("chunk report", arguments.chunk_report);
     if (!arguments.log.empty()) row("log", arguments.log);
     return text;
 }
 
 /// Outputs must differ from each other, and from what is read, and be of a format that is written.
 void judge_outputs(const CarveArguments& arguments) {
-    for (const std::string& out : {arguments.out, arguments.report, arguments.log}) {
+    for (const std::string& out : {arguments.out, arguments.report, arguments.log, arguments.chunk_report}) {
         refuse_overwriting(out, arguments.level.path);
         refuse_overwriting(out, arguments.blasts);
     }
@@ -286,16 +349,52 @@ void judge_outputs(const CarveArguments& arguments) {
     if (same(arguments.log, arguments.out)) throw Failure("--log", "and --out name one file");
     if (same(arguments.log, arguments.report)) throw Failure("--log", "and --report name one file");
     if (is_standard_output(arguments.log)) throw Failure("--log", "a log is bytes; name a file");
+    if (is_standard_output(arguments.chunk_report)) throw Failure("--chunk-report", "goes to a file; name one");
+    for (const auto& [name, other] : {std::pair("--out", arguments.out), std::pair("--report", arguments.report),
+                                      std::pair("--log", arguments.log)})
+        if (same(arguments.chunk_report, other))
+            throw Failure("--chunk-report", std::string("and ") + name + " name one file");
     refuse_overwriting(arguments.report, arguments.out);
     refuse_overwriting(arguments.log, arguments.out);
+    refuse_other_endings(arguments.out);
+    refuse_overwriting(arguments.chunk_report, arguments.out);
+}
+
+/// Of options that say nothing without it.
+void judge_chunk_arguments(const CarveArguments& arguments) {
+    if (arguments.chunks) return;
+    const std::pair<const char*, bool> given[] = {{"--min-volume", !arguments.min_volume.empty()},
+                                                  {"--density", !arguments.density.empty()},
+                                                  {"--anchors", !arguments.anchors.materials.empty()},
+                                                  {"--no-hanging", arguments.anchors.no_hanging},
+                                                  {"--chunk-report", !arguments.chunk_report.empty()}};
+    for (const auto& [name, is_given] : given)
+        if (is_given) throw Failure(name, "is for --chunks");
+}
+
+std::optional<ChunkOptions> chunk_options(const CarveArguments& arguments) {
+    judge_chunk_arguments(arguments);
+    if (!arguments.chunks) return {};
+    ChunkOptions options;
+    if (!arguments.min_volume.empty())
+        options.min_volume = number_option("--min-volume", arguments.min_volume, 0, 1e12);
+    if (!arguments.density.empty()) options.density = number_option("--density", arguments.density, 1e-9, 1e12);
+    return options;
+}
+
+/// Where nothing was said of what holds pieces: as the first blast would find out, but not within its time.
+World with_usual_anchors(const World& world, bool chunks) {
+    return chunks && !world.data().anchors ? with_anchors(world) : world;
 }
 
 int run(const CarveArguments& arguments) {
     FireOptions options;
     options.carve.material = arguments.material;
+    options.carve.chunks = chunk_options(arguments);
     if (!arguments.slices.empty()) options.slice = number_option("--slices", arguments.slices, 0, 1e12);
     judge_outputs(arguments);
-    const LoadedLevel loaded = load_level(arguments.level);
+    LoadedLevel loaded = load_level(arguments.level);
+    loaded.world = anchored(loaded.world, arguments.anchors);
     const std::vector<Blast> blasts = read_blasts(arguments.blasts);
     // Blasts mostly add faces: what is too large already should not take hours to be so.
     if (names_glb(arguments.out)) judge_glb_size(GlbParts(loaded.world).file_bytes(), arguments.out);
@@ -303,14 +402,18 @@ int run(const CarveArguments& arguments) {
     AtomicFile out(arguments.out);
     std::optional<AtomicFile> report;
     if (!arguments.report.empty()) report.emplace(arguments.report);
+    std::optional<AtomicFile> chunk_report;
+    if (!arguments.chunk_report.empty()) chunk_report.emplace(arguments.chunk_report);
     std::optional<AtomicFile> log_file;
     std::optional<EditLog> log;
     if (!arguments.log.empty()) {
         log_file.emplace(arguments.log);
         log.emplace(loaded.world);
     }
-    World world = loaded.world;
-    Tally tally = fire_all(world, blasts, options, arguments, report ? &*report : nullptr, log ? &*log : nullptr);
+    World world = with_usual_anchors(loaded.world, arguments.chunks);
+    const Reports reports{report ? &*report : nullptr, chunk_report ? &*chunk_report : nullptr};
+    Tally tally = fire_all(world, blasts, options, arguments, reports, log ? &*log : nullptr);
+    if (tally.done == 0) world = loaded.world;  // as a replay of no command gives it
     write_level(world, loaded, arguments, out);
     out.finish();
     if (log) {
@@ -319,6 +422,7 @@ int run(const CarveArguments& arguments) {
         log_file->finish();
     }
     if (report) report->commit();
+    if (chunk_report) chunk_report->commit();
     if (log_file) log_file->commit();
     out.commit();
     tell_if_empty(arguments, world);
@@ -337,6 +441,7 @@ Verb add_carve(CLI::App& app) {
     const auto arguments = std::make_shared<CarveArguments>();
     add_level_arguments(command, arguments->level);
     add_rooms_option(command, arguments->level);
+    add_matter_option(command, arguments->level);
     command.add_option("--blasts", arguments->blasts, "FILE", "csv of blasts, see below", true);
     add_level_output(command, *arguments, ".obj, .firma or .glb to write: the level after all blasts", true);
     command.add_option("--report", arguments->report, "FILE", "csv to write: a row a blast, see below");
@@ -346,6 +451,12 @@ Verb add_carve(CLI::App& app) {
     command.add_option(
         "--slices", arguments->slices, "US",
         "run each edit in slices of so many microseconds, 0: as short as they can be; the result is the same");
+    command.add_flag("--chunks", arguments->chunks, "pieces that blasts leave loose leave the level; see below");
+    command.add_option("--min-volume", arguments->min_volume, "V",
+                       "smaller pieces are crumbs, cubic metres (default 0.001)");
+    command.add_option("--density", arguments->density, "D", "of chunks, kilograms a cubic metre (default 2000)");
+    add_anchor_options(command, arguments->anchors);
+    command.add_option("--chunk-report", arguments->chunk_report, "FILE", "csv to write: a row a chunk, see below");
     add_json_flag(command, arguments->json);
     command.set_footer(std::string(kCarveFooter) + kExitCodes);
     return {command, [arguments] { return run(*arguments); }};

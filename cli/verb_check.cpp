@@ -71,7 +71,8 @@ file is empty; one that was there before is replaced. Bad input leaves it as it 
 
 A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
 read is checked once more. --json: level, sound, faces, rooms, portals, world_fault or null, solid_fault or null,
-solid_faces, exact_faces, rock_outside, version, edits.
+solid_faces, exact_faces, rock_outside, version, edits, anchors (what holds loose pieces: {materials, sources, edits,
+hanging}, how many of each; null where nothing was said).
 
 An edit log, .firmalog, is read: damage is bad input. Whether its checkpoints hold needs its level: firma log verify.
 --json: as of firma log show, without commands and checkpoints; sound.

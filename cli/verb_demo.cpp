@@ -21,6 +21,7 @@
 #include "cli/atomic_file.h"
 #include "cli/demo_casts.h"
 #include "cli/demo_craters.h"
+#include "cli/demo_depot.h"
 #include "cli/failure.h"
 #include "cli/find_camera.h"
 #include "cli/fire_blast.h"
@@ -32,6 +33,7 @@
 #include "draw/draw_plan.h"
 #include "draw/draw_view.h"
 #include "draw/picture.h"
+#include "firma/chunk.h"
 #include "firma/polygon.h"
 
 namespace firma::cli {
@@ -56,14 +58,21 @@ The casts are seeded: half of them particles, half spheres of up to 0.5 m, paths
 diagonal to all of it. A sample is checked against a reference oracle without a tree, which asks the pair function of every
 face; they must agree to the last bit.
 
+In the depot two things are shot at first. The bridge across the hall, at both ends: it hangs on nothing then, so it
+leaves the level as a chunk, with volume and mass. And the wall of 6 cm between two offices: the hole is a portal
+between them, and a cast that met the wall before goes through it.
+
 Then craters are carved where casts meet the level (200, or --craters; 0.4 to 1.6 m, made from the seed), with the
 same casts spread between them, checked again after the last. Out of a closed level no ray may escape, after any
-of them: 100 are cast after each. The picture shows the level after them; beside it, in FILE_view.png, stands the
-view that shows them well, before and after. Levels without closed solids have nothing to carve.
+of them: 100 are cast after each. Pieces that come loose leave the level. The picture shows the level after them;
+beside it, in FILE_view.png, stands a view before and after: of the depot's bridge, else the one that shows craters
+well. Levels without closed solids have nothing to carve.
 
 --json: level, faces, read_seconds, build_seconds, casts, hit, touching, miss, casts_per_second (one thread),
-casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, craters {count,
-done, nothing, nothing_castable_only (of these), refused, median_ms, p99_ms, volume, faces_after, casts,
+casts_per_second_all_threads, threads, faces_per_cast, share_of_faces, checked, disagreements, depot {bridge {shots,
+ms, chunks, crumbs, volume, mass, largest {volume, mass, centre}}, hole {ms, portals, portal (its id, or null), rooms [two names], area, before
+{distance, material, room}, after}} (null of other levels, and with --craters 0), craters {count, done, nothing,
+nothing_castable_only (of these), refused, median_ms, p99_ms, volume, chunks, chunk_volume, crumbs, faces_after, casts,
 casts_per_second, rays, escaped_before, escaped, checked, disagreements, hash}, view (null where there is none), out.
 
 Exit codes: 0 done; 1 the oracle disagrees or a ray escapes; 2 a bad call or bad input, with `firma: place: reason` on stderr.
@@ -81,6 +90,7 @@ struct Results {
     double seconds = 0, parallel_seconds = 0;  ///< of all casts on one thread, on all
     int threads = 1;
     Checked checked, checked_after;  ///< without craters, after the last
+    std::optional<DemoDepot> depot;
     DemoCraters craters;
     std::string view;  ///< the picture of them; empty: none
 
@@ -206,6 +216,9 @@ std::string craters_text(const LoadedLevel& loaded, const Results& results) {
                      fmt::format("median {}, 99th percentile {}", seconds_text(percentile(seconds, 0.5)),
                                  seconds_text(percentile(seconds, 0.99))));
     text += row_text("volume taken", fmt::format("{:.4g} cubic metres", craters.volume));
+    if (craters.chunks + craters.crumbs > 0)
+        text += row_text("came loose", fmt::format("{} of {:.3g} cubic metres, {}", counted(craters.chunks, "chunk"),
+                                                   craters.chunk_volume, counted(craters.crumbs, "crumb")));
     text += row_text(
         "faces after",
         fmt::format("{}, {:.0f} more a crater", grouped(craters.after.face_count()),
@@ -237,6 +250,7 @@ std::string text_for_people(const LoadedLevel& loaded, const Results& results, c
     row("candidate faces a cast",
         fmt::format("{:.1f}, {:.2f}% of all", per_cast(results), 100 * per_cast(results) / faces));
     row("checked by the oracle", checked_text(results.checked));
+    if (results.depot) text += depot_text(*results.depot);
     text += craters_text(loaded, results);
     row("picture", out);
     if (!results.view.empty()) row("before and after", results.view);
@@ -259,6 +273,9 @@ Json craters_json(const Results& results) {
     json["median_ms"] = 1e3 * percentile(seconds, 0.5);
     json["p99_ms"] = 1e3 * percentile(seconds, 0.99);
     json["volume"] = craters.volume;
+    json["chunks"] = craters.chunks;
+    json["chunk_volume"] = craters.chunk_volume;
+    json["crumbs"] = craters.crumbs;
     json["faces_after"] = craters.after.face_count();
     json["casts"] = craters.casts;
     json["casts_per_second"] = rate(craters.casts, craters.cast_seconds);
@@ -291,6 +308,7 @@ Json json_of(const LoadedLevel& loaded, const Results& results, const std::strin
     json["checked"] = results.checked.casts;
     json["disagreements"] = results.checked.disagreements;
     if (results.checked.disagreements > 0) json["first_disagreement"] = results.checked.first;
+    json["depot"] = depot_json(results.depot);
     json["craters"] = craters_json(results);
     json["view"] = results.view.empty() ? Json() : Json(results.view);
     json["out"] = out;
@@ -327,8 +345,8 @@ std::string view_path(const std::string& out) {
 void draw_craters(const World& before, const std::string& out, Results& results) {
     std::error_code none;
     if (!std::filesystem::is_regular_file(out, none)) return;
-    draw::Camera size;
-    const std::optional<draw::Camera> camera = find_camera(before, results.craters.after, size);
+    const std::optional<draw::Camera> camera =
+        results.depot ? depot_camera() : find_camera(before, results.craters.after, draw::Camera());
     if (!camera) return;
     results.view = view_path(out);
     AtomicFile file(results.view);
@@ -356,7 +374,9 @@ int run(const DemoArguments& given) {
     Results results;
     fire(loaded.world, queries, results);
     results.checked = check_sample(loaded.world, queries);
-    results.craters = fire_demo_craters(loaded.world, queries, craters, seed);
+    const World held = with_anchors(loaded.world);
+    if (craters > 0) results.depot = shoot_depot(held);
+    results.craters = fire_demo_craters(held, results.depot ? results.depot->after : held, queries, craters, seed);
     const World& after = results.craters.after;
     if (results.craters.done > 0) results.checked_after = check_sample(after, queries);
     out.write(draw(after, queries, short_name(arguments.level.path)).svg);
@@ -377,6 +397,7 @@ Verb add_demo(CLI::App& app) {
     const auto arguments = std::make_shared<DemoArguments>();
     add_level_arguments(command, arguments->level, false);
     add_rooms_option(command, arguments->level);
+    add_matter_option(command, arguments->level);
     add_out_option(command, arguments->out, "SVG to write (default: see below); its folder is made when missing",
                    false);
     command.add_option("--casts", arguments->casts, "N", "how many, 1 .. 10000000 (default 100000)");

@@ -38,9 +38,10 @@ cover, 0 .. 1.
 --json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
 corners, materials [names], groups, ignored_entries, left_out [{what, count, first}], bounds {low, high} or null, rooms [{id, name, exterior, faces,
 bounds, portals [ids]}], portals [{id, name, rooms [ids], open, polygons, bounds}], tree {faces, blocks, bins,
-leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, read_seconds,
-build_seconds. `solid` is of the faces that bound solids, which can be carved; its volume is negative where rock
-reaches to infinity: then it is that of the air.
+leaf_bins, depth, largest_bin, overlap, bytes, bytes_per_face}, solid {faces, volume, area}, matter {pieces, protected,
+rest, of [{name, pieces}]}, read_seconds, build_seconds. `solid` is of the faces that bound solids, which can be carved;
+its volume is negative where rock reaches to infinity: then it is that of the air. `matter` counts the pieces that are
+told apart by what they are made of, how many of them may not be carved, and names what lies in none.
 
 `left_out` is what the file holds and casts do not meet: what Firma does not read, has no area or volume, or belongs to
 entities that move; what, how many, and the place of the first, or "". Other verbs warn of it on stderr. A level of
@@ -52,7 +53,7 @@ the file are its triangles, without those of portals. An idle portal, or a part 
 
 Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
-planes_moved, greatest_shift, idle_portals, divided, left_out, bounds, rooms, portals, tree, solid, read_seconds, build_seconds.
+planes_moved, greatest_shift, idle_portals, divided, left_out, bounds, rooms, portals, tree, solid, matter, read_seconds, build_seconds.
 `brushes` counts those of the file, no portals that were added; `faces` counts convex facets; those of `solid` bound
 the joined solid. `divided` is null, or with --rooms auto {cells, narrows, untried, idle, portals}: how many cells
 were tested, how many places where the air narrows, how many of these were too many to be tried, how many were tried
@@ -60,7 +61,7 @@ in vain, as the air goes around by a way that the cells do not show, and how man
 
 Of a .firma file, which holds a world rather than a level, --json has: level, bytes, version (of the world: how many
 edits were published), edits, exact (whether exact faces or faces that bound solids are there: without, it cannot be
-carved), faces {total, solid, exact}, materials [names], bounds, rooms, portals, tree, solid, rules {zones, hard_materials},
+carved), faces {total, solid, exact}, materials [names], bounds, rooms, portals, tree, solid, matter, rules {zones, hard_materials},
 read_seconds.
 )";
 
@@ -218,6 +219,7 @@ Verb add_info(CLI::App& app) {
     const auto arguments = std::make_shared<InfoArguments>();
     add_level_arguments(command, arguments->level);
     add_rooms_option(command, arguments->level);
+    add_matter_option(command, arguments->level);
     command.add_option("--split", arguments->split, "HOW", "how nodes divide: longest-axis (default) or surface-area");
     command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: nodes above a node, 0 .. 64 (default 48)");
     command.add_option("--faces-per-bin", arguments->faces_per_leaf, "N",

@@ -18,17 +18,6 @@
 
 namespace firma::cli {
 
-namespace {
-
-/// Whoever writes after.map expects a .map.
-void refuse_other_endings(const std::string& out) {
-    const std::string ending = std::filesystem::path(out).extension().string();
-    if (ending.empty() || has_ending(out, ".obj") || names_glb(out) || names_saved_world(out)) return;
-    throw Failure(out, "a level is written as .obj, .glb or .firma, not as " + ending);
-}
-
-}  // namespace
-
 void add_level_output(Command& command, LevelOutput& output, const char* help, bool required) {
     add_out_option(command, output.out, help, required);
     command.add_flag("--castable", output.castable,
@@ -43,7 +32,12 @@ void judge_level_output(const LevelOutput& output) {
     if (output.castable && (names_glb(output.out) || names_saved_world(output.out)))
         throw Failure("--castable", "is for an .obj; a .glb or .firma has such faces anyway");
     axis_option("--up", output.up);
-    refuse_other_endings(output.out);
+}
+
+void refuse_other_endings(const std::string& out) {
+    const std::string ending = std::filesystem::path(out).extension().string();
+    if (ending.empty() || has_ending(out, ".obj") || names_glb(out) || names_saved_world(out)) return;
+    throw Failure(out, "a level is written as .obj, .glb or .firma, not as " + ending);
 }
 
 bool names_glb(const std::string& path) {

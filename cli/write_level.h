@@ -19,8 +19,11 @@ struct LevelOutput {
 /// Adds -o, --castable and --up.
 void add_level_output(Command& command, LevelOutput& output, const char* help, bool required);
 
-/// @throws Failure for an ending that is not written, and for options that are not for this one
+/// @throws Failure for options that are not for what is written
 void judge_level_output(const LevelOutput& output);
+/// Once the name is known to be no input's. Whoever writes after.map expects a .map.
+/// @throws Failure for an ending that is not written
+void refuse_other_endings(const std::string& out);
 
 bool names_glb(const std::string& path);
 

@@ -62,6 +62,7 @@ public:
             if (std::optional<Error> error = add_node(node)) return *std::move(error);
         if (sources_ == 0) return Error{ErrorCode::kMalformed, file_.name, "has no triangle in its scene"};
         made_.level = builder_.finish(sources_, ignored_ + file_.rest.cameras + file_.rest.animations, omissions());
+        made_.level.matters = std::move(matters_);
         find_note_places();
         note_what_is_left_out();
         return std::move(made_);
@@ -137,6 +138,8 @@ private:
             if (name.ends_with(kCut)) name.remove_suffix(kCut.size());
         }
         info_.material = builder_.material(name);
+        if (matters_.size() <= info_.material) matters_.resize(info_.material + 1);
+        if (matters_[info_.material].empty()) matters_[info_.material] = file_.rest.matters[std::size_t(index)];
         info_.two_sided = thin_ || material.doubleSided;
         return std::nullopt;
     }
@@ -263,6 +266,7 @@ private:
     }
 
     const gltf::GltfFile& file_;
+    std::vector<std::string> matters_;  ///< as Level::matters
     const GltfOptions options_;
     gltf::Accessors accessors_;
     LevelBuilder builder_;

@@ -275,6 +275,11 @@ private:
         if (std::optional<Error> error = list(
                 "materials", "material", kMaterial, [&](Json& from, Json&, const std::string&) -> std::optional<Error> {
                     const auto extras = from.find("extras");
+                    slim_.matters.emplace_back();
+                    for (const char* key : {"material", "matter"})
+                        if (extras != from.end() && extras->is_object() && extras->contains(key) &&
+                            (*extras)[key].is_string())
+                            slim_.matters.back() = (*extras)[key].get<std::string>();
                     slim_.cut_materials.push_back(extras != from.end() && extras->is_object() &&
                                                   extras->contains("cut") && (*extras)["cut"] == true);
                     return std::nullopt;

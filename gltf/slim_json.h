@@ -27,8 +27,9 @@ struct SlimJson {
     /// integers, and follows images wherever they point.
     std::string json;
     std::vector<Buffer> buffers;
-    std::vector<Extras> node_extras;  ///< of each node
-    std::vector<bool> cut_materials;  ///< of each material: `extras.cut`, which write_glb() leaves
+    std::vector<Extras> node_extras;   ///< of each node
+    std::vector<bool> cut_materials;   ///< of each material: `extras.cut`, which write_glb() leaves
+    std::vector<std::string> matters;  ///< of each material: `extras.matter`, or `extras.material`; "" without
     std::size_t skins = 0, animations = 0, cameras = 0;
     std::size_t morphs = 0;  ///< primitives with morph targets
     bool gpu_instances = false;

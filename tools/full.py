@@ -110,6 +110,10 @@ def digs(what):
     return lambda seed, count: [f'{BUILD}/full_digs', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def chunks(seed, count):
+    return [f'{BUILD}/full_chunks', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
 def index(seed, count):
     return [f'{BUILD}/full_index', '--count', str(count), '--seed', str(seed)]
 
@@ -189,6 +193,8 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_digs.cpp', 'tests/full/options.h'] + reference('judge_digs', 'judge_cut'), 'test', digs('lattice'), 'full_digs'),
     Claim('mixed_digs', 'large blocks cut and filled 80 times by blocks, wedges, gears and craters: none refused, boundary and volume after each, the same again nothing',
           1_000, 250, 'digs', CARVE_SOURCES + ['tests/full/full_digs.cpp', 'tests/full/options.h'] + reference('judge_digs', 'judge_cut'), 'test', digs('mixed'), 'full_digs'),
+    Claim('chunks', 'halls of pillars and bridges shot at 100 times each: the loose pieces that each cut finds are those of a flood of all faces', 200, 50, 'halls',
+          CARVE_SOURCES + ['tests/full/full_chunks.cpp', 'tests/full/options.h'] + reference('judge_chunks'), 'test', chunks, 'full_chunks'),
     Claim('index_is_free', 'cuts under different trees, each followed by equal hashes, ids and bytes', 1_000, 1_000, 'cuts',
           CARVE_SOURCES + ['src/save', 'tests/full/full_index.cpp', 'tests/full/options.h'] + JUDGE_CUT + reference('judge_index'), 'test', index,
           'full_index'),
@@ -246,6 +252,12 @@ CLAIMS = [
           + fuzzer('read_gltf', 'expect_sound_level', 'gltf_bytes', 'bytes'), 'sanitize', fuzz('read_gltf'), 'fuzz_read_gltf'),
     Claim('fuzz_load_firma', 'seconds of fuzzing .firma files, then casts and an edit, no crash, hang or broken world', 600, 300,
           'seconds', CARVE_SOURCES + ['include/firma/save.h', 'src/save', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('load_firma', 'bytes'), 'sanitize', fuzz('load_firma'), 'fuzz_load_firma'),
+    Claim('fuzz_read_log', 'seconds of fuzzing edit logs and commands, then replays, no crash, hang or broken world', 600, 300, 'seconds',
+          CARVE_SOURCES + ['include/firma/edit_log.h', 'src/save', 'src/log', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + fuzzer('read_log', 'bytes'),
+          'sanitize', fuzz('read_log'), 'fuzz_read_log'),
+    Claim('fuzz_read_patch', 'seconds of fuzzing patches and lists of faces, then an edit, no crash, hang or broken world', 600, 300, 'seconds',
+          CARVE_SOURCES + ['include/firma/edit_log.h', 'include/firma/world_patch.h', 'src/save', 'src/log', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h']
+          + fuzzer('read_patch', 'bytes'), 'sanitize', fuzz('read_patch'), 'fuzz_read_patch'),
 ]
 
 

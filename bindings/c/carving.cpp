@@ -2,10 +2,15 @@
 // Cutters and edits.
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
+#include "bindings/c/orders.h"
+#include "bindings/c/results.h"
 
 namespace firma::c {
 namespace {
@@ -15,35 +20,7 @@ firma_code give_cutter(Result<Cutter> cutter, firma_cutter* out, const char* fun
     return give(std::make_unique<CutterObject>(std::move(cutter).value()), out, function);
 }
 
-/// The world after an edit as a handle, and the report. A refusal's reason becomes the message.
-firma_code give_result(const CarveResult& result, firma_world* after, firma_carve_report* report,
-                       const char* function) {
-    const firma_code code = give(std::make_unique<WorldObject>(result.world), after, function);
-    if (code) return code;
-    if (report) put_report(result, report);
-    if (result.status == CarveStatus::kRefused) fail(result.error);
-    return FIRMA_OK;
-}
-
 constexpr const char* kBrokenJob = "the job ran out of memory before: release it and start another";
-
-/// What every edit begins with.
-struct Order {
-    Cutter cutter;
-    Pose pose;
-    CarveOptions options;
-    CarveKind kind = CarveKind::kCarve;
-};
-
-firma_code read_order(firma_cutter cutter, const firma_pose* pose, const firma_carve_options* options, Order& order,
-                      const char* function) {
-    if (!pose) return bad_call(function, kNull);
-    const CutterObject* object = find<CutterObject>(cutter.id, function);
-    if (!object) return FIRMA_ERROR_BAD_HANDLE;
-    order.cutter = object->cutter;
-    order.pose = pose_of(*pose);
-    return read_options(options, order.options, order.kind, function);
-}
 
 }  // namespace
 }  // namespace firma::c
@@ -55,7 +32,8 @@ firma_code firma_cutter_crater(uint32_t shape, uint64_t seed, firma_cutter* cutt
     return guarded(__func__, [&, function = __func__] {
         if (!cutter) return bad_call(function, kNull);
         if (shape > FIRMA_BOX) return fail(FIRMA_ERROR_INVALID, function, "there is no shape " + std::to_string(shape));
-        return give_cutter(make_crater(CutterShape(shape), seed), cutter, function);
+        const CraterSeed crater{CutterShape(shape), seed};
+        return give(std::make_unique<CutterObject>(make_crater(crater.shape, seed), crater), cutter, function);
     });
 }
 
@@ -114,7 +92,8 @@ firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose*
         Order order;
         if (const firma_code code = read_order(cutter, pose, options, order, function)) return code;
         const auto edit = order.kind == CarveKind::kFill ? firma::fill : firma::carve;
-        return give_result(edit(object->world, order.cutter, order.pose, order.options), after, report, function);
+        return give_result(edit(object->world, order.cutter->cutter, order.pose, order.options), after, report,
+                           function);
     });
 }
 
@@ -126,9 +105,9 @@ firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_p
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         Order order;
         if (const firma_code code = read_order(cutter, pose, options, order, function)) return code;
-        return give(
-            std::make_unique<JobObject>(CarveJob(object->world, order.cutter, order.pose, order.options, order.kind)),
-            job, function);
+        return give(std::make_unique<JobObject>(
+                        CarveJob(object->world, order.cutter->cutter, order.pose, order.options, order.kind)),
+                    job, function);
     });
 }
 
@@ -138,8 +117,10 @@ firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished)
         JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (!(microseconds >= 0)) return fail(FIRMA_ERROR_INVALID, function, "the time is negative, or no number");
-        if (object->job.broken()) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
-        *finished = object->job.run(microseconds);
+        if (object->broken) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
+        object->broken = true;  // unless it comes back
+        *finished = std::visit([&](auto& work) { return work.run(microseconds); }, object->job);
+        object->broken = false;
         return FIRMA_OK;
     });
 }
@@ -150,9 +131,11 @@ firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_repor
         if (report && !sized(report)) return bad_call(function, kWrongSize);
         const JobObject* object = find<JobObject>(job.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        if (object->job.broken()) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
-        if (!object->job.finished()) return bad_call(function, "the job is not finished: run it on first");
-        return give_result(object->job.result(), after, report, function);
+        if (object->broken) return fail(FIRMA_ERROR_NO_MEMORY, function, kBrokenJob);
+        if (!std::visit([](const auto& work) { return work.finished(); }, object->job))
+            return bad_call(function, "the job is not finished: run it on first");
+        return give_result(std::visit([](const auto& work) { return carve_result(work.result()); }, object->job), after,
+                           report, function);
     });
 }
 
@@ -177,12 +160,12 @@ firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, const firma_po
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         Order order;
         if (const firma_code code = read_order(cutter, pose, options, order, function)) return code;
-        const CarveResult result = order.kind == CarveKind::kFill
-                                       ? object->edit.fill(order.cutter, order.pose, order.options)
-                                       : object->edit.carve(order.cutter, order.pose, order.options);
-        if (report) put_report(result, report);
-        if (result.status == CarveStatus::kRefused) fail(result.error);
-        return FIRMA_OK;
+        WorldEdit next = object->edit;
+        const auto step = order.kind == CarveKind::kFill ? &WorldEdit::fill : &WorldEdit::carve;
+        const firma_code code =
+            give_result((next.*step)(order.cutter->cutter, order.pose, order.options), nullptr, report, function);
+        if (code == FIRMA_OK) object->edit = std::move(next);
+        return code;
     });
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Between the C API's plain structs and the library's own.
 #include "bindings/c/convert.h"
+
+#include <algorithm>
+
 #include "firma/queries.h"
 
 namespace firma::c {
@@ -22,6 +25,10 @@ firma_code whole_of(const T* given, void (*defaults)(T*), T& whole, const char* 
     if (!sized(given)) return bad_call(function, kWrongSize);
     take_sized(given, whole);
     return FIRMA_OK;
+}
+
+bool is_length(double number) {
+    return is_finite(number) && number >= 0;
 }
 
 }  // namespace
@@ -85,7 +92,7 @@ firma_code read_options(const firma_carve_options* options, CarveOptions& carve,
                         const char* function) {
     firma_carve_options whole;
     const firma_carve_options* const given = &whole;
-    const auto defaults = [](firma_carve_options* out) { *out = {sizeof(firma_carve_options), 0, nullptr, 0, 0, {}}; };
+    const auto defaults = [](firma_carve_options* out) { *out = {}; };
     if (const firma_code code = whole_of(options, +defaults, whole, function)) return code;
     if (given->fill > 1) return fail(FIRMA_ERROR_INVALID, function, "fill must be 0 or 1");
     if (given->has_from > 1 || given->reserved != 0)
@@ -94,6 +101,16 @@ firma_code read_options(const firma_carve_options* options, CarveOptions& carve,
         carve.from = vec(given->from);
         if (!is_finite(*carve.from)) return fail(FIRMA_ERROR_INVALID, function, "from is not finite");
     }
+    if (given->chunks > 1) return fail(FIRMA_ERROR_INVALID, function, "chunks must be 0 or 1");
+    if (!is_length(given->min_chunk_volume) || !is_length(given->density))
+        return fail(FIRMA_ERROR_INVALID, function,
+                    "min_chunk_volume and density must be finite numbers, not below zero");
+    if (given->chunks) {
+        carve.chunks.emplace();
+        if (given->min_chunk_volume != 0) carve.chunks->min_volume = given->min_chunk_volume;
+        if (given->density != 0) carve.chunks->density = given->density;
+    }
+    carve.edit = given->edit;
     carve.material = text_of(given->material);
     kind = given->fill ? CarveKind::kFill : CarveKind::kCarve;
     return FIRMA_OK;
@@ -101,6 +118,12 @@ firma_code read_options(const firma_carve_options* options, CarveOptions& carve,
 
 Pose pose_of(const firma_pose& pose) {
     return {vec(pose.position), {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]}, pose.scale};
+}
+
+void put_pose(const Pose& pose, firma_pose& out) {
+    put(pose.position, out.position);
+    std::copy(pose.rotation.begin(), pose.rotation.end(), out.rotation);
+    out.scale = pose.scale;
 }
 
 void put_corner(const FaceRef& face, std::int32_t (&corner)[3]) {
@@ -152,7 +175,7 @@ void put_overlap(const Overlap& overlap, firma_near& out) {
     out.depth = overlap.depth;
 }
 
-void put_report(const CarveResult& result, firma_carve_report* to) {
+void put_report(const CarveResult& result, firma_chunks loose, firma_carve_report* to) {
     const CarveReport& report = result.report;
     firma_carve_report out{};
     out.status = std::uint32_t(result.status);
@@ -173,6 +196,13 @@ void put_report(const CarveResult& result, firma_carve_report* to) {
     out.faces_castable_only = report.faces_castable_only;
     out.portals = report.portals;
     out.rooms = report.rooms;
+    out.chunks = report.chunks;
+    out.crumbs = report.crumbs;
+    out.chunk_volume = report.chunk_volume;
+    out.crumb_volume = report.crumb_volume;
+    out.faces_searched = report.faces_searched;
+    out.chunks_us = report.times.chunks;
+    out.loose = loose;
     put_sized(out, to);
 }
 

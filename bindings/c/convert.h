@@ -2,6 +2,8 @@
 // Between the C API's plain structs and the library's own.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -48,7 +50,12 @@ firma_code read_options(const firma_carve_options* given, CarveOptions& carve, C
 /// The caller's hook that batches are spread over, of firma_set_tasks(); `run` null: in the calling thread.
 Tasks batch_tasks();
 
+inline std::span<const std::byte> bytes_of(const void* data, std::size_t length) {
+    return {static_cast<const std::byte*>(data), length};
+}
+
 Pose pose_of(const firma_pose& pose);
+void put_pose(const Pose& pose, firma_pose& out);
 void put_hit(const Hit& hit, firma_hit& out);
 void put_near(const NearFace& near, firma_near& out);
 void put_overlap(const Overlap& overlap, firma_near& out);
@@ -56,6 +63,6 @@ FaceRef face_of(const firma_hit& hit);
 void put_corner(const FaceRef& face, std::int32_t (&corner)[3]);
 std::uint32_t face_flags(const FaceInfo& face);
 /// `out` is sized().
-void put_report(const CarveResult& result, firma_carve_report* out);
+void put_report(const CarveResult& result, firma_chunks loose, firma_carve_report* out);
 
 }  // namespace firma::c

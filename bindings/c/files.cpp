@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Worlds in files and as bytes.
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
@@ -50,6 +53,14 @@ firma_code save(const World& world, const char* path, const SaveOptions& options
 #endif
 
 }  // namespace
+
+firma_code give_bytes(Result<std::vector<std::byte>> made, firma_bytes* out, const char* function) {
+    if (!made) return fail(made.error());
+    auto object = std::make_unique<BytesObject>();
+    object->bytes = std::move(made).value();
+    return give(std::move(object), out, function);
+}
+
 }  // namespace firma::c
 
 using namespace firma;
@@ -78,9 +89,7 @@ firma_code firma_world_pack(firma_world world, uint32_t exact, firma_bytes* byte
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (const firma_code code = check_exact(exact, function)) return code;
-        auto packed = std::make_unique<BytesObject>();
-        packed->bytes = pack_world(object->world, {exact == 1});
-        return give(std::move(packed), bytes, function);
+        return give_bytes(pack_world(object->world, {exact == 1}), bytes, function);
     });
 }
 

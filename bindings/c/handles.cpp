@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of slots in chunks that never move, each with the number of times it was used.
+// A table of slots in blocks that never move, each with the number of times it was used.
 #include "bindings/c/handles.h"
 
 #include <array>
@@ -12,8 +12,8 @@
 namespace firma::c {
 namespace {
 
-constexpr std::uint32_t kChunk = 1024;
-constexpr std::uint32_t kChunks = 4096;
+constexpr std::uint32_t kSlotsAtOnce = 1024;
+constexpr std::uint32_t kBlocks = 4096;
 constexpr std::uint32_t kNoSlot = ~0u;
 
 /// `tag` is the use's number and the kind, 0 while the slot is free: a handle is good while its slot has its tag.
@@ -23,10 +23,10 @@ struct Slot {
     std::uint32_t uses = 0;
     std::uint32_t next_free = kNoSlot;
 };
-using Chunk = std::array<Slot, kChunk>;
+using Slots = std::array<Slot, kSlotsAtOnce>;
 
 struct Table {
-    std::array<std::atomic<Chunk*>, kChunks> chunks{};
+    std::array<std::atomic<Slots*>, kBlocks> blocks{};
     Lock lock;  ///< of what follows
     std::uint32_t slots = 0;
     std::uint32_t first_free = kNoSlot;
@@ -47,20 +47,20 @@ std::uint64_t tag_of(std::uint32_t uses, Kind kind) {
 /// A handle is the number of the use, then that of the slot from 1.
 Slot* slot_of(std::uint64_t id) {
     const auto index = std::uint32_t(id) - 1;
-    if (index >= kChunk * kChunks) return nullptr;
-    Chunk* chunk = table().chunks[index / kChunk].load(std::memory_order_acquire);
-    return chunk ? &(*chunk)[index % kChunk] : nullptr;
+    if (index >= kSlotsAtOnce * kBlocks) return nullptr;
+    Slots* some = table().blocks[index / kSlotsAtOnce].load(std::memory_order_acquire);
+    return some ? &(*some)[index % kSlotsAtOnce] : nullptr;
 }
 
 /// With the lock held.
 std::uint32_t free_slot(Table& all) {
     if (all.first_free != kNoSlot)
         return std::exchange(all.first_free, slot_of(std::uint64_t(all.first_free) + 1)->next_free);
-    if (all.slots == kChunk * kChunks) return kNoSlot;
-    if (all.slots % kChunk == 0) {
-        auto* chunk = new (std::nothrow) Chunk;
-        if (!chunk) return kNoSlot;
-        all.chunks[all.slots / kChunk].store(chunk, std::memory_order_release);
+    if (all.slots == kSlotsAtOnce * kBlocks) return kNoSlot;
+    if (all.slots % kSlotsAtOnce == 0) {
+        auto* some = new (std::nothrow) Slots;
+        if (!some) return kNoSlot;
+        all.blocks[all.slots / kSlotsAtOnce].store(some, std::memory_order_release);
     }
     return all.slots++;
 }

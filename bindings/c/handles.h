@@ -20,7 +20,11 @@ enum class Kind : std::uint8_t {
     kFaces,
     kTriangles,
     kRegionMeshes,
-    kBytes
+    kBytes,
+    kChunks,
+    kCommand,
+    kLog,
+    kReplay
 };
 
 /// What a handle may stand for; deleted when it is released.

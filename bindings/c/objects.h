@@ -4,14 +4,20 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bindings/c/handles.h"
 #include "firma/carve.h"
+#include "firma/chunk.h"
 #include "firma/cutter.h"
+#include "firma/edit_log.h"
 #include "firma/firma_c.h"
+#include "firma/result.h"
 #include "firma/versions.h"
 #include "firma/world.h"
 
@@ -28,14 +34,18 @@ struct CutterObject final : Object {
     static constexpr Kind kKind = Kind::kCutter;
     static constexpr const char* kNoun = "cutter";
     explicit CutterObject(Cutter c) : cutter(std::move(c)) {}
+    CutterObject(Cutter c, CraterSeed s) : cutter(std::move(c)), seed(s) {}
     const Cutter cutter;
+    const std::optional<CraterSeed> seed;  ///< of one that is made from it
 };
 
 struct JobObject final : Object {
     static constexpr Kind kKind = Kind::kJob;
     static constexpr const char* kNoun = "job";
     explicit JobObject(CarveJob j) : job(std::move(j)) {}
-    CarveJob job;
+    explicit JobObject(CommandJob j) : job(std::move(j)) {}
+    std::variant<CarveJob, CommandJob> job;
+    bool broken = false;  ///< memory ran out within run()
 };
 
 struct EditObject final : Object {
@@ -72,6 +82,41 @@ struct BytesObject final : Object {
     static constexpr Kind kKind = Kind::kBytes;
     static constexpr const char* kNoun = "piece of bytes";
     std::vector<std::byte> bytes;
+};
+
+/// Bytes, or the error in their place, as a handle.
+firma_code give_bytes(Result<std::vector<std::byte>> made, firma_bytes* out, const char* function);
+
+/// Pieces, and what worlds of them take over from the world that they were of, which is not held.
+struct ChunksObject final : Object {
+    static constexpr Kind kKind = Kind::kChunks;
+    static constexpr const char* kNoun = "list of chunks";
+    ChunksObject(std::vector<firma::Chunk> all, const World& of);
+    std::vector<firma::Chunk> chunks;
+    std::shared_ptr<const std::vector<std::string>> materials;
+    Tolerance tolerance;
+    TreeOptions tree;
+};
+
+struct CommandObject final : Object {
+    static constexpr Kind kKind = Kind::kCommand;
+    static constexpr const char* kNoun = "command";
+    explicit CommandObject(EditCommand c) : command(std::move(c)) {}
+    const EditCommand command;
+};
+
+struct LogObject final : Object {
+    static constexpr Kind kKind = Kind::kLog;
+    static constexpr const char* kNoun = "log";
+    explicit LogObject(EditLog l) : log(std::move(l)) {}
+    EditLog log;
+};
+
+struct ReplayObject final : Object {
+    static constexpr Kind kKind = Kind::kReplay;
+    static constexpr const char* kNoun = "replay";
+    explicit ReplayObject(LogReplay r) : replay(std::move(r)) {}
+    LogReplay replay;
 };
 
 }  // namespace firma::c

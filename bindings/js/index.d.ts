@@ -13,8 +13,8 @@
 // everywhere. A search that finds nothing has not failed: it returns null, false or nothing in a list.
 //
 // Costs. A call costs what the module does for it, as said at each, and copying: arguments into the module's memory,
-// answers out of it, into arrays and objects of their own. Every World, Level, Cutter, Job, Edit and Store returned is
-// a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
+// answers out of it, into arrays and objects of their own. Every World, Level, Cutter, Job, Edit, Store, Chunks,
+// Command, EditLog and Replay returned is a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
 // world.
 
 /// <reference lib="esnext.disposable" />
@@ -155,6 +155,49 @@ export interface Firma {
      * @throws {FirmaError} INVALID for a world without solid faces, or with rock that reaches to infinity; TOO_LARGE
      */
     cutterFromWorld(world: World, name?: string): Cutter;
+    /**
+     * A world's solid where it came to rest, as a cutter: world.carve(cutter, pose, { fill: true }) makes it ground. By
+     * quarter turns about the axes, at scale 1, it is placed exactly; at any other pose each corner of its facets is
+     * snapped to 1/4096 m, and thin triangles that then cross others are taken out. Costs its facets, and testing those
+     * near each other against each other, again for each time that some are mended.
+     * @throws {FirmaError} as cutterFromWorld(); OUT_OF_RANGE for a pose that is not finite or leads out of the world;
+     *     INVALID where triangles still cross, with a place: it stays a body then
+     */
+    cutterAtRest(world: World, pose: Pose, name?: string): Rest;
+
+    /**
+     * Puts the position and scale on steps of 1/4096, and the turn on four parts of 16 bits: few bytes. Doing it again
+     * changes nothing. Off by at most 1/8192 m, 1/16,000 of a radian and 1/8192 m a unit of the cutter. What is not
+     * finite or zero stays.
+     */
+    quantisePose(pose: Pose): FullPose;
+    /**
+     * An edit that carves or fills, as a value: for lockstep, replays, players who join late. A cutter of crater() is
+     * stored as its shape and seed.
+     * @param number of the edit: 1 to 2^21 - 1, above that of every command before it; `edit` of the options is not used
+     */
+    editCommand(number: number, cutter: Cutter, pose: Pose, options?: CarveOptions): Command;
+    /** Opens or closes a portal. */
+    doorCommand(number: number, portal: number, open: boolean): Command;
+    /**
+     * Several as one version; the numbers are those of the parts. Copies the parts; cutters are shared.
+     * @throws {FirmaError} INVALID for none, for a group among them, and for numbers that do not ascend
+     */
+    groupCommand(parts: readonly Command[]): Command;
+    /**
+     * What Command.pack() gave, taken as hostile. Costs the bytes.
+     * @throws {FirmaError} MALFORMED with the byte; UNSUPPORTED for another version; as cutters
+     */
+    unpackCommand(data: Bytes, name?: string): Command;
+    /** A log that begins from this world, empty. */
+    beginLog(level: World): EditLog;
+    /** What EditLog.pack() gave, taken as hostile, with a checksum. Costs the bytes. @throws as unpackCommand() */
+    unpackLog(data: Bytes, name?: string): EditLog;
+    /**
+     * The regions whose hashes differ, those that only one list has among them, ascending. Costs both lists, sorted.
+     * @param a, b of hashRegions(), of two worlds
+     */
+    differingRegions(a: readonly RegionHash[], b: readonly RegionHash[]): Vector3[];
     /** A unit quaternion, evenly distributed; equal seeds give equal ones on every machine. */
     randomTurn(seed: Seed): Quaternion;
 
@@ -715,6 +758,13 @@ export interface Pose {
     scale?: number;
 }
 
+/** As it comes back. */
+export interface FullPose {
+    position: Vector3;
+    rotation: Quaternion;
+    scale: number;
+}
+
 export interface CarveOptions {
     /** Adds the cutter instead of taking it away. */
     fill?: boolean;
@@ -725,6 +775,23 @@ export interface CarveOptions {
      * where it touches that.
      */
     from?: Vector;
+    /**
+     * Whether to look for pieces that the cut leaves loose: they leave the world within the same edit, and the report
+     * has them. Ask for it in all edits of a world, or in none. World.withAnchors() says what holds a piece.
+     */
+    chunks?: boolean | ChunkOptions;
+    /**
+     * The number of the edit: 0 or none, the one after the last; or 1 to 2^21 - 1, above that of every edit made before,
+     * for worlds that are to agree on it although they may lack others.
+     */
+    edit?: number;
+}
+
+export interface ChunkOptions {
+    /** Cubic metres: smaller pieces leave the world too, but are only counted, as crumbs. 0 or none: 0.001. */
+    minVolume?: number;
+    /** Kilograms a cubic metre. 0 or none: 2000. */
+    density?: number;
 }
 
 export interface CarveReport {
@@ -748,8 +815,179 @@ export interface CarveReport {
     scale: number;
     /** Cubic metres taken; negative when added. */
     volume: number;
+    /** Pieces that came loose, in `loose`, and their cubic metres: not in `volume`. */
+    chunks: number;
+    chunkVolume: number;
+    /** Those that were too small for that: removed, too. */
+    crumbs: number;
+    crumbVolume: number;
+    /** Exact faces read beyond the candidates, to find out what is loose. */
+    facesSearched: number;
+    /** A handle of its own, to be released; null where nothing came loose. */
+    loose: Chunks | null;
     /** Microseconds, `total` their sum. */
-    times: Record<'place' | 'gather' | 'cut' | 'label' | 'trace' | 'facets' | 'tree' | 'total', number>;
+    times: Record<'place' | 'gather' | 'cut' | 'label' | 'trace' | 'facets' | 'chunks' | 'tree' | 'total', number>;
+}
+
+/** Of a body that is as dense everywhere. */
+export interface Mass {
+    /** Cubic metres. */
+    volume: number;
+    /** Kilograms. */
+    mass: number;
+    /** Of mass, metres. */
+    centre: Vector3;
+    /** The tensor about the centre, kg m2, a row after the other: nine numbers, symmetric. */
+    inertia: number[];
+}
+
+/** A piece as a body. */
+export interface Chunk extends Mass {
+    /** Where its frame's origin lay in the world, metres: a point of it lay at origin + point. */
+    origin: Vector3;
+    faceCount: number;
+    /** Bounds in its frame, metres. */
+    low: Vector3;
+    high: Vector3;
+}
+
+/** Pieces, in an order that is the same everywhere; they never change. */
+export interface Chunks extends Handle {
+    /** Costs an object for each. */
+    list(): Chunk[];
+    /**
+     * A world of one room around a chunk, in its frame: to cast at, to draw, to cut. Sources, numbers and names of
+     * materials and the contact offset are those that it had; rules are the defaults. Costs a look at each of its faces.
+     * @throws {FirmaError} OUT_OF_RANGE for one that is not there
+     */
+    world(chunk: number): World;
+}
+
+/** What holds a piece: docs/chunks.md. */
+export interface Anchors {
+    /** Whether what hangs free now stays by intent; true unless given. */
+    hanging?: boolean;
+    /** Faces of these hold; names that the world does not have hold nothing. */
+    materials?: readonly string[];
+    /** Faces that come from these of the level's file hold; of brushes, from these sides. */
+    sources?: Words;
+}
+
+export interface Rest {
+    cutter: Cutter;
+    /** Where it goes. */
+    pose: FullPose;
+    /** Cubic metres that snapping added; negative where it took some. */
+    volumeChange: number;
+    /** Triangles that were taken out. */
+    mended: number;
+}
+
+/** What one edit does; it never changes. */
+export interface Command extends Handle {
+    facts(): CommandFacts;
+    /** A part of a group, as a command of its own. @throws {FirmaError} OUT_OF_RANGE for one that is not there */
+    part(part: number): Command;
+    /**
+     * The same with its poses and `from` quantised, but for turns that are those of the crater's seed (randomTurn()),
+     * which take no bytes. Who shoots does this before anybody applies it, himself included: then all cut alike.
+     */
+    quantised(): Command;
+    /**
+     * About 25 bytes and the name of the material for a crater with a quantised pose; other cutters are stored whole.
+     * @throws {FirmaError} INVALID, TOO_LARGE for numbers that are none, OUT_OF_RANGE for a pose that is not finite
+     */
+    pack(): Uint8Array<ArrayBuffer>;
+}
+
+export interface CommandFacts {
+    kind: 'carve' | 'fill' | 'door' | 'group';
+    /** Of a group 0. */
+    number: number;
+    /** Of a group that of its last part, else `number`. */
+    lastNumber: number;
+    /** Of a group. */
+    partCount: number;
+    /** Of a door; else null. */
+    portal: number | null;
+    open: boolean | null;
+    /** Of a crater; null for another cutter. */
+    shape: Shape | null;
+    seed: bigint | null;
+    /** Of what carves or fills; else null. */
+    pose: FullPose | null;
+    options: CarveOptions | null;
+}
+
+/** Commands in order, and the world that they begin from, by its hashes. docs/edit_log.md */
+export interface EditLog extends Handle {
+    /**
+     * Puts a command at the end. @throws {FirmaError} as Command.pack(); INVALID for a number that is not above the last
+     * one
+     */
+    append(command: Command): void;
+    /** Says what the world's hash is after the commands so far: a replay compares it. */
+    checkpoint(world: World): void;
+    facts(): LogFacts;
+    /** From 0. @throws {FirmaError} OUT_OF_RANGE for one that is not there */
+    command(index: number): Command;
+    /** Costs the bytes. */
+    pack(): Uint8Array<ArrayBuffer>;
+    /**
+     * The same log with a patch in place of its commands up to a number, which is tried: for players who join late.
+     * Costs a replay, and making and applying the patch.
+     * @throws {FirmaError} INVALID where `level` is not the world it begins from, or the number is below that of a patch
+     *     that it has; MALFORMED where a checkpoint does not hold
+     */
+    compact(level: World, number: number): EditLog;
+    /**
+     * The log applied to the level it begins from, in slices; commands with numbers above `lastNumber` are left out.
+     * Costs comparing hashes, and a copy of the log.
+     */
+    replay(level: World, lastNumber?: number): Replay;
+}
+
+export interface LogFacts {
+    /** hash() of the world it begins from. */
+    levelHash: bigint;
+    /** Of the same world's rules for carving. */
+    rulesHash: bigint;
+    /** Edits of the world it begins from: numbers of commands are above it. */
+    levelEdits: number;
+    commandCount: number;
+    checkpointCount: number;
+    /** Of the patch that stands for a beginning that was compacted; else 0. */
+    patchBytes: number;
+    /** Of the last command's edit; levelEdits without any. The next one's is above it. */
+    lastNumber: number;
+    /** Of the last edit that the patch stands for; 0 without one. */
+    patchedNumber: number;
+}
+
+export interface Replay extends Handle {
+    /** As Job.run(); a patch is applied in one piece. @throws {FirmaError} INVALID for a negative time */
+    run(microseconds: number): boolean;
+    facts(): ReplayFacts;
+    /**
+     * The world after the commands that were applied, whether it is finished or not; where it ended early, why.
+     * @throws {FirmaError} INVALID for another level or other rules than the log's, and a lastNumber before its patch;
+     *     MALFORMED for a checkpoint that does not hold, with the command; as applyPatch()
+     */
+    result(): World;
+}
+
+export interface ReplayFacts {
+    finished: boolean;
+    /** It, of `commandsInAll`. */
+    commandsBehind: number;
+    commandsInAll: number;
+    /** Commands; of these `done`, `nothing` and `refused`. */
+    applied: number;
+    done: number;
+    nothing: number;
+    refused: number;
+    /** That were compared and hold. */
+    checkpoints: number;
 }
 
 /** `world` is always a handle of its own, to be released; of the world before when nothing was done. */
@@ -1023,6 +1261,53 @@ export interface World extends Handle {
     startCarve(cutter: Cutter, pose: Pose, options?: CarveOptions): Job;
     /** Several edits that become one version. */
     edit(): Edit;
+    /**
+     * As carve(), for any command. The report of a group adds up its parts', with the smallest scale and the chunks of
+     * all. Refused, too, where its number is not above that of the last edit, for a portal that is not there, and for
+     * what no command may be. Costs what its edits cost.
+     */
+    apply(command: Command): CarveResult;
+    /** The same in slices of time. Makes the crater of a seed; all else is left to the job. */
+    startApply(command: Command): Job;
+    /**
+     * The same world with what holds its pieces said anew, of the same version. Edits and files keep it, no hash sees
+     * it. A cut that looks for loose pieces in a world of which nothing is said takes the defaults, at this cost: say it
+     * when the level is read. Costs all faces, in time and memory.
+     */
+    withAnchors(anchors?: Anchors): World;
+    /**
+     * Of the exact solid; all 0 for one without faces, and for one with rock that reaches to infinity. Costs all faces,
+     * in time and memory.
+     * @param density kilograms a cubic metre @throws {FirmaError} OUT_OF_RANGE for one that is not finite, or negative
+     */
+    mass(density: number): Mass;
+    /**
+     * The bodies that the solid is made of, what faces that share edges enclose, each with its hollows: what is left of
+     * a chunk that was cut. They stay in this world's frame: their origin is 0. In order of the lowest id of their
+     * faces, but rock that reaches to infinity is the first. Costs all faces, and a search among the bodies for each
+     * hollow.
+     * @param density for their mass; 2000 unless given @throws {FirmaError} as mass()
+     */
+    pieces(density?: number): Chunks;
+    /**
+     * What it has in some regions, as bytes for another peer: 12 a face, and a hash of its rooms and portals. Costs the
+     * faces there, sorted.
+     */
+    listFaces(regions: readonly Vector[]): Uint8Array<ArrayBuffer>;
+    /**
+     * The patch that makes this world out of the one that a list was made of, which is taken as hostile. Costs the faces
+     * of the regions, and those around the ones that differ. @throws {FirmaError} MALFORMED for bytes that are no list
+     */
+    makePatch(list: Bytes, name?: string): Uint8Array<ArrayBuffer>;
+    /** The same from a world at hand, whose ids, rules and textures it shares: in the regions where they differ. */
+    patchFrom(from: World): Uint8Array<ArrayBuffer>;
+    /**
+     * The world that a patch makes of this one, which is taken as hostile: of damage, of faces that do not close with
+     * those around them, and of any world whose hash is not the one that the patch says, nothing comes. Shares what the
+     * patch leaves. Time grows with the patch and with all faces of the world, which are judged as by check().
+     * @throws {FirmaError} INVALID for another world than the one it was made for; else as unpackWorld()
+     */
+    applyPatch(patch: Bytes, name?: string): World;
     /**
      * What changed from this world to `after`. What the two share is not compared: for versions a few edits apart the
      * cost follows the edits, with a walk through the index for each face added; worlds that share nothing cost all

@@ -21,3 +21,8 @@ bare=$(mktemp -d)/bare.map
 sed 's/func_areaportal/trigger/; s,common/portal,common/trigger,' levels/depot.map > "$bare"
 "$firma" draw "$bare" --rooms auto --below 3 --at 8 -o $pictures/depot_auto_rooms.svg
 rm -r "$(dirname "$bare")"
+
+folder=$(mktemp -d)
+"$firma" demo levels/depot.map --craters 1 -o "$folder/demo.svg"
+mv "$folder/demo_view.png" $pictures/depot_bridge.png
+rm -r "$folder"

@@ -54,8 +54,9 @@ struct BrushWorldReport {
 /// have the names of point entities `firma_room` in them, portals the `targetname` of the entity that their brush
 /// belongs to.
 ///
-/// What is painted with the sky refuses cuts (its materials' hardness is 1, but for materials that the options' rules
-/// name): a hole in it would look into the void.
+/// Each brush of the solid is a piece of a matter (firma/matter.h, docs/matter.md). One that is painted with the sky
+/// may not be carved, but where CarveRules::hardness has an entry for its material: a hole in it would look into the
+/// void.
 ///
 /// A face's source is the index of its brush's side; that of a surface counts on from there.
 ///
@@ -74,6 +75,11 @@ struct BrushWorldReport {
 /// Costs what the reader and make_world() cost; of a .firma file what load_world() costs.
 [[nodiscard]] FIRMA_EXPORT Result<World> read_world(const std::string& path, const WorldOptions& options = {},
                                                     const ReadOptions& read = {});
+
+/// The volumes in which nothing falls: a box (metres) around each brush of the entities `firma_anchor`, for
+/// AnchorRules::volumes of a world of this level. Brushes that are open, or without volume, have none. Costs the
+/// level's brushes.
+[[nodiscard]] FIRMA_EXPORT std::vector<Box> anchor_volumes(const BrushLevel& level);
 
 struct DivideOptions {
     /// An opening divides two rooms when its area is less than so many times that of a square wall of the smaller one,

@@ -33,7 +33,8 @@ struct [[nodiscard]] CarveResult {
 };
 
 struct CarveOptions {
-    /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials.
+    /// Of the faces that the cutter leaves; a name the world does not know yet is added to its materials. Where it is
+    /// empty, faces that a crater leaves have the inside of what it cut (Matter::inside), split where matters meet.
     std::string material;
     /// Where the shot came from, metres, if that is known: what a carving opens between rooms becomes air of the room
     /// that this lies in, where it touches that.

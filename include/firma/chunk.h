@@ -47,6 +47,9 @@ struct AnchorRules {
     std::vector<std::string> materials{};
     /// Faces that come from these of the level's file hold; of a level of brushes, from these sides.
     std::vector<std::uint32_t> sources{};
+    /// Solid that reaches into one of these boxes (metres) is held: see anchor_volumes(). One that is empty or not
+    /// finite holds nothing.
+    std::vector<Box> volumes{};
 };
 
 /// The same world with what holds its pieces said anew: of the same version, as with_rules(). Edits and files keep it,

@@ -149,7 +149,8 @@ public:
 
     /// hash_world() of the world it begins from.
     std::uint64_t level_hash() const { return level_hash_; }
-    /// Of the same world's rules for carving, which hash_world() does not see.
+    /// Of the same world's rules for carving, and of what holds its loose pieces (with_anchors()), where that was said:
+    /// hash_world() sees neither.
     std::uint64_t rules_hash() const { return rules_hash_; }
     const std::vector<EditCommand>& commands() const { return commands_; }
     const std::vector<LogCheckpoint>& checkpoints() const { return checkpoints_; }

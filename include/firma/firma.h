@@ -13,6 +13,7 @@
 #include "firma/hit.h"
 #include "firma/level.h"
 #include "firma/mass.h"
+#include "firma/matter.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
 #include "firma/polygon.h"

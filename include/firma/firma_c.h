@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Firma from C: worlds, casts, carving, differences, histories, files. C99 and later; from C++ use the other headers.
+/* Firma from C: worlds, casts, carving, differences, histories, edit logs, files. C99 and later; from C++ use the other
+ * headers.
  *
- * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes or bytes is a handle: a
- * struct with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was
- * released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice.
- * Releasing 0 does nothing.
+ * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, command, log,
+ * replay or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its
+ * own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always:
+ * numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -20,9 +21,9 @@
  * a call fills (`firma_room room = {.size = sizeof room};`). A caller that was compiled with an older, shorter struct
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
- * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs and
- * edits are for one thread at a time. A handle must not be released while another thread is using it. (A visitor may
- * release the world that it is shown.)
+ * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
+ * edits, logs and replays are for one thread at a time. A handle must not be released while another thread is using it.
+ * (A visitor may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -144,6 +145,18 @@ typedef struct firma_region_meshes {
 typedef struct firma_bytes {
     uint64_t id;
 } firma_bytes;
+typedef struct firma_chunks {
+    uint64_t id;
+} firma_chunks;
+typedef struct firma_command {
+    uint64_t id;
+} firma_command;
+typedef struct firma_log {
+    uint64_t id;
+} firma_log;
+typedef struct firma_replay {
+    uint64_t id;
+} firma_replay;
 
 /* ---- worlds ----------------------------------------------------------------------------------------------------- */
 
@@ -845,6 +858,14 @@ typedef struct firma_carve_options {
     uint32_t has_from;
     uint32_t reserved; /* 0 */
     double from[3];
+    /* 1: look for pieces that the cut leaves loose. They leave the world within the same edit; the report has them.
+     * Ask for it in all edits of a world, or in none. firma_world_with_anchors() says what holds a piece. */
+    uint32_t chunks;
+    /* The number of the edit: 0, the one after the last; or 1 to 2^21 - 1, above that of every edit made before, for
+     * worlds that are to agree on it although they may lack others. */
+    uint32_t edit;
+    double min_chunk_volume; /* cubic metres; pieces of less are only counted, as crumbs. 0: 0.001 */
+    double density;          /* kilograms a cubic metre, for the mass of chunks. 0: 2000 */
 } firma_carve_options;
 
 typedef enum firma_carve_status {
@@ -867,6 +888,14 @@ typedef struct firma_carve_report {
      * them the cutter met only air. */
     uint64_t faces_castable_only;
     uint64_t portals, rooms; /* that it made: holes between rooms, pockets in rock */
+    /* Of pieces that came loose, where they were looked for: not in `volume`. */
+    uint64_t chunks;         /* that are in `loose` */
+    uint64_t crumbs;         /* too small for that: removed, too */
+    double chunk_volume;     /* cubic metres */
+    double crumb_volume;     /* likewise */
+    uint64_t faces_searched; /* exact faces read beyond the candidates, to find out what is loose */
+    double chunks_us;
+    firma_chunks loose; /* the chunks, to be released by firma_chunks_release(); 0 where there are none */
 } firma_carve_report;
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world
@@ -875,7 +904,9 @@ typedef struct firma_carve_report {
  * The cost grows with the cutter's triangles and with the faces near them (candidate_faces), and with the logarithm of
  * the world's faces; a cutter that touches is cut up to twice; where portals are made also with their rooms' lists of
  * them. The material is searched by its name among the world's, and a new one copies their list. Takes memory for what
- * is made anew; all else is shared. firma_world_with_rules() bounds it. */
+ * is made anew; all else is shared. firma_world_with_rules() bounds it. Looking for loose pieces costs the faces that
+ * the cut made and those near it, and those of the smaller pieces (faces_searched). Without a report, chunks are lost.
+ */
 FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                  const firma_carve_options* options, firma_world* after, firma_carve_report* report);
 
@@ -883,10 +914,10 @@ FIRMA_API firma_code firma_carve(firma_world world, firma_cutter cutter, const f
  * but to search the material. */
 FIRMA_API firma_code firma_job_start(firma_world world, firma_cutter cutter, const firma_pose* pose,
                                      const firma_carve_options* options, firma_job* job);
-/* Goes on for about so long, and does at least one piece of work: some ten microseconds with a cutter of some hundred
- * triangles, more where placing or judging one of many thousand is the piece. `finished` gets 0 or 1.
- * FIRMA_ERROR_INVALID for a negative time. A job that ran out of memory cannot go on: every later call gives
- * FIRMA_ERROR_NO_MEMORY again. */
+/* Of firma_job_start() or firma_command_start(). Goes on for about so long, and does at least one piece of work: some
+ * ten microseconds with a cutter of some hundred triangles, more where placing or judging one of many thousand is the
+ * piece. `finished` gets 0 or 1. FIRMA_ERROR_INVALID for a negative time. A job that ran out of memory cannot go on:
+ * every later call gives FIRMA_ERROR_NO_MEMORY again. */
 FIRMA_API firma_code firma_job_run(firma_job job, double microseconds, uint32_t* finished);
 /* As firma_carve(); FIRMA_ERROR_BAD_CALL before it is finished. Costs a handle and the report, whatever was cut. */
 FIRMA_API firma_code firma_job_result(firma_job job, firma_world* after, firma_carve_report* report);
@@ -901,6 +932,78 @@ FIRMA_API firma_code firma_edit_carve(firma_edit edit, firma_cutter cutter, cons
  * of edits. The edit can go on afterwards. */
 FIRMA_API firma_code firma_edit_finish(firma_edit edit, firma_world* after);
 FIRMA_API firma_code firma_edit_release(firma_edit edit);
+
+/* ---- loose chunks ----------------------------------------------------------------------------------------------- */
+
+/* What holds a piece of a world's solid. A piece with one face that holds stays, as does what reaches around air. */
+typedef struct firma_anchors {
+    uint32_t size;                /* sizeof(firma_anchors) */
+    uint32_t no_hanging;          /* 0: what hangs free now stays by intent; 1: it does not. docs/chunks.md */
+    const char* const* materials; /* UTF-8: faces of these hold; names that the world does not have hold nothing */
+    size_t material_count;
+    const uint32_t* sources; /* faces that come from these of the level's file hold; of brushes, from these sides */
+    size_t source_count;
+} firma_anchors;
+
+/* The same world with what holds its pieces said anew, of the same version. Edits and files keep it, no hash sees it. A
+ * cut that looks for loose pieces in a world of which nothing is said takes the defaults (`anchors` null), at this
+ * cost: say it when the level is read. FIRMA_ERROR_INVALID for a no_hanging that is not 0 or 1. Costs all faces, in
+ * time and in memory. */
+FIRMA_API firma_code firma_world_with_anchors(firma_world world, const firma_anchors* anchors,
+                                              firma_world* with_anchors);
+
+/* Of a body that is as dense everywhere. */
+typedef struct firma_mass {
+    double volume;     /* cubic metres */
+    double mass;       /* kilograms */
+    double centre[3];  /* of mass, metres */
+    double inertia[9]; /* the tensor about the centre, kg m2, a row after the other: symmetric */
+} firma_mass;
+
+/* Of a world's exact solid, of `density` kilograms a cubic metre; all 0 for one without faces and for one with rock
+ * that reaches to infinity. FIRMA_ERROR_OUT_OF_RANGE for a density that is not finite, or negative. Costs all faces, in
+ * time and in memory. */
+FIRMA_API firma_code firma_world_mass(firma_world world, double density, firma_mass* mass);
+
+typedef struct firma_chunk {
+    uint32_t size; /* sizeof(firma_chunk) */
+    uint32_t reserved;
+    double origin[3];       /* where its frame's origin lay in the world, metres: a point of it lay at origin + point */
+    firma_mass mass;        /* in its frame */
+    uint64_t face_count;    /* that casts meet */
+    double low[3], high[3]; /* bounds in its frame, metres */
+} firma_chunk;
+
+FIRMA_API firma_code firma_chunks_get_count(firma_chunks chunks, size_t* count);
+/* In an order that is the same everywhere. FIRMA_ERROR_OUT_OF_RANGE for one that is not there, here and below. */
+FIRMA_API firma_code firma_chunks_get(firma_chunks chunks, size_t chunk, firma_chunk* out);
+/* A world of one room around a chunk, in its frame: to cast at, to draw, to cut. Sources, numbers and names of
+ * materials and the contact offset are those that it had; rules are the defaults. Costs a look at each of its faces,
+ * which it shares. */
+FIRMA_API firma_code firma_chunks_world(firma_chunks chunks, size_t chunk, firma_world* world);
+FIRMA_API firma_code firma_chunks_release(firma_chunks chunks);
+
+/* The bodies that a world's solid is made of, what faces that share edges enclose, each with its hollows: what is left
+ * of a chunk that was cut. They stay in the world's frame: `origin` is 0. In order of the lowest id of their faces, but
+ * rock that reaches to infinity is the first. Mass by `density`, as firma_world_mass(). Costs all faces, and a search
+ * among the bodies for each hollow. */
+FIRMA_API firma_code firma_world_pieces(firma_world world, double density, firma_chunks* pieces);
+
+typedef struct firma_rest {
+    uint32_t size;        /* sizeof(firma_rest) */
+    uint32_t mended;      /* triangles that were taken out, as snapping made them cross others */
+    firma_pose pose;      /* where the cutter goes */
+    double volume_change; /* cubic metres that snapping added; negative where it took some */
+} firma_rest;
+
+/* A world's solid where it came to rest, as a cutter: firma_carve() with `fill` and the pose of `rest` makes it ground.
+ * By quarter turns about the axes, at scale 1, it is placed exactly; at any other pose each corner of its facets is
+ * snapped to 1/4096 m, and thin triangles that then cross others are taken out. `name`, for messages, may be null.
+ * Errors of firma_cutter_from_world(), and of a pose that is not finite or leads out of the world; FIRMA_ERROR_INVALID
+ * where triangles still cross, with a place: it stays a body then. Costs its facets, and testing those near each other
+ * against each other, again for each time that some are mended. */
+FIRMA_API firma_code firma_cutter_at_rest(firma_world world, const firma_pose* pose, const char* name,
+                                          firma_cutter* cutter, firma_rest* rest);
 
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 
@@ -970,6 +1073,154 @@ FIRMA_API firma_code firma_store_get_facts(firma_store store, firma_store_facts*
  * are still held. Costs a look at each version that waits, and what is freed. */
 FIRMA_API firma_code firma_store_collect(firma_store store, uint64_t* waiting);
 FIRMA_API firma_code firma_store_release(firma_store store);
+
+/* ---- edits as bytes --------------------------------------------------------------------------------------------- */
+
+/* Commands say what an edit does, logs are commands in order: a level and its log give the same world, to the bit, on
+ * every machine. Commands never change. docs/edit_log.md. */
+typedef enum firma_edit_kind {
+    FIRMA_EDIT_CARVE = 0,
+    FIRMA_EDIT_FILL = 1,
+    FIRMA_EDIT_DOOR = 2, /* opens or closes a portal */
+    FIRMA_EDIT_GROUP = 3 /* several of these as one version */
+} firma_edit_kind;
+
+/* In place of a shape: a cutter that is no crater of firma_cutter_crater(). */
+#define FIRMA_NO_SHAPE UINT32_MAX
+
+/* Puts the position and scale on steps of 1/4096, and the turn on four parts of 16 bits: few bytes. Doing it again
+ * changes nothing. Off by at most 1/8192 m, 1/16,000 of a radian and 1/8192 m a unit of the cutter. What is not finite
+ * or zero stays. `quantised` may be `pose`. */
+FIRMA_API firma_code firma_pose_quantise(const firma_pose* pose, firma_pose* quantised);
+
+/* An edit that carves or fills. `number` is 1 to 2^21 - 1, above that of every command before it; `edit` of the options
+ * is not used. A cutter of firma_cutter_crater() is stored as its shape and seed. `options` may be null. */
+FIRMA_API firma_code firma_command_edit(uint32_t number, firma_cutter cutter, const firma_pose* pose,
+                                        const firma_carve_options* options, firma_command* command);
+/* Opens or closes a portal. FIRMA_ERROR_INVALID for an `open` that is not 0 or 1. */
+FIRMA_API firma_code firma_command_door(uint32_t number, uint32_t portal, uint32_t open, firma_command* command);
+/* Several as one version; the numbers are those of the parts. FIRMA_ERROR_INVALID for none, for a group among them, and
+ * for numbers that do not ascend. Copies the parts; cutters are shared. */
+FIRMA_API firma_code firma_command_group(const firma_command* parts, size_t count, firma_command* command);
+/* The same command with its poses and `from` quantised, but for turns that are those of the crater's seed
+ * (firma_random_turn()), which take no bytes. Who shoots does this before anybody applies it, himself included. */
+FIRMA_API firma_code firma_command_quantise(firma_command command, firma_command* quantised);
+/* The bytes, and back. A crater with a quantised pose takes about 25 bytes and the name of its material. What is read
+ * is taken as hostile. FIRMA_ERROR_INVALID, TOO_LARGE, OUT_OF_RANGE for numbers that are none, and poses that are not
+ * finite; reading, FIRMA_ERROR_MALFORMED with the byte, and FIRMA_ERROR_UNSUPPORTED for another version. `name`, for
+ * messages, may be null, here and below. Costs the bytes. */
+FIRMA_API firma_code firma_command_pack(firma_command command, firma_bytes* bytes);
+FIRMA_API firma_code firma_command_unpack(const void* data, size_t length, const char* name, firma_command* command);
+
+typedef struct firma_command_view {
+    uint32_t size;        /* sizeof(firma_command_view) */
+    uint32_t kind;        /* firma_edit_kind */
+    uint32_t number;      /* of a group 0 */
+    uint32_t last_number; /* of a group that of its last part, else `number` */
+    uint32_t part_count;  /* of a group */
+    uint32_t portal;      /* of a door; else FIRMA_NO_PORTAL */
+    uint32_t open;        /* likewise */
+    uint32_t shape;       /* firma_shape of what carves or fills; else FIRMA_NO_SHAPE */
+    uint64_t seed;        /* where there is a shape */
+    firma_pose pose;      /* of what carves or fills */
+    const char* material; /* good until the command is released */
+    uint32_t chunks, has_from;
+    double from[3];
+    double min_chunk_volume, density; /* with `chunks` */
+} firma_command_view;
+
+FIRMA_API firma_code firma_command_get_view(firma_command command, firma_command_view* view);
+/* A part of a group, as a command of its own. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_command_part(firma_command command, size_t part, firma_command* out);
+FIRMA_API firma_code firma_command_release(firma_command command);
+
+/* As firma_carve(), for any command. The report of a group adds up its parts', with the smallest scale and the chunks
+ * of all; of a door it says only the status. It is refused, too, where its number is not above that of the last edit,
+ * for a portal that is not there, and for what no command may be. Costs what its edits cost. */
+FIRMA_API firma_code firma_command_apply(firma_world world, firma_command command, firma_world* after,
+                                         firma_carve_report* report);
+/* The same in slices, by firma_job_run() and firma_job_result(). Makes the crater of a seed; all else is left to them.
+ */
+FIRMA_API firma_code firma_command_start(firma_world world, firma_command command, firma_job* job);
+
+/* ---- edit logs -------------------------------------------------------------------------------------------------- */
+
+typedef struct firma_log_facts {
+    uint32_t size;                   /* sizeof(firma_log_facts) */
+    uint32_t level_edits;            /* of the world it begins from: numbers of commands are above it */
+    uint64_t level_hash, rules_hash; /* of that world: firma_world_hash(), and of its rules for carving */
+    uint64_t command_count, checkpoint_count;
+    uint64_t patch_bytes;    /* of the patch that stands for a beginning that was compacted; else 0 */
+    uint32_t last_number;    /* of the last command's edit; level_edits without any. The next one's is above it */
+    uint32_t patched_number; /* of the last edit that the patch stands for; 0 without one */
+} firma_log_facts;
+
+/* A log that begins from this world, empty. */
+FIRMA_API firma_code firma_log_begin(firma_world level, firma_log* log);
+/* Puts a command at the end. Errors of firma_command_pack(); FIRMA_ERROR_INVALID for a number that is not above the
+ * last one. Costs a copy of the command; cutters are shared. */
+FIRMA_API firma_code firma_log_append(firma_log log, firma_command command);
+/* Says what the world's hash is after the commands so far: a replay compares it. */
+FIRMA_API firma_code firma_log_checkpoint(firma_log log, firma_world world);
+FIRMA_API firma_code firma_log_get_facts(firma_log log, firma_log_facts* facts);
+/* From 0. FIRMA_ERROR_OUT_OF_RANGE for one that is not there. */
+FIRMA_API firma_code firma_log_command(firma_log log, size_t index, firma_command* command);
+/* The bytes, and back: with a checksum, and read as hostile, as by firma_command_unpack(). Costs the bytes. */
+FIRMA_API firma_code firma_log_pack(firma_log log, firma_bytes* bytes);
+FIRMA_API firma_code firma_log_unpack(const void* data, size_t length, const char* name, firma_log* log);
+/* The same log with a patch in place of its commands up to a number, which is tried: for players who join late.
+ * FIRMA_ERROR_INVALID where `level` is not the world it begins from, or the number is below that of a patch that it
+ * has; FIRMA_ERROR_MALFORMED where a checkpoint does not hold. Costs a replay, and making and applying the patch. */
+FIRMA_API firma_code firma_log_compact(firma_log log, firma_world level, uint32_t number, firma_log* compacted);
+FIRMA_API firma_code firma_log_release(firma_log log);
+
+typedef struct firma_replay_facts {
+    uint32_t size;            /* sizeof(firma_replay_facts) */
+    uint32_t finished;        /* 0 or 1 */
+    uint64_t commands_behind; /* it, of `commands_in_all` */
+    uint64_t commands_in_all;
+    uint64_t applied; /* commands: of these */
+    uint64_t done, nothing, refused;
+    uint64_t checkpoints; /* that were compared and hold */
+} firma_replay_facts;
+
+/* A log applied to the level it begins from, in slices. Commands with numbers above `last_number` are left out
+ * (UINT32_MAX: none). Costs comparing hashes, and a copy of the log, cutters shared. */
+FIRMA_API firma_code firma_replay_start(firma_world level, firma_log log, uint32_t last_number, firma_replay* replay);
+/* As firma_job_run(); a patch is applied in one piece. */
+FIRMA_API firma_code firma_replay_run(firma_replay replay, double microseconds, uint32_t* finished);
+FIRMA_API firma_code firma_replay_get_facts(firma_replay replay, firma_replay_facts* facts);
+/* The world after the commands that were applied, whether it is finished or not. Where it ended early, it fails instead
+ * and says why: FIRMA_ERROR_INVALID for another level or other rules than the log's, and a `last_number` before its
+ * patch; FIRMA_ERROR_MALFORMED for a checkpoint that does not hold, with the command; errors of a patch. */
+FIRMA_API firma_code firma_replay_result(firma_replay replay, firma_world* world);
+FIRMA_API firma_code firma_replay_release(firma_replay replay);
+
+/* ---- patches ---------------------------------------------------------------------------------------------------- */
+
+/* How two peers whose worlds differ come to agree. Regions are three integers each, as in firma_region_hash. */
+
+/* The regions whose hashes differ, ascending, those that only one list has among them. `count` gets how many; the first
+ * `capacity` are written. Costs both lists, sorted. */
+FIRMA_API firma_code firma_differing_regions(const firma_region_hash* a, size_t a_count, const firma_region_hash* b,
+                                             size_t b_count, int32_t* regions, size_t capacity, size_t* count);
+/* What a world has in some regions, for another peer: 12 bytes a face, and a hash of its rooms and portals. Costs the
+ * faces there, sorted. */
+FIRMA_API firma_code firma_world_list_faces(firma_world world, const int32_t* regions, size_t region_count,
+                                            firma_bytes* list);
+/* The patch that makes this world out of the one that a list was made of. The list is taken as hostile:
+ * FIRMA_ERROR_MALFORMED for bytes that are none. Costs the faces of the regions, and those around the ones that differ.
+ */
+FIRMA_API firma_code firma_world_make_patch(firma_world world, const void* list, size_t length, const char* name,
+                                            firma_bytes* patch);
+/* The same from a world at hand, whose ids, rules and textures it shares: in the regions where they differ. */
+FIRMA_API firma_code firma_world_patch_from(firma_world world, firma_world from, firma_bytes* patch);
+/* The world that a patch makes of this one, which is taken as hostile: of damage, of faces that do not close with those
+ * around them, and of any world whose hash is not the one that the patch says, nothing comes. FIRMA_ERROR_INVALID for
+ * another world than the one it was made for; else errors of firma_world_unpack(). Shares what the patch leaves. Time
+ * grows with the patch and with all faces of the world, which are judged as by firma_world_check(). */
+FIRMA_API firma_code firma_world_apply_patch(firma_world world, const void* patch, size_t length, const char* name,
+                                             firma_world* patched);
 
 /* ---- bytes ------------------------------------------------------------------------------------------------------ */
 

@@ -73,8 +73,11 @@ struct Level {
     std::vector<std::string> materials;       ///< at least one: "" is the name of none
     std::vector<std::string> groups;          ///< at least one, likewise
     std::vector<TextureProjection> textures;  ///< how textures lie, where the file says it
-    std::vector<LevelNote> notes;             ///< in order of `source`
-    std::uint32_t source_faces = 0;           ///< faces in the file, dropped ones counted
+    /// By material, where the file says it: the name of its matter, or a name that patterns of textures fit; "" and
+    /// missing ones go by the material's own name.
+    std::vector<std::string> matters;
+    std::vector<LevelNote> notes;    ///< in order of `source`
+    std::uint32_t source_faces = 0;  ///< faces in the file, dropped ones counted
     std::uint64_t ignored_entries =
         0;  ///< things in the file that are not geometry for casts (points, lines, flares ...)
     std::vector<Omission> omissions;  ///< what the file holds and this does not

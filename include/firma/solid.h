@@ -179,19 +179,23 @@ struct LevelSolidity {
 /// more is kTooComplex.
 [[nodiscard]] FIRMA_EXPORT LevelSolidity level_solidity(const Level& level);
 
-/// A region that resists cutters whose surface or inside reaches into it.
+/// A region that resists cutters.
 struct CarveZone {
     std::string name;  ///< for messages
-    Box box;           ///< metres, closed
-    double hardness =
-        1;  ///< 1 refuses the cut; below, the cutter is shrunk to (1 - hardness) of its scale; 0 does nothing
+    Box box;           ///< metres, closed; widened to the input grid
+    /// 1: nothing is changed in it, the cutter is cut short at its box. Below: a cutter whose middle lies in it is
+    /// shrunk to (1 - hardness) of its scale, by the hardest such zone. 0 does nothing.
+    double hardness = 1;
 };
 
 /// Carried by the World. An edit that breaks a rule is refused and says which; the world stays as it was.
 struct CarveRules {
     std::vector<CarveZone> zones;
-    /// By material (index as in World::material_name); missing ones are 0. A cut that takes something of a face of
-    /// hardness 1 is refused; below, the cutter is shrunk to (1 - hardness) of its scale, by the hardest face met.
+    /// By material (index as in World::material_name); missing ones are 0. In a world of pieces (count_matters()): a
+    /// piece of which any side has a material of 1 may not be carved, the cutter is cut short at it; below 1, the
+    /// material of most of its sides is as hard as said here, whatever its matter's Matter::hardness. In others, and
+    /// for solids: a cut that takes something of a face of 1 is refused, and the face nearest to the cutter's middle
+    /// says how far it is shrunk.
     std::vector<double> hardness;
 
     std::size_t max_faces = std::size_t(1) << 30;  ///< in the world after an edit
@@ -229,7 +233,8 @@ struct CarveReport {
     std::size_t portals = 0;              ///< of a world: that it made
     std::size_t rooms = 0;                ///< likewise
     int retries = 0;                      ///< always 0, as no cutter is moved
-    double scale = 1;                     ///< what zones and materials left of the cutter's scale
+    double scale = 1;                     ///< what zones and matters left of the cutter's scale
+    std::size_t cut_short = 0;            ///< zones and pieces that may not be carved, and took part of the cutter
     double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to
 
     // Of pieces that came loose, where they were looked for (CarveOptions::chunks): beside `volume`.

@@ -13,6 +13,7 @@
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
+#include "firma/matter.h"
 #include "firma/polygon.h"
 #include "firma/result.h"
 #include "firma/solid.h"
@@ -113,6 +114,8 @@ struct WorldOptions {
     CarveRules rules{};
     /// Whether how textures lie is kept, for texture_of(): of a mesh with texture coordinates some 90 bytes a face.
     bool textures = true;
+    /// What the level is made of: nothing takes default_matters().
+    std::optional<MatterTable> matters{};
 };
 
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit

@@ -25,7 +25,8 @@ namespace firma {
 
 /// The patch that makes this world out of the one that a list was made of: which of the faces listed go, and those of
 /// these regions that come, with their exact form; rooms and portals, where they differ; counters and names of
-/// materials. Rules, textures, the contact offset and options of trees are not in it.
+/// materials; what holds loose pieces (with_anchors()). Rules, textures, the contact offset and options of trees are
+/// not in it.
 /// @param list  of list_faces(), by whomever: taken as hostile
 /// @param name  of the list, for messages
 /// @return kMalformed, with the section and entry, for bytes that are no list

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "brush/brush_matters.h"
 #include "brush/judge_brush_level.h"
 #include "brush/name_rooms.h"
 #include "firma/brush_world.h"
@@ -33,7 +34,7 @@ public:
         parts_.rooms.back().exterior = true;
         parts_.rooms.back().name = "exterior";
         add_materials();
-        harden_sky();
+        parts_.matters = matters_of_brushes(level, joined, options.matters ? *options.matters : default_matters());
         add_faces();
         add_loose();
         add_portals();
@@ -56,17 +57,6 @@ private:
             surface_material_.push_back(it->second);
         }
         if (surface_material_.empty()) surface_material_.push_back(0);
-    }
-
-    /// A hole in the sky would look into the void.
-    void harden_sky() {
-        std::vector<double>& hardness = parts_.options.rules.hardness;
-        const std::size_t given = hardness.size();
-        for (const JoinPiece& face : joined_.faces) {
-            if (!(face.mask & kIsSky) || face.material < given) continue;
-            if (hardness.size() <= face.material) hardness.resize(face.material + 1, 0);
-            hardness[face.material] = 1;
-        }
     }
 
     void add_facet(std::uint32_t room, std::span<const GridPoint> corners, FaceSet::Entry face) {

@@ -13,6 +13,7 @@
 #include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
+#include "carve/nearest_facet.h"
 #include "carve/place_solid.h"
 #include "carve/reaches_into.h"
 #include "carve/side_of_solid.h"
@@ -29,6 +30,9 @@ namespace {
 /// One less than what says "no face".
 /// How many facets' worth of faces one step makes.
 constexpr std::uint32_t kFacesAStep = 16;
+
+/// That no face has.
+constexpr std::uint32_t kNoMaterial = ~0u;
 
 /// One step cuts so many faces, fewer once it has looked at kPairsACutStep pairs.
 constexpr int kFacesCutAStep = 16;
@@ -74,6 +78,9 @@ bool CutJob::step() {
         case Phase::kCheck:
             phase_ = judge_cutter();
             break;
+        case Phase::kTrim:
+            phase_ = trim();
+            break;
         case Phase::kGather:
             phase_ = gather();
             break;
@@ -94,6 +101,9 @@ bool CutJob::step() {
             break;
         case Phase::kRules:
             phase_ = apply_materials();
+            break;
+        case Phase::kSplit:
+            phase_ = split_on();
             break;
         case Phase::kFacets:
             phase_ = make_next_faces();
@@ -116,6 +126,7 @@ double* CutJob::clock_of(Phase phase) {
     switch (phase) {
         case Phase::kPlace:
         case Phase::kCheck:
+        case Phase::kTrim:
             return &times.place;
         case Phase::kGather:
         case Phase::kTile:
@@ -127,6 +138,7 @@ double* CutJob::clock_of(Phase phase) {
             return &times.label;
         case Phase::kTrace:
         case Phase::kRules:
+        case Phase::kSplit:
             return &times.trace;
         case Phase::kFacets:
             return &times.facets;
@@ -160,9 +172,7 @@ CutJob::Phase CutJob::place() {
         return refuse(ErrorCode::kTooLarge, "it has " + std::to_string(cutter_.triangles().size()) +
                                                 " triangles; the world allows " +
                                                 std::to_string(rules_.max_cutter_triangles));
-    Pose pose = pose_;
-    pose.scale *= report_.scale;
-    if (std::optional<Error> fault = place_any_cutter(cutter_, pose, solid_cutter_)) {
+    if (std::optional<Error> fault = place_any_cutter(cutter_, scaled_pose(), solid_cutter_)) {
         status_ = CarveStatus::kRefused;
         error_ = std::move(*fault);
         return Phase::kEnd;
@@ -174,37 +184,125 @@ CutJob::Phase CutJob::place() {
             return refuse(ErrorCode::kTooLarge, "it is " + number(solid_cutter_.box.extent(axis)) +
                                                     " m long; the world allows " + number(rules_.max_cutter_size) +
                                                     " m");
-    const CarveZone* zone = zone_reached(0);
-    return zone ? shrink(zone->hardness, "zone " + zone->name, Phase::kCheck) : Phase::kCheck;
-}
-
-/// The hardest zone that the cutter at hand reaches into; the first of several. Null when none is hard.
-const CarveZone* CutJob::zone_reached(double harder_than) const {
-    const CarveZone* hardest = nullptr;
-    for (const CarveZone& zone : rules_.zones) {
-        if (!(zone.hardness > harder_than) || !reaches_into(solid_cutter_, zone.box)) continue;
-        hardest = &zone;
-        harder_than = zone.hardness;
-    }
-    return hardest;
-}
-
-/// Places the cutter anew, smaller, unless it is that small already.
-CutJob::Phase CutJob::shrink(double hardness, const std::string& by, Phase otherwise) {
-    if (hardness >= 1) return refuse(ErrorCode::kInvalid, by + " may not be carved");
-    if (report_.scale <= 1 - hardness) return otherwise;
+    if (std::exchange(hardness_asked_, true)) return Phase::kCheck;
+    const double hardness = hardness_at_middle();
+    if (!(hardness > 0)) return Phase::kCheck;
     report_.scale = 1 - hardness;
     return Phase::kPlace;
 }
 
-CutJob::Phase CutJob::judge_cutter() {
-    if (solid_cutter_.turned) return Phase::kGather;  // a Solid is sound
-    if (std::optional<Error> fault = firma::check_cutter(solid_cutter_.placed, &budget_)) {
+Pose CutJob::scaled_pose() const {
+    Pose pose = pose_;
+    pose.scale *= report_.scale;
+    return pose;
+}
+
+/// Of what the cutter's middle lies in, or nearest to: below 1, by how much it is shrunk; else 0.
+double CutJob::hardness_at_middle() const {
+    const Vec3 middle = (to_metres(solid_cutter_.box.low) + to_metres(solid_cutter_.box.high)) * 0.5;
+    return std::max(hardness_of_zones(middle), hardness_of_matter(middle));
+}
+
+double CutJob::hardness_of_zones(const Vec3& middle) const {
+    double hardest = 0;
+    for (const CarveZone& zone : rules_.zones) {
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+            inside = inside && middle[axis] >= zone.box.low[axis] && middle[axis] <= zone.box.high[axis];
+        if (inside && zone.hardness < 1) hardest = std::max(hardest, zone.hardness);
+    }
+    return hardest;
+}
+
+double CutJob::hardness_of_matter(const Vec3& middle) const {
+    const MatterPieces* pieces = terms_.matters.pieces;
+    const auto is_between = [](double h) { return h > 0 && h < 1; };
+    const bool given = std::any_of(rules_.hardness.begin(), rules_.hardness.end(), is_between);
+    const bool known = pieces && std::any_of(pieces->table.matters.begin(), pieces->table.matters.end(),
+                                             [&](const Matter& matter) { return is_between(matter.hardness); });
+    if (input_.fill || (!given && !known)) return 0;
+    // What is farther than the cutter reaches does not matter: it takes nothing there.
+    const std::optional<NearestFacet> near = nearest_facet(index(), middle, solid_cutter_.box.longest_extent() * 2);
+    double hardness = 0;
+    const std::uint32_t material = near ? near->place.record().material : ~0u;
+    if (near && material < rules_.hardness.size()) hardness = rules_.hardness[material];
+    if (pieces && pieces->pieces.empty()) {
+        if (!(hardness > 0)) hardness = hardness_of_rest(*pieces, &rules_);
+    } else if (pieces) {
+        const bool in_solid = locate(solid_, middle) == Where::kSolid;
+        if (!in_solid && !near) return 0;
+        constexpr double kBehindFacet = 1.0 / 1024;  // metres
+        const std::optional<GridPoint> at = snap(in_solid ? middle : near->at - near->normal * kBehindFacet);
+        if (!at) return 0;
+        const std::optional<std::uint32_t> piece = piece_at(*pieces, *at, &rules_);
+        hardness = piece ? hardness_of(*pieces, pieces->pieces[*piece], &rules_) : hardness_of_rest(*pieces, &rules_);
+    }
+    return is_between(hardness) ? hardness : 0;
+}
+
+/// What may not be carved and may reach into the cutter. What is filled in changes no piece.
+std::vector<CutShield> CutJob::shields() const {
+    std::vector<CutShield> found;
+    for (const CarveZone& zone : rules_.zones) {
+        if (!(zone.hardness >= 1) || !reaches_into(solid_cutter_, zone.box)) continue;
+        if (std::optional<Cutter> box = box_shield(zone.box, solid_cutter_.box))
+            found.push_back({*std::move(box), "zone " + zone.name});
+    }
+    const MatterPieces* pieces = terms_.matters.pieces;
+    if (input_.fill || !pieces || !terms_.solid_of || !any_hard(*pieces, &rules_)) return found;
+    std::vector<std::uint32_t> near;
+    pieces->tree.for_each_meeting(solid_cutter_.box, [&](std::uint32_t number) {
+        if (hardness_of(*pieces, pieces->pieces[number], &rules_) >= 1) near.push_back(number);
+        return false;
+    });
+    std::sort(near.begin(), near.end());
+    for (const std::uint32_t number : near) {
+        const MatterPiece& piece = pieces->pieces[number];
+        const std::optional<Solid> solid = terms_.solid_of(piece);
+        if (!solid) continue;
+        Result<Cutter> cutter = cutter_from_solid(*solid);
+        if (!cutter) continue;
+        const bool by_matter = pieces->table.matters[piece.matter].hardness >= 1;
+        found.push_back({std::move(cutter).value(), by_matter ? "matter " + pieces->table.matters[piece.matter].name
+                                                              : "material " + material_name(piece.look)});
+    }
+    return found;
+}
+
+/// The cutter minus what may not be carved: where that takes something of it, a Solid goes on in its place.
+CutJob::Phase CutJob::trim() {
+    const std::vector<CutShield> near = shields();
+    if (near.empty()) return Phase::kGather;
+    Result<TrimmedCutter> trimmed = trim_cutter(cutter_, scaled_pose(), near);
+    if (!trimmed) {
+        status_ = CarveStatus::kRefused;
+        error_ = trimmed.error();
+        return Phase::kEnd;
+    }
+    report_.cut_short = trimmed.value().shields;
+    if (report_.cut_short == 0) return Phase::kGather;
+    cut_short_by_ = std::move(trimmed.value().first);
+    const Solid& left = trimmed.value().solid;
+    if (left.face_count() == 0) return refuse(ErrorCode::kInvalid, cut_short_by_ + " may not be carved");
+    const Result<Cutter> cutter = cutter_from_solid(left, cutter_.name());
+    if (!cutter) return refuse(cutter.error().code, cutter.error().reason);
+    source_of_ = triangles_of_trimmed(left);
+    if (std::optional<Error> fault = place_any_cutter(cutter.value(), {}, solid_cutter_)) {
         status_ = CarveStatus::kRefused;
         error_ = std::move(*fault);
         return Phase::kEnd;
     }
     return Phase::kGather;
+}
+
+CutJob::Phase CutJob::judge_cutter() {
+    if (solid_cutter_.turned) return Phase::kTrim;  // a Solid is sound
+    if (std::optional<Error> fault = firma::check_cutter(solid_cutter_.placed, &budget_)) {
+        status_ = CarveStatus::kRefused;
+        error_ = std::move(*fault);
+        return Phase::kEnd;
+    }
+    return Phase::kTrim;
 }
 
 CutJob::Phase CutJob::gather() {
@@ -221,6 +319,12 @@ CutJob::Phase CutJob::gather() {
     for (const FacetPlace& facet : others)
         if (patch_.find(facet) != SolidPatch::kNone) facets_.push_back(facet);
     report_.candidate_faces = patch_.faces.size();
+    material_ = terms_.material;
+    if (shows_insides()) {
+        const std::optional<std::uint32_t> matter = one_matter_near(*terms_.matters.pieces, reach);
+        material_.reset();
+        if (matter) material_ = terms_.matters.inside[*matter];
+    }
     return Phase::kTile;
 }
 
@@ -353,7 +457,7 @@ CutJob::Phase CutJob::move_on(Verdict verdict, Phase next) {
 }
 
 CutJob::Phase CutJob::start_arranging() {
-    arranger_ = std::make_unique<CutArranger>(input_, budget_, terms_.material);
+    arranger_ = std::make_unique<CutArranger>(input_, budget_, material_.value_or(kNoMaterial));
     return Phase::kArrange;
 }
 
@@ -431,13 +535,13 @@ CutJob::Phase CutJob::take_loops() {
     const std::vector<std::uint8_t>& cut = crossings().face_cut;
     report_.faces_cut = std::size_t(std::count(cut.begin(), cut.end(), 1));
     if (loops().gone.empty() && loops().faces.empty()) {
+        if (!cut_short_by_.empty()) return refuse(ErrorCode::kInvalid, cut_short_by_ + " may not be carved");
         status_ = CarveStatus::kNothing;
         return Phase::kEnd;
     }
     if (!sheets_.empty() || (input_.fill && terms_.air_of && goes_several()))
         clipped_ = clip_sheets(input_, crossings(), loops(), sheets_, terms_.air_of);
     if (loops().faces.size() > rules_.max_new_faces) return too_many_new_faces();
-    kept_ = keep_pieces(patch_, loops().gone);
     return Phase::kRules;
 }
 
@@ -446,45 +550,67 @@ CutJob::Phase CutJob::too_many_new_faces() {
                                             " new faces that the world allows");
 }
 
-CutJob::Phase CutJob::apply_materials() {
-    double hardest = 0;
-    std::uint32_t by = 0;
+/// Of what is taken, what may not be carved and no piece stands for: then nothing could be cut short.
+std::optional<std::string> CutJob::taken_and_hard() const {
+    const MatterPieces* pieces = terms_.matters.pieces;
+    const bool has_pieces = pieces && !pieces->pieces.empty();
+    const bool rest_is_hard = pieces && hardness_of_rest(*pieces, &rules_) >= 1;
+    if (has_pieces && !rest_is_hard) return std::nullopt;
     for (const std::uint32_t face : loops().gone) {
-        const std::uint32_t material = patch_.faces[face].facet.record().material;
-        if (material >= rules_.hardness.size()) continue;
-        if (!(rules_.hardness[material] > hardest)) continue;
-        hardest = rules_.hardness[material];
-        by = material;
+        const FaceRecord& record = patch_.faces[face].facet.record();
+        const std::uint32_t material = record.material;
+        if (!has_pieces && material < rules_.hardness.size() && rules_.hardness[material] >= 1)
+            return "material " + material_name(material);
+        if (!rest_is_hard || record.edit != 0) continue;
+        if (!has_pieces || pieces->of_source(record.source) == pieces->rest)
+            return "matter " + pieces->table.matters[pieces->rest].name;
     }
+    return std::nullopt;
+}
+
+CutJob::Phase CutJob::apply_materials() {
+    if (const std::optional<std::string> hard = taken_and_hard())
+        return refuse(ErrorCode::kInvalid, *hard + " may not be carved");
+    if (material_) return start_facets(*material_);
+    splitter_ = std::make_unique<MatterSplitter>(input_, crossings(), loops(), terms_.matters, &rules_);
+    return Phase::kSplit;
+}
+
+CutJob::Phase CutJob::split_on() {
+    return splitter_->step() ? Phase::kSplit : start_facets(terms_.material);
+}
+
+CutJob::Phase CutJob::start_facets(std::uint32_t material) {
+    kept_ = keep_pieces(patch_, made_loops().gone);
     NewSource source;
     source.edit = edit();
-    source.material = terms_.material;
-    face_maker_ = std::make_unique<FaceMaker>(input_, crossings(), loops(), source);
+    source.material = material;
+    face_maker_ = std::make_unique<FaceMaker>(input_, made_crossings(), made_loops(), source);
     opens_ = opens_several();
     made_from_.clear();
     taken_from_.clear();
     next_ = 0;
-    return hardest > 0 ? shrink(hardest, "material " + material_name(by), Phase::kFacets) : Phase::kFacets;
+    return Phase::kFacets;
 }
 
 CutJob::Phase CutJob::make_next_faces() {
-    const auto cut = std::uint32_t(loops().faces.size()), whole = cut + std::uint32_t(kept_.pieces.size());
-    const std::uint32_t all = whole + (opens_ ? std::uint32_t(loops().taken.size()) : 0);
+    const auto cut = std::uint32_t(made_loops().faces.size()), whole = cut + std::uint32_t(kept_.pieces.size());
+    const std::uint32_t all = whole + (opens_ ? std::uint32_t(made_loops().taken.size()) : 0);
     const std::uint32_t end = std::min(next_ + kFacesAStep, all);
     for (; next_ < end; ++next_) {
         if (next_ >= whole) {
-            face_maker_->make_taken(loops().taken[next_ - whole]);
+            face_maker_->make_taken(made_loops().taken[next_ - whole]);
             taken_from_.resize(face_maker_->taken().faces.size(), next_ - whole);
             continue;
         }
         const bool is_new = next_ < cut;
         const std::uint32_t piece = is_new ? 0 : kept_.pieces[next_ - cut];
-        const std::uint32_t corners = is_new ? loops().faces[next_].use_count : patch_.faces[piece].use_count;
+        const std::uint32_t corners = is_new ? made_loops().faces[next_].use_count : patch_.faces[piece].use_count;
         if (corners > rules_.max_corners)
             return refuse(ErrorCode::kTooLarge, "a face would have " + std::to_string(corners) +
                                                     " corners; the world allows " + std::to_string(rules_.max_corners));
         if (is_new)
-            face_maker_->make(loops().faces[next_]);
+            face_maker_->make(made_loops().faces[next_]);
         else
             face_maker_->make_kept(piece);
         if (opens_ || clipped_ || (terms_.anchors && terms_.air_of))
@@ -520,7 +646,7 @@ std::vector<FacetPlace> CutJob::facets_removed() {
         else
             gather_face(index(), face.facet, removed);
     };
-    for (const std::uint32_t at : loops().gone)
+    for (const std::uint32_t at : made_loops().gone)
         if (patch_.faces[at].parent == ~0u) remove(at);  // else a piece: its parent goes
     for (const std::uint32_t at : kept_.replaced) remove(at);
     for (const FacetPlace& facet : facets_)
@@ -578,6 +704,9 @@ CutJob::Phase CutJob::make_change() {
     for (const bool of_cutter : {true, false})
         for (FaceSet::Entry& face : change_.added.faces)
             if (terms_.edit == 0 ? of_cutter : (face.edit == edit()) == of_cutter) face.id = {ids.take()};
+    if (!source_of_.empty())
+        for (FaceSet::Entry& face : change_.added.faces)
+            if (face.edit == edit()) face.source = source_of_[face.source];
     change_.next_face = ids.next_face();
     change_.edit = edit();
     if (opens_ || (terms_.air_of && !pieces_.empty())) make_opening();
@@ -593,7 +722,7 @@ CutJob::Phase CutJob::make_change() {
 void CutJob::make_opening() {
     std::vector<std::uint32_t> parts = wall_parts();
     if (!opens_ && !several_airs(parts, terms_.air_of)) return;
-    Pockets pockets = opens_ ? find_pockets(view(), loops()) : one_pocket();
+    Pockets pockets = opens_ ? find_pockets(made_view(), made_loops()) : one_pocket();
     if (!opens_) {
         const std::vector<std::uint32_t> airs = airs_touched();
         opening_.air = airs.empty() ? terms_.air_of(parts[0]) : airs[0];
@@ -625,7 +754,7 @@ std::vector<std::uint32_t> CutJob::wall_parts() const {
 Pockets CutJob::one_pocket() const {
     Pockets pockets;
     pockets.count = 1;
-    for (const NewFace& face : loops().faces) pockets.of_face.push_back(face.triangle != ~0u ? 0 : Pockets::kNone);
+    for (const NewFace& face : made_loops().faces) pockets.of_face.push_back(face.triangle != ~0u ? 0 : Pockets::kNone);
     return pockets;
 }
 
@@ -637,7 +766,7 @@ std::vector<std::uint32_t> CutJob::join_pockets(Pockets& pockets) const {
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
         std::uint32_t first = Pockets::kNone;
         for (const std::uint32_t owner : made_of_piece_[k]) {
-            const std::uint32_t pocket = owner < loops().faces.size() ? pockets.of_face[owner] : Pockets::kNone;
+            const std::uint32_t pocket = owner < made_loops().faces.size() ? pockets.of_face[owner] : Pockets::kNone;
             if (pocket == Pockets::kNone) continue;
             if (first == Pockets::kNone) first = pocket;
             sets.join(first, pocket);
@@ -687,7 +816,7 @@ void CutJob::note_divisions() {
     };
     for (const PatchEdge& edge : patch_.edges)
         if (edge.split()) note(edge);
-    const std::vector<EdgeDivision>& divisions = loops().divisions;
+    const std::vector<EdgeDivision>& divisions = made_loops().divisions;
     if (divisions.empty()) return;
     division_of_edge_.assign(patch_.edges.size(), ~0u);
     for (std::uint32_t k = 0; k < divisions.size(); ++k) {
@@ -716,9 +845,9 @@ bool CutJob::divide_edge(PatchUse use, std::vector<SolidUse>& parts) {
         return true;
     }
     if (division_of_edge_.empty() || division_of_edge_[use.edge] == ~0u) return false;
-    const EdgeDivision& division = loops().divisions[division_of_edge_[use.edge]];
+    const EdgeDivision& division = made_loops().divisions[division_of_edge_[use.edge]];
     for (std::uint32_t k = 0; k < division.count; ++k) {
-        PatchUse part = loops().parts[division.first_part + (use.reversed ? division.count - 1 - k : k)];
+        PatchUse part = made_loops().parts[division.first_part + (use.reversed ? division.count - 1 - k : k)];
         part.reversed = part.reversed != use.reversed;
         append_use(part, parts);
     }

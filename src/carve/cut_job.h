@@ -16,7 +16,9 @@
 #include "carve/find_pockets.h"
 #include "carve/label.h"
 #include "carve/make_faces.h"
+#include "carve/split_matter.h"
 #include "carve/tile_faces.h"
+#include "carve/trim_cutter.h"
 #include "firma/solid.h"
 #include "solid/change_solid.h"
 
@@ -28,8 +30,12 @@ struct CutTerms {
     const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
     std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
     std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
-    std::uint32_t edit = 0;                               ///< the number it is given; 0: the one after the last
-    const Anchors* anchors = nullptr;                     ///< what holds pieces; null: do not look for loose ones
+    /// What the solid is made of. With materials of insides these count in place of `material`, but for fills.
+    CutMatters matters;
+    /// A piece as a solid, for what may not be carved. None where there is nothing such.
+    std::function<std::optional<Solid>(const MatterPiece&)> solid_of;
+    std::uint32_t edit = 0;            ///< the number it is given; 0: the one after the last
+    const Anchors* anchors = nullptr;  ///< what holds pieces; null: do not look for loose ones
     /// Which air faces of a part look into: where a carving opens several, or may, CutOpening says how. Empty: it is
     /// not asked.
     std::function<std::uint32_t(std::uint32_t part)> air_of;
@@ -109,6 +115,7 @@ private:
     enum class Phase : std::uint8_t {
         kPlace,
         kCheck,
+        kTrim,
         kGather,
         kTile,
         kCut,
@@ -116,6 +123,7 @@ private:
         kLabel,
         kTrace,
         kRules,
+        kSplit,
         kFacets,
         kLoose,
         kChange,
@@ -124,6 +132,7 @@ private:
 
     Phase place();
     Phase judge_cutter();
+    Phase trim();
     Phase gather();
     Phase tile();
     Phase cut_next_faces();
@@ -131,6 +140,8 @@ private:
     Phase label();
     Phase trace();
     Phase apply_materials();
+    Phase split_on();
+    Phase start_facets(std::uint32_t material);
     Phase make_next_faces();
     Phase find_loose();
     Phase make_change();
@@ -147,9 +158,14 @@ private:
     CutSide locate_point(const ExactPoint& point) const;
     Phase too_many_pairs();
     Phase too_many_new_faces();
-    const CarveZone* zone_reached(double harder_than) const;
     Phase contradiction();
-    Phase shrink(double hardness, const std::string& by, Phase otherwise);
+    double hardness_at_middle() const;
+    double hardness_of_zones(const Vec3& middle) const;
+    double hardness_of_matter(const Vec3& middle) const;
+    Pose scaled_pose() const;
+    std::vector<CutShield> shields() const;
+    std::optional<std::string> taken_and_hard() const;
+    bool shows_insides() const { return !terms_.matters.inside.empty() && !input_.fill; }
     std::vector<FacetPlace> facets_removed();
     bool may_open() const;
     bool opens_several() const;
@@ -166,6 +182,10 @@ private:
     }
     const NewLoops& loops() const { return clipped_ ? clipped_->loops : arranger_ ? arranger_->loops() : loops_; }
     CutView view() const { return {input_, crossings(), loops()}; }
+    // What comes of it: the same, split where matters meet.
+    const NewLoops& made_loops() const { return splitter_ ? splitter_->loops() : loops(); }
+    const Crossings& made_crossings() const { return splitter_ ? splitter_->crossings() : crossings(); }
+    CutView made_view() const { return {input_, made_crossings(), made_loops()}; }
     const SolidData& data() const { return solid_.data(); }
     /// The number of this edit.
     std::uint32_t edit() const { return terms_.edit > 0 ? terms_.edit : data().edits + 1; }
@@ -183,6 +203,11 @@ private:
     SolidChange change_;
     Phase phase_ = Phase::kPlace;
 
+    bool hardness_asked_ = false;
+    std::string cut_short_by_;               ///< the first such thing
+    std::vector<std::uint32_t> source_of_;   ///< by face of the trimmed cutter: the triangle it is a part of
+    std::optional<std::uint32_t> material_;  ///< of all faces that the cutter leaves; none: they are of several matters
+
     CutterSolid solid_cutter_;
     SolidPatch patch_;
     std::vector<FacetPlace> facets_;  ///< gathered
@@ -194,7 +219,8 @@ private:
     CutOrder order_;
     Labels labels_;
     NewLoops loops_;
-    std::unique_ptr<CutArranger> arranger_;  ///< where the cutter touches: in place of the four above
+    std::unique_ptr<CutArranger> arranger_;     ///< where the cutter touches: in place of the four above
+    std::unique_ptr<MatterSplitter> splitter_;  ///< where several matters are near
     KeptPieces kept_;
     std::unique_ptr<FaceMaker> face_maker_;
     struct Loose {
@@ -202,8 +228,8 @@ private:
         const CutFaces cut;
         LooseSearch search;
         explicit Loose(const CutJob& job)
-            : view(job.view()),
-              cut{view, job.loops(), job.kept_, job.face_maker_->made()},
+            : view(job.made_view()),
+              cut{view, job.made_loops(), job.kept_, job.face_maker_->made()},
               search(job.solid_, cut, *job.terms_.anchors) {}
     };
     std::unique_ptr<Loose> loose_;

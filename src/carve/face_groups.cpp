@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "carve/polygon_reaches.h"
+#include "index/box_tree.h"
 #include "solid/append_faces.h"
 
 namespace firma {
@@ -131,22 +133,23 @@ void FaceGroups::start(const Node* root, const Anchors& anchors) {
     root_ = root;
     anchors_ = &anchors;
     state_of_.assign(cut_.made_count() + patch_.faces.size(), kNone);
-    const auto add_node = [&](std::uint32_t node, const GridBox& box, const FaceRecord* record) {
+    const auto add_node = [&](std::uint32_t node, const LiveFace& face, const FaceRecord* record) {
         std::uint32_t& known = state_of_[sets_.find(node)];
         if (known == kNone) {
             known = std::uint32_t(states_.size());
             states_.emplace_back();
         }
         State& state = states_[known];
-        state.box.add(box);
-        state.held = state.held || (record && anchors.holds(*record));
+        state.box.add(face.box());
+        state.held = state.held || (record && anchors.holds(*record)) || reaches_into_a_volume(face);
     };
     for (std::uint32_t k = 0; k < cut_.made_count(); ++k) {
         const std::uint32_t parent = cut_.parent(k);
-        add_node(k, cut_.owner(k).box, parent == kNone ? nullptr : &patch_.faces[parent].facet.record());
+        add_node(k, {&cut_.owner(k), {}}, parent == kNone ? nullptr : &patch_.faces[parent].facet.record());
     }
     for (std::uint32_t face = 0; face < patch_.faces.size(); ++face)
-        if (stays_[face]) add_node(patch_node(face), patch_.faces[face].box, &patch_.faces[face].facet.record());
+        if (stays_[face])
+            add_node(patch_node(face), live(patch_.faces[face].facet), &patch_.faces[face].facet.record());
     for (std::uint32_t edge = 0; edge < patch_.edges.size(); ++edge) {
         const std::uint32_t forward = user_[2 * edge], back = user_[2 * edge + 1];
         if ((forward == kNone) == (back == kNone)) continue;
@@ -189,12 +192,29 @@ void FaceGroups::add_face(std::uint32_t node, const FacetPlace& facet) {
     State& own = state(node);
     own.found.push_back(facet);
     own.box.add(live(facet).box());
-    own.held = own.held || anchors_->holds(facet.record());
+    own.held = own.held || anchors_->holds(facet.record()) || reaches_into_a_volume(live(facet));
     for_each_use(facet, [&](const KeyedUse& use) {
         const std::uint32_t known = edge_with(use.key);
         if (known == kNone) return open(use, node);
         open_[known].open = false;
         join(node, open_[known].node);
+    });
+}
+
+/// By its outer loop: what lies in a hole of it may count as well.
+bool FaceGroups::reaches_into_a_volume(const LiveFace& face) {
+    if (anchors_->volumes.empty()) return false;
+    const GridBox box = face.box();
+    return std::any_of(anchors_->volumes.begin(), anchors_->volumes.end(), [&](const GridBox& volume) {
+        if (!boxes_meet(box, volume)) return false;
+        loop_.clear();
+        if (face.stored)
+            for (std::uint32_t k = 0; k < face.stored->loop_ends()[0]; ++k)
+                loop_.push_back(face.stored->uses[k].from().point.approximate());
+        else
+            for (const std::uint16_t corner : face.facet.block->corners_of(face.facet.record()))
+                loop_.push_back(to_metres(face.facet.block->vertices[corner]) * kInputSteps);
+        return polygon_reaches_into(loop_, volume);
     });
 }
 

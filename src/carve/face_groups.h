@@ -112,6 +112,7 @@ private:
     void open(const KeyedUse& use, std::uint32_t node);
     void add_face(std::uint32_t node, const FacetPlace& facet);
     bool has_open_edge(State& state) const;
+    bool reaches_into_a_volume(const LiveFace& face);
 
     const CutFaces& cut_;
     const SolidPatch& patch_;
@@ -128,6 +129,7 @@ private:
     std::vector<OpenEdge> open_;
     FlatMap edge_of_key_, node_of_face_;
     std::size_t searched_ = 0;
+    std::vector<Vec3> loop_;
 };
 
 }  // namespace firma

@@ -77,8 +77,10 @@ std::vector<std::uint32_t> LooseSearch::lost_anchors() const {
 LooseSearch::Phase LooseSearch::group() {
     if (groups_.changed().empty()) return Phase::kEnd;
     const std::vector<std::uint32_t> lost = lost_anchors();
-    if (groups_.changed().size() == 1 && lost.empty()) return Phase::kEnd;
+    const bool cuts = cuts_a_volume();
+    if (groups_.changed().size() == 1 && lost.empty() && !cuts) return Phase::kEnd;
     families_ = groups_.families(lost);
+    for (FaceGroups::Family& family : families_) family.lost = family.lost || cuts;
     std::erase_if(families_, [](const auto& family) { return family.groups.size() == 1 && !family.lost; });
     if (families_.empty()) return Phase::kEnd;
     groups_.start(solid_.data().faces.root.get(), anchors_);
@@ -135,10 +137,27 @@ LooseSearch::Phase LooseSearch::look_at_rest() {
 
 void LooseSearch::judge_whole(std::uint32_t group) {
     const double volume = groups_.is_held(group) ? 0 : volume_of(groups_.faces(group));
-    if (volume > 0)
+    if (volume > 0 && !holds_a_volume(group))
         loose_.push_back({group, volume});
     else
         may_hold_elsewhere_ = true;
+}
+
+/// Whether a volume that holds lies in the piece, which no face of it reaches into then.
+bool LooseSearch::holds_a_volume(std::uint32_t group) {
+    const GridBox box = groups_.box(group);
+    std::optional<Solid> piece;
+    return std::any_of(anchors_.volumes.begin(), anchors_.volumes.end(), [&](const GridBox& volume) {
+        if (!lies_within(volume, box)) return false;
+        if (!piece) piece = solid_of_group(group);
+        return locate(*piece, to_metres(volume.low)) == Where::kSolid;
+    });
+}
+
+bool LooseSearch::cuts_a_volume() const {
+    const GridBox& cutter = cut_.view.cutter().box;
+    return std::any_of(anchors_.volumes.begin(), anchors_.volumes.end(),
+                       [&](const GridBox& volume) { return boxes_meet(cutter, volume); });
 }
 
 double LooseSearch::volume_of(const std::vector<LiveFace>& faces) {

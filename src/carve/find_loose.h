@@ -50,6 +50,8 @@ private:
     Phase take_next();
     std::vector<std::uint32_t> lost_anchors() const;
     void judge_whole(std::uint32_t group);
+    bool holds_a_volume(std::uint32_t group);
+    bool cuts_a_volume() const;
     double volume_of(const std::vector<LiveFace>& faces);
     std::vector<std::uint32_t> hollows_of(std::uint32_t group);
     Solid solid_of_group(std::uint32_t group);

@@ -58,12 +58,12 @@ bool FaceMaker::runs_against(std::uint32_t number, const SolidEdge& stored) {
 }
 
 void FaceMaker::make(const NewFace& face) {
-    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle}, made_);
+    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle, face.material}, made_);
 }
 
 void FaceMaker::make_taken(const NewFace& face) {
     if (taken_.corners.empty()) taken_.corners.assign(vertices_.size(), ~0u);
-    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle}, taken_);
+    make({face.plane, loops_.uses(face), loops_.ends(face), face.face, face.triangle, face.material}, taken_);
 }
 
 void FaceMaker::make_kept(std::uint32_t index) {
@@ -119,7 +119,7 @@ void FaceMaker::add_facets(const Outline& outline, const SolidFace& owner, Targe
     } else {
         like.source = outline.triangle;
         like.edit = source_.edit;
-        like.material = source_.material;
+        like.material = outline.material != ~0u ? outline.material : source_.material;
         like.part = source_.part;
     }
     like.solid = true;

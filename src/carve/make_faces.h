@@ -59,6 +59,7 @@ private:
         std::span<const PatchUse> uses;
         std::span<const std::uint32_t> ends;
         std::uint32_t face, triangle;
+        std::uint32_t material = ~0u;  ///< as in NewFace
     };
 
     void make(const Outline& outline, Target& target);

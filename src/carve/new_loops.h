@@ -24,6 +24,7 @@ struct NewFace {
     std::uint32_t first_loop = 0, loop_count = 0;  ///< in NewLoops::loop_ends, counted from first_use
     std::uint32_t face = ~0u;                      ///< the patch's face that it is a piece of; ~0: of the cutter
     std::uint32_t triangle = ~0u;                  ///< the cutter's triangle that it is a piece of; ~0: of the world
+    std::uint32_t material = ~0u;                  ///< of one of the cutter; ~0: that of all of them
 };
 
 /// An edge of the patch that is several edges now.

@@ -438,6 +438,11 @@ std::unique_ptr<JoinedLevel> BrushJoin::finish() {
         if (!bodies_.shapes[left.brush].faces.empty()) left_out.push_back(left.brush);
     made_->loose = LooseCutter(level_, tables(), bodies_, cutter_).cut(left_out);
     for (LooseFacet& facet : made_->loose) facet.room = finder.room_of(made_->rooms, facet.corners);
+    made_->bodies.clear();
+    for (const std::uint32_t b : bodies_.solids()) {
+        JoinBody& body = made_->bodies.emplace_back(JoinBody{b, bodies_.shapes[b].box, {}});
+        for (const BrushShape::Face& face : bodies_.shapes[b].faces) body.planes.push_back(face.piece.plane);
+    }
     return std::move(made_);
 }
 

@@ -38,6 +38,13 @@ struct MovedSide {
     std::array<GridPoint, 3> points;  ///< of its plane as it is now, as BrushSide::points
 };
 
+/// A brush of the solid as a body, by the planes that bound it, fronts looking out.
+struct JoinBody {
+    std::uint32_t brush = 0;
+    GridBox box;
+    std::vector<PlaneId> planes;
+};
+
 /// How much one round of joining did: the first one does all, one after a repair what the repair touches.
 struct JoinRound {
     bool whole = false;        ///< all brushes of the solid were cut
@@ -65,6 +72,7 @@ struct JoinedLevel {
     std::vector<LooseFacet> loose;       ///< of kinds that are no solid, of brushes left out, of BrushLevel::surfaces;
                                          ///< materials are of the list that they come from
     std::vector<JoinRound> rounds;       ///< of joining
+    std::vector<JoinBody> bodies;        ///< of the brushes that are in the solid, ascending; once it is finished
 };
 
 /// @return kTooLarge for more planes or polygons than can be numbered

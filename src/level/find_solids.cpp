@@ -140,6 +140,7 @@ LevelSolids find_solids(const Level& level) {
     found.solid.resize(level.faces.size());
     for (std::uint32_t face = 0; face < level.faces.size(); ++face) found.solid[face] = pieces.good(face);
     found.stored = FaceStorer(mesh, pieces).store();
+    found.piece = std::move(pieces.of_face);
     for (SolidPieces::Piece& piece : pieces.pieces) {
         if (!piece.note) continue;
         found.notes.push_back(*piece.note);

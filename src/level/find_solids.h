@@ -15,9 +15,10 @@
 namespace firma {
 
 struct LevelSolids {
-    std::vector<bool> solid;       ///< a face each
-    bool rock_outside = false;     ///< what no face separates from infinity is solid
-    std::vector<SolidNote> notes;  ///< why some pieces are castable only, in order of their first faces
+    std::vector<bool> solid;           ///< a face each
+    std::vector<std::uint32_t> piece;  ///< a face each: which piece of the surface it is in
+    bool rock_outside = false;         ///< what no face separates from infinity is solid
+    std::vector<SolidNote> notes;      ///< why some pieces are castable only, in order of their first faces
     /// The exact faces of those that have an edge where solids touch, with their numbers, ascending.
     std::vector<std::pair<std::uint32_t, Ref<const SolidFace>>> stored;
     SolidWork work;  ///< what it took

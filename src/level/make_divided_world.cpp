@@ -13,6 +13,7 @@
 #include "geometry/exact_plane.h"
 #include "geometry/polygon_shape.h"
 #include "level/divide_mesh.h"
+#include "level/level_matters.h"
 #include "level/level_textures.h"
 #include "world/assemble_world.h"
 
@@ -159,7 +160,9 @@ Result<World> make_divided_world(const Level& level, std::span<const LevelPortal
     if (!divided->fault.empty()) return undivided(divided->fault);
     WorldMaker maker(level, portals, *divided, solids.rock_outside, options);
     maker.add_portals(made.idle);
-    return assemble_world(maker.take());
+    WorldParts parts = maker.take();
+    parts.matters = matters_of_level(level, solids, options.matters ? *options.matters : default_matters());
+    return assemble_world(std::move(parts));
 }
 
 }  // namespace firma

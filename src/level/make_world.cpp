@@ -4,6 +4,7 @@
 #include "firma/world.h"
 #include "level/find_solids.h"
 #include "level/judge_level.h"
+#include "level/level_matters.h"
 #include "level/level_textures.h"
 #include "level/message.h"
 #include "solid/append_faces.h"
@@ -64,6 +65,7 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     parts.rock_outside = solids.rock_outside;
     parts.options = options;
     parts.textures = textures_of(level);
+    parts.matters = matters_of_level(level, solids, options.matters ? *options.matters : default_matters());
     return assemble_world(std::move(parts));
 }
 

@@ -2,6 +2,7 @@
 // Options of edits as fields.
 #include "log/carve_option_bytes.h"
 
+#include <cmath>
 #include <utility>
 
 namespace firma {
@@ -11,6 +12,7 @@ namespace {
 enum class OptionField : std::uint64_t {
     kMaterial = 1,
     kFrom = 2,
+    kChunks = 3,
 };
 
 template <class Put>
@@ -53,6 +55,32 @@ Vec3 take_point(ByteReader& in) {
     return point;
 }
 
+constexpr std::size_t kChunkBytes = 16;
+
+/// Nothing for ChunkOptions{}.
+void put_chunks(ByteWriter& out, const ChunkOptions& chunks) {
+    const ChunkOptions usual;
+    if (chunks.min_volume == usual.min_volume && chunks.density == usual.density) return;
+    out.f64(chunks.min_volume);
+    out.f64(chunks.density);
+}
+
+ChunkOptions take_chunks(ByteReader& in) {
+    ChunkOptions chunks;
+    if (in.at_end()) return chunks;
+    const std::size_t where = in.place();
+    if (in.left() != kChunkBytes) in.fail("options of chunks that are not 16 bytes long");
+    chunks.min_volume = in.f64();
+    chunks.density = in.f64();
+    if (!in.ok()) return chunks;
+    const ChunkOptions usual;
+    if (std::optional<Error> error = judge_chunk_options(chunks))
+        in.fail_at(where, ErrorCode::kMalformed, error->reason);
+    else if (chunks.min_volume == usual.min_volume && chunks.density == usual.density)
+        in.fail_at(where, ErrorCode::kMalformed, "an option that is what it is by default");
+    return chunks;
+}
+
 /// @return false for a field that is not known
 bool take_field(ByteReader& in, std::uint64_t field, CarveOptions& options) {
     switch (OptionField(field)) {
@@ -63,11 +91,22 @@ bool take_field(ByteReader& in, std::uint64_t field, CarveOptions& options) {
         case OptionField::kFrom:
             options.from = take_point(in);
             return true;
+        case OptionField::kChunks:
+            options.chunks = take_chunks(in);
+            return true;
     }
     return false;
 }
 
 }  // namespace
+
+std::optional<Error> judge_chunk_options(const ChunkOptions& options) {
+    if (!is_finite(options.min_volume) || !is_finite(options.density))
+        return Error{ErrorCode::kOutOfRange, "", "the options of chunks are not finite"};
+    if (std::signbit(options.min_volume) || !(options.density > 0))
+        return Error{ErrorCode::kOutOfRange, "", "chunks of less than no volume, or of no density"};
+    return {};
+}
 
 void put_options(ByteWriter& out, const CarveOptions& options) {
     if (!options.material.empty())
@@ -76,6 +115,8 @@ void put_options(ByteWriter& out, const CarveOptions& options) {
         });
     if (options.from && is_finite(*options.from))  // it has no effect otherwise
         put_field(out, OptionField::kFrom, [&](ByteWriter& content) { put_point(content, *options.from); });
+    if (options.chunks)
+        put_field(out, OptionField::kChunks, [&](ByteWriter& content) { put_chunks(content, *options.chunks); });
 }
 
 CarveOptions take_options(ByteReader& in) {

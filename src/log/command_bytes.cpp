@@ -44,6 +44,7 @@ std::optional<Error> judge_cut(const EditCommand& command) {
     if (!is_finite(pose.position) || !is_finite(pose.scale) ||
         !std::all_of(pose.rotation.begin(), pose.rotation.end(), [](double part) { return is_finite(part); }))
         return Error{ErrorCode::kOutOfRange, "", "the pose is not finite"};
+    if (command.options.chunks) return judge_chunk_options(*command.options.chunks);
     return {};
 }
 

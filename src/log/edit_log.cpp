@@ -12,7 +12,7 @@ namespace firma {
 
 EditLog::EditLog(const World& level)
     : level_hash_(hash_world(level)),
-      rules_hash_(hash_rules(level.data().rules ? *level.data().rules : CarveRules())),
+      rules_hash_(hash_rules(level.data().rules ? *level.data().rules : CarveRules(), level.data().anchors.get())),
       level_edits_(level.solid().edits()),
       last_number_(level_edits_) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that rules say, as words.
+// All that rules and anchors say, as words.
 #include "log/hash_rules.h"
 
 #include "base/hasher.h"
@@ -7,7 +7,7 @@
 
 namespace firma {
 
-std::uint64_t hash_rules(const CarveRules& rules) {
+std::uint64_t hash_rules(const CarveRules& rules, const Anchors* anchors) {
     Hasher hasher;
     hasher.add(rules.zones.size());
     for (const CarveZone& zone : rules.zones) {
@@ -22,6 +22,20 @@ std::uint64_t hash_rules(const CarveRules& rules) {
                                     rules.max_cutter_triangles, rules.max_pairs, rules.max_corners})
         hasher.add(limit);
     hasher.add(rules.max_cutter_size);
+    hasher.add(rules.merge_share);
+    if (!anchors) return hasher.value();
+    const auto add = [&](const auto& list) {
+        hasher.add(list.size());
+        for (const auto value : list) hasher.add(value);
+    };
+    add(anchors->materials);
+    add(anchors->sources);
+    add(anchors->edits);
+    add(anchors->hanging);
+    hasher.add(anchors->volumes.size());
+    for (const GridBox& volume : anchors->volumes)
+        for (const GridPoint& corner : {volume.low, volume.high})
+            for (int axis = 0; axis < 3; ++axis) hasher.add(std::uint32_t(corner[axis]));
     return hasher.value();
 }
 

@@ -23,7 +23,7 @@ std::optional<Error> judge_level(const EditLog& own, const EditLog& log) {
                      "the log begins from another world: the hash is " + hash_in_hex(own.level_hash()) +
                          ", that of the log " + hash_in_hex(log.level_hash())};
     if (own.rules_hash() != log.rules_hash())
-        return Error{ErrorCode::kInvalid, "", "the log was made under other rules for carving"};
+        return Error{ErrorCode::kInvalid, "", "the log was made under other rules for carving, or with other anchors"};
     if (own.level_edits() != log.level_edits())
         return Error{ErrorCode::kInvalid, "", "the log begins after another edit than its world does"};
     return {};

@@ -6,6 +6,7 @@
 #include "base/flat_map.h"
 #include "carve/gather.h"
 #include "firma/world_patch.h"
+#include "save/anchor_bytes.h"
 #include "save/check_whole.h"
 #include "save/entries.h"
 #include "save/patch_sections.h"
@@ -21,6 +22,7 @@ std::vector<SectionType> sections_of_patch() {
     std::vector<SectionType> known(std::begin(kSectionsOfPatches), std::end(kSectionsOfPatches));
     known.insert(known.end(), std::begin(kSectionsOfBoth), std::end(kSectionsOfBoth));
     known.push_back(kPortalFacesSection);
+    known.insert(known.end(), std::begin(kSectionsOfAnchors), std::end(kSectionsOfAnchors));
     return known;
 }
 
@@ -33,7 +35,7 @@ public:
         const std::vector<SectionType> known = sections_of_patch();
         sections_.refuse_unknown(known);
         if (!damage_.error() && read_head() && read_counters() && read_removed() && read_imports() && read_exact() &&
-            read_cells() && read_faces()) {
+            read_cells() && read_faces() && read_anchors()) {
             sections_.refuse_unused(known);
             if (!damage_.error()) build();
         }
@@ -154,6 +156,11 @@ private:
         return !damage_.error();
     }
 
+    bool read_anchors() {
+        anchors_ = unpack_anchors(sections_, damage_);
+        return !damage_.error();
+    }
+
     /// Faces of one kind exchanged.
     FaceStore exchanged(const FaceStore& before, bool solid) const {
         StoreEdit edit(before, data_.tree_options);
@@ -188,6 +195,7 @@ private:
         data->cells = cells_;
         data->materials = after.materials;
         data->version = after.version;
+        if (anchors_) data->anchors = anchors_;
         const BuiltStore solid = parts_of(data->solid.data().faces), castable = parts_of(data->castable);
         for (const BuiltStore* store : {&solid, &castable})
             for (const PartIndex& part : store->parts)
@@ -216,6 +224,7 @@ private:
     ExactImports imports_;
     std::vector<Ref<SolidFace>> exact_;
     FaceSet added_;
+    std::shared_ptr<const Anchors> anchors_;  ///< null: as they were
     World made_;
 };
 

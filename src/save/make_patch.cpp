@@ -7,6 +7,7 @@
 #include "base/sort.h"
 #include "carve/gather.h"
 #include "firma/world_patch.h"
+#include "save/anchor_bytes.h"
 #include "save/entries.h"
 #include "save/face_packer.h"
 #include "save/pack_cells.h"
@@ -71,11 +72,13 @@ FaceList unpack_list(Sections& sections, Damage& damage) {
 
 class PatchPacker {
 public:
-    PatchPacker(const World& world, FaceList list)
+    /// @param same_anchors  whether pieces are held by the same in the other world
+    PatchPacker(const World& world, FaceList list, bool same_anchors)
         : world_(world),
           data_(world.data()),
           list_(std::move(list)),
           has_cells_(hash_cells(data_.cells) != list_.cells),
+          same_anchors_(same_anchors),
           faces_(&exact_) {}
 
     std::vector<std::byte> pack() {
@@ -209,6 +212,11 @@ private:
         add(kPatchImportsSection, imports);
         add(kWorldSection, counters);
         add_materials(data_, all);
+        if (data_.anchors && !same_anchors_) {
+            ByteWriter anchors;
+            put_anchors(anchors, *data_.anchors);
+            add(kAnchorsSection, anchors);
+        }
         for (NewSection& section : cells_) all.push_back(std::move(section));
         faces_.add_to(all);
         exact_.add_to(all);
@@ -231,7 +239,7 @@ private:
     const World& world_;
     const WorldData& data_;
     FaceList list_;
-    const bool has_cells_;
+    const bool has_cells_, same_anchors_;
     std::vector<NewSection> cells_;
     std::vector<FaceId> removed_;
     std::vector<FacetPlace> added_;  ///< by id
@@ -281,11 +289,13 @@ Result<std::vector<std::byte>> make_patch(const World& world, std::span<const st
     FaceList list;
     if (!damage.error()) list = unpack_list(sections, damage);
     if (damage.error()) return *damage.error();
-    return PatchPacker(world, std::move(list)).pack();
+    return PatchPacker(world, std::move(list), false).pack();
 }
 
 std::vector<std::byte> make_patch(const World& from, const World& to) {
-    return PatchPacker(to, list_of(from, differing_regions(hash_regions(from), hash_regions(to)))).pack();
+    const auto &held = from.data().anchors, &held_after = to.data().anchors;
+    const bool same_anchors = held == held_after || (held && held_after && *held == *held_after);
+    return PatchPacker(to, list_of(from, differing_regions(hash_regions(from), hash_regions(to))), same_anchors).pack();
 }
 
 }  // namespace firma

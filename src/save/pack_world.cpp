@@ -7,8 +7,10 @@
 #include "base/flat_map.h"
 #include "base/sort.h"
 #include "firma/save.h"
+#include "save/anchor_bytes.h"
 #include "save/face_packer.h"
 #include "save/pack_cells.h"
+#include "save/pack_matters.h"
 #include "save/sections.h"
 #include "world/world_data.h"
 
@@ -38,9 +40,10 @@ public:
         const CellsVersion needed = add_cells(data_.cells, exact_ ? &exact_packer_ : nullptr, cells_);
         needs_version_3_ |= needed == CellsVersion::kThree;
         if (exact_) exact_packer_.pack();
-        if (data_.anchors) pack_anchors(*data_.anchors);
+        if (data_.anchors) put_anchors(anchors_, *data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
         if (index_) pack_index();
+        needs_version_3_ |= bool(data_.matters);
         return write_container(sections(), needs_version_3_ ? 3 : 2);
     }
 
@@ -137,17 +140,6 @@ private:
         return known;
     }
 
-    void pack_anchors(const Anchors& anchors) {
-        const auto add = [&](std::uint32_t kind, std::uint32_t edit, std::uint32_t value) {
-            for (const std::uint32_t number : {kind, edit, value}) anchors_.u32(number);
-        };
-        for (const std::uint32_t material : anchors.materials) add(kMaterialHolds, 0, material);
-        for (const std::uint32_t source : anchors.sources) add(kSourceHolds, 0, source);
-        for (const std::uint32_t edit : anchors.edits) add(kEditHolds, 0, edit);
-        for (const std::uint64_t key : anchors.hanging)
-            add(kHangingHolds, std::uint32_t(key >> 32), std::uint32_t(key));
-    }
-
     void pack_textures(const FaceTextures& textures) {
         for (const TextureProjection& map : textures.projections()) {
             for (const auto& [axis, offset] : {std::pair(map.u_axis, map.u_offset), {map.v_axis, map.v_offset}}) {
@@ -179,6 +171,8 @@ private:
         for (NewSection& section : cells_)
             if (needs_version_3_ || section.type != kPortalFacesSection) all.push_back(std::move(section));
         if (exact_) exact_packer_.add_to(all);
+        if (data_.matters)
+            for (NewSection& section : pack_matters(*data_.matters)) all.push_back(std::move(section));
         const auto add_optional = [&](SectionType type, ByteWriter& content) {
             all.push_back({type, 0, std::move(content)});
         };

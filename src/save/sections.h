@@ -34,6 +34,14 @@ inline constexpr SectionType kAnchorsSection = section_type("HOLD");
 inline constexpr SectionType kTextureMapsSection = section_type("TMAP");
 inline constexpr SectionType kTexturedFacesSection = section_type("TFAC");
 inline constexpr SectionType kTextureOutlinesSection = section_type("TCOR");
+// What it is made of, from version 3 on: all of them, or none where there is nothing to say.
+inline constexpr SectionType kMattersSection = section_type("MTTR");
+inline constexpr SectionType kPiecesSection = section_type("PIEC");
+inline constexpr SectionType kPiecePlanesSection = section_type("PPLA");
+inline constexpr SectionType kPiecePolygonsSection = section_type("PPLY");
+inline constexpr SectionType kPieceCornersSection = section_type("PCRN");
+inline constexpr SectionType kPieceMaterialsSection = section_type("PMAT");
+inline constexpr SectionType kMatterSourcesSection = section_type("MSRC");
 // The index: may be missing, or passed over.
 inline constexpr SectionType kIndexBlocksSection = section_type("IBLK");
 inline constexpr SectionType kIndexFacesSection = section_type("IFAC");
@@ -56,6 +64,9 @@ inline constexpr SectionType kSectionsOfVersion3[] = {kPortalFacesSection, kMerg
 inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
                                                       kTextureOutlinesSection};
 inline constexpr SectionType kSectionsOfAnchors[] = {kAnchorsSection};
+inline constexpr SectionType kSectionsOfMatters[] = {
+    kMattersSection,      kPiecesSection,         kPiecePlanesSection,  kPiecePolygonsSection,
+    kPieceCornersSection, kPieceMaterialsSection, kMatterSourcesSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
 inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
                                                    kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
@@ -77,6 +88,9 @@ inline constexpr std::size_t kExactFaceBytes = 36;
 inline constexpr std::size_t kAnchorBytes = 12;
 inline constexpr std::size_t kTextureMapBytes = 72;
 inline constexpr std::size_t kTexturedFaceBytes = 12;
+inline constexpr std::size_t kMattersBytes = 16;  ///< without matters and patterns
+inline constexpr std::size_t kMatterBytes = 32;   ///< without its texts
+inline constexpr std::size_t kPieceBytes = 48;
 
 // Flags of the world.
 inline constexpr std::uint32_t kRockOutside = 1;
@@ -97,7 +111,10 @@ inline constexpr std::uint32_t kMadePortal = 2;  ///< by an edit
 inline constexpr std::uint8_t kTwoSidedFace = 1;
 inline constexpr std::uint8_t kSolidFace = 2;
 // What an anchor names.
-inline constexpr std::uint32_t kMaterialHolds = 0, kSourceHolds = 1, kEditHolds = 2, kHangingHolds = 3;
+inline constexpr std::uint32_t kMaterialHolds = 0, kSourceHolds = 1, kEditHolds = 2, kHangingHolds = 3,
+                               kVolumeHolds = 4;
+// Of a piece.
+inline constexpr std::uint32_t kSkyPiece = 1;
 // Of an edge.
 inline constexpr std::uint32_t kDoubledEdge = 1;
 

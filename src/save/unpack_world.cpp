@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // From the bytes of a .firma file to a world: the container, the parts, then the world as a whole.
 #include "firma/save.h"
+#include "save/anchor_bytes.h"
 #include "save/check_whole.h"
 #include "save/entries.h"
 #include "save/sections.h"
-#include "save/unpack_anchors.h"
 #include "save/unpack_data.h"
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"
 #include "save/unpack_index.h"
+#include "save/unpack_matters.h"
 #include "save/unpack_textures.h"
 #include "solid/append_faces.h"
 
@@ -26,6 +27,7 @@ std::vector<SectionType> known_sections(std::uint32_t version) {
         known.insert(known.end(), std::begin(kSectionsOfTextures), std::end(kSectionsOfTextures));
         known.insert(known.end(), std::begin(kSectionsOfIndex), std::end(kSectionsOfIndex));
     }
+    if (version >= 3) known.insert(known.end(), std::begin(kSectionsOfMatters), std::end(kSectionsOfMatters));
     return known;
 }
 
@@ -65,6 +67,8 @@ Result<World> unpack_world(std::span<const std::byte> bytes, std::string name) {
                                        : unpack_faces(sections, unpacked, exact, damage);
     if (!damage.error() && version > 1) unpacked.world.anchors = unpack_anchors(sections, damage);
     if (!damage.error() && version > 1) unpacked.world.textures = unpack_textures(sections, damage);
+    if (!damage.error() && version > 2)
+        unpacked.world.matters = unpack_matters(sections, unpacked.material_count(), damage);
     std::optional<UnpackedIndex> index;
     if (!damage.error() && version > 1) index = unpack_index(sections, unpacked, faces, damage);
     sections.refuse_unused(known);

@@ -17,6 +17,7 @@ struct Anchors {
     std::vector<std::uint32_t> sources;  ///< of the level's file
     std::vector<std::uint32_t> edits;    ///< whose cutters' faces hold: fills that stand free
     std::vector<std::uint64_t> hanging;  ///< key_of() of what bounded a body that hung free
+    std::vector<GridBox> volumes;        ///< that hold what reaches into them, by their corners
 
     static std::uint64_t key_of(const FaceRecord& face) { return std::uint64_t(face.edit) << 32 | face.source; }
 
@@ -30,7 +31,7 @@ struct Anchors {
     /// Memory beside the object itself.
     std::size_t bytes() const {
         return sizeof(std::uint32_t) * (materials.capacity() + sources.capacity() + edits.capacity()) +
-               sizeof(std::uint64_t) * hanging.capacity();
+               sizeof(std::uint64_t) * hanging.capacity() + sizeof(GridBox) * volumes.capacity();
     }
     friend bool operator==(const Anchors&, const Anchors&) = default;
 };

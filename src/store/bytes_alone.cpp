@@ -165,6 +165,7 @@ std::size_t bytes_alone(const World& world, const World& other) {
     if (&mine.solid.data() != &theirs.solid.data()) sum += sizeof(SolidData);
     if (mine.materials != theirs.materials) sum += bytes_of(mine.materials.get());
     if (mine.textures && mine.textures != theirs.textures) sum += mine.textures->bytes();
+    if (mine.matters && mine.matters != theirs.matters) sum += mine.matters->bytes();
     sum += bytes_of_cells_alone(mine.cells, theirs.cells);
     sum += bytes_of_room_faces_alone(mine.room_faces, theirs.room_faces);
     const SolidData &my_solid = mine.solid.data(), &their_solid = theirs.solid.data();

@@ -163,7 +163,14 @@ World world_of(StoredWorld stored) {
     data->rules = std::move(stored.rules);
     data->anchors = std::move(stored.anchors);
     data->textures = std::move(stored.textures);
+    data->matters = std::move(stored.matters);
     return World(std::move(data));
+}
+
+std::shared_ptr<const MatterPieces> kept_matters(MatterPieces matters) {
+    if (says_nothing(matters)) return nullptr;
+    matters.finish();
+    return std::make_shared<const MatterPieces>(std::move(matters));
 }
 
 Result<World> make_world(const Solid& given, const WorldOptions& options) {
@@ -180,6 +187,9 @@ Result<World> make_world(const Solid& given, const WorldOptions& options) {
     data->tolerance = options.tolerance;
     data->tree_options = options.tree;
     data->rules = std::make_shared<const CarveRules>(options.rules);
+    MatterPieces matters;
+    matters.table = options.matters ? *options.matters : default_matters();
+    data->matters = kept_matters(std::move(matters));
     return World(std::move(data));
 }
 
@@ -200,6 +210,7 @@ Result<World> assemble_world(WorldParts parts) {
     stored.tree_options = parts.options.tree;
     stored.rules = std::make_shared<const CarveRules>(std::move(parts.options.rules));
     if (parts.options.textures) stored.textures = std::move(parts.textures);
+    stored.matters = kept_matters(std::move(parts.matters));
     return world_of(std::move(stored));
 }
 

@@ -29,6 +29,7 @@ struct WorldParts {
     bool rock_outside = false;  ///< what no face separates from infinity is solid
     WorldOptions options;
     std::shared_ptr<const FaceTextures> textures;  ///< null: none
+    MatterPieces matters;
 };
 
 /// A world whose faces are in blocks.
@@ -47,10 +48,14 @@ struct StoredWorld {
     std::shared_ptr<const CarveRules> rules;
     std::shared_ptr<const Anchors> anchors;
     std::shared_ptr<const FaceTextures> textures;
+    std::shared_ptr<const MatterPieces> matters;  ///< null: they would say nothing
 };
 World world_of(StoredWorld stored);
 /// Of records and portals, which are moved out.
 Cells cells_of(StoredWorld& stored);
+
+/// What a world keeps of it: null where it says nothing.
+std::shared_ptr<const MatterPieces> kept_matters(MatterPieces matters);
 
 /// @return the world, version 0; kTooLarge beyond 2^31 faces, rooms or portals; kInvalid, naming the portal, where
 /// rooms

@@ -12,8 +12,10 @@
 #include "carve/make_chunk.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
+#include "join/body_solid.h"
 #include "solid/face_ids.h"
 #include "world/count_reaching.h"
+#include "world/inside_materials.h"
 #include "world/room_edit.h"
 
 namespace firma {
@@ -26,52 +28,15 @@ double microseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The index of a material's name, or the one it will get at the end.
-std::uint32_t material_index(const std::vector<std::string>& materials, const std::string& name) {
-    return std::uint32_t(std::find(materials.begin(), materials.end(), name) - materials.begin());
-}
-
-/// The same list, or a longer one when the name is new.
-std::shared_ptr<const std::vector<std::string>> with_material(
-    const std::shared_ptr<const std::vector<std::string>>& materials, const std::string& name) {
-    if (material_index(*materials, name) < materials->size()) return materials;
-    auto longer = std::make_shared<std::vector<std::string>>(*materials);
-    longer->push_back(name);
-    return longer;
-}
-
 /// What holds pieces, where loose ones are asked for.
 std::shared_ptr<const Anchors> anchors_of(const World& world, const CarveOptions& options, CarveKind kind) {
     if (!options.chunks || kind == CarveKind::kFill || world.data().anchors) return world.data().anchors;
     return with_anchors(world).data().anchors;
 }
 
-CutTerms terms_of(const WorldData& data, const CarveOptions& options, const Anchors* anchors) {
-    CutTerms terms;
-    if (options.chunks) terms.anchors = anchors;
-    terms.rules = data.rules.get();
-    terms.materials = data.materials.get();
-    terms.material = material_index(*data.materials, options.material);
-    terms.other_faces = data.castable.count;
-    terms.edit = options.edit;
-    if (!data.cells.known()) return terms;
-    terms.air_of = [&data](std::uint32_t part) { return data.cells.current_room(part); };
-    terms.sheets_at = [&data](const GridBox& box, std::vector<CutSheet>& sheets) {
-        std::vector<std::uint32_t> numbers;
-        bool exact = true;
-        data.cells.for_each_portal_where([&](const GridBox& other) { return boxes_meet(box, other); },
-                                         [&](std::uint32_t number, const Portal& portal) {
-                                             exact = exact && portal.is_exact();
-                                             numbers.push_back(number);
-                                         });
-        if (!exact) return;  // RoomEdit::merge_at_portals() then
-        sort_range(numbers);
-        for (const std::uint32_t number : numbers) {
-            const Portal& portal = data.cells.portal(number);
-            append_sheets(portal, number, data.cells.rooms_of(portal), sheets);
-        }
-    };
-    return terms;
+/// A piece as a solid: what may not be carved is cut off the cutter.
+std::optional<Solid> solid_of_piece(const MatterPieces& pieces, const MatterPiece& piece) {
+    return piece.mesh ? piece.mesh : solid_of_planes(pieces.planes_of(piece));
 }
 
 /// What was filled in where nothing was stays there by intent.
@@ -89,7 +54,10 @@ public:
         : world_(std::move(world)),
           options_(options),
           anchors_(anchors_of(world_, options, kind)),
-          cut_(world_.solid(), std::move(cutter), pose, terms_of(world_.data(), options, anchors_.get()), kind),
+          materials_(world_.data().materials),
+          inside_(insides(options, kind)),
+          material_(materials_.index(options.material)),
+          cut_(world_.solid(), std::move(cutter), pose, terms(), kind),
           rooms_(world_.data()) {}
 
     /// Does one piece of work; false once there is none left.
@@ -156,6 +124,45 @@ public:
 private:
     enum class Phase : std::uint8_t { kCut, kCastable, kChunks, kPlaceFaces, kSolid, kRooms, kEnd };
 
+    /// Materials of new faces by matter; none where the options name one for all, or there is one only.
+    std::vector<std::uint32_t> insides(const CarveOptions& options, CarveKind kind) {
+        const MatterPieces* pieces = world_.data().matters.get();
+        if (!pieces || !options.material.empty() || kind == CarveKind::kFill) return {};
+        return materials_.of_matters(pieces->table);
+    }
+
+    CutTerms terms() const {
+        const WorldData& data = world_.data();
+        CutTerms terms;
+        terms.rules = data.rules.get();
+        terms.materials = data.materials.get();
+        terms.material = material_;
+        terms.other_faces = data.castable.count;
+        terms.matters = {data.matters.get(), inside_};
+        if (const MatterPieces* pieces = data.matters.get())
+            terms.solid_of = [pieces](const MatterPiece& piece) { return solid_of_piece(*pieces, piece); };
+        terms.edit = options_.edit;
+        if (options_.chunks) terms.anchors = anchors_.get();
+        if (!data.cells.known()) return terms;
+        terms.air_of = [&data](std::uint32_t part) { return data.cells.current_room(part); };
+        terms.sheets_at = [&data](const GridBox& box, std::vector<CutSheet>& sheets) {
+            std::vector<std::uint32_t> numbers;
+            bool exact = true;
+            data.cells.for_each_portal_where([&](const GridBox& other) { return boxes_meet(box, other); },
+                                             [&](std::uint32_t number, const Portal& portal) {
+                                                 exact = exact && portal.is_exact();
+                                                 numbers.push_back(number);
+                                             });
+            if (!exact) return;  // RoomEdit::merge_at_portals() then
+            sort_range(numbers);
+            for (const std::uint32_t number : numbers) {
+                const Portal& portal = data.cells.portal(number);
+                append_sheets(portal, number, data.cells.rooms_of(portal), sheets);
+            }
+        };
+        return terms;
+    }
+
     /// Versions are numbered: after the last number there is no other edit.
     Phase cut_on() {
         if (world_.version() == std::numeric_limits<std::uint64_t>::max()) {
@@ -209,6 +216,7 @@ private:
             for (FaceSet::Entry& face : change.added.faces)
                 if (face.part == kUnsetPart) face.part = room;
         }
+        names_ = materials_.take_up(change.added, inside_.empty() ? material_ : ~0u);
         solid_ = std::make_unique<SolidEdit>(world_.solid(), std::move(change));
         return Phase::kSolid;
     }
@@ -268,7 +276,7 @@ private:
         auto data = next_version(world_.data());
         data->solid = solid_->result();
         rooms_.publish(*data);
-        data->materials = with_material(data->materials, options_.material);
+        data->materials = names_;
         data->anchors = stands_free_ ? with_edit(anchors_, data->edits()) : anchors_;
         after_ = World(std::move(data));
         published_ = true;
@@ -278,7 +286,11 @@ private:
     const World world_;
     const CarveOptions options_;
     const std::shared_ptr<const Anchors> anchors_;
+    InsideMaterials materials_;
+    const std::vector<std::uint32_t> inside_;
+    const std::uint32_t material_;
     CutJob cut_;
+    InsideMaterials::Names names_;  ///< once it is known which are used
     std::optional<ReachCount> castable_;
     RoomEdit rooms_;
     std::unique_ptr<SolidEdit> solid_;

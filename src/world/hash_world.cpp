@@ -17,6 +17,7 @@ std::uint64_t hash_world(const World& world) {
         for (const std::string& name : *data.materials) add_text(hasher, name);
     hasher.add(data.cells.room_count(), data.cells.portal_count());
     hasher.add(data.room_hashes + data.cells.hash());
+    if (data.matters) hasher.add(data.matters->hash);
     return hasher.value();
 }
 

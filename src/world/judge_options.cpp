@@ -10,6 +10,8 @@ std::optional<Error> judge_options(const WorldOptions& options, const std::strin
     const double offset = options.tolerance.contact_offset;
     if (!(offset >= 0) || !is_finite(offset))
         return Error{ErrorCode::kInvalid, name, "the contact offset must be a finite number, not below zero"};
+    if (options.matters)
+        if (auto error = check_matters(*options.matters, name)) return error;
     return judge_rules(options.rules, name);
 }
 

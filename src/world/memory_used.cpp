@@ -18,6 +18,7 @@ public:
         if (data.materials && is_new(data.materials.get())) add(*data.materials);
         if (data.textures && is_new(data.textures.get())) bytes_ += data.textures->bytes();
         if (data.anchors && is_new(data.anchors.get())) bytes_ += sizeof(Anchors) + data.anchors->bytes();
+        if (data.matters && is_new(data.matters.get())) add(*data.matters);
         const SolidData& solid = data.solid.data();
         if (is_new(&solid)) bytes_ += sizeof solid;
         add(solid.points);
@@ -43,6 +44,12 @@ private:
         const std::size_t inside = std::string().capacity();
         for (const std::string& name : names)
             if (name.capacity() > inside) bytes_ += name.capacity() + 1;
+    }
+
+    void add(const MatterPieces& matters) {
+        bytes_ += matters.bytes();
+        for (const MatterPiece& piece : matters.pieces)
+            if (piece.mesh && piece.mesh->data().faces.root) add(*piece.mesh->data().faces.root);
     }
 
     void add(const PersistentMap<std::uint64_t>& sums) {

@@ -16,6 +16,7 @@
 #include "firma/world.h"
 #include "solid/anchors.h"
 #include "solid/face_store.h"
+#include "solid/matter_pieces.h"
 #include "solid/solid_data.h"
 #include "world/cells.h"
 #include "world/face_textures.h"
@@ -37,6 +38,7 @@ struct WorldData {
     std::shared_ptr<const CarveRules> rules;       ///< null: none
     std::shared_ptr<const Anchors> anchors;        ///< what holds pieces; null: not said yet. In no hash
     std::shared_ptr<const FaceTextures> textures;  ///< of the level's file; null: none. In no hash
+    std::shared_ptr<const MatterPieces> matters;   ///< null: they would say nothing
 
     std::size_t face_count() const { return solid.face_count() + castable.count; }
     bool rock_outside() const { return solid.rock_outside(); }

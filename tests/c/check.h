@@ -40,6 +40,9 @@ extern int failures;
 
 /* A room of 8 x 8 x 4 m in rock, its corner at the origin: faces look inward. */
 firma_world make_room(void);
+/* A cutter: the box from one corner to the other. */
+firma_cutter make_box(double x0, double y0, double z0, double x1, double y1, double z1);
+uint64_t hash_of(firma_world world);
 
 void test_library(void);
 void test_worlds(void);
@@ -48,6 +51,10 @@ void test_visitors(void);
 void test_structs(void);
 void test_old_names(void);
 void test_carving(void);
+void test_chunks(void);
+void test_commands(void);
+void test_logs(void);
+void test_patches(void);
 void test_stores(void);
 void test_files(const char* folder);
 void test_rooms(const char* folder);

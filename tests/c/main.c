@@ -69,6 +69,22 @@ firma_world make_room(void) {
     return world;
 }
 
+firma_cutter make_box(double x0, double y0, double z0, double x1, double y1, double z1) {
+    const double positions[] = {x0, y0, z0, x1, y0, z0, x1, y1, z0, x0, y1, z0,
+                                x0, y0, z1, x1, y0, z1, x1, y1, z1, x0, y1, z1};
+    static const uint32_t corners[] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                       1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+    firma_cutter cutter = {0};
+    CHECK_OK(firma_cutter_from_mesh(positions, 8, corners, 12, "box", &cutter));
+    return cutter;
+}
+
+uint64_t hash_of(firma_world world) {
+    uint64_t hash = 0;
+    CHECK_OK(firma_world_hash(world, &hash));
+    return hash;
+}
+
 int main(int argc, char** argv) {
     test_allocator();
     test_library();
@@ -78,6 +94,10 @@ int main(int argc, char** argv) {
     test_structs();
     test_old_names();
     test_carving();
+    test_chunks();
+    test_commands();
+    test_logs();
+    test_patches();
     test_stores();
     test_files(argc > 1 ? argv[1] : ".");
     test_rooms(argc > 1 ? argv[1] : ".");

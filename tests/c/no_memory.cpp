@@ -109,6 +109,67 @@ TEST_F(NoMemory, AJobIsOver) {
     EXPECT_GT(allocations, 100);
 }
 
+/// A bar from wall to wall whose one end is cut: cutting the other, its middle comes loose.
+class ChunksWithoutMemory : public NoMemory {
+protected:
+    ChunksWithoutMemory() {
+        firma_world bridge{};
+        const firma_carve_options fill{sizeof fill, 1, nullptr, 0, 0, {}, 0, 0, 0, 0};
+        for (const double x : {0.0, 2.0, 4.0, 6.0, 8.0}) put(x, fill, bridge);
+        put(1, asking, bridge);
+        cut_bridge = bridge;
+    }
+    ~ChunksWithoutMemory() override { firma_world_release(cut_bridge); }
+
+    /// A cube of 2 m around (x, 4, 2.1), added or taken away.
+    void put(double x, const firma_carve_options& options, firma_world& now) {
+        firma_cutter box{};
+        firma_world after{};
+        EXPECT_EQ(firma_cutter_crater(FIRMA_BOX, 0, &box), FIRMA_OK);
+        const firma_pose there{{x, 4, 2.1}, {0, 0, 0, 1}, options.fill ? 1.0 : 1.1};
+        EXPECT_EQ(firma_carve(now.id ? now : room, box, &there, &options, &after, nullptr), FIRMA_OK);
+        firma_world_release(now);
+        firma_cutter_release(box);
+        now = after;
+    }
+
+    const firma_carve_options asking{sizeof asking, 0, nullptr, 0, 0, {}, 1, 0, 0, 0};
+    firma_world cut_bridge{};
+};
+
+/// Neither the world, nor the edit that goes on, nor the list of chunks is left half made.
+TEST_F(ChunksWithoutMemory, AnEditChangesNothing) {
+    firma_cutter box{};
+    EXPECT_EQ(firma_cutter_crater(FIRMA_BOX, 0, &box), FIRMA_OK);
+    const firma_pose there{{7, 4, 2.1}, {0, 0, 0, 1}, 1.1};
+    firma_edit edit{};
+    ASSERT_EQ(firma_edit_begin(cut_bridge, &edit), FIRMA_OK);
+    const size_t held = firma_live_handles();
+    long allocations = 0;
+    for (;; ++allocations) {
+        firma_carve_report report{};
+        report.size = sizeof report;
+        firma_code code;
+        const auto carve = [&] { return firma_edit_carve(edit, box, &there, &asking, &report); };
+        if (!runs_out(allocations, code, carve)) {
+            EXPECT_EQ(code, FIRMA_OK);
+            EXPECT_EQ(report.chunks, 1u);
+            EXPECT_EQ(firma_live_handles(), held + 1);
+            EXPECT_EQ(firma_chunks_release(report.loose), FIRMA_OK);
+            break;
+        }
+        ASSERT_EQ(code, FIRMA_ERROR_NO_MEMORY) << allocations;
+        ASSERT_EQ(firma_live_handles(), held) << allocations;
+        firma_world now{};
+        ASSERT_EQ(firma_edit_finish(edit, &now), FIRMA_OK);
+        ASSERT_EQ(hash_of(now), hash_of(cut_bridge)) << allocations;
+        firma_world_release(now);
+    }
+    EXPECT_GT(allocations, 100);
+    firma_edit_release(edit);
+    firma_cutter_release(box);
+}
+
 /// A store whose current version stands between one before and one undone, and what it says of itself.
 class StoreWithoutMemory : public NoMemory {
 protected:

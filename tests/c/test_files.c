@@ -4,12 +4,6 @@
 
 #include "tests/c/check.h"
 
-static uint64_t hash_of(firma_world world) {
-    uint64_t hash = 0;
-    CHECK_OK(firma_world_hash(world, &hash));
-    return hash;
-}
-
 void test_files(const char* folder) {
     const firma_world room = make_room();
     firma_world back = {0};

@@ -50,19 +50,35 @@ void expect_refused(const World& before, const CarveResult& result, const char* 
     EXPECT_FALSE(check_world(result.world));
 }
 
-TEST(CarveRules, AZoneRefusesACutThatReachesIntoIt) {
+TEST(CarveRules, AZoneCutsShortAndRefusesACutThatTakesNothingElse) {
     CarveRules rules;
     rules.zones.push_back({"vault", {{3, -1, -1}, {6, 1, 1}}, 1});
-    const World world = room(rules);
-    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0)), "zone vault may not be carved");
-    EXPECT_TRUE(carve(world, kRock, test::pose_at(-4, 0, 0)).done());
+    const World world = room(rules), plain = room();
+    expect_refused(world, carve(world, kRock, test::pose_at(4, 0, 0, 0.5)), "zone vault may not be carved");
+    expect_refused(world, carve(world, kRock, test::pose_at(3.5, 0, 0, 0.5)), "zone vault may not be carved");
+    const CarveResult cut = carve(world, kRock, test::pose_at(4, 0, 0, 2)),
+                      whole = carve(plain, kRock, test::pose_at(4, 0, 0, 2));
+    ASSERT_TRUE(cut.done());
+    EXPECT_EQ(cut.report.cut_short, 1u);
+    test::expect_sound_world(cut.world);
+    // Of a crater that holds all of the zone's inner end the rock there is left: 4 square metres across.
+    EXPECT_EQ(locate(whole.world.solid(), {4.5, 0.9, 0.9}), Where::kAir);
+    EXPECT_EQ(locate(cut.world.solid(), {4.5, 0.9, 0.9}), Where::kSolid);
+    EXPECT_EQ(locate(cut.world.solid(), {4.5, 1.1, 0.9}), Where::kAir);
+    EXPECT_LT(cut.report.volume, whole.report.volume - 4);
+    EXPECT_EQ(carve(world, kRock, test::pose_at(-4, 0, 0)).report.cut_short, 0u);
 }
 
 TEST(CarveRules, AZoneInsideTheCutterCountsAsWell) {
     CarveRules rules;
-    rules.zones.push_back({"pea", {{-4.01, 0, 0}, {-4, 0.01, 0.01}}, 1});
-    const World world = room(rules);
-    expect_refused(world, carve(world, kRock, test::pose_at(-4, 0, 0, 3)), "zone pea");
+    rules.zones.push_back({"pea", {{-4.5, 0, 0}, {-4.25, 0.25, 0.25}}, 1});
+    const World world = room(rules), plain = room();
+    const CarveResult cut = carve(world, kRock, test::pose_at(-4, 0, 0, 3)),
+                      whole = carve(plain, kRock, test::pose_at(-4, 0, 0, 3));
+    ASSERT_TRUE(cut.done());
+    EXPECT_EQ(cut.report.cut_short, 1u);
+    EXPECT_NEAR(whole.report.volume - cut.report.volume, 1.0 / 64, 1e-12);
+    test::expect_sound_world(cut.world);
 }
 
 TEST(CarveRules, ASoftZoneShrinksTheCutter) {
@@ -396,6 +412,11 @@ TEST(CarveRules, AZoneBesideATurnedCutterDoesNothing) {
     turned.rotation = {0, 0, 0.3826834323650898, 0.9238795325112867};
     EXPECT_NE(carve(world, make_crater(CutterShape::kBox, 0), turned).status, CarveStatus::kRefused);
     turned.position = {2, 2, 0};
+    const CarveResult cut = carve(world, make_crater(CutterShape::kBox, 0), turned);
+    EXPECT_TRUE(cut.done());
+    EXPECT_EQ(cut.report.cut_short, 1u);
+    turned.position = {3.75, 3.75, 0};
+    turned.scale = 0.05;
     expect_refused(world, carve(world, make_crater(CutterShape::kBox, 0), turned), "zone vault");
 }
 

@@ -10,7 +10,7 @@ import zlib
 from harness import FIRST, CliTest, box, obj
 
 HEADER = 'x,y,z,radius,shape,seed\n'
-REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,reason'
+REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,chunks,chunk_volume,reason'
 FLOOR = '35,29,0.2,1.6,rocky,1\n'     # in the floor of the hall
 AIR = '35,29,3,0.5,rocky,4\n'         # in the middle of its air
 OUTSIDE = '9000,0,0,1,rocky,3\n'
@@ -53,6 +53,59 @@ class Report(CarveTest):
         for blast, line in [(2, 4), (3, 5), (4, 6)]:
             self.assertIn('firma: b.csv:%d: blast %d refused: ' % (line, blast), self.stderr)
         self.assertEqual(self.stderr.count('\n'), 3)
+
+    def test_chunks(self):
+        """The bridge across the hall of levels/first.obj, as in docs/chunks.md; of other turns."""
+        shots = '22,29,4.75,3,rocky,1\n42,29,4.75,3,rocky,1\n'
+        plain = self.carve(FIRST, shots)
+        self.assertEqual([(row['chunks'], row['chunk_volume']) for row in plain], [('0', '0')] * 2)
+        rows = self.carve(FIRST, shots, '--chunks', '--density', '2400', '--min-volume', '0.01', '--chunk-report', 'c.csv', out='a.firma')
+        self.assertEqual([row['chunks'] for row in rows], ['0', '1'])
+        self.assertEqual([row['volume'] for row in rows], [row['volume'] for row in plain])  # what the cutters took
+        self.assertEqual(rows[0]['hash'], plain[0]['hash'])
+        self.assertNotEqual(rows[1]['hash'], plain[1]['hash'])
+        chunk, = csv.DictReader(io.StringIO(self.read('c.csv').decode()))
+        self.assertEqual((chunk['blast'], chunk['chunk'], chunk['volume']), ('1', '0', rows[1]['chunk_volume']))
+        chunk = {key: float(value) for key, value in chunk.items()}
+        self.assertTrue(20 < chunk['volume'] < 40, chunk)
+        self.assertAlmostEqual(chunk['mass'], 2400 * chunk['volume'], 6)
+        self.assertTrue(abs(chunk['x'] - 32) < 1 and abs(chunk['y'] - 29) < 0.2 and abs(chunk['z'] - 4.75) < 0.1, chunk)
+        self.assertTrue(chunk['ixx'] < chunk['iyy'] < chunk['izz'], chunk)
+        self.assertLess(max(abs(chunk[k]) for k in ['ixy', 'ixz', 'iyz']), chunk['ixx'])
+        self.assertTrue(self.sound('a.firma')['sound'])
+        self.assertIsNotNone(self.sound('a.firma')['anchors'])
+        call = ['carve', FIRST, '--blasts', 'b.csv', '-o', 'b.firma']
+        told = self.firma_json(*call, '--chunks', '--density', '2400')
+        self.assertEqual((told['chunks'], told['chunk_volume'], told['chunk_mass'], told['crumbs']), (1, chunk['volume'], chunk['mass'], 0))
+        self.assertIn('1 came loose, ', self.firma(*call, '--chunks'))
+        # Everything is a crumb; it leaves as well.
+        crumbs = self.firma_json(*call, '--chunks', '--min-volume', '1000')
+        self.assertEqual((crumbs['chunks'], crumbs['crumbs'], crumbs['crumb_volume']), (0, 1, chunk['volume']))
+        self.assertEqual(crumbs['hash'], rows[1]['hash'])
+        none = self.firma_json(*call)
+        self.assertEqual([none[k] for k in ['chunks', 'chunk_volume', 'chunk_mass', 'crumbs', 'crumb_volume', 'chunk_report']], [None] * 6)
+        self.assertNotIn('came loose', self.firma(*call))
+        # A file between the two shots changes nothing.
+        self.write('one.csv', HEADER + '22,29,4.75,3,rocky,1\n')
+        self.write('two.csv', HEADER + '42,29,4.75,3,rocky,1\n')
+        self.firma('carve', FIRST, '--blasts', 'one.csv', '-o', 'one.firma', '--chunks')
+        two = self.firma_json('carve', 'one.firma', '--blasts', 'two.csv', '-o', 'two.firma', '--chunks')
+        self.assertEqual((two['hash'], two['chunks']), (rows[1]['hash'], 1))
+        self.assertEqual(self.read('two.firma'), self.read('a.firma'))
+
+    def test_bad_calls_of_chunks(self):
+        self.write('b.csv', HEADER + FLOOR)
+        call = ['carve', FIRST, '--blasts', 'b.csv', '-o', 'a.firma']
+        for option in [['--min-volume', '1'], ['--density', '1'], ['--anchors', 'bridge'], ['--no-hanging'], ['--chunk-report', 'c.csv']]:
+            self.refuse(*call, *option, says=option[0] + ': is for --chunks')
+        call.append('--chunks')
+        self.refuse(*call, '--min-volume', '-1', says='--min-volume')
+        self.refuse(*call, '--density', '0', says='--density')
+        self.refuse(*call, '--density', 'inf', says='--density')
+        self.refuse(*call, '--anchors', 'no such', says="--anchors: the level has no material 'no such'")
+        self.refuse(*call, '--chunk-report', '-', says='--chunk-report')
+        self.refuse(*call, '--chunk-report', 'a.firma', says='--chunk-report')
+        self.refuse(*call, '--chunk-report', 'b.csv', says='b.csv')
 
     def test_volume(self):
         """A box turned at random, all of it in the rock around a room: 8 cubic metres but for the snap."""

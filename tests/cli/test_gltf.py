@@ -116,7 +116,7 @@ class Gltf(CliTest):
         self.write('b.csv', HEADER + '2,-2,0,1,rocky,1\n')
         self.firma('carve', 'room.gltf', '--blasts', 'b.csv', '-o', 'after.glb')
         info = self.firma_json('info', 'after.glb')
-        self.assertEqual(info['materials'], ['rock'])
+        self.assertEqual(info['materials'], ['rock', 'matter/rock'])
         self.assertLess(info['solid']['volume'], -64.3)
         self.assertTrue(self.firma_json('check', 'after.glb')['sound'])
         self.firma('draw', 'after.glb', '-o', 'plan.svg')

@@ -78,6 +78,21 @@ class Log(CliTest):
         self.assertEqual((half['commands'], half['edits'], half['checkpoints']), (120, 120, 1))
         self.assertEqual(self.firma_json('log', 'verify', 'a.firmalog', 'box.obj', '--until', '0')['commands'], 0)
 
+    def test_compact(self):
+        carved = self.carve()
+        for until in [[], ['--until', '150'], ['--until', '0']]:
+            told = self.firma_json('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'c.firmalog', *until)
+            self.assertEqual(told['bytes'], len(self.read('c.firmalog')))
+            self.assertGreater(told['patch_bytes'], 0)
+            self.assertEqual(told['patched_number'], int(until[1]) if until else carved['done'])
+            self.assertEqual(told['command_count'], carved['done'] - told['patched_number'])
+            replayed = self.firma_json('log', 'verify', 'c.firmalog', 'box.obj')
+            self.assertEqual(replayed['hash'], carved['hash'])
+            self.assertEqual(replayed['commands'], told['command_count'])
+            self.assertIn('a patch of ', self.firma('log', 'show', 'c.firmalog'))
+        self.firma('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'c.firmalog', '--until', '100')
+        self.refuse('log', 'verify', 'c.firmalog', 'box.obj', '--until', '99', says='was compacted up to edit 100')
+
     def test_logs_go_on_from_saved_worlds(self):
         carved = self.carve()
         self.write('c.csv', blasts(20, 2, 8))
@@ -93,6 +108,56 @@ class Log(CliTest):
         call = ['carve', DEPOT, '--blasts', 'b.csv', '-o', 'a.firma', '--log', 'a.firmalog']
         hash_after = self.firma_json(*call)['hash']
         self.assertEqual(self.firma_json('log', 'verify', 'a.firmalog', DEPOT)['hash'], hash_after)
+
+    def test_chunks(self):
+        self.write('b.csv', HEADER + '14,2,3.75,2.2,rocky,3\n14,12,3.75,2.2,rocky,3\n3,18,9,0.3,rocky,1\n')
+        call = ['carve', DEPOT, '--blasts', 'b.csv', '-o', 'a.firma', '--log', 'a.firmalog', '--chunks', '--min-volume', '0.25']
+        carved = self.firma_json(*call)
+        self.assertEqual(carved['chunks'], 1)
+        # Nothing is to be said again: what holds pieces is what the first blast found.
+        replayed = self.firma_json('log', 'replay', 'a.firmalog', DEPOT, '-o', 'r.firma')
+        self.assertEqual(replayed['hash'], carved['hash'])
+        self.assertEqual(self.read('r.firma'), self.read('a.firma'))
+        self.firma('log', 'compact', 'a.firmalog', DEPOT, '-o', 'c.firmalog', '--until', '1')
+        self.assertEqual(self.firma_json('log', 'verify', 'c.firmalog', DEPOT)['hash'], carved['hash'])
+        command = self.firma_json('log', 'show', 'a.firmalog')['commands'][0]
+        self.assertEqual(command['chunks'], {'min_volume': 0.25, 'density': 2000})
+        self.assertIn(', with chunks of 0.25 m3 and 2000 kg/m3\n', self.firma('log', 'show', 'a.firmalog'))
+        plain = self.firma_json(*call[:-3])
+        self.assertNotEqual(plain['hash'], carved['hash'])                     # the bridge hangs there
+        self.assertIsNone(self.firma_json('log', 'show', 'a.firmalog')['commands'][0]['chunks'])
+
+    def test_chunks_with_anchors(self):
+        """A box that stands in the open, held by a material."""
+        self.write('solid.obj', standing_box())
+        self.write('b.csv', HEADER + ''.join('%d,%d,4,1.6,rocky,%d\n' % (x, y, x + 9 * y + 10)
+                                             for x in range(-1, 10) for y in range(-1, 10)))
+        call = ['carve', 'solid.obj', '--blasts', 'b.csv', '-o', 'a.firma', '--log', 'a.firmalog', '--chunks']
+        self.assertEqual(self.firma_json(*call)['chunks'], 0)                  # all of it hangs free
+        options = ['--no-hanging', '--anchors', 'ground']
+        carved = self.firma_json(*call, *options)
+        self.assertGreaterEqual(carved['chunks'], 1)
+        self.assertGreater(carved['chunk_volume'], 20)                         # the upper part
+        verified = self.firma_json('log', 'verify', 'a.firmalog', 'solid.obj', *options)
+        self.assertTrue(verified['holds'])
+        self.assertEqual(verified['hash'], carved['hash'])
+        self.firma('log', 'compact', 'a.firmalog', 'solid.obj', '-o', 'c.firmalog', '--until', '60', *options)
+        self.assertEqual(self.firma_json('log', 'verify', 'c.firmalog', 'solid.obj', *options)['hash'], carved['hash'])
+        for other in [[], ['--no-hanging'], ['--anchors', 'ground'], ['--no-hanging', '--anchors', 'rock,ground']]:
+            self.refuse('log', 'verify', 'a.firmalog', 'solid.obj', *other, says='other anchors')
+        checked = self.firma_json('check', 'a.firma')
+        self.assertEqual((checked['sound'], checked['anchors']), (True, {'materials': 1, 'sources': 0, 'edits': 0, 'hanging': 0}))
+        self.assertIn('; 1 anchor and 0 faces that hung free\n', self.firma('check', 'a.firma'))
+        self.assertIsNone(self.firma_json('check', self.plain())['anchors'])
+        for bad in ['stone', 'ground,', ',', 'ground,ground ']:
+            self.refuse(*call, '--anchors', bad, says="--anchors: the level has no material '")
+        self.refuse('log', 'show', 'a.firmalog', '--anchors', 'ground', says='--anchors: is for verify, replay and compact')
+        self.refuse('log', 'show', 'a.firmalog', '--no-hanging', says='--no-hanging: is for verify, replay and compact')
+
+    def plain(self):
+        self.write('none.csv', HEADER)
+        self.firma('carve', 'box.obj', '--blasts', 'none.csv', '-o', 'plain.firma', '--chunks')
+        return 'plain.firma'
 
     def test_a_log_that_does_not_hold(self):
         self.write('b.csv', HEADER + '4,4,0,0.7,rocky,1\n')
@@ -118,12 +183,16 @@ class Log(CliTest):
     def test_bad_calls(self):
         self.write('b.csv', HEADER + '4,4,0,0.7,rocky,1\n')
         self.carve()
-        self.refuse('log', 'fly', 'a.firmalog', says="'fly' is none of show, verify")
+        self.refuse('log', 'fly', 'a.firmalog', says="'fly' is none of show, verify, replay, compact")
         self.refuse('log', 'show', says='LOG is required')
         self.refuse('log', 'show', 'a.firmalog', 'box.obj', says='no level')
         self.refuse('log', 'verify', 'a.firmalog', says='LEVEL is required')
         self.refuse('log', 'replay', 'a.firmalog', 'box.obj', says='--out is required')
         self.refuse('log', 'verify', 'a.firmalog', 'box.obj', '-o', 'x.obj', says='--out: is for replay')
+        self.refuse('log', 'compact', 'a.firmalog', 'box.obj', says='--out is required')
+        self.refuse('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'a.firmalog', says='a.firmalog')
+        self.refuse('log', 'compact', 'a.firmalog', 'box.obj', '-o', 'x', '--castable', says='--castable')
+        self.refuse('log', 'compact', 'a.firmalog', FIRST, '-o', 'x', says='begins from another world')
         self.refuse('log', 'show', 'a.firmalog', '--until', '3', says='--until')
         self.refuse('log', 'verify', 'a.firmalog', 'box.obj', '--until', '-3', says='--until')
         self.refuse('log', 'verify', 'a.firmalog', FIRST, says='begins from another world')
@@ -134,6 +203,13 @@ class Log(CliTest):
         self.refuse('log', 'replay', 'a.firmalog', 'box.obj', '-o', './a.firmalog', says='a.firmalog')
         for bad in ['-', 'b.csv', 'box.obj', 'y.firma']:
             self.refuse('carve', 'box.obj', '--blasts', 'b.csv', '-o', 'y.firma', '--log', bad)
+
+
+def standing_box():
+    """8 m of rock with a lower side of ground."""
+    lines = box(8, 8, 8).splitlines()
+    faces = ['f ' + ' '.join(reversed(line.split()[1:])) for line in lines if line[0] == 'f']
+    return '\n'.join([line for line in lines if line[0] == 'v'] + ['usemtl ground', faces[0], 'usemtl rock', *faces[1:]]) + '\n'
 
 
 def crc32c(data):

@@ -127,7 +127,9 @@ TEST(WriteGlb, IsTheWorldToTinygltf) {
     std::set<std::string> names;
     const GlbParts parts(unnamed);
     for (const GlbPart& part : parts.list()) names.insert(part.name);
-    EXPECT_EQ(names.count("fresh (cut)") + names.count("(cut)") + names.count("floor") + names.count("fresh"), 3u);
+    EXPECT_EQ(
+        names.count("fresh (cut)") + names.count("matter/rock (cut)") + names.count("floor") + names.count("fresh"),
+        3u);
 }
 
 TEST(WriteGlb, TellsWhatTheWorldIs) {

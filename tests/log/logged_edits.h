@@ -97,6 +97,7 @@ inline std::vector<EditCommand> all_kinds() {
     commands.push_back(group_command({hole, door, plug}));
     number += 4;
     commands.push_back(crater_command(++number, {CutterShape::kRocky, 99}, {31, 0, 31}, 2));
+    commands.back().options.chunks = ChunkOptions{.min_volume = 0.5, .density = 1000};
     return commands;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "save/little_endian.h"
 #include "scenes/rng.h"
 #include "tests/log/logged_edits.h"
 
@@ -37,6 +38,11 @@ Pose any_pose(scenes::Rng& rng) {
     return rng.next() % 2 ? quantised(pose) : pose;
 }
 
+bool same_chunks(const CarveOptions& a, const CarveOptions& b) {
+    if (!a.chunks || !b.chunks) return a.chunks.has_value() == b.chunks.has_value();
+    return a.chunks->min_volume == b.chunks->min_volume && a.chunks->density == b.chunks->density;
+}
+
 TEST(CommandBytes, PosesComeBackToTheBit) {
     scenes::Rng rng(1);
     for (int k = 0; k < 2000; ++k) {
@@ -46,6 +52,9 @@ TEST(CommandBytes, PosesComeBackToTheBit) {
         if (k % 5 == 0) command.pose.rotation = random_turn(crater.seed);
         if (k % 7 == 0) command.kind = EditKind::kFill;
         if (k % 3 == 0) command.options.from = any_pose(rng).position;
+        if (k % 4 == 0) command.options.chunks = ChunkOptions{};
+        if (k % 8 == 0) command.options.chunks->min_volume = k % 16 == 0 ? 0 : rng.uniform(0, 10);
+        if (k % 12 == 0) command.options.chunks->density = rng.uniform(0.1, 8000);
         const std::vector<std::byte> bytes = bytes_of(command);
         const EditCommand read = unpack_command(bytes, "test").value();
         EXPECT_EQ(bits_of(read.pose), bits_of(command.pose));
@@ -54,6 +63,7 @@ TEST(CommandBytes, PosesComeBackToTheBit) {
         EXPECT_EQ(std::get<CraterSeed>(read.cutter), crater);
         EXPECT_EQ(read.options.material, command.options.material);
         EXPECT_EQ(read.options.from, command.options.from);
+        EXPECT_TRUE(same_chunks(read.options, command.options));
         EXPECT_EQ(bytes_of(read), bytes);
     }
 }
@@ -147,10 +157,57 @@ TEST(CommandBytes, WhatCannotBeIsRefused) {
     EXPECT_EQ(reason(cut_command(1, CraterSeed{CutterShape(5), 0}, Pose())), "a shape that is none");
     EXPECT_EQ(reason(cut_command(1, CraterSeed{}, test::pose_at(NAN, 0, 0))), "the pose is not finite");
     EXPECT_EQ(reason(cut_command(1, CraterSeed{}, test::pose_at(0, 0, 0, INFINITY))), "the pose is not finite");
+    const auto with_chunks = [&](double min_volume, double density) {
+        EditCommand command = sound;
+        command.options.chunks = ChunkOptions{.min_volume = min_volume, .density = density};
+        return command;
+    };
+    EXPECT_EQ(reason(with_chunks(0, 1e-9)), "");
+    EXPECT_EQ(reason(with_chunks(NAN, 1)), "the options of chunks are not finite");
+    EXPECT_EQ(reason(with_chunks(1, INFINITY)), "the options of chunks are not finite");
+    EXPECT_EQ(reason(with_chunks(-1, 1)), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(with_chunks(-0.0, 1)), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(with_chunks(1, 0)), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(group_command({with_chunks(1, -2)})), "part 0: chunks of less than no volume, or of no density");
     EXPECT_EQ(reason(group_command({})), "a group without parts");
     EXPECT_EQ(reason(group_command({sound, sound})), "part 1: edit 2 does not come after edit 2");
     EXPECT_EQ(reason(group_command({group_command({sound})})), "part 0: edit 0 does not come after edit 0");
     EXPECT_EQ(reason(door_command(1, PortalId().value, true)), "a door of no portal");
+}
+
+/// The field of chunks is the last of these bytes: a key, a length, and two numbers unless they are the usual ones.
+TEST(CommandBytes, HostileOptionsOfChunksAreRefused) {
+    EditCommand command = cut_command(1, CraterSeed{}, Pose());
+    const std::size_t bare = bytes_of(command).size();
+    command.options.chunks = ChunkOptions{};
+    EXPECT_EQ(bytes_of(command).size(), bare + 2);
+    command.options.chunks = ChunkOptions{.min_volume = 0.25, .density = 1000};
+    const std::vector<std::byte> sound = bytes_of(command);
+    ASSERT_EQ(sound.size(), bare + 18);
+    ASSERT_TRUE(unpack_command(sound, "test"));
+    const auto reason = [&](double min_volume, double density, unsigned key = 7, std::size_t length = 16) {
+        ByteWriter out;
+        for (std::size_t k = 0; k < bare; ++k) out.u8(std::uint8_t(sound[k]));
+        out.u8(std::uint8_t(key));
+        out.u8(std::uint8_t(length));
+        out.f64(min_volume);
+        out.f64(density);
+        std::vector<std::byte> bytes = out.bytes();
+        bytes.resize(bare + 2 + length);
+        const auto read = unpack_command(bytes, "t");
+        return read ? std::string() : read.error().reason;
+    };
+    EXPECT_EQ(reason(0.25, 1000), "");
+    EXPECT_EQ(reason(NAN, 1000), "a number is not finite");
+    EXPECT_EQ(reason(0.25, INFINITY), "a number is not finite");
+    EXPECT_EQ(reason(-0.25, 1000), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(-0.0, 1000), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(0.25, -1000), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(0.25, 0), "chunks of less than no volume, or of no density");
+    EXPECT_EQ(reason(ChunkOptions().min_volume, ChunkOptions().density), "an option that is what it is by default");
+    EXPECT_EQ(reason(0.25, 1000, 7, 8), "options of chunks that are not 16 bytes long");
+    EXPECT_EQ(reason(0.25, 1000, 7, 17), "options of chunks that are not 16 bytes long");
+    EXPECT_EQ(reason(0.25, 1000, 6), "an option that is needed does not say so");
 }
 
 TEST(CommandBytes, EveryTruncationAndFlippedByte) {
@@ -163,7 +220,9 @@ TEST(CommandBytes, EveryTruncationAndFlippedByte) {
             const Result<EditCommand> read = unpack_command(std::span(bytes).first(length), "test");
             // A command whose options are cut away whole is another command.
             if (read) {
-                EXPECT_FALSE(read.value().options.material == command.options.material) << length;
+                EXPECT_FALSE(read.value().options.material == command.options.material &&
+                             same_chunks(read.value().options, command.options))
+                    << length;
             }
             if (!read) {
                 EXPECT_EQ(read.error().place.rfind("test: byte ", 0), 0u) << read.error().text();

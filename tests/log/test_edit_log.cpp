@@ -7,6 +7,7 @@
 #include "save/crc32c.h"
 #include "scenes/rng.h"
 #include "tests/log/logged_edits.h"
+#include "tests/solid/solid_levels.h"
 
 namespace firma {
 namespace {
@@ -113,7 +114,13 @@ TEST(EditLog, BeginsFromItsWorldAlone) {
     rules.max_cutter_size = 100;
     const ReplayResult ruled = replay(with_rules(level, rules).value(), logged.log);
     ASSERT_FALSE(ruled.ok());
-    EXPECT_EQ(ruled.error->text(), "the log was made under other rules for carving");
+    EXPECT_EQ(ruled.error->text(), "the log was made under other rules for carving, or with other anchors");
+    CarveRules merging;
+    merging.merge_share = 0.5;
+    EXPECT_FALSE(replay(with_rules(level, merging).value(), logged.log).ok());
+    EXPECT_FALSE(replay(with_anchors(level), logged.log).ok());
+    EXPECT_NE(EditLog(with_anchors(level, {.hanging = false, .sources = {1}})).rules_hash(),
+              EditLog(with_anchors(level, {.hanging = false, .sources = {2}})).rules_hash());
     // A log that begins from a world that was edited.
     EditLog on(logged.world);
     EXPECT_EQ(on.level_edits(), 1u);
@@ -187,6 +194,69 @@ TEST(EditLog, ACompactedOneGivesTheSameWorld) {
         }
     }
     EXPECT_FALSE(compacted(logged.world, logged.log, 1));
+}
+
+CarveOptions looking_for_chunks(double min_volume = 0.001) {
+    CarveOptions options;
+    options.chunks = ChunkOptions{.min_volume = min_volume, .density = 2400};
+    return options;
+}
+
+/// A bridge shot at both ends; a platform that is filled in, shot in two, joined to a wall and shot again.
+std::vector<EditCommand> falling_pieces() {
+    std::vector<EditCommand> commands;
+    const auto box = [&](const Vec3& low, const Vec3& high, EditKind kind) {
+        EditCommand command = cut_command(std::uint32_t(commands.size()) + 1,
+                                          test::box_mesh(low, high).cutter().value(), Pose(), "", kind);
+        command.options = looking_for_chunks(commands.size() == 8 ? 100 : 0.001);
+        commands.push_back(command);
+    };
+    box({0, 5, 4}, {20, 6, 4.5}, EditKind::kFill);
+    box({1, 4, 3}, {2, 7, 5}, EditKind::kCarve);
+    box({17, 4, 3}, {18, 7, 5}, EditKind::kCarve);
+    box({5, 8, 3}, {9, 9, 4}, EditKind::kFill);
+    box({6, 7, 2}, {7, 10, 5}, EditKind::kCarve);             // it stays in the air
+    box({9, 8.25, 3.25}, {20, 8.75, 3.75}, EditKind::kFill);  // a part of it joined to the wall
+    box({18, 7, 2}, {19, 10, 5}, EditKind::kCarve);           // stays, by what the fourth put there
+    box({10, 7, 2}, {11, 10, 5}, EditKind::kCarve);           // what the sixth put there falls
+    box({0, 10, 0}, {0.5, 11, 8}, EditKind::kFill);
+    box({0, 9, 3}, {1, 12, 4}, EditKind::kCarve);
+    commands.push_back(crater_command(11, {CutterShape::kRocky, 5}, {12, 0, 3}, 1.3, looking_for_chunks()));
+    return commands;
+}
+
+TEST(EditLog, LoosePiecesLeaveInAReplayAsWell) {
+    const World hall = make_world(test::box_level({0, 0, 0}, {20, 12, 8}, true)).value();
+    const std::vector<EditCommand> commands = falling_pieces();
+    for (const World& level : {hall, with_anchors(hall)}) {
+        World world = level;
+        std::vector<Chunk> chunks;
+        for (const EditCommand& command : commands) {
+            const CommandResult result = apply(world, command);
+            ASSERT_TRUE(result.done()) << result.error.text();
+            for (const CarveResult& edit : result.edits)
+                chunks.insert(chunks.end(), edit.chunks.begin(), edit.chunks.end());
+            world = result.world;
+        }
+        ASSERT_EQ(chunks.size(), 2u);
+        EXPECT_EQ(chunks[0].mass.volume, 7.5);
+        EXPECT_EQ(chunks[0].mass.mass, 7.5 * 2400);
+        EXPECT_EQ(locate(world.solid(), {5.5, 8.5, 3.5}), Where::kSolid);
+        const Logged logged = log_of(level, commands);
+        EXPECT_EQ(hash_world(logged.world), hash_world(world));
+        const EditLog read = unpack_log(pack_log(logged.log), "test").value();
+        const ReplayResult replayed = replay(level, read);
+        ASSERT_TRUE(replayed.ok()) << replayed.error->text();
+        EXPECT_EQ(replayed.checkpoints, commands.size());
+        EXPECT_EQ(pack_world(replayed.world), pack_world(world)) << "what holds pieces included";
+        // A patch in place of any beginning holds the same pieces.
+        for (std::uint32_t number = 0; number <= commands.size(); ++number) {
+            const EditLog made = compacted(level, read, number).value();
+            const ReplayResult result = replay(level, unpack_log(pack_log(made), "test").value());
+            ASSERT_TRUE(result.ok()) << result.error->text();
+            EXPECT_EQ(pack_world(result.world, {.index = false}), pack_world(world, {.index = false})) << number;
+        }
+    }
 }
 
 std::vector<std::byte> small_log() {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "firma/level.h"
+#include "scenes/rng.h"
 #include "solid/boundary.h"
 #include "solid/solid_data.h"
 
@@ -114,6 +116,92 @@ ChunkVerdict judge_chunks(const World& before, const HangingFaces& hanging, cons
     }
     if (!same_solid(whole, plain.world.solid())) return fail("world and chunks are not what the cut left");
     return verdict;
+}
+
+namespace {
+
+World with_box(const World& world, const Box& box) {
+    const Vec3 &low = box.low, &high = box.high;
+    std::vector<Vec3> vertices;
+    for (int k = 0; k < 8; ++k)
+        vertices.push_back({k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z});
+    const std::vector<CutterTriangle> triangles{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                                                {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return fill(world, make_cutter(vertices, triangles).value(), {}).world;
+}
+
+/// Rock around 16 x 16 x 8 m of air.
+World empty_hall() {
+    Level level;
+    level.materials = level.groups = {""};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool upper : {false, true}) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const Vec3 size{16, 16, 8};
+            LevelFace face;
+            face.first_corner = std::uint32_t(level.corners.size());
+            face.corner_count = 4;
+            face.source = level.source_faces++;
+            for (int k = 0; k < 4; ++k) {
+                const bool at_u = k == 1 || k == 2, at_v = k >= 2;
+                Vec3 p;
+                p[axis] = upper ? size[axis] : 0;
+                p[u] = (upper ? at_v : at_u) ? size[u] : 0;
+                p[v] = (upper ? at_u : at_v) ? size[v] : 0;
+                level.corners.push_back(std::uint32_t(level.vertices.size()));
+                level.vertices.push_back(snap(p).value());
+            }
+            level.faces.push_back(face);
+        }
+    return make_world(level).value();
+}
+
+}  // namespace
+
+ChunkHallVerdict judge_chunk_hall(std::uint64_t seed, int cuts) {
+    scenes::Rng rng(seed);
+    const auto place = [&](double low, double high) { return std::floor(rng.uniform(low, high) * 4) / 4; };
+    World world = empty_hall();
+    std::vector<Box> built;
+    const auto put = [&](const Vec3& low, const Vec3& high) {
+        built.push_back({low, high});
+        world = with_box(world, built.back());
+    };
+    for (int k = 0; k < 5; ++k) {
+        const double x = place(2, 13), y = place(2, 13);
+        put({x, y, 0}, {x + 0.5, y + 0.75, 8});
+    }
+    for (int k = 0; k < 6; ++k) {
+        const double at = place(2, 13), z = place(2, 6);
+        k % 2 ? put({0, at, z}, {16, at + 1, z + 0.25}) : put({at, 0, z}, {at + 1, 16, z + 0.25});
+    }
+    put({4, 4, 6.5}, {12, 12, 6.75});  // it may hang free
+    const HangingFaces hanging = hanging_faces(world);
+    world = with_anchors(world);
+    CarveOptions options;
+    options.chunks = ChunkOptions{.min_volume = 0, .density = 2000};
+    ChunkHallVerdict total;
+    for (int k = 0; k < cuts; ++k) {
+        const auto shape = CutterShape(rng.below(5));
+        const Box& near = built[rng.below(std::uint32_t(built.size()))];
+        Pose pose;
+        for (int axis = 0; axis < 3; ++axis)
+            pose.position[axis] =
+                rng.chance(0.3) ? place(near.low[axis], near.high[axis]) : rng.uniform(near.low[axis], near.high[axis]);
+        if (shape != CutterShape::kBox || rng.chance(0.5)) pose.rotation = random_turn(rng.next());
+        pose.scale = rng.chance(0.3) ? 1 : rng.uniform(0.3, 1.5);
+        const Cutter cutter = make_crater(shape, rng.next());
+        const CarveResult result = carve(world, cutter, pose, options), plain = carve(world, cutter, pose);
+        const ChunkVerdict verdict = judge_chunks(world, hanging, result, plain);
+        total.loose += verdict.loose;
+        total.done += result.done();
+        if (!verdict.fault.empty()) {
+            total.fault = "cut " + std::to_string(k) + ": " + verdict.fault;
+            return total;
+        }
+        world = result.world;
+    }
+    return total;
 }
 
 }  // namespace firma::reference

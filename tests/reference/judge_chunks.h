@@ -28,4 +28,11 @@ struct ChunkVerdict {
 ChunkVerdict judge_chunks(const World& before, const HangingFaces& hanging, const CarveResult& result,
                           const CarveResult& plain);
 
+/// Pillars, bridges across each other and a slab in a hall, shot at: each cut judged, the next one made of its world.
+struct ChunkHallVerdict {
+    std::string fault;  ///< "" for none; with the cut
+    std::size_t done = 0, loose = 0;
+};
+ChunkHallVerdict judge_chunk_hall(std::uint64_t seed, int cuts);
+
 }  // namespace firma::reference

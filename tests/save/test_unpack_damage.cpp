@@ -243,7 +243,8 @@ TEST(UnpackDamage, ErrorsOfTexturesNameTheirPlace) {
 }
 
 TEST(UnpackDamage, ErrorsOfAnchorsNameTheirPlace) {
-    const World world = with_anchors(tiny_world(), {.hanging = false, .materials = {""}, .sources = {3, 5}});
+    const World world = with_anchors(
+        tiny_world(), {.hanging = false, .materials = {""}, .sources = {3, 5}, .volumes = {{{1, 2, 3}, {4, 5, 6}}}});
     const auto with_u32 = [&](std::size_t at, std::uint32_t value) {
         std::vector<std::byte> bytes = pack_world(world);
         for (const SectionPlace& place : section_places(bytes))
@@ -254,11 +255,15 @@ TEST(UnpackDamage, ErrorsOfAnchorsNameTheirPlace) {
     };
     const std::size_t second = kAnchorBytes, third = 2 * kAnchorBytes;
     EXPECT_EQ(with_u32(8, 77), "read") << "a material that is not there holds nothing";
-    EXPECT_EQ(with_u32(0, 4), "a.firma: section HOLD, entry 0: has flags that mean nothing");
+    EXPECT_EQ(with_u32(0, 5), "a.firma: section HOLD, entry 0: has flags that mean nothing");
     EXPECT_EQ(with_u32(second + 4, 1), "a.firma: section HOLD, entry 1: has flags that mean nothing");
     EXPECT_EQ(with_u32(second + 8, 5), "a.firma: section HOLD, entry 2: is out of order");
     EXPECT_EQ(with_u32(third, 0), "a.firma: section HOLD, entry 2: is out of order");
     EXPECT_EQ(with_u32(third, kHangingHolds), "read");
+    const std::size_t volume = 3 * kAnchorBytes;
+    EXPECT_EQ(with_u32(volume + 4, 1), "a.firma: section HOLD, entry 3: is out of order");
+    EXPECT_EQ(with_u32(volume + 8, 0x7FFFFFFF), "a.firma: section HOLD: a volume that holds is no box");
+    EXPECT_EQ(with_u32(volume, kHangingHolds), "a.firma: section HOLD, entry 4: is out of order");
 }
 
 TEST(UnpackDamage, ContactOffsetAndCountersAreOnesToGoOnWith) {

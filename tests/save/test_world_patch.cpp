@@ -3,6 +3,9 @@
 // hostile bytes never harm a world.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "firma/chunk.h"
 #include "firma/edit_log.h"
 #include "firma/rooms.h"
 #include "firma/world_patch.h"
@@ -169,7 +172,8 @@ std::vector<std::byte> small_patch(const World& level) {
     pose.position = {1, 3.9, 2};
     CarveOptions options{.material = "crater", .edit = 1};
     const World once = carve(level, make_crater(CutterShape::kWedge, 1), pose, options).world;
-    return make_patch(once, carve(once, make_crater(CutterShape::kWedge, 5), pose, {.material = "other", .edit = 2}).world);
+    return make_patch(once,
+                      carve(once, make_crater(CutterShape::kWedge, 5), pose, {.material = "other", .edit = 2}).world);
 }
 
 TEST(WorldPatch, EveryFlippedByteAndTruncationIsRefused) {
@@ -213,6 +217,45 @@ TEST(WorldPatch, EveryFlippedBitBeyondTheChecksumsIsRefusedOrHarmless) {
                 EXPECT_FALSE(check_solid(made.value()));
             }
     EXPECT_GT(harmless, 0u);
+}
+
+/// What holds pieces travels with a patch, and only where it differs.
+TEST(WorldPatch, AnchorsTravelAndAreTakenAsHostile) {
+    const World level = two_halves();
+    const World once = carve(level, make_crater(CutterShape::kWedge, 1), {.position = {1, 3.9, 2}}).world;
+    const World held = with_anchors(once, {.hanging = false, .materials = {}, .sources = {1, 5, 9}});
+    const auto has_anchors = [](std::span<const std::byte> bytes) {
+        const std::vector<SectionPlace> places = section_places(bytes);
+        return std::any_of(places.begin(), places.end(),
+                           [](const SectionPlace& place) { return section_name(place.type) == "HOLD"; });
+    };
+    EXPECT_FALSE(has_anchors(make_patch(level, once)));
+    EXPECT_FALSE(
+        has_anchors(make_patch(with_anchors(level, {.hanging = false, .materials = {}, .sources = {5, 1, 9}}), held)));
+    const std::vector<std::byte> sound = make_patch(level, held);
+    ASSERT_TRUE(has_anchors(sound));
+    const Result<World> made = apply_patch(level, sound, "patch");
+    ASSERT_TRUE(made) << made.error().text();
+    ASSERT_TRUE(made.value().data().anchors);
+    EXPECT_EQ(*made.value().data().anchors, *held.data().anchors);
+    // What is held stays so where the patch says nothing of it.
+    const World other = with_anchors(level, {.hanging = false, .materials = {}, .sources = {7}});
+    EXPECT_EQ(apply_patch(other, make_patch(level, once), "patch").value().data().anchors, other.data().anchors);
+    std::size_t refused = 0;
+    for (const SectionPlace& place : section_places(sound)) {
+        if (section_name(place.type) != "HOLD") continue;
+        for (std::size_t k = place.first; k < place.first + place.length; ++k) {
+            std::vector<std::byte> bytes = sound;
+            bytes[k] ^= std::byte(0x84);
+            fix_checksums(bytes);
+            const Result<World> read = apply_patch(level, bytes, "patch");
+            refused += !read;
+            if (!read) continue;
+            const std::vector<std::uint32_t>& sources = read.value().data().anchors->sources;
+            EXPECT_TRUE(std::is_sorted(sources.begin(), sources.end()));
+        }
+    }
+    EXPECT_GT(refused, 24u) << "kinds, edits where there is none, and the order";
 }
 
 TEST(WorldPatch, ListsAreTakenAsHostile) {

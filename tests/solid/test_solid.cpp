@@ -137,7 +137,10 @@ int cut_all(Solid solid, std::vector<Side> sides, const std::vector<CutOrder>& c
 TEST(Solid, CarvedAloneIsWhatIsCarvedInAWorld) {
     const Level level = read_level(FIRMA_ROOT "/levels/first.obj").value();
     const Solid solid = make_solid(level).value();
-    const World of_level = make_world(level).value(), of_solid = make_world(solid).value();
+    // Of one matter, so that a material without a name is one that can be asked for.
+    WorldOptions plain;
+    plain.matters.emplace();
+    const World of_level = make_world(level, plain).value(), of_solid = make_world(solid).value();
     expect_same(solid, of_level.solid());
     expect_same(solid, of_solid.solid());
     const std::vector<CutOrder> cuts = reference::cuts_of_our_level(level, 11, std::size_t(test::sample(80)));
@@ -184,15 +187,17 @@ TEST(Solid, FacesBesideItChangeNothing) {
 }
 
 TEST(Solid, RoomsAroundItChangeNothing) {
-    const World depot = make_world(read_brush_level(FIRMA_ROOT "/levels/depot.map").value()).value();
+    // A solid alone has no pieces, and the depot's sky is one that may not be carved: here it may.
+    CarveRules rules;
+    rules.hardness.assign(64, 0.0);
+    const World depot =
+        with_rules(make_world(read_brush_level(FIRMA_ROOT "/levels/depot.map").value()).value(), rules).value();
     ASSERT_GT(depot.room_count(), 1u);
     std::vector<CutOrder> cuts;
     const scenes::CutPlaces places = scenes::cut_places(depot);
     for (std::size_t kind = 0; kind < scenes::kLevelCutNames.size(); ++kind)
         for (const CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts(kind), 2, 0))
             if (cuts.size() < std::size_t(test::sample(10)) * (kind + 1)) cuts.push_back(order);
-    // make_world(solid) knows no rules: the sky's, which the depot has, are given to it.
-    const CarveRules& rules = *depot.data().rules;
     const World bare = with_rules(make_world(depot.solid()).value(), rules).value();
     const int done =
         cut_all(depot.solid(), {{depot, depot.material_name(0)}, {bare, bare.material_name(0)}}, cuts, &rules);

@@ -22,6 +22,11 @@ const FILLED = {
     regionMeshView: layout.REGION_MESH_VIEW,
     diffView: layout.DIFF_VIEW,
     report: layout.CARVE_REPORT,
+    chunk: layout.CHUNK,
+    rest: layout.REST,
+    commandView: layout.COMMAND_VIEW,
+    logFacts: layout.LOG_FACTS,
+    replayFacts: layout.REPLAY_FACTS,
     storeFacts: layout.STORE_FACTS,
 };
 
@@ -40,6 +45,8 @@ const FIXED = {
     rules: layout.RULES.sizeof,
     pose: layout.POSE.sizeof,
     carveOptions: layout.CARVE_OPTIONS.sizeof,
+    anchors: layout.ANCHORS.sizeof,
+    mass: layout.MASS.sizeof,
     /** Answers that are no struct: a handle, two pointers, two doubles, a count. */
     out: 32,
 };

@@ -4,8 +4,12 @@ import { badCall } from './errors.js';
 import { idOf, makeHandle } from './handle.js';
 import { SHAPE_NAMES } from './layout.js';
 import { bytes, doubles, longWord, text, words } from './arguments.js';
-import { Cutter } from './carving.js';
+import { Cutter, getPose, putPose } from './carving.js';
+import { cutterAtRest } from './chunks.js';
+import { Command } from './commands.js';
+import { EditLog } from './logs.js';
 import { putMesh, readMesh } from './mesh.js';
+import { differingRegions } from './patches.js';
 import { REQUESTS } from './reading.js';
 import { memoryOf, World } from './world.js';
 import { Store } from './store.js';
@@ -124,6 +128,45 @@ export class Firma {
             const called = nameOf(lent, name, place);
             return new Cutter(core, makeHandle(core, 'firma_cutter_from_world', solid, called));
         });
+    }
+
+    cutterAtRest(world, pose, name) {
+        return cutterAtRest(this.#core, world, pose, name);
+    }
+
+    quantisePose(pose) {
+        const core = this.#core;
+        const at = putPose(core, pose, 'quantisePose');
+        core.run('firma_pose_quantise', at, at);
+        return getPose(core, at);
+    }
+
+    editCommand(number, cutter, pose, options) {
+        return Command.edit(this.#core, number, cutter, pose, options);
+    }
+
+    doorCommand(number, portal, open) {
+        return Command.door(this.#core, number, portal, open);
+    }
+
+    groupCommand(parts) {
+        return Command.group(this.#core, parts);
+    }
+
+    unpackCommand(data, name) {
+        return Command.unpack(this.#core, data, name);
+    }
+
+    beginLog(world) {
+        return EditLog.begin(this.#core, world);
+    }
+
+    unpackLog(data, name) {
+        return EditLog.unpack(this.#core, data, name);
+    }
+
+    differingRegions(a, b) {
+        return differingRegions(this.#core, a, b);
     }
 
     randomTurn(seed) {

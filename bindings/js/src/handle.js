@@ -54,6 +54,17 @@ export function idOf(object, core, place, what) {
     return object[ID];
 }
 
+/** The bytes of a handle of some, copied; releases it. */
+export function takeBytes(core, handle) {
+    try {
+        core.run('firma_bytes_get_view', handle, core.at.out, core.at.out + 4);
+        const start = core.getU32(core.at.out);
+        return core.u8.slice(start, start + core.getU32(core.at.out + 4));
+    } finally {
+        core.call('firma_bytes_release', handle);
+    }
+}
+
 /** Calls a function whose last argument is where it puts a handle; returns that. */
 export function makeHandle(core, name, ...args) {
     core.run(name, ...args, core.at.out);

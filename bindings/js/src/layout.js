@@ -74,6 +74,14 @@ export const CARVE_STATUS_NAMES = Object.freeze([
     'refused',
 ]);
 
+/** By the numbers of firma_edit_kind. */
+export const EDIT_KIND_NAMES = Object.freeze([
+    'carve',
+    'fill',
+    'door',
+    'group',
+]);
+
 /** firma_allocator */
 export const ALLOCATOR = Object.freeze({
     sizeof: 16,
@@ -503,18 +511,22 @@ export const POSE = Object.freeze({
 
 /** firma_carve_options */
 export const CARVE_OPTIONS = Object.freeze({
-    sizeof: 48,
+    sizeof: 72,
     size: 0,
     fill: 4,
     material: 8,
     hasFrom: 12,
     reserved: 16,
     from: 24,
+    chunks: 48,
+    edit: 52,
+    minChunkVolume: 56,
+    density: 64,
 });
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 144,
+    sizeof: 200,
     size: 0,
     status: 4,
     retries: 8,
@@ -535,6 +547,54 @@ export const CARVE_REPORT = Object.freeze({
     facesCastableOnly: 120,
     portals: 128,
     rooms: 136,
+    chunks: 144,
+    crumbs: 152,
+    chunkVolume: 160,
+    crumbVolume: 168,
+    facesSearched: 176,
+    chunksUs: 184,
+    loose: 192,
+});
+
+/** firma_anchors */
+export const ANCHORS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    noHanging: 4,
+    materials: 8,
+    materialCount: 12,
+    sources: 16,
+    sourceCount: 20,
+});
+
+/** firma_mass */
+export const MASS = Object.freeze({
+    sizeof: 112,
+    volume: 0,
+    mass: 8,
+    centre: 16,
+    inertia: 40,
+});
+
+/** firma_chunk */
+export const CHUNK = Object.freeze({
+    sizeof: 200,
+    size: 0,
+    reserved: 4,
+    origin: 8,
+    mass: 32,
+    faceCount: 144,
+    low: 152,
+    high: 176,
+});
+
+/** firma_rest */
+export const REST = Object.freeze({
+    sizeof: 80,
+    size: 0,
+    mended: 4,
+    pose: 8,
+    volumeChange: 72,
 });
 
 /** firma_diff_view */
@@ -578,4 +638,53 @@ export const STORE_FACTS = Object.freeze({
     versions: 32,
     bytes: 40,
     waiting: 48,
+});
+
+/** firma_command_view */
+export const COMMAND_VIEW = Object.freeze({
+    sizeof: 160,
+    size: 0,
+    kind: 4,
+    number: 8,
+    lastNumber: 12,
+    partCount: 16,
+    portal: 20,
+    open: 24,
+    shape: 28,
+    seed: 32,
+    pose: 40,
+    material: 104,
+    chunks: 108,
+    hasFrom: 112,
+    from: 120,
+    minChunkVolume: 144,
+    density: 152,
+});
+
+/** firma_log_facts */
+export const LOG_FACTS = Object.freeze({
+    sizeof: 56,
+    size: 0,
+    levelEdits: 4,
+    levelHash: 8,
+    rulesHash: 16,
+    commandCount: 24,
+    checkpointCount: 32,
+    patchBytes: 40,
+    lastNumber: 48,
+    patchedNumber: 52,
+});
+
+/** firma_replay_facts */
+export const REPLAY_FACTS = Object.freeze({
+    sizeof: 64,
+    size: 0,
+    finished: 4,
+    commandsBehind: 8,
+    commandsInAll: 16,
+    applied: 24,
+    done: 32,
+    nothing: 40,
+    refused: 48,
+    checkpoints: 56,
 });

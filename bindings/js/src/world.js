@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Worlds: what they are, what they meet, and edits of them.
-import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
+import { CORE, Handle, ID, idOf, makeHandle, takeBytes } from './handle.js';
 import { badCall, FirmaError } from './errors.js';
 import { CASTS_AT_ONCE } from './core.js';
 import { CAST_INPUT, HIT, NEAR, REGION_HASH, WORLD_FACTS } from './layout.js';
@@ -22,8 +22,11 @@ import {
     withPassed,
 } from './hits.js';
 import { carve, Edit, Job } from './carving.js';
+import { getMass, getPieces, putAnchors } from './chunks.js';
+import { applyCommand } from './commands.js';
 import { getShownFace, onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
 import { takeRegionMeshes } from './regions.js';
+import { applyPatch, listFaces, makePatch } from './patches.js';
 import { findByName, getNeighbours, getPath, getPortal, getRoom, locate, NO_ROOM } from './rooms.js';
 import { putRules } from './rules.js';
 import { takeTexture, takeTriangles } from './triangles.js';
@@ -364,6 +367,48 @@ export class World extends Handle {
         return Edit.begin(this);
     }
 
+    apply(command) {
+        return applyCommand(this, command);
+    }
+
+    startApply(command) {
+        return Job.apply(this, command);
+    }
+
+    withAnchors(anchors) {
+        const core = this[CORE];
+        return core.borrow((lent) => {
+            const at = putAnchors(core, lent, anchors);
+            return new World(core, makeHandle(core, 'firma_world_with_anchors', this[ID], at));
+        });
+    }
+
+    mass(density) {
+        return getMass(this, density);
+    }
+
+    pieces(density) {
+        return getPieces(this, density);
+    }
+
+    listFaces(regions) {
+        return listFaces(this, regions);
+    }
+
+    makePatch(list, name) {
+        return makePatch(this, list, name);
+    }
+
+    patchFrom(from) {
+        const core = this[CORE];
+        const before = idOf(from, core, 'patchFrom', 'world');
+        return takeBytes(core, makeHandle(core, 'firma_world_patch_from', this[ID], before));
+    }
+
+    applyPatch(patch, name) {
+        return applyPatch(this, patch, name);
+    }
+
     diff(after, tileSize = 0) {
         const core = this[CORE];
         const to = idOf(after, core, 'diff', 'world');
@@ -383,14 +428,7 @@ export class World extends Handle {
         const core = this[CORE];
         const { exact = true } = object(options, 'pack', 'the options', ['exact']);
         flag(exact, 'pack', 'exact');
-        const handle = makeHandle(core, 'firma_world_pack', this[ID], exact ? 1 : 0);
-        try {
-            core.run('firma_bytes_get_view', handle, core.at.out, core.at.out + 4);
-            const start = core.getU32(core.at.out);
-            return core.u8.slice(start, start + core.getU32(core.at.out + 4));
-        } finally {
-            core.call('firma_bytes_release', handle);
-        }
+        return takeBytes(core, makeHandle(core, 'firma_world_pack', this[ID], exact ? 1 : 0));
     }
 }
 

@@ -40,12 +40,24 @@ const packed = (() => {
     return bytes;
 })();
 
+const packedCommand = (() => {
+    const cutter = firma.crater('box', 1);
+    const command = firma.editCommand(1, cutter, { position: [8, 4, 4] });
+    const bytes = command.pack();
+    for (const one of [cutter, command]) one.release();
+    return bytes;
+})();
+
 /** Half of what makes sense, half of what does not. */
 const makers = [
     () => undefined,
     () => null,
     () => pick([true, false, '', 'rocky', 'box', 'a\0b', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3', Symbol('s')]),
     () => pick(oddNumbers),
+    () => ({ fill: pick([true, false]), chunks: pick([true, { minVolume: pick(oddNumbers) }, 3]) }),
+    () => packedCommand.map((byte, k) => (k === below(packedCommand.length) ? below(256) : byte)),
+    () => [{ region: [0, 0, 0], faces: 1n, points: pick([2n, 3, 'x']) }],
+    () => [vectorOf(3).map(Math.floor)],
     () => pick([0n, 1n, -1n, 2n ** 63n, 2n ** 64n]),
     () => vectorOf(pick([0, 1, 2, 3, 3, 3, 4, 7, 9, 14, 21])),
     () => Float64Array.from(vectorOf(pick([0, 3, 7, 12, 24, 700]))),
@@ -90,11 +102,16 @@ test('arguments of every kind', async () => {
     const edit = world.edit();
     const store = firma.openStore(world, 1e5);
     const level = readers.levelFromMap('{ "classname" "worldspawn" }');
+    const chunks = world.pieces();
+    const command = firma.editCommand(1, cutter, { position: [8, 4, 4] });
+    const log = firma.beginLog(world);
+    log.append(command);
+    const replay = log.replay(world);
     const gone = firma.crater('box', 1);
     gone.release();
-    const handles = [world, cutter, job, edit, store, level, gone];
+    const handles = [world, cutter, job, edit, store, level, chunks, command, log, replay, gone];
     const answers = { returned: 0 };
-    const objects = [firma, readers, world, cutter, job, edit, store, level];
+    const objects = [firma, readers, world, cutter, job, edit, store, level, chunks, command, log, replay];
     for (let round = 0; round < 900; ++round) {
         for (const object of objects) {
             for (const name of Object.getOwnPropertyNames(Object.getPrototypeOf(object))) {
@@ -103,11 +120,14 @@ test('arguments of every kind', async () => {
                 // Once in three times what such a call begins with.
                 if (/arve/.test(name) && next() < 0.5) given.splice(0, 2, cutter, { position: vectorOf(3) });
                 if (/^(diff|openStore)$/.test(name) && next() < 0.5) given[0] = world;
+                if (/^(apply|startApply|append)$/.test(name) && next() < 0.5) given[0] = command;
+                if (/^(compact|replay|checkpoint|patchFrom)$/.test(name) && next() < 0.5) given[0] = world;
                 if (name === 'publish' && next() < 0.5) given.splice(0, 2, world, world);
                 try {
                     const answer = await object[name](...given); // some of Firma's are promises
                     ++answers.returned;
-                    for (const one of [answer, answer?.world]) if (typeof one?.release === 'function') one.release();
+                    const made = [answer, answer?.world, answer?.cutter, answer?.loose, answer?.report?.loose];
+                    for (const one of made) if (typeof one?.release === 'function') one.release();
                 } catch (error) {
                     if (!(error instanceof FirmaError) || error.code === 'INTERNAL') {
                         error.message += ` (${name}, round ${round}, ${given.map((one) => typeof one)})`;
@@ -120,7 +140,7 @@ test('arguments of every kind', async () => {
         }
     }
     world.check();
-    for (const object of [world, cutter, job, edit, store, level]) object.release();
+    for (const object of objects.slice(2)) object.release();
     const seen = JSON.stringify(answers);
     for (const code of ['returned', 'BAD_CALL', 'BAD_HANDLE', 'INVALID', 'MALFORMED', 'OUT_OF_RANGE'])
         assert.ok(answers[code] > 3, seen);
@@ -152,6 +172,8 @@ test('a member that options do not have is refused by name', () => {
         refused(() => call(cutter, { ...at, size: 2 }), /the pose: there is no size, only position, rotation, scale/);
         refused(() => call(cutter, at, { filled: true }), /there is no filled/);
     }
+    refused(() => world.carve(cutter, at, { chunks: { volume: 1 } }), /chunks: there is no volume, only minVolume, density/);
+    refused(() => world.withAnchors({ material: 'x' }), /the anchors: there is no material,/);
     refused(() => world.withRules({ zone: [zone] }), /the rules: there is no zone,/);
     refused(() => world.withRules({ zones: [{ ...zone, hard: 1 }] }), /zone 0: the zone: there is no hard,/);
     refused(() => world.pack({ exakt: true }), /there is no exakt/);

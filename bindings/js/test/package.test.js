@@ -68,7 +68,11 @@ test('types name what there is, and nothing else', () => {
         Cutter: cutter,
         Edit: world.edit(),
         Store: firma.openStore(world, 1),
+        Chunks: world.pieces(),
+        Command: firma.doorCommand(1, 0, true),
+        EditLog: firma.beginLog(world),
     };
+    objects.Replay = objects.EditLog.replay(world);
     objects.Job = world.startCarve(cutter, { position: [0, 0, 0] });
     for (const [name, object] of Object.entries(objects)) {
         const body = new RegExp(`^export interface ${name} [^{]*{(}|[^]*?^})`, 'm').exec(types)[0];

@@ -152,7 +152,16 @@ test('casts by room', () => {
     });
 });
 
-test('the depot: rooms by name, ways, a cut that joins two of them', () => {
+/** A place in a room beside a portal: a metre along its thinnest axis. */
+function placeBeside(world, { low, high }, room) {
+    const middle = low.map((x, axis) => (x + high[axis]) / 2);
+    const sizes = low.map((x, axis) => high[axis] - x);
+    const axis = sizes.indexOf(Math.min(...sizes));
+    const places = [-1, 1].map((way) => middle.map((x, k) => (k === axis ? x + way : x)));
+    return places.find((place) => world.locate(place).room === room);
+}
+
+test('the depot: rooms by name, ways, a cut at a portal', () => {
     releasing([readers.worldFromMap(depot, { name: 'depot.map' })], (world) => {
         const { roomCount, portalCount } = world.facts();
         assert.ok(roomCount > 12 && portalCount > 12);
@@ -171,15 +180,24 @@ test('the depot: rooms by name, ways, a cut that joins two of them', () => {
         assert.equal(room, boilers);
         const portal = world.portal(way[0]);
         const middle = portal.low.map((x, axis) => (x + portal.high[axis]) / 2);
+        const pose = { position: [middle[0], middle[1], portal.low[2]], scale: 0.4 };
+        const below = [middle[0], middle[1], portal.low[2] - 0.15];
         releasing([firma.crater('rocky', 1)], (cutter) => {
-            const { world: after, report } = world.carve(cutter, { position: [middle[0], middle[1], portal.low[2]] });
-            releasing([after], () => {
-                assert.equal(report.status, 'done');
-                assert.equal(after.portal(way[0]).polygons.length, 0); // the air of both is one
-                const [low, high] = [...portal.rooms].sort((a, b) => a - b);
-                assert.equal(after.room(high).mergedInto, low);
-                after.check();
-            });
+            for (const room of portal.rooms) {
+                const from = placeBeside(world, portal, room);
+                const { world: after, report } = world.carve(cutter, pose, { from });
+                releasing([after], () => {
+                    assert.equal(report.status, 'done');
+                    assert.ok(report.portals >= 1);
+                    assert.ok(after.portal(way[0]).polygons.length > 0);
+                    assert.equal(after.room(room).mergedInto, room);
+                    assert.equal(after.locate(below).room, room);
+                    const { portalsAdded } = world.diff(after);
+                    assert.equal(portalsAdded.length, report.portals);
+                    after.check();
+                });
+            }
+            throwsCode('BAD_CALL', () => world.carve(cutter, pose, { from: [0, 0] }));
         });
     });
 });

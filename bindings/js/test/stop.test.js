@@ -87,7 +87,7 @@ test('memory that grows within any call', async () => {
     const store = firma.openStore(world, 1e6);
     store.publish(world, after);
     assert.equal(store.facts().current, 1);
-    const ruled = world.withRules({ zones: [{ name: 'z', low: [7, 0, 0], high: [9, 9, 9], hardness: 1 }] });
+    const ruled = world.withRules({ zones: [{ name: 'z', low: [4, 0, 0], high: [12, 9, 9], hardness: 1 }] });
     const refused = ruled.carve(cutter, { position: [8, 4, 4] });
     assert.match(refused.report.reason, /z/);
     for (const one of [world, cutter, after, copy, store, ruled, refused.world]) one.release();

@@ -12,8 +12,13 @@ import {
     STOPS_WALK,
     type CarveReport,
     type CastCounts,
+    type Chunk,
+    type Chunks,
+    type Command,
+    type CommandFacts,
     type Cutter,
     type Diff,
+    type EditLog,
     type Entity,
     type Face,
     type FaceInfos,
@@ -22,11 +27,16 @@ import {
     type HitInfo,
     type Level,
     type Location,
+    type LogFacts,
+    type Mass,
     type Mesh,
     type Near,
     type Overlap,
     type Portal,
     type RegionMesh,
+    type Replay,
+    type ReplayFacts,
+    type Rest,
     type RegionParts,
     type RegionRun,
     type Room,
@@ -185,6 +195,31 @@ job.result().world.release();
 const edit = world.edit();
 edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
+const held: World = world.withAnchors({ hanging: false, materials: ['a'], sources: Uint32Array.of(1) });
+const loose: Chunks | null = held.carve(cutter, { position: [1, 2, 3] }, { chunks: { minVolume: 1 }, edit: 7 }).report.loose;
+const chunk: Chunk | undefined = loose?.list()[0];
+const body: Mass = loose?.world(0).mass(1000) ?? world.pieces(500).list()[0]!;
+const rest: Rest = firma.cutterAtRest(world, { position: chunk?.origin ?? [0, 0, 0] }, 'name');
+const weight: number = body.inertia[8]! + refused.chunkVolume + refused.crumbs + refused.times.chunks + rest.mended;
+const command: Command = firma.editCommand(1, rest.cutter, firma.quantisePose(rest.pose), { fill: true });
+const shut: Command = firma.doorCommand(2, 0, true);
+const said: CommandFacts = firma.unpackCommand(firma.groupCommand([command.quantised(), shut]).pack(), 'name').facts();
+if (said.kind === 'group' && said.options === null) command.part(0).release();
+const applied: CarveReport = world.apply(command).report;
+world.startApply(shut).run(5);
+const log: EditLog = firma.beginLog(world);
+log.append(command);
+log.checkpoint(after);
+const told: LogFacts = firma.unpackLog(log.compact(world, 1).pack(), 'name').facts();
+const replay: Replay = log.replay(world, log.command(0).facts().number);
+const behind: ReplayFacts = replay.facts();
+const late: World = replay.run(Infinity) ? replay.result() : world;
+const differing = firma.differingRegions(world.hashRegions(), late.hashRegions());
+const mended: World = world.applyPatch(late.makePatch(world.listFaces(differing), 'name'), 'name');
+mended.applyPatch(late.patchFrom(mended)).release();
+const numbers: number = weight + applied.volume + told.patchBytes + behind.applied;
+// @ts-expect-error a log is no command
+world.apply(log);
 const diff: Diff = world.diff(after, 1);
 const corners: Float64Array = diff.added.corners;
 const left: FaceInfos = diff.removedFaces;
@@ -248,4 +283,5 @@ export const used = [
     levels,
     ofObj,
     mould,
+    numbers,
 ];
