@@ -24,10 +24,15 @@ constexpr std::uint32_t kNone32 = ~0u;
 /// What wins comes first: what may not be carved, then the lower number.
 std::vector<std::uint32_t> in_order(const MatterPieces& pieces, const CarveRules* rules,
                                     std::vector<std::uint32_t> numbers) {
-    sort_range(numbers);
-    if (any_hard(pieces, rules))
-        std::stable_partition(numbers.begin(), numbers.end(),
-                              [&](std::uint32_t k) { return hardness_of(pieces, pieces.pieces[k], rules) >= 1; });
+    if (!any_hard(pieces, rules)) {
+        sort_range(numbers);
+        return numbers;
+    }
+    const auto soft = [&](std::uint32_t k) { return !(hardness_of(pieces, pieces.pieces[k], rules) >= 1); };
+    sort_range(numbers, [&](std::uint32_t a, std::uint32_t b) {
+        const bool soft_a = soft(a), soft_b = soft(b);
+        return soft_a != soft_b ? soft_b : a < b;
+    });
     return numbers;
 }
 
