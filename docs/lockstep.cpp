@@ -111,7 +111,8 @@ public:
         acked_ = std::max(acked_, std::min(std::size_t(packet->wanted), turns_[me_].size()));
         std::vector<Turn>& theirs = turns_[1 - me_];
         for (std::size_t k = 0; k < packet->turns.size(); ++k)
-            if (packet->first + k == theirs.size()) theirs.push_back(std::move(packet->turns[k]));
+            if (packet->first + k == theirs.size() && theirs.size() < done_ + kKept)
+                theirs.push_back(std::move(packet->turns[k]));
     }
 
     // Compares hashes of the ticks that both have done. @return after how many ticks they differ, one at a time
