@@ -207,7 +207,7 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts, 'firma'),
-    Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, to the bit',
+    Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, and of a log, to the bit',
           7, 7, 'ways', ['include', 'src', 'bindings/c', 'bindings/wasm', 'bindings/js/src', 'cmake', 'levels/first.obj', 'CMakeLists.txt', 'CMakePresets.json',
               'tools/same_everywhere.sh']
           + [f'tests/full/same_everywhere{ending}' for ending in ('.c', '.mjs', '_browser.mjs')], 'test', same_everywhere, 'firma_c'),
