@@ -80,7 +80,8 @@ refusals nor blasts that came to nothing change the exit code.
 
 --chunks looks for loose pieces after each blast: what the blast cuts off and nothing holds leaves the level. Held is rock
 around rooms; what hangs free in LEVEL as it is read, and its parts, unless --no-hanging; faces of the materials that
---anchors names, and what hangs on them. A .firma file keeps what was said for it, unless these options say it anew.
+--anchors names; of a level of brushes what reaches into a brush of firma_anchor; and what hangs on any of these. A
+.firma file keeps what was said for it, unless these options say it anew; made with --chunks it has the brushes' volumes.
 Pieces smaller than --min-volume leave as well, but are only counted (crumbs). Give --chunks to all runs over a level or
 to none: a piece left hanging is not looked for later. --chunk-report writes a row a chunk: blast (its row, from 0), chunk
 (of that blast, from 0), volume (cubic metres), mass (kilograms, by --density), x,y,z (its centre of mass, metres, where it
@@ -106,12 +107,12 @@ cutter.
 holds, to the bit. Each blast is quantised before it is fired, its place to 1/4096 m and its radius to 1/4096, and is
 given a number, from which the ids of its faces follow: so the hashes differ from those of a run without --log. A
 checkpoint, the world's hash, stands after every 100 blasts and at the end. With --chunks it says so of every blast: then
-replay needs the same --anchors and --no-hanging.
+replay needs the same --anchors and --no-hanging; the brushes of firma_anchor it takes from LEVEL.
 
 --json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that are castable only), refused,
 faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
-volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume (all five null without --chunks), hash, read_seconds,
-build_seconds, out, report, chunk_report, log.
+volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume, anchors {materials, sources, edits, hanging, volumes} (how
+many of each hold; all six null without --chunks), hash, read_seconds, build_seconds, out, report, chunk_report, log.
 
 For instance, a crater and a drill hole in our level:
   printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
@@ -287,6 +288,7 @@ Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& 
     json["chunk_mass"] = of_chunks(tally.chunk_mass);
     json["crumbs"] = of_chunks(tally.crumbs);
     json["crumb_volume"] = of_chunks(tally.crumb_volume);
+    json["anchors"] = of_chunks(anchors_json(world));
     json["hash"] = hash_text(world);
     json["read_seconds"] = loaded.read_seconds;
     json["build_seconds"] = loaded.build_seconds;
@@ -318,6 +320,7 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
         row("chunks", fmt::format("{} came loose, {:.6g} cubic metres, {:.6g} kg; {} of {:.3g} cubic metres",
                                   grouped(tally.chunks), tally.chunk_volume, tally.chunk_mass,
                                   counted(tally.crumbs, "crumb"), tally.crumb_volume));
+    if (arguments.chunks && !anchors_text(world).empty()) row("anchors", anchors_text(world));
     if (!tally.seconds.empty())
         row("an edit", fmt::format("median {}, 99th percentile {}", seconds_text(percentile(tally.seconds, 0.5)),
                                    seconds_text(percentile(tally.seconds, 0.99))));
@@ -382,11 +385,6 @@ std::optional<ChunkOptions> chunk_options(const CarveArguments& arguments) {
     return options;
 }
 
-/// Where nothing was said of what holds pieces: as the first blast would find out, but not within its time.
-World with_usual_anchors(const World& world, bool chunks) {
-    return chunks && !world.data().anchors ? with_anchors(world) : world;
-}
-
 int run(const CarveArguments& arguments) {
     FireOptions options;
     options.carve.material = arguments.material;
@@ -394,7 +392,7 @@ int run(const CarveArguments& arguments) {
     if (!arguments.slices.empty()) options.slice = number_option("--slices", arguments.slices, 0, 1e12);
     judge_outputs(arguments);
     LoadedLevel loaded = load_level(arguments.level);
-    loaded.world = anchored(loaded.world, arguments.anchors);
+    if (arguments.chunks) loaded.world = anchored(loaded, arguments.anchors);
     const std::vector<Blast> blasts = read_blasts(arguments.blasts);
     // Blasts mostly add faces: what is too large already should not take hours to be so.
     if (names_glb(arguments.out)) judge_glb_size(GlbParts(loaded.world).file_bytes(), arguments.out);
@@ -410,7 +408,8 @@ int run(const CarveArguments& arguments) {
         log_file.emplace(arguments.log);
         log.emplace(loaded.world);
     }
-    World world = with_usual_anchors(loaded.world, arguments.chunks);
+    // Once for all blasts, so that it is not within the time of the first.
+    World world = arguments.chunks ? with_usual_anchors(loaded.world) : loaded.world;
     const Reports reports{report ? &*report : nullptr, chunk_report ? &*chunk_report : nullptr};
     Tally tally = fire_all(world, blasts, options, arguments, reports, log ? &*log : nullptr);
     if (tally.done == 0) world = loaded.world;  // as a replay of no command gives it
