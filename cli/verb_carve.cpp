@@ -41,7 +41,7 @@ struct CarveArguments : LevelOutput {
 
 constexpr const char* kReportHeader =
     "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,chunks,chunk_volume,"
-    "reason\n";
+    "open_trimmed,open_removed,panes,clips,reason\n";
 constexpr const char* kChunkHeader = "blast,chunk,volume,mass,x,y,z,ixx,iyy,izz,ixy,ixz,iyz\n";
 
 constexpr const char* kCarveFooter =
@@ -57,8 +57,8 @@ Lines count from 1, the header included. `-` reads standard input.
 
 The report: one row a blast, in their order:
   blast       row of the blasts, from 0
-  status      done; nothing (the cutter met only air, only touched the solid, or met only faces that are castable
-              only: see castable_only);
+  status      done; nothing (the cutter met only air, only touched the solid, or met only faces that stay: see
+              castable_only);
               refused (see stderr; the world stays as it was)
   ms          wall time of that edit alone with everything in it, milliseconds; not of making the cutter's shape
               from its seed, nor of the hash or of output
@@ -68,12 +68,18 @@ The report: one row a blast, in their order:
   volume      taken from the solid, cubic metres, 17 significant digits
   hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
   castable_only
-              faces that reach into the cutter and were left as they are, as they bound no closed solid
+              faces that reach into the cutter and were left as they are: liquids, and what may not be carved
   portals     that the blast made: holes between rooms
   rooms       that it made: pockets in rock
   chunks      pieces that came loose with it and left the level; 0 without --chunks
   chunk_volume
               of these, cubic metres, 17 significant digits; `volume` is what the cutter took, without them
+  open_trimmed
+              faces that bound no closed solid (patches, sheets, glass, clips) of which the blast took a part
+  open_removed
+              those that it took whole, panes of glass among them
+  panes       panes that went whole, each with all its faces
+  clips       of those two columns: faces that stop walkers alone, or shots alone
   reason      why it was refused; empty otherwise. Commas are semicolons
 A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Neither
 refusals nor blasts that came to nothing change the exit code.
@@ -109,7 +115,7 @@ given a number, from which the ids of its faces follow: so the hashes differ fro
 checkpoint, the world's hash, stands after every 100 blasts and at the end. With --chunks it says so of every blast: then
 replay needs the same --anchors and --no-hanging; the brushes of firma_anchor it takes from LEVEL.
 
---json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that are castable only), refused,
+--json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that stay), refused,
 faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
 volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume, anchors {materials, sources, edits, hanging, volumes} (how
 many of each hold; all six null without --chunks), hash, read_seconds, build_seconds, out, report, chunk_report, log.
@@ -122,7 +128,8 @@ For instance, a crater and a drill hole in our level:
 /// What is told about all blasts together.
 struct Tally {
     std::size_t done = 0, nothing = 0, refused = 0;
-    std::size_t nothing_castable_only = 0, faces_met = 0;  ///< of `nothing`: met only faces that are castable only
+    std::size_t nothing_castable_only = 0, faces_met = 0;  ///< of `nothing`: met only faces that stay
+    std::size_t open_trimmed = 0, open_removed = 0, panes = 0;
     std::size_t faces_before = 0, faces_after = 0;
     std::vector<double> seconds;  ///< of the edits that carved something
     double longest_slice = 0, longest = 0;
@@ -165,6 +172,7 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
     row += fmt::format(",{},{},{},{},{},", hash_text(world), did.faces_castable_only, done ? did.portals : 0,
                        done ? did.rooms : 0, done ? did.chunks : 0);
     append_17(row, done ? did.chunk_volume : 0);
+    row += fmt::format(",{},{},{},{}", did.open_trimmed, did.open_removed, did.panes, did.clips);
     report.write(row + "," + reason + "\n");
 }
 
@@ -250,6 +258,9 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
         if (result.done()) {
             tally.seconds.push_back(fired.seconds);
             tally.volume += result.report.volume;
+            tally.open_trimmed += result.report.open_trimmed;
+            tally.open_removed += result.report.open_removed;
+            tally.panes += result.report.panes;
             tally.chunks += result.report.chunks;
             tally.chunk_volume += result.report.chunk_volume;
             for (const Chunk& chunk : result.chunks) tally.chunk_mass += chunk.mass.mass;
@@ -308,13 +319,16 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
         text += fmt::format("  {:<12} {}\n", what, value);
     };
     if (tally.nothing_castable_only > 0)
-        row("nothing", fmt::format("{} met only faces that are castable only ({}), {} met only air",
-                                   grouped(tally.nothing_castable_only), grouped(tally.faces_met),
-                                   grouped(tally.nothing - tally.nothing_castable_only)));
+        row("nothing",
+            fmt::format("{} met only faces that stay ({}), {} met only air", grouped(tally.nothing_castable_only),
+                        grouped(tally.faces_met), grouped(tally.nothing - tally.nothing_castable_only)));
     row("faces", fmt::format("{} before, {} after", grouped(tally.faces_before), grouped(tally.faces_after)));
     if (const std::size_t faces = castable_only(world); faces > 0)
-        row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them{}", grouped(faces),
-                                    leaves_out(loaded, arguments) ? "; not written (--castable writes them)" : ""));
+        row("castable", fmt::format("{} of the faces bound no closed solid{}", grouped(faces),
+                                    leaves_out(loaded, arguments) ? ": not written (--castable writes them)" : ""));
+    if (tally.open_trimmed + tally.open_removed > 0)
+        row("", fmt::format("{} of such trimmed, {} removed, {} among these", grouped(tally.open_trimmed),
+                            grouped(tally.open_removed), counted(tally.panes, "pane")));
     row("volume", fmt::format("{:.6g} cubic metres taken", tally.volume));
     if (arguments.chunks)
         row("chunks", fmt::format("{} came loose, {:.6g} cubic metres, {:.6g} kg; {} of {:.3g} cubic metres",

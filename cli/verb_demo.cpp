@@ -207,8 +207,8 @@ std::string craters_text(const LoadedLevel& loaded, const Results& results) {
         row_text("craters", fmt::format("{}: {} done, {} nothing, {} refused", grouped(craters.fired),
                                         grouped(craters.done), grouped(craters.nothing), grouped(craters.refused)));
     if (craters.nothing_castable_only > 0)
-        text += row_text("", fmt::format("{} of them met only faces that are castable only",
-                                         grouped(craters.nothing_castable_only)));
+        text +=
+            row_text("", fmt::format("{} of them met only faces that stay", grouped(craters.nothing_castable_only)));
     for (const auto& [reason, count] : craters.refusals)
         text += row_text("", fmt::format("{} refused: {}", grouped(count), reason));
     if (craters.done == 0) return text + row_text("", "nothing here bounds a closed solid");

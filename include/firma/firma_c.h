@@ -896,6 +896,9 @@ typedef struct firma_carve_report {
     uint64_t faces_searched; /* exact faces read beyond the candidates, to find out what is loose */
     double chunks_us;
     firma_chunks loose; /* the chunks, to be released by firma_chunks_release(); 0 where there are none */
+    /* Of faces that bound no solid: of which the cutter took a part; that went whole; panes that went whole; of the
+     * first two, those that stop walkers alone, or shots alone. */
+    uint64_t open_trimmed, open_removed, panes, clips;
 } firma_carve_report;
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world

@@ -526,7 +526,7 @@ export const CARVE_OPTIONS = Object.freeze({
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 200,
+    sizeof: 232,
     size: 0,
     status: 4,
     retries: 8,
@@ -554,6 +554,10 @@ export const CARVE_REPORT = Object.freeze({
     facesSearched: 176,
     chunksUs: 184,
     loose: 192,
+    openTrimmed: 200,
+    openRemoved: 208,
+    panes: 216,
+    clips: 224,
 });
 
 /** firma_anchors */
