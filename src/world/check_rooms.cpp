@@ -137,12 +137,12 @@ private:
 
     /// Its boxes, or its index over them.
     bool finds_its_portals(const RoomRecord& record) const {
-        const bool crowd = record.portals.size() > Cells::kCrowd;
-        if (crowd != bool(record.portal_index) || record.portal_boxes.size() != (crowd ? 0 : record.portals.size()))
+        const bool indexed = record.portals.size() > Cells::kListed;
+        if (indexed != bool(record.portal_index) || record.portal_boxes.size() != (indexed ? 0 : record.portals.size()))
             return false;
         for (std::size_t k = 0; k < record.portal_boxes.size(); ++k)
             if (record.portal_boxes[k] != cells_.portal(record.portals[k].value).box) return false;
-        if (!crowd) return true;
+        if (!indexed) return true;
         std::vector<PortalId> found;
         for_each_indexed_portal(
             *record.portal_index, [](const GridBox&) { return true; },

@@ -53,7 +53,7 @@ TEST(Blasts, InTheDepotHoldWhatMustHoldOfRooms) {
 TEST(Blasts, InSmallWorldsHoldWhatMustHoldOfRooms) {
     reference::BlastTally all;
     for (std::size_t kind = 0; kind < scenes::kBlastWorldNames.size(); ++kind)
-        for (std::uint64_t seed = 1; seed <= test::sample(2); ++seed) {
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) {
             const std::string name(scenes::kBlastWorldNames[kind]);
             SCOPED_TRACE(name);
             all.add(judge(scenes::blast_world(scenes::BlastWorld(kind), seed), name, seed, 12));

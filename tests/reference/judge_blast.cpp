@@ -607,8 +607,10 @@ private:
     /// Both sides of points of open portals, new ones and changed ones first: the rooms that it names, a way through,
     /// and of a new one that it was a wall.
     void judge_portal_sides() {
-        std::vector<std::uint32_t> portals = portals_near(cells_after(), false, 1);
-        std::stable_partition(portals.begin(), portals.end(), [&](std::uint32_t k) { return is_changed(k); });
+        std::vector<std::uint32_t> portals, others;
+        for (const std::uint32_t k : portals_near(cells_after(), false, 1))
+            (is_changed(k) ? portals : others).push_back(k);
+        portals.insert(portals.end(), others.begin(), others.end());
         for (std::size_t k = 0; k < portals.size() && k < std::size_t(options_.open) * 2; ++k) {
             if (k >= std::size_t(options_.open) && !is_changed(portals[k])) break;
             if (!judge_sides_of(portals[k])) return;
