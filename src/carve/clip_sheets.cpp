@@ -497,6 +497,10 @@ private:
             failed_ |= use.edge != FacePiece::kNoEdge && origin_[use.edge].number != kNoNumber && !is_whole(use);
             const std::uint32_t number = number_at(use, true);
             if (number == kNoNumber) {
+                if (!is_whole(use)) {  // a sheet beside it has the edge, as it was
+                    failed_ = true;
+                    return;
+                }
                 const SolidEdge& edge = origin_[use.edge].use.edge();
                 const bool reversed = overlay_.edges[use.edge].from != start_of(use);
                 side.use = SolidUse(Ref<const SolidEdge>(&edge), reversed);
