@@ -360,6 +360,30 @@ TEST(CarveRooms, AFillThatTouchesARimInAPoint) {
     }
 }
 
+/// It takes the walls on both sides of a portal's rim, and has an edge of its own there, which runs on over a corner of
+/// the portal: the corner stays.
+TEST(CarveRooms, AFillWhoseEdgeRunsOverAPortalsCorner) {
+    // Where it touches the rim there is a corner, in the middle of an edge.
+    const World world = fill(two_halves(), octahedron(1), {.position = {4, 3, 2}}).world;
+    std::vector<Vec3> corners;
+    for (const double z : {1.0, 3.0})
+        for (const auto& [x, y] : {std::pair(2, 3), {4, 4}, {6, 3}, {6, 5}, {2, 5}})
+            corners.push_back({double(x), double(y), z});
+    std::vector<CutterTriangle> triangles{{0, 4, 1}, {1, 4, 3}, {1, 3, 2}, {5, 6, 9}, {6, 8, 9}, {6, 7, 8}};
+    for (std::uint32_t k = 0; k < 5; ++k) {
+        const std::uint32_t next = (k + 1) % 5;
+        triangles.push_back({k, next, next + 5});
+        triangles.push_back({k, next + 5, k + 5});
+    }
+    const CarveResult result = fill(world, make_cutter(corners, triangles).value(), {});
+    ASSERT_TRUE(result.done());
+    test::expect_sound_world(result.world);
+    EXPECT_EQ(room_info(result.world, {1})->merged_into, RoomId{1});
+    EXPECT_EQ(area_of(result.world, {0}), 16 - 2);
+    EXPECT_EQ(locate(result.world, {3.5, 3.5, 1.2}), in_room(0));
+    EXPECT_EQ(locate(result.world, {4.5, 3.5, 1.2}), in_room(1));
+}
+
 /// Fills at every place of a portal: its rim, its middle, flush with it.
 TEST(CarveRooms, FillsAtAPortal) {
     scenes::Rng rng(3);
