@@ -309,7 +309,7 @@ LogTally judge_disjoint(const World& level, const std::string& where, Rng& rng, 
         }
         ++tally.orders;
         if (order == 0) first = world;
-        if (hash_solid(world) != hash_solid(first) || !same_solid(world, first))
+        if (hash_solid(world) != hash_solid(first) || !firma::same_solid(world, first))
             tally.fail(where, "another solid in order " + std::to_string(order));
         for (std::size_t k = commands.size(); k > 1; --k) std::swap(commands[k - 1], commands[rng.next() % k]);
     }
