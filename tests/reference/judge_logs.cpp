@@ -233,7 +233,7 @@ LogTally judge_repair(const World& level, const std::string& where, Rng& rng, st
         return tally;
     }
     if (const std::string text = difference(some, all); !text.empty()) tally.fail(where, "repair: " + text);
-    if (!same_solid(some, all)) tally.fail(where, "repair: not the same solid");
+    if (!firma::same_solid(some, all)) tally.fail(where, "repair: not the same solid");
     if (const std::string fault = fault_of(some); !fault.empty()) tally.fail(where, "repair: " + fault);
     std::uint32_t number = last_number(commands.back());
     for (EditCommand command : random_commands(level, 4, rng)) {
