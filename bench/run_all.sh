@@ -4,7 +4,7 @@
 #
 #   bench/run_all.sh [name ...]        only these: the article's questions (formulas inside boxes edges tree subdivision
 #                                      stop_distance), first_level pieces carve carve_allocations carve_cgal
-#                                      carve_rebuild carved_casts versions region_meshes levels save store peers openarena node
+#                                      carve_rebuild carved_casts versions region_meshes levels save repair store peers openarena node
 #                                      sweeps digs chunks living matter hostile cgal_exact
 set -eu
 
@@ -28,7 +28,7 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save store openarena peers node \
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save repair store openarena peers node \
     sweeps digs chunks living matter hostile cgal_exact
 for name in "$@"; do
     echo "--- $name"
