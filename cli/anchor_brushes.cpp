@@ -33,7 +33,7 @@ Result<Cutter> box_around(const Box& box) {
     std::array<Vec3, 8> corners;
     for (unsigned k = 0; k < 8; ++k)
         for (int axis = 0; axis < 3; ++axis)
-            corners[k][axis] = k >> axis & 1 ? box.high[axis] + kStep : box.low[axis] - kStep;
+            corners[k][axis] = (k >> axis & 1) != 0 ? box.high[axis] + kStep : box.low[axis] - kStep;
     constexpr std::array<CutterTriangle, 12> kTriangles{{{0, 2, 3},
                                                          {0, 3, 1},
                                                          {4, 5, 7},
