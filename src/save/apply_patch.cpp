@@ -300,7 +300,8 @@ private:
         if (!checks_.whole && rooms_stay(data_, *data)) {
             data->set_faces(changed_rooms(*data));
             made_ = World(data);
-            check_part();
+            // What a world lacks that was not sound before, only all of it tells.
+            if (!part_is_sound()) check_whole(made_, true, damage_);
         } else {
             if (!find_all_rooms(*data)) return;
             made_ = World(data);
@@ -322,9 +323,8 @@ private:
     }
 
     /// What was exchanged, and its border.
-    void check_part() {
-        if (const auto fault = check_exchange(data_, made_.data(), !has_cells_, removed_, made_facets_))
-            return report(damage_, *fault);
+    bool part_is_sound() const {
+        if (check_exchange(data_, made_.data(), !has_cells_, removed_, made_facets_)) return false;
         std::vector<FacetPlace> added, removed, near;
         for (const FacetPlace& facet : removed_)
             if (facet.record().solid) removed.push_back(facet);
@@ -339,7 +339,7 @@ private:
             return a.record().id != b.record().id ? a.record().id < b.record().id : a.slot < b.slot;
         });
         near.erase(std::unique(near.begin(), near.end()), near.end());
-        if (const auto fault = check_exchange(std::move(added), removed, near)) report(damage_, *fault);
+        return !check_exchange(std::move(added), removed, near);
     }
 
     const World& world_;
