@@ -4,8 +4,8 @@
 #
 #   bench/run_all.sh [name ...]        only these: the article's questions (formulas inside boxes edges tree subdivision
 #                                      stop_distance), first_level pieces carve carve_allocations carve_cgal
-#                                      carve_rebuild carved_casts versions region_meshes levels save store peers openarena node
-#                                      sweeps digs chunks hostile cgal_exact
+#                                      carve_rebuild carved_casts versions region_meshes levels save repair store peers openarena node
+#                                      sweeps digs chunks living matter hostile cgal_exact
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -28,8 +28,8 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save store openarena peers node \
-    sweeps digs chunks hostile cgal_exact
+    carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save repair store openarena peers node \
+    sweeps digs chunks living matter hostile cgal_exact
 for name in "$@"; do
     echo "--- $name"
     case $name in
@@ -38,6 +38,8 @@ for name in "$@"; do
         pieces) pieces ;;
         openarena) cmake --preset release >/dev/null && cmake --build --preset release >/dev/null && bench/openarena.sh ;;
         levels) tools/unpack_openarena.sh && build/bench/bin/bench_levels --csv "$results" ;;
+        living | matter)
+            tools/unpack_openarena.sh && FIRMA_OPENARENA=build/openarena "build/bench/bin/bench_$name" --csv "$results" ;;
         peers) bench/peers/run.sh ;;
         node) bench/node/run.sh --csv "$results" ;;
         carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Names of materials become anchors.
+// Names of materials and brushes become anchors.
 #include "cli/anchor_options.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "cli/failure.h"
 #include "cli/numbers.h"
+#include "firma/brush_world.h"
 #include "firma/chunk.h"
 #include "world/world_data.h"
 
@@ -26,6 +28,20 @@ std::vector<std::string> names_in(const std::string& list) {
     return names;
 }
 
+/// @param volumes  that hold; none: by the options alone
+World anchored_by(const World& world, const AnchorArguments& arguments, std::vector<Box> volumes) {
+    if (!arguments.given() && volumes.empty()) return world;
+    AnchorRules rules;
+    rules.hanging = !arguments.no_hanging;
+    rules.volumes = std::move(volumes);
+    if (!arguments.materials.empty()) rules.materials = names_in(arguments.materials);
+    const std::vector<std::string>& known = *world.data().materials;
+    for (const std::string& name : rules.materials)
+        if (name.empty() || std::find(known.begin(), known.end(), name) == known.end())
+            throw Failure("--anchors", fmt::format("the level has no material '{}'", name));
+    return with_anchors(world, rules);
+}
+
 }  // namespace
 
 void add_anchor_options(Command& command, AnchorArguments& arguments) {
@@ -37,16 +53,22 @@ void add_anchor_options(Command& command, AnchorArguments& arguments) {
         "it up by --anchors");
 }
 
-World anchored(const World& world, const AnchorArguments& arguments) {
-    if (!arguments.given()) return world;
-    AnchorRules rules;
-    rules.hanging = !arguments.no_hanging;
-    if (!arguments.materials.empty()) rules.materials = names_in(arguments.materials);
-    const std::vector<std::string>& known = *world.data().materials;
-    for (const std::string& name : rules.materials)
-        if (name.empty() || std::find(known.begin(), known.end(), name) == known.end())
-            throw Failure("--anchors", fmt::format("the level has no material '{}'", name));
-    return with_anchors(world, rules);
+World anchored(const LoadedLevel& loaded, const AnchorArguments& arguments) {
+    return anchored_by(loaded.world, arguments,
+                       loaded.brushes ? anchor_volumes(loaded.brushes->level) : std::vector<Box>());
+}
+
+World with_usual_anchors(const World& world) {
+    return world.data().anchors ? world : with_anchors(world);
+}
+
+World anchored_for(const EditLog& log, const LoadedLevel& loaded, const AnchorArguments& arguments) {
+    const auto is_its_own = [&](const World& world) { return EditLog(world).rules_hash() == log.rules_hash(); };
+    const World with_brushes = anchored(loaded, arguments);
+    if (is_its_own(with_brushes)) return with_brushes;
+    // Commands that look for no pieces need none; a game may do without.
+    const World without = anchored_by(loaded.world, arguments, {});
+    return is_its_own(without) ? without : with_brushes;
 }
 
 Json anchors_json(const World& world) {
@@ -55,14 +77,17 @@ Json anchors_json(const World& world) {
     return {{"materials", anchors->materials.size()},
             {"sources", anchors->sources.size()},
             {"edits", anchors->edits.size()},
-            {"hanging", anchors->hanging.size()}};
+            {"hanging", anchors->hanging.size()},
+            {"volumes", anchors->volumes.size()}};
 }
 
 std::string anchors_text(const World& world) {
     const Anchors* anchors = world.data().anchors.get();
     if (!anchors) return "";
     const auto sum = anchors->materials.size() + anchors->sources.size() + anchors->edits.size();
-    return fmt::format("{} and {} that hung free", counted(sum, "anchor"), counted(anchors->hanging.size(), "face"));
+    const std::size_t volumes = anchors->volumes.size();
+    return fmt::format("{}{} and {} that hung free", counted(sum, "anchor"),
+                       volumes > 0 ? ", " + counted(volumes, "volume") : "", counted(anchors->hanging.size(), "face"));
 }
 
 }  // namespace firma::cli

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What holds loose pieces, as options of the verbs that look for them.
+// What holds loose pieces, by the options of the verbs that look for them, and by the level's firma_anchor brushes.
 #pragma once
 
 #include <string>
 
 #include "cli/command.h"
 #include "cli/json.h"
+#include "cli/load_level.h"
+#include "firma/edit_log.h"
 #include "firma/world.h"
 
 namespace firma::cli {
@@ -20,11 +22,19 @@ struct AnchorArguments {
 /// Adds --anchors and --no-hanging.
 void add_anchor_options(Command& command, AnchorArguments& arguments);
 
-/// The same world with what the options say of its pieces; itself where none is given.
+/// The level's world with what the options and its firma_anchor brushes say of its pieces; as it is where neither says
+/// anything.
 /// @throws Failure for a material that the world does not have
-World anchored(const World& world, const AnchorArguments& arguments);
+World anchored(const LoadedLevel& loaded, const AnchorArguments& arguments);
 
-/// How many of each kind hold: {materials, sources, edits, hanging}; null where nothing was said.
+/// The same world; where nothing is said of it, what hangs free holds: as the first cut that looks for pieces finds
+/// out.
+World with_usual_anchors(const World& world);
+
+/// The world that a log begins from: with the brushes, or without, as whoever wrote it had it.
+World anchored_for(const EditLog& log, const LoadedLevel& loaded, const AnchorArguments& arguments);
+
+/// How many of each kind hold: {materials, sources, edits, hanging, volumes}; null where nothing was said.
 Json anchors_json(const World& world);
 /// The same for people, "" where nothing was said.
 std::string anchors_text(const World& world);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/anchor_brushes.h"
 #include "cli/atomic_file.h"
 #include "cli/describe_world.h"
 #include "cli/failure.h"
@@ -87,6 +88,7 @@ Json info_json(const LoadedLevel& loaded) {
     json["planes_moved"] = report.planes_moved;
     json["greatest_shift"] = level.max_shift;
     json["idle_portals"] = count_notes(report, BrushNote::What::kIdlePortal);
+    json["anchor_volumes"] = anchor_volumes(level).size();
     add_divided(json, divided);
     add_left_out(json, left_out(loaded));
     add_world(json, loaded.world);
@@ -119,6 +121,8 @@ std::string info_text(const LoadedLevel& loaded) {
     row("planes", fmt::format("{} moved a little; onto the grid by {:.2g} mm at most", grouped(report.planes_moved),
                               level.max_shift * 1000));
     row("materials", grouped(material_names(level).size()));
+    if (const std::size_t volumes = anchor_volumes(level).size(); volumes > 0)
+        row("anchors", counted(volumes, "volume") + " of firma_anchor");
     row("left out", left_out_text(left_out(loaded)));
     if (divided)
         row("divided",
@@ -218,13 +222,16 @@ std::string entity_place(const BrushLevel& level, std::uint32_t entity) {
 }
 
 /// All that is to be noted, a line each.
-std::vector<std::string> note_lines(const BrushLevel& level, const BrushWorldReport& report) {
+std::vector<std::string> note_lines(const BrushLevel& level, const BrushWorldReport& report,
+                                    const AnchorBrushes& anchors) {
     std::vector<std::string> lines;
     for (const BrushNote& note : report.notes)
         lines.push_back(
             fmt::format("{}: {}: {}", brush_place(level, note.brush), note_sentence(note.what), note.reason));
     for (const EntityNote& note : report.entity_notes)
         lines.push_back(fmt::format("{}: names no room: {}", entity_place(level, note.entity), note.reason));
+    for (const EntityNote& note : anchors.notes)
+        lines.push_back(fmt::format("{}: holds nothing: {}", entity_place(level, note.entity), note.reason));
     lines.insert(lines.end(), level.notes.begin(), level.notes.end());
     return lines;
 }
@@ -233,9 +240,15 @@ struct Judgement {
     std::optional<WorldFault> world;
     std::optional<SolidFault> solid;
     std::optional<Leak> leak;
+    AnchorBrushes anchors;
 
     bool sound() const { return !world && !solid && !leak; }
 };
+
+/// ", 4 anchor volumes"
+std::string volumes_clause(const AnchorBrushes& anchors) {
+    return anchors.volumes > 0 ? ", " + counted(anchors.volumes, "anchor volume") : "";
+}
 
 std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool all) {
     const BrushLevel& level = loaded.brushes->level;
@@ -251,14 +264,15 @@ std::string check_text(const LoadedLevel& loaded, const Judgement& found, bool a
     }
     if (const auto omissions = left_out(loaded); !omissions.empty())
         text += fmt::format("{}: left out: {}\n", level.name, left_out_text(omissions));
-    const std::vector<std::string> notes = note_lines(level, report);
+    const std::vector<std::string> notes = note_lines(level, report, found.anchors);
     const std::size_t shown = all ? notes.size() : std::min(notes.size(), kShown);
     for (std::size_t k = 0; k < shown; ++k) text += notes[k] + "\n";
     if (shown < notes.size()) text += fmt::format("  and {} more (--all shows them)\n", grouped(notes.size() - shown));
     return text + fmt::format("{}: {}; {}, {}, {}, {}; {}\n", level.name, found.sound() ? "sound" : "faulty",
                               counted(brushes_of_file(*loaded.brushes).size(), "brush", "brushes"),
                               counted(loaded.world.face_count(), "face"), counted(loaded.world.room_count(), "room"),
-                              counted(portal_count(loaded.world), "portal"), counted(notes.size(), "note"));
+                              counted(portal_count(loaded.world), "portal") + volumes_clause(found.anchors),
+                              counted(notes.size(), "note"));
 }
 
 Json check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
@@ -275,12 +289,15 @@ Json check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
     json["faces"] = loaded.world.face_count();
     json["rooms"] = loaded.world.room_count();
     json["portals"] = portal_count(loaded.world);
+    json["anchor_volumes"] = found.anchors.volumes;
     json["world_fault"] = reason(found.world);
     json["solid_fault"] = reason(found.solid);
     json["leak"] = nullptr;
     if (found.leak) json["leak"] = {{"entity", found.leak->entity}, {"points", found.leak->points}};
     add_left_out(json, left_out(loaded));
-    json["note_count"] = report.notes.size() + report.entity_notes.size() + level.notes.size();
+    std::vector<EntityNote> entity_notes = report.entity_notes;
+    entity_notes.insert(entity_notes.end(), found.anchors.notes.begin(), found.anchors.notes.end());
+    json["note_count"] = report.notes.size() + entity_notes.size() + level.notes.size();
     json["notes"] = Json::array();
     for (const BrushNote& note : shown(report.notes))
         json["notes"].push_back({{"what", note_name(note.what)},
@@ -288,7 +305,7 @@ Json check_json(const LoadedLevel& loaded, const Judgement& found, bool all) {
                                  {"line", level.brushes[note.brush].line},
                                  {"reason", note.reason}});
     json["entity_notes"] = Json::array();
-    for (const EntityNote& note : shown(report.entity_notes))
+    for (const EntityNote& note : shown(entity_notes))
         json["entity_notes"].push_back(
             {{"entity", note.entity}, {"line", level.entities[note.entity].line}, {"reason", note.reason}});
     json["reader_notes"] = shown(level.notes);
@@ -303,7 +320,8 @@ int tell_brushes(const LoadedLevel& loaded, bool json) {
 }
 
 int check_brushes(const LoadedLevel& loaded, const CheckBrushes& how) {
-    const Judgement found{check_world(loaded.world), check_solid(loaded.world), leak_of(loaded)};
+    const Judgement found{check_world(loaded.world), check_solid(loaded.world), leak_of(loaded),
+                          judge_anchors(loaded.brushes->level, loaded.world)};
     if (!how.pts.empty()) {
         if (found.leak)
             write_pts(how.pts, loaded.brushes->level, *found.leak);

@@ -28,7 +28,7 @@ Fired fire_blast(World& world, const Blast& blast, const FireOptions& options = 
 /// The same of any cutter.
 Fired fire_cut(World& world, const Cutter& cutter, const Pose& pose, const FireOptions& options);
 
-/// Whether nothing came of an edit though the cutter reached into faces, all of them castable only.
+/// Whether nothing came of an edit though the cutter reached into faces, all of them castable only and kept.
 bool met_only_castable(const CarveResult& result);
 
 /// The value that a share of values, 0 .. 1, does not exceed; 0 for none. Changes their order.

@@ -41,7 +41,7 @@ struct CarveArguments : LevelOutput {
 
 constexpr const char* kReportHeader =
     "blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,chunks,chunk_volume,"
-    "reason\n";
+    "open_trimmed,open_removed,panes,clips,reason\n";
 constexpr const char* kChunkHeader = "blast,chunk,volume,mass,x,y,z,ixx,iyy,izz,ixy,ixz,iyz\n";
 
 constexpr const char* kCarveFooter =
@@ -57,8 +57,8 @@ Lines count from 1, the header included. `-` reads standard input.
 
 The report: one row a blast, in their order:
   blast       row of the blasts, from 0
-  status      done; nothing (the cutter met only air, only touched the solid, or met only faces that are castable
-              only: see castable_only);
+  status      done; nothing (the cutter met only air, only touched the solid, or met only faces that stay: see
+              castable_only);
               refused (see stderr; the world stays as it was)
   ms          wall time of that edit alone with everything in it, milliseconds; not of making the cutter's shape
               from its seed, nor of the hash or of output
@@ -68,19 +68,26 @@ The report: one row a blast, in their order:
   volume      taken from the solid, cubic metres, 17 significant digits
   hash        of the whole world after that blast: 16 hexadecimal digits, the same on every machine
   castable_only
-              faces that reach into the cutter and were left as they are, as they bound no closed solid
+              faces that reach into the cutter and were left as they are: liquids, and what may not be carved
   portals     that the blast made: holes between rooms
   rooms       that it made: pockets in rock
   chunks      pieces that came loose with it and left the level; 0 without --chunks
   chunk_volume
               of these, cubic metres, 17 significant digits; `volume` is what the cutter took, without them
+  open_trimmed
+              faces that bound no closed solid (patches, sheets, glass, clips) of which the blast took a part
+  open_removed
+              those that it took whole, panes of glass among them
+  panes       panes that went whole, each with all its faces
+  clips       of those two columns: faces that stop walkers alone, or shots alone
   reason      why it was refused; empty otherwise. Commas are semicolons
 A number that makes no crater (a radius of 0 or less, a place outside the world) is refused. Neither
 refusals nor blasts that came to nothing change the exit code.
 
 --chunks looks for loose pieces after each blast: what the blast cuts off and nothing holds leaves the level. Held is rock
 around rooms; what hangs free in LEVEL as it is read, and its parts, unless --no-hanging; faces of the materials that
---anchors names, and what hangs on them. A .firma file keeps what was said for it, unless these options say it anew.
+--anchors names; of a level of brushes what reaches into a brush of firma_anchor; and what hangs on any of these. A
+.firma file keeps what was said for it, unless these options say it anew; made with --chunks it has the brushes' volumes.
 Pieces smaller than --min-volume leave as well, but are only counted (crumbs). Give --chunks to all runs over a level or
 to none: a piece left hanging is not looked for later. --chunk-report writes a row a chunk: blast (its row, from 0), chunk
 (of that blast, from 0), volume (cubic metres), mass (kilograms, by matter or --density), x,y,z (its centre of mass,
@@ -106,12 +113,12 @@ cutter.
 holds, to the bit. Each blast is quantised before it is fired, its place to 1/4096 m and its radius to 1/4096, and is
 given a number, from which the ids of its faces follow: so the hashes differ from those of a run without --log. A
 checkpoint, the world's hash, stands after every 100 blasts and at the end. With --chunks it says so of every blast: then
-replay needs the same --anchors and --no-hanging.
+replay needs the same --anchors and --no-hanging; the brushes of firma_anchor it takes from LEVEL.
 
---json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that are castable only), refused,
+--json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that stay), refused,
 faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
-volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume (all five null without --chunks), hash, read_seconds,
-build_seconds, out, report, chunk_report, log.
+volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume, anchors {materials, sources, edits, hanging, volumes} (how
+many of each hold; all six null without --chunks), hash, read_seconds, build_seconds, out, report, chunk_report, log.
 
 For instance, a crater and a drill hole in our level:
   printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
@@ -121,7 +128,8 @@ For instance, a crater and a drill hole in our level:
 /// What is told about all blasts together.
 struct Tally {
     std::size_t done = 0, nothing = 0, refused = 0;
-    std::size_t nothing_castable_only = 0, faces_met = 0;  ///< of `nothing`: met only faces that are castable only
+    std::size_t nothing_castable_only = 0, faces_met = 0;  ///< of `nothing`: met only faces that stay
+    std::size_t open_trimmed = 0, open_removed = 0, panes = 0;
     std::size_t faces_before = 0, faces_after = 0;
     std::vector<double> seconds;  ///< of the edits that carved something
     double longest_slice = 0, longest = 0;
@@ -164,6 +172,7 @@ void write_row(AtomicFile& report, std::size_t blast, const Fired& fired, const 
     row += fmt::format(",{},{},{},{},{},", hash_text(world), did.faces_castable_only, done ? did.portals : 0,
                        done ? did.rooms : 0, done ? did.chunks : 0);
     append_17(row, done ? did.chunk_volume : 0);
+    row += fmt::format(",{},{},{},{}", did.open_trimmed, did.open_removed, did.panes, did.clips);
     report.write(row + "," + reason + "\n");
 }
 
@@ -249,6 +258,9 @@ Tally fire_all(World& world, const std::vector<Blast>& blasts, const FireOptions
         if (result.done()) {
             tally.seconds.push_back(fired.seconds);
             tally.volume += result.report.volume;
+            tally.open_trimmed += result.report.open_trimmed;
+            tally.open_removed += result.report.open_removed;
+            tally.panes += result.report.panes;
             tally.chunks += result.report.chunks;
             tally.chunk_volume += result.report.chunk_volume;
             for (const Chunk& chunk : result.chunks) tally.chunk_mass += chunk.mass.mass;
@@ -287,6 +299,7 @@ Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& 
     json["chunk_mass"] = of_chunks(tally.chunk_mass);
     json["crumbs"] = of_chunks(tally.crumbs);
     json["crumb_volume"] = of_chunks(tally.crumb_volume);
+    json["anchors"] = of_chunks(anchors_json(world));
     json["hash"] = hash_text(world);
     json["read_seconds"] = loaded.read_seconds;
     json["build_seconds"] = loaded.build_seconds;
@@ -306,18 +319,22 @@ std::string text_for_people(const CarveArguments& arguments, const LoadedLevel& 
         text += fmt::format("  {:<12} {}\n", what, value);
     };
     if (tally.nothing_castable_only > 0)
-        row("nothing", fmt::format("{} met only faces that are castable only ({}), {} met only air",
-                                   grouped(tally.nothing_castable_only), grouped(tally.faces_met),
-                                   grouped(tally.nothing - tally.nothing_castable_only)));
+        row("nothing",
+            fmt::format("{} met only faces that stay ({}), {} met only air", grouped(tally.nothing_castable_only),
+                        grouped(tally.faces_met), grouped(tally.nothing - tally.nothing_castable_only)));
     row("faces", fmt::format("{} before, {} after", grouped(tally.faces_before), grouped(tally.faces_after)));
     if (const std::size_t faces = castable_only(world); faces > 0)
-        row("castable", fmt::format("{} of the faces bound no closed solid: no blast changes them{}", grouped(faces),
-                                    leaves_out(loaded, arguments) ? "; not written (--castable writes them)" : ""));
+        row("castable", fmt::format("{} of the faces bound no closed solid{}", grouped(faces),
+                                    leaves_out(loaded, arguments) ? ": not written (--castable writes them)" : ""));
+    if (tally.open_trimmed + tally.open_removed > 0)
+        row("", fmt::format("{} of such trimmed, {} removed, {} among these", grouped(tally.open_trimmed),
+                            grouped(tally.open_removed), counted(tally.panes, "pane")));
     row("volume", fmt::format("{:.6g} cubic metres taken", tally.volume));
     if (arguments.chunks)
         row("chunks", fmt::format("{} came loose, {:.6g} cubic metres, {:.6g} kg; {} of {:.3g} cubic metres",
                                   grouped(tally.chunks), tally.chunk_volume, tally.chunk_mass,
                                   counted(tally.crumbs, "crumb"), tally.crumb_volume));
+    if (arguments.chunks && !anchors_text(world).empty()) row("anchors", anchors_text(world));
     if (!tally.seconds.empty())
         row("an edit", fmt::format("median {}, 99th percentile {}", seconds_text(percentile(tally.seconds, 0.5)),
                                    seconds_text(percentile(tally.seconds, 0.99))));
@@ -382,11 +399,6 @@ std::optional<ChunkOptions> chunk_options(const CarveArguments& arguments) {
     return options;
 }
 
-/// Where nothing was said of what holds pieces: as the first blast would find out, but not within its time.
-World with_usual_anchors(const World& world, bool chunks) {
-    return chunks && !world.data().anchors ? with_anchors(world) : world;
-}
-
 int run(const CarveArguments& arguments) {
     FireOptions options;
     options.carve.material = arguments.material;
@@ -394,7 +406,7 @@ int run(const CarveArguments& arguments) {
     if (!arguments.slices.empty()) options.slice = number_option("--slices", arguments.slices, 0, 1e12);
     judge_outputs(arguments);
     LoadedLevel loaded = load_level(arguments.level);
-    loaded.world = anchored(loaded.world, arguments.anchors);
+    if (arguments.chunks) loaded.world = anchored(loaded, arguments.anchors);
     const std::vector<Blast> blasts = read_blasts(arguments.blasts);
     // Blasts mostly add faces: what is too large already should not take hours to be so.
     if (names_glb(arguments.out)) judge_glb_size(GlbParts(loaded.world).file_bytes(), arguments.out);
@@ -410,7 +422,8 @@ int run(const CarveArguments& arguments) {
         log_file.emplace(arguments.log);
         log.emplace(loaded.world);
     }
-    World world = with_usual_anchors(loaded.world, arguments.chunks);
+    // Once for all blasts, so that it is not within the time of the first.
+    World world = arguments.chunks ? with_usual_anchors(loaded.world) : loaded.world;
     const Reports reports{report ? &*report : nullptr, chunk_report ? &*chunk_report : nullptr};
     Tally tally = fire_all(world, blasts, options, arguments, reports, log ? &*log : nullptr);
     if (tally.done == 0) world = loaded.world;  // as a replay of no command gives it

@@ -62,9 +62,11 @@ idle_portals [names], undivided or null (why there is one room though the file h
 Of a level of brushes (.map, .bsp without --surfaces) the world is judged, its solid, and what became of the brushes.
 Faults: a broken world or solid; a leak, that is a way to the void from an info_player... entity, or in a level that has
 none, from any entity with an origin. Notes: not_joined (a brush that is castable only), no_volume, idle_portal (a
-portal with one room on both sides), a firma_room that names no room, and what the reader says. --json: level, sound,
-brushes (of the file), faces, rooms, portals, world_fault or null, solid_fault or null, leak {entity, points [metres]}
-or null, left_out, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line, reason}], reader_notes [texts].
+portal with one room on both sides), a firma_room that names no room, a firma_anchor that has no brush, or one that no
+solid reaches into, and what the reader says. --json: level, sound, brushes (of the file), faces, rooms, portals,
+anchor_volumes (of firma_anchor: what they hold, no cut leaves loose), world_fault or null, solid_fault or null, leak
+{entity, points [metres]} or null, left_out, note_count, notes [{what, brush, line, reason}], entity_notes [{entity, line,
+reason}], reader_notes [texts].
 
 --pts writes the way of the leak, for an editor to show. Where nothing leaks, or the way is too narrow to be shown, the
 file is empty; one that was there before is replaced. Bad input leaves it as it was.
@@ -72,7 +74,7 @@ file is empty; one that was there before is replaced. Bad input leaves it as it 
 A .firma file is judged whole when it is read: damage, or a world or solid that is not sound, is bad input. What is
 read is checked once more. --json: level, sound, faces, rooms, portals, world_fault or null, solid_fault or null,
 solid_faces, exact_faces, rock_outside, version, edits, anchors (what holds loose pieces: {materials, sources, edits,
-hanging}, how many of each; null where nothing was said).
+hanging, volumes}, how many of each; null where nothing was said).
 
 An edit log, .firmalog, is read: damage is bad input. Whether its checkpoints hold needs its level: firma log verify.
 --json: as of firma log show, without commands and checkpoints; sound.

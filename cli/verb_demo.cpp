@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/anchor_options.h"
 #include "cli/atomic_file.h"
 #include "cli/demo_casts.h"
 #include "cli/demo_craters.h"
@@ -33,7 +34,6 @@
 #include "draw/draw_plan.h"
 #include "draw/draw_view.h"
 #include "draw/picture.h"
-#include "firma/chunk.h"
 #include "firma/polygon.h"
 
 namespace firma::cli {
@@ -64,7 +64,8 @@ between them, and a cast that met the wall before goes through it.
 
 Then craters are carved where casts meet the level (200, or --craters; 0.4 to 1.6 m, made from the seed), with the
 same casts spread between them, checked again after the last. Out of a closed level no ray may escape, after any
-of them: 100 are cast after each. Pieces that come loose leave the level. The picture shows the level after them;
+of them: 100 are cast after each. Pieces that come loose leave the level; brushes of firma_anchor hold what reaches into
+them. The picture shows the level after them;
 beside it, in FILE_view.png, stands a view before and after: of the depot's bridge, else the one that shows craters
 well. Levels without closed solids have nothing to carve.
 
@@ -206,8 +207,8 @@ std::string craters_text(const LoadedLevel& loaded, const Results& results) {
         row_text("craters", fmt::format("{}: {} done, {} nothing, {} refused", grouped(craters.fired),
                                         grouped(craters.done), grouped(craters.nothing), grouped(craters.refused)));
     if (craters.nothing_castable_only > 0)
-        text += row_text("", fmt::format("{} of them met only faces that are castable only",
-                                         grouped(craters.nothing_castable_only)));
+        text +=
+            row_text("", fmt::format("{} of them met only faces that stay", grouped(craters.nothing_castable_only)));
     for (const auto& [reason, count] : craters.refusals)
         text += row_text("", fmt::format("{} refused: {}", grouped(count), reason));
     if (craters.done == 0) return text + row_text("", "nothing here bounds a closed solid");
@@ -374,7 +375,7 @@ int run(const DemoArguments& given) {
     Results results;
     fire(loaded.world, queries, results);
     results.checked = check_sample(loaded.world, queries);
-    const World held = with_anchors(loaded.world);
+    const World held = with_usual_anchors(anchored(loaded, {}));
     if (craters > 0) results.depot = shoot_depot(held);
     results.craters = fire_demo_craters(held, results.depot ? results.depot->after : held, queries, craters, seed);
     const World& after = results.craters.after;

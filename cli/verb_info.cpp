@@ -53,7 +53,8 @@ the file are its triangles, without those of portals. An idle portal, or a part 
 
 Of a level of brushes (.map, .bsp without --surfaces) --json has: level, entities, brushes {total, solid, sky, glass,
 player_clip, shot_clip, liquid, portal, data, not_joined, no_volume}, faces {total, solid, other}, materials [names],
-planes_moved, greatest_shift, idle_portals, divided, left_out, bounds, rooms, portals, tree, solid, matter, read_seconds, build_seconds.
+planes_moved, greatest_shift, idle_portals, anchor_volumes (of firma_anchor), divided, left_out, bounds, rooms, portals,
+tree, solid, matter, read_seconds, build_seconds.
 `brushes` counts those of the file, no portals that were added; `faces` counts convex facets; those of `solid` bound
 the joined solid. `divided` is null, or with --rooms auto {cells, narrows, untried, idle, portals}: how many cells
 were tested, how many places where the air narrows, how many of these were too many to be tried, how many were tried

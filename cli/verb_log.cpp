@@ -37,7 +37,8 @@ constexpr const char* kLogFooter =
     R"(A log says what edits were made of a level, in order, as `firma carve --log` and games write it: the level and its log
 give the same world on every machine, to the bit. LEVEL must be the one that the log begins from, read with the same
 options (--scale, --surfaces, --rooms, --matter), or the same saved as .firma; its hash is compared. Pieces that come loose leave
-again where the commands say so; --anchors and --no-hanging must be those that `firma carve` was given.
+again where the commands say so; --anchors and --no-hanging must be those that `firma carve` was given. The brushes of
+firma_anchor of LEVEL hold pieces where the log was made so, as `firma carve --chunks` makes it.
 
   firma log show LOG                     what is in it: a line a command
   firma log verify LOG LEVEL             replays it and compares the world with the hashes in it (checkpoints)
@@ -154,7 +155,7 @@ void tell(const LogArguments& arguments, const Replayed& replayed) {
 int verify(const LogArguments& arguments) {
     const LoadedLog loaded = read_edit_log(arguments.log);
     const Replayed replayed =
-        replay_log(anchored(load_level(arguments.level).world, arguments.anchors), loaded.log, arguments);
+        replay_log(anchored_for(loaded.log, load_level(arguments.level), arguments.anchors), loaded.log, arguments);
     tell(arguments, replayed);
     return replayed.result.ok() ? 0 : 1;
 }
@@ -168,7 +169,7 @@ int replay_and_write(const LogArguments& arguments) {
     const LoadedLog loaded = read_edit_log(arguments.log);
     const LoadedLevel level = load_level(arguments.level);
     AtomicFile out(arguments.out);
-    const Replayed replayed = replay_log(anchored(level.world, arguments.anchors), loaded.log, arguments);
+    const Replayed replayed = replay_log(anchored_for(loaded.log, level, arguments.anchors), loaded.log, arguments);
     if (replayed.result.error) throw Failure(arguments.log, replayed.result.error->text());
     write_level(replayed.result.world, level, arguments, out);
     out.commit();
@@ -188,7 +189,7 @@ int compact(const LogArguments& arguments) {
     AtomicFile out(arguments.out);
     const auto start = std::chrono::steady_clock::now();
     const Result<EditLog> made =
-        compacted(anchored(level.world, arguments.anchors), loaded.log, last_number_of(arguments));
+        compacted(anchored_for(loaded.log, level, arguments.anchors), loaded.log, last_number_of(arguments));
     if (!made) throw Failure(arguments.log, made.error().text());
     write_edit_log(made.value(), out);
     out.commit();

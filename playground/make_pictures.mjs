@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes the pictures of docs/playground.md anew: node playground/make_pictures.mjs [FOLDER]
+// Takes the pictures of docs/playground.md anew: node playground/make_pictures.mjs [FOLDER]. They leave out the line of
+// times: frames that a program steps, drawn in software, say nothing about them.
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { call, load, open, shoot } from './test/harness.mjs';
@@ -8,17 +9,26 @@ const folder = process.argv[2] ?? path.resolve(path.dirname(fileURLToPath(import
 const viewport = { width: 860, height: 484 };
 const session = await open();
 
-/** A page without its help, somebody standing there. */
+/** A page without its help and times, somebody standing there. */
 async function stand(x, y, z, level = 'first.obj') {
     const { page } = await load(session, `?level=${level}`, viewport);
     await page.evaluate(() => {
         document.body.classList.add('without-help', 'locked');
+        document.querySelector('#hud .times').hidden = true;
     });
     await call(page, 'place', x, y, z);
-    await call(page, 'resume'); // for the times on the screen
-    await page.waitForFunction((from) => window.firmaPlayground.frames > from + 100, await page.evaluate(() => window.firmaPlayground.frames));
-    await call(page, 'pause');
+    await call(page, 'step', 1 / 60, {});
     return page;
+}
+
+/** Plays a scene, to just after its last shot. */
+async function play(page, name) {
+    if (!(await call(page, 'startSet', name))) throw new Error(`no ${name}`);
+    for (let left = true; left; ) {
+        await call(page, 'draw', 0.4);
+        const { set } = await call(page, 'step', 0.7, {});
+        left = set.shots < set.all;
+    }
 }
 
 async function fire(page, shots) {
@@ -70,6 +80,19 @@ await fire(page, [[3.05, 0.35], [3.3, -0.1]]);
 await call(page, 'step', 1 / 60, {});
 await call(page, 'look', 2.75, 0.12);
 await shoot(page, 'playground_depot', 10, folder);
+await page.close();
+
+// Its bridge, just after the shot at the other end; then as it goes.
+page = await stand(18.75, 9.4, 0.01, 'depot.map');
+await play(page, 'bridge');
+await shoot(page, 'playground_bridge', 0.16, folder);
+await shoot(page, 'playground_bridge_fading', 1.4, folder);
+
+// And the wall between two offices.
+await play(page, 'wall');
+await call(page, 'togglePortals');
+await call(page, 'step', 1 / 60, {});
+await shoot(page, 'playground_portal', 10, folder);
 await page.close();
 
 await session.close();

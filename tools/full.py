@@ -61,6 +61,11 @@ JOIN_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'includ
                                 'tests/full/full_levels.cpp', 'tests/full/options.h', 'tests/openarena_maps.h']
 
 
+LOG_SOURCES = CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'include/firma/save.h', 'src/join', 'src/brush',
+                               'src/save', 'src/log', 'levels/depot.map', 'tests/openarena_maps.h', 'tests/full/full_logs.cpp', 'tests/full/options.h',
+                               'tests/save/changed_patches.h', 'tests/save/saved_worlds.h', 'tests/world/two_halves.h'] + reference('judge_logs')
+
+
 # Test programs that ctest labels "heavy" under the sanitizers; tests/full/sanitized.sh fails when there are others.
 HEAVY_PROGRAMS = 26
 HEAVY_SHARE = 5
@@ -96,6 +101,13 @@ def contact(seed, count):
 def blasts(seed, count):
     subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
     return [f'{BUILD}/full_blasts', '--count', str(count), '--seed', str(seed), '--threads', '2', '--maps', 'build/openarena']
+
+
+def logs(what):
+    def command(seed, count):
+        subprocess.run([os.path.join('tools', 'unpack_openarena.sh')], cwd=ROOT, check=True)
+        return [f'{BUILD}/full_logs', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2', '--maps', 'build/openarena']
+    return command
 
 
 def cube_grid(seed, count):
@@ -207,7 +219,7 @@ CLAIMS = [
           CARVE_SOURCES + ['tests/full/full_carved_casts.cpp', 'tests/full/options.h'] + CARVED, 'test', carved('rays'), 'full_carved_casts'),
     Claim('same_cuts', 'compilers and options that make the same world of 1,000 cuts, to the bit', 6, 6, 'configurations',
           CARVE_SOURCES + ['tests/full/same_cuts.cpp', 'tools/same_bits.sh'], 'test', same_cuts, 'firma'),
-    Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, to the bit',
+    Claim('same_everywhere', 'ways to build and run that make the same of 1,000 cuts and 100,000 casts, and of a log, to the bit',
           7, 7, 'ways', ['include', 'src', 'bindings/c', 'bindings/wasm', 'bindings/js/src', 'cmake', 'levels/first.obj', 'CMakeLists.txt', 'CMakePresets.json',
               'tools/same_everywhere.sh']
           + [f'tests/full/same_everywhere{ending}' for ending in ('.c', '.mjs', '_browser.mjs')], 'test', same_everywhere, 'firma_c'),
@@ -229,6 +241,14 @@ CLAIMS = [
           2_000, 'blasts', CARVE_SOURCES + ['scenes', 'include/firma/brush_level.h', 'include/firma/brush_world.h', 'src/join', 'src/brush', 'levels/depot.map',
                                             'tests/openarena_maps.h', 'tests/full/full_blasts.cpp', 'tests/full/family_run.h', 'tests/full/options.h']
           + JUDGE_CUT + reference('judge_blast', 'judge_chunks'), 'test', blasts, 'full_blasts'),
+    Claim('region_repair', 'commands in the depot, a map and buildings, a hundredth of them lost by one peer, which regions repair: the same world, solid and hashes, and edits go on alike',
+          10_000, 2_000, 'commands', LOG_SOURCES, 'test', logs('repair'), 'full_logs'),
+    Claim('log_replay', 'commands in the depot, a map and buildings, replayed from bytes in four slices by one, two and four threads, and compacted: one world', 10_000,
+          2_000, 'commands', LOG_SOURCES, 'test', logs('replay'), 'full_logs'),
+    Claim('disjoint_edits', 'edits apart from each other in the depot, a map and buildings, in four orders: one solid', 10_000, 2_000, 'commands', LOG_SOURCES,
+          'test', logs('disjoint'), 'full_logs'),
+    Claim('log_sequences', 'commands of every kind in the depot, a map and buildings, check_world() and check_solid() after each', 10_000, 2_000, 'commands',
+          LOG_SOURCES, 'test', logs('sequences'), 'full_logs'),
     # A share of the programs each chunk: the seed says which.
     Claim('sanitized', 'test programs under the address and undefined behaviour sanitizers: tests of a second or more, those with Boost, of glTF, of pictures, of the command line, of threads; none fails',
           HEAVY_PROGRAMS, HEAVY_SHARE, 'programs',

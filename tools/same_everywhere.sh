@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes the same cuts and casts with the library built in every way that Firma is built in, and compares what came back.
+# Makes the same cuts, casts and edit log with the library built in every way that Firma is built in, and compares what came back.
 #
 #   tools/same_everywhere.sh CUTS CASTS [WAY...]
 #

@@ -205,6 +205,10 @@ void put_report(const CarveResult& result, firma_chunks loose, firma_carve_repor
     out.chunks_us = report.times.chunks;
     out.loose = loose;
     out.cut_short = report.cut_short;
+    out.open_trimmed = report.open_trimmed;
+    out.open_removed = report.open_removed;
+    out.panes = report.panes;
+    out.clips = report.clips;
     put_sized(out, to);
 }
 

@@ -24,6 +24,10 @@ void add_report(CarveReport& sum, const CarveReport& part) {
     sum.faces_removed += part.faces_removed;
     sum.faces_added += part.faces_added;
     sum.faces_castable_only += part.faces_castable_only;
+    sum.open_trimmed += part.open_trimmed;
+    sum.open_removed += part.open_removed;
+    sum.panes += part.panes;
+    sum.clips += part.clips;
     sum.portals += part.portals;
     sum.rooms += part.rooms;
     sum.cut_short += part.cut_short;

@@ -867,8 +867,15 @@ export interface CarveReport {
     facesCut: number;
     facesRemoved: number;
     facesAdded: number;
-    /** That reach into the cutter and are left as they are, as they bound no solid. */
+    /** That reach into the cutter and are left as they are: liquids, and what may not be carved. */
     facesCastableOnly: number;
+    /** Of faces that bound no solid: of which the cutter took a part; that went whole. */
+    openTrimmed: number;
+    openRemoved: number;
+    /** Panes that went whole, each with all its faces. */
+    panes: number;
+    /** Of `openTrimmed` and `openRemoved`: that stop walkers alone, or shots alone. */
+    clips: number;
     /** That it made: holes between rooms. */
     portals: number;
     /** That it made: pockets in rock. */

@@ -55,9 +55,9 @@ inline constexpr std::uint32_t kMaxEditNumber = (std::uint32_t(1) << 21) - 1;
 
 /// Takes a placed cutter away from the solid of a world.
 ///
-/// What is cut are the faces that bound closed solids (Face::solid); others are left as they are. The result is the
-/// closure of the interior of the solid without the cutter, exactly, also of a cutter that touches what it cuts (a
-/// vertex on a face, edges that meet, faces in one plane): nothing is moved. It depends on world, cutter, pose and
+/// What is cut are the faces that bound closed solids (Face::solid); of others CarveRules::open_faces says. The result
+/// is the closure of the interior of the solid without the cutter, exactly, also of a cutter that touches what it cuts
+/// (a vertex on a face, edges that meet, faces in one plane): nothing is moved. It depends on world, cutter, pose and
 /// options alone, to the bit. The same cut again is kNothing.
 ///
 /// @param pose  where the cutter goes; its rotation and scale

@@ -77,6 +77,16 @@ struct EditCommand {
 [[nodiscard]] FIRMA_EXPORT EditCommand crater_command(std::uint32_t number, const CraterSeed& crater,
                                                       const Vec3& position, double radius, CarveOptions options = {});
 
+/// A portal opened or closed, as a command. Costs nothing worth counting; never allocates.
+[[nodiscard]] inline EditCommand door_command(std::uint32_t number, PortalId portal, bool open) {
+    EditCommand command;
+    command.number = number;
+    command.kind = EditKind::kDoor;
+    command.portal = portal;
+    command.open = open;
+    return command;
+}
+
 /// A command as bytes. A crater by seed with a quantised pose takes about 25 bytes and the name of its material; poses
 /// that are not quantised are stored whole, cutters that are meshes by their vertices and triangles, cutters that are
 /// solids as .firma files. What comes back is the same to the bit. docs/edit_log.md has the layout.

@@ -978,6 +978,9 @@ typedef struct firma_carve_report {
     double chunks_us;
     firma_chunks loose; /* the chunks, to be released by firma_chunks_release(); 0 where there are none */
     uint64_t cut_short; /* zones and pieces of the level that may not be carved, and took part of the cutter */
+    /* Of faces that bound no solid: of which the cutter took a part; that went whole; panes that went whole; of the
+     * first two, those that stop walkers alone, or shots alone. */
+    uint64_t open_trimmed, open_removed, panes, clips;
 } firma_carve_report;
 
 /* One edit. FIRMA_OK also when the edit is refused or meets nothing: `after` is then another handle to the world

@@ -20,7 +20,7 @@ namespace firma {
 class World;
 struct FaceInfo;
 
-/// How something breaks: for what a game shows and hears of it. No edit goes by it.
+/// How something breaks: for what a game shows and hears of it. Edits go by kPane alone: such faces go whole.
 enum class FractureStyle : std::uint8_t {
     kChunks,     ///< brick, concrete, rock
     kSplinters,  ///< wood

@@ -212,6 +212,10 @@ struct CarveRules {
     /// the room that has less of them; never where a closed portal lies between them. 0: rooms stay apart. Above, an
     /// edit that makes a portal also costs the faces of the rooms that it leads to. Has no effect on solids alone.
     double merge_share = 0;
+
+    /// Of a world: whether a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies
+    /// in the cutter. Liquids stay, and what else stops neither walkers nor shots nor sight. Off: all of them stay.
+    bool open_faces = true;
 };
 
 enum class CarveKind : std::uint8_t { kCarve, kFill };
@@ -219,23 +223,30 @@ enum class CarveKind : std::uint8_t { kCarve, kFill };
 enum class CarveStatus : std::uint8_t {
     kDone,
     kNothing,  ///< the cutter met nothing to take away (or, filling, nothing to fill): all is as it was.
-               ///< CarveReport::faces_castable_only says whether it met faces that no edit changes
+               ///< CarveReport::faces_castable_only says whether it met faces that the edit does not change
     kRefused,  ///< `error` says why; all is as it was
 };
 
 /// What an edit did, and what it cost.
 struct CarveReport {
-    std::size_t candidate_faces = 0;      ///< exact faces near the cutter: in its box, without what is clear of it
-    std::size_t faces_cut = 0;            ///< of these, how many the cutter's surface crosses
-    std::size_t faces_removed = 0;        ///< facets that casts met before and meet no more
-    std::size_t faces_added = 0;          ///< facets that casts meet from now on
-    std::size_t faces_castable_only = 0;  ///< that reach into the cutter and are left as they are: they bound no solid
-    std::size_t portals = 0;              ///< of a world: that it made
-    std::size_t rooms = 0;                ///< likewise
-    int retries = 0;                      ///< always 0, as no cutter is moved
-    double scale = 1;                     ///< what zones and matters left of the cutter's scale
-    std::size_t cut_short = 0;            ///< zones and pieces that may not be carved, and took part of the cutter
-    double volume = 0;                    ///< cubic metres taken from the solid; negative when it was added to
+    std::size_t candidate_faces = 0;  ///< exact faces near the cutter: in its box, without what is clear of it
+    std::size_t faces_cut = 0;        ///< of these, how many the cutter's surface crosses
+    std::size_t faces_removed = 0;    ///< facets that casts met before and meet no more
+    std::size_t faces_added = 0;      ///< facets that casts meet from now on
+    /// That reach into the cutter and are left as they are: liquids, what may not be carved, all others that bound no
+    /// solid where CarveRules::open_faces says so, and by fills.
+    std::size_t faces_castable_only = 0;
+    // Of a world, of faces that bound no solid (`faces_removed` and `faces_added` count these, too):
+    std::size_t open_trimmed = 0;  ///< of which the cutter took a part
+    std::size_t open_removed = 0;  ///< that went whole, those of panes too
+    std::size_t panes = 0;         ///< panes that went whole, each with all its faces
+    std::size_t clips = 0;         ///< of those trimmed and removed: that stop walkers alone, or shots alone
+    std::size_t portals = 0;       ///< of a world: that it made
+    std::size_t rooms = 0;         ///< likewise
+    int retries = 0;               ///< always 0, as no cutter is moved
+    double scale = 1;              ///< what zones and matters left of the cutter's scale
+    std::size_t cut_short = 0;     ///< zones and pieces that may not be carved, and took part of the cutter
+    double volume = 0;             ///< cubic metres taken from the solid; negative when it was added to
 
     // Of pieces that came loose, where they were looked for (CarveOptions::chunks): beside `volume`.
     std::size_t chunks = 0;          ///< that are in CarveResult::chunks

@@ -40,8 +40,10 @@ namespace firma {
 /// them, and of any world whose hash_world() is not the one that the patch says, nothing is published.
 /// @param world  the one that the patch was made for
 /// @return kInvalid for another world; else errors as unpack_world()
-/// Shares what the patch leaves as it is. Time grows with the patch and with all faces of the world, which are judged
-/// as by check_world() and check_solid().
+/// Shares what the patch leaves as it is. What is exchanged is judged, and its border with what stays; the world is
+/// taken as sound: then the one made is, too (check_world(), check_solid()). Costs the patch, and of faces that stay
+/// those near; a comparison of ids with theirs where numbers went back, and all of them where rooms that stay became
+/// part of others.
 [[nodiscard]] FIRMA_EXPORT Result<World> apply_patch(const World& world, std::span<const std::byte> patch,
                                                      std::string name);
 

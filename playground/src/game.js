@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The parts put together: a world, somebody in it, what is drawn of it. Nothing here knows of frames or keys.
 import { Launcher } from './launcher.js';
+import { LooseChunks } from './loose_chunks.js';
 import { Painter } from './painter.js';
 import { PortalPanes } from './portal_panes.js';
 import { Player } from './player.js';
 import { Probe } from './probe.js';
 import { RegionMeshes, regionOptions } from './region_meshes.js';
-import { Rooms } from './rooms.js';
+import { areaOf, Rooms } from './rooms.js';
 import { Samples } from './samples.js';
+import { SetShots } from './set_shots.js';
 import { findSpawn } from './spawn.js';
 import { makeSurfaceMaterials } from './surface_material.js';
 import { direction } from './vector.js';
@@ -22,14 +24,18 @@ export class Game {
         this.stage = stage;
         this.probe = new Probe(world);
         this.player = new Player(this.probe);
-        this.launcher = new Launcher(firma, world, this.probe, (before, after) => this.#redraw(before, after));
+        this.launcher = new Launcher(firma, world, this.probe, (before, after) => this.#redraw(before, after), (loose) => this.loose.add(loose));
         this.painter = new Painter(this.launcher.materials, (edit, point) => this.launcher.depth(edit, point));
         const materials = makeSurfaceMaterials();
         this.meshes = new RegionMeshes(materials.solid, this.painter, materials.clear);
         this.meshes.replace(world.regionMeshes(regionOptions(this.launcher.materials)));
         this.rooms = new Rooms(world);
         this.panes = new PortalPanes();
-        stage.scene.add(this.meshes.group, this.panes.group);
+        this.loose = new LooseChunks(materials.makeFading, this.painter);
+        this.sets = new SetShots(this.launcher, this.rooms, levelName);
+        stage.scene.add(this.meshes.group, this.loose.group, this.panes.group);
+        this.neverDrawn = materials.makeFading(); // keeps their program compiled
+        stage.warmUp(this.neverDrawn);
         this.floor = world.facts().low[2];
         this.frameMs = new Samples(kFrames);
         this.workMs = new Samples(kFrames);
@@ -52,6 +58,21 @@ export class Game {
         this.moved = this.probe.group;
         this.rooms.locate(this.player.eye());
         if (this.player.feet[2] < this.floor - 20) this.respawn(); // through a hole in a level that is not closed
+        const shot = this.sets.step(dt);
+        if (!shot) return;
+        this.stage.explode(this.player.eye(), shot.position, [0, 0, 1]);
+        const { told } = this.sets;
+        if (told.after) this.stage.showCast(this.sets.cast.from, told.after.point);
+    }
+
+    /** Plays a scene of the level, 'bridge' or 'wall'; says whether it has that. Whoever watches is put where it is seen. */
+    startSet(name) {
+        const stand = this.sets.start(name);
+        if (!stand) return false;
+        this.player.place(stand.feet);
+        this.player.look(stand.yaw, stand.pitch);
+        this.stage.showCast(null);
+        return this.#freed(true);
     }
 
     /** What is looked at. */
@@ -64,6 +85,7 @@ export class Game {
 
     fire() {
         const eye = this.player.eye();
+        this.#endSet();
         const shot = this.launcher.fire(eye, this.#direction(), this.rooms.locate(eye) ?? 'any');
         if (shot.target.met) this.stage.explode(this.player.eye(), shot.target.hit.point, shot.target.hit.normal);
         return shot;
@@ -83,14 +105,18 @@ export class Game {
     }
 
     undo() {
+        this.#endSet();
+        this.loose.clear();
         return this.#freed(this.launcher.undo());
     }
 
     redo() {
+        this.#endSet();
         return this.#freed(this.launcher.redo());
     }
 
     render(dt) {
+        this.loose.step(dt);
         this.stage.view(this.player.eye(), this.#direction());
         this.stage.render(dt);
     }
@@ -118,7 +144,9 @@ export class Game {
             portals: { all: this.rooms.portals.length, open: this.rooms.portals.filter((portal) => portal.open).length, shown: this.panes.all },
             aim: aimed && { met: aimed.met, distance: aimed.distance, material: aimed.material, rooms: aimed.passed.map((room) => this.rooms.name(room)), counts: { ...aimed.counts } },
             move: { casts: this.moved.casts, counts: { ...this.moved.counts } },
-            shot: launcher.last && { ...launcher.last, target: undefined },
+            shot: launcher.last && { ...launcher.last, target: undefined, portals: launcher.last.portals?.map((portal) => this.#portalState(portal)) },
+            fading: this.loose.triangles,
+            set: this.sets.told && { ...this.sets.told, portals: this.sets.told.portals.map((portal) => this.#portalState(portal)) },
             history: (({ bytes, versions }) => ({ bytes: Number(bytes), versions: Number(versions) }))(launcher.store.facts()),
             times: {
                 frameMs: summary(this.frameMs), workMs: summary(this.workMs), castUs: summary(this.probe.microseconds),
@@ -129,6 +157,17 @@ export class Game {
 
     #direction() {
         return direction(this.player.yaw, this.player.pitch);
+    }
+
+    #portalState(portal) {
+        const { rooms, polygons } = this.rooms.portals[portal];
+        return { id: portal, rooms: rooms.map((room) => this.rooms.name(room)), area: areaOf(polygons) };
+    }
+
+    /** Somebody does something else. */
+    #endSet() {
+        this.sets.stop();
+        this.stage.showCast(null);
     }
 
     #freed(changed) {

@@ -7,18 +7,30 @@ const grouped = (value) => value.toString().replace(/\B(?=(\d{3})+$)/g, ',');
 const counts = ({ nodes, boxes, faces, precise }) =>
     `${nodes} nodes, ${boxes} boxes, ${faces} faces${precise ? `, ${precise} in more digits` : ''}`;
 
-/** What a shot came to, in words. */
+const cubic = (volume) => `${number(volume, volume < 0.1 ? 4 : 2)} m\u00b3`;
+const counted = (count, what) => `${grouped(count)} ${what}${count === 1 ? '' : 's'}`;
+const portalText = ({ id, rooms, area }) => `portal ${id} between ${rooms[0]} and ${rooms[1]}, ${number(area, 2)} m\u00b2`;
+
+/** What a shot cut off and opened, in words; '' for nothing. */
+function describeFound({ chunks, portals }) {
+    const parts = [];
+    if (chunks?.count > 0) parts.push(`${counted(chunks.count, 'chunk')} of ${cubic(chunks.volume)}, ${grouped(Math.round(chunks.mass))} kg came loose`);
+    if (chunks?.crumbs > 0) parts.push(counted(chunks.crumbs, 'crumb'));
+    if (portals?.length > 0) parts.push(`new: ${portals.map(portalText).join('; ')}`);
+    return parts.map((part) => `; ${part}`).join('');
+}
+
+/** What a shot came to, in words. @param shot  as in state() of the game */
 export function describeShot(shot) {
     if (!shot) return '';
-    const cut = `cut ${number(shot.cutMs, 2)} ms`;
     switch (shot.status) {
         case 'done':
             return `crater: ${shot.report.facesRemoved} faces removed, ${shot.report.facesAdded} added, ` +
-                `${number(shot.report.volume, 2)} m\u00b3; ${cut}, drawn anew in ${number(shot.meshMs, 2)} ms`;
+                `${number(shot.report.volume, 2)} m\u00b3${describeFound(shot)}`;
         case 'nothing': return shot.report.facesCastableOnly > 0
-            ? `nothing is taken away: met only faces that are castable only (${shot.report.facesCastableOnly}); ${cut}`
-            : `nothing is taken away: no closed solid there (${cut})`;
-        case 'refused': return `refused: ${shot.reason} (${cut})`;
+            ? `nothing is taken away: met only faces that are castable only (${shot.report.facesCastableOnly})`
+            : 'nothing is taken away: no closed solid there';
+        case 'refused': return `refused: ${shot.reason}`;
         case 'undone': case 'redone': return shot.status;
         case 'opened': case 'closed': return `portal ${shot.status}`;
         case 'sky': return 'that is the sky';
@@ -26,9 +38,28 @@ export function describeShot(shot) {
     }
 }
 
+const sightText = (sight) => (sight ? `${sight.material} in room ${sight.room} after ${number(sight.distance, 2)} m` : 'nothing');
+
+/** What came of a scene so far, in words. @param set  as in state() of the game */
+export function describeSet(set) {
+    if (!set) return '';
+    const what = set.name === 'bridge' ? `the bridge: ${set.shots} of ${set.all} shots` : 'the thin wall';
+    if (set.shots < set.all) return `${what}: shooting`;
+    const parts = [];
+    if (set.done === 0) parts.push('nothing is left there to shoot at');
+    if (set.chunks > 0)
+        parts.push(`${counted(set.chunks, 'chunk')} of ${cubic(set.volume)}, ${grouped(Math.round(set.mass))} kg left the level, ` +
+            `the largest ${cubic(set.largest.volume)}, ${grouped(Math.round(set.largest.mass))} kg`);
+    else if (set.name === 'bridge' && set.done > 0) parts.push('nothing came loose');
+    if (set.portals.length > 0) parts.push(`new: ${set.portals.map(portalText).join('; ')}`);
+    else if (set.name === 'wall' && set.done > 0) parts.push('one room on both sides, so no portal');
+    if (set.name === 'wall') parts.push(`a cast met ${sightText(set.before)} before, meets ${sightText(set.after)} now`);
+    return `${what}: ${parts.join('; ')}`;
+}
+
 export class Hud {
     constructor(root) {
-        this.lines = Object.fromEntries(['place', 'aim', 'move', 'times', 'shot'].map((name) => [name, root.querySelector(`.${name}`)]));
+        this.lines = Object.fromEntries(['place', 'aim', 'move', 'times', 'shot', 'set'].map((name) => [name, root.querySelector(`.${name}`)]));
         this.shown = -Infinity;
     }
 
@@ -46,7 +77,8 @@ export class Hud {
         set('move', `moving: ${s.move.casts} casts tested ${counts(s.move.counts)}`);
         set('times', `frame ${number(s.times.frameMs.median, 1)} ms (ours ${number(s.times.workMs.median, 2)})   ` +
             `cast ${number(s.times.castUs.median, 1)} \u00b5s (least ${number(s.times.castUs.least, 1)})   ` +
-            `cut ${number(s.times.cutMs.median, 2)} ms (least ${number(s.times.cutMs.least, 2)}, last ${number(s.times.cutMs.last, 2)})`);
-        set('shot', describeShot(s.shot));
+            `cut ${number(s.times.cutMs.median, 2)} ms (least ${number(s.times.cutMs.least, 2)}, last ${number(s.times.cutMs.last, 2)})   drawn anew in ${number(s.times.meshMs.median, 2)} ms (last ${number(s.times.meshMs.last, 2)})`);
+        set('shot', s.set ? '' : describeShot(s.shot)); // of a scene all shots together
+        set('set', describeSet(s.set));
     }
 }

@@ -9,12 +9,12 @@ const kRadiansPerPixel = 0.0022;
 const kTurn = 2.4; // radians a second, by keys
 
 export class Input {
-    /** @param actions  fire, undo, redo, respawn, help, portals, door, level: called when a key or the button goes down */
+    /** @param actions  fire, undo, redo, respawn, help, portals, door, level, bridge, wall: called when a key or the button goes down */
     constructor(canvas, player, actions) {
         this.keys = {};
         this.player = player;
         const atKey = { KeyF: 'fire', Enter: 'fire', KeyZ: 'undo', KeyY: 'redo', KeyR: 'respawn', KeyH: 'help',
-            KeyP: 'portals', KeyE: 'door', KeyL: 'level' };
+            KeyP: 'portals', KeyE: 'door', KeyL: 'level', KeyB: 'bridge', KeyT: 'wall' };
         addEventListener('keydown', (event) => {
             if (event.altKey || event.metaKey) return;
             const held = kHeld[event.code];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fires: a cast along the view, a crater where it meets something, a new version of the world; and back.
+import { countChunks } from './loose_chunks.js';
 import { kStopsSight } from './masks.js';
 import { Samples } from './samples.js';
 import { dot, subtract } from './vector.js';
@@ -7,18 +8,24 @@ import { dot, subtract } from './vector.js';
 const kReach = 250; // metres
 const kCraterScale = 1.2;
 const kHistoryBytes = 256 * 1024 * 1024;
+// What is cut off leaves. As heavy as concrete, kg/m3.
+const kCarveOptions = { material: 'rubble', chunks: { density: 2400 } };
 
 export class Launcher {
-    /** @param onChange  (before, after): the worlds, after each change */
-    constructor(firma, world, probe, onChange) {
+    /**
+     * @param onChange  (before, after): the worlds, after each change
+     * @param onLoose  (loose): what a shot cut off, after that; the handle goes when it returns
+     */
+    constructor(firma, world, probe, onChange, onLoose = () => {}) {
         this.firma = firma;
         this.store = firma.openStore(world, kHistoryBytes);
         this.world = world;
         this.materials = world.facts().materials;
         this.probe = probe;
         this.onChange = onChange;
+        this.onLoose = onLoose;
         this.shots = 0;
-        this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report }
+        this.last = null; // of the last shot: { status, reason, cutMs, meshMs, report, chunks, portals }
         this.cutMs = new Samples(60);
         this.meshMs = new Samples(60);
         this.dents = new Map(); // number of an edit -> where its crater lies, for the colours of its faces
@@ -28,8 +35,9 @@ export class Launcher {
     warmUp(at) {
         for (let seed = 1; seed <= 3; ++seed) {
             const cutter = this.firma.crater('rocky', seed);
-            const { world: after } = this.world.carve(cutter, { position: at, scale: kCraterScale }, { material: 'rubble' });
+            const { world: after, report } = this.world.carve(cutter, { position: at, scale: kCraterScale }, kCarveOptions);
             this.world.changedRegionMeshes(after);
+            report.loose?.release();
             cutter.release();
             after.release();
         }
@@ -52,25 +60,18 @@ export class Launcher {
         if (!target.met) return (this.last = { status: 'missed', target });
         if (/sky/.test(target.material)) return (this.last = { status: 'sky', target });
         const seed = ++this.shots;
-        const cutter = this.firma.crater('rocky', seed);
         const pose = { position: target.hit.point, rotation: this.firma.randomTurn(seed), scale: kCraterScale };
-        const before = this.world;
-        const start = performance.now();
-        const { world: after, report } = before.carve(cutter, pose, { material: 'rubble' });
-        const cutMs = performance.now() - start;
-        cutter.release();
-        this.last = { status: report.status, reason: report.reason, cutMs, report, target };
-        if (report.status !== 'done') {
-            after.release();
-            return this.last;
-        }
-        this.cutMs.add(cutMs);
         // A crater in a crater goes on from the wall that the first one hit, so that colours by depth go on too.
-        const wall = this.dents.get(before.hitInfo(target.hit).sourceEdit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
-        this.dents.set(after.facts().edits, { ...wall, scale: kCraterScale });
-        this.store.publish(before, after);
-        this.last.meshMs = this.#change(after);
+        const wall = this.dents.get(this.world.hitInfo(target.hit).sourceEdit) ?? { point: target.hit.point, normal: target.hit.faceNormal };
+        this.#carve(seed, pose, { ...wall, scale: kCraterScale });
+        this.last.target = target;
         return this.last;
+    }
+
+    /** A rocky crater wherever one likes, not turned. */
+    shootAt({ position, scale, seed }) {
+        // Somewhat dark all over: no wall is known that it begins at.
+        return this.#carve(seed, { position, scale }, { point: [position[0], position[1], position[2] + 0.3 * scale], normal: [0, 0, 1], scale });
     }
 
     undo() {
@@ -96,6 +97,30 @@ export class Launcher {
         return dent ? -dot(subtract(point, dent.point), dent.normal) / dent.scale : 0;
     }
 
+    /** @param dent  for colours: where the crater lies */
+    #carve(seed, pose, dent) {
+        const cutter = this.firma.crater('rocky', seed);
+        const before = this.world;
+        const start = performance.now();
+        const { world: after, report } = before.carve(cutter, pose, kCarveOptions);
+        const cutMs = performance.now() - start;
+        cutter.release();
+        this.last = { status: report.status, reason: report.reason, cutMs, report };
+        if (report.status !== 'done') {
+            after.release();
+            return this.last;
+        }
+        this.cutMs.add(cutMs);
+        const [portals, facts] = [before.facts().portalCount, after.facts()];
+        this.last.portals = Array.from({ length: facts.portalCount - portals }, (_, k) => portals + k);
+        this.last.chunks = countChunks(report);
+        this.dents.set(facts.edits, dent);
+        this.store.publish(before, after);
+        this.last.meshMs = this.#change(after, report.loose);
+        report.loose = null;
+        return this.last;
+    }
+
     #travel(name, isThere, move) {
         if (!isThere(this.store.facts())) return false;
         this.last = { status: name };
@@ -104,13 +129,15 @@ export class Launcher {
     }
 
     /** Everything from the world before to the one after: what is drawn, what casts meet. */
-    #change(after) {
+    #change(after, loose = null) {
         const start = performance.now();
         const before = this.world;
         this.world = after;
         this.probe.world = after;
         this.materials = after.facts().materials;
         this.onChange(before, after);
+        if (loose) this.onLoose(loose);
+        loose?.release();
         before.release(); // the store has its own
         const spent = performance.now() - start;
         this.meshMs.add(spent);

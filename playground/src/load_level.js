@@ -12,10 +12,17 @@ export function levelName(search) {
     return name;
 }
 
+/** The same, with what hangs free now held: said once, here, rather than by the first shot. */
+function held(world) {
+    const made = world.withAnchors();
+    world.release();
+    return made;
+}
+
 /** Of a level of brushes. */
 function ofBrushes(level) {
     try {
-        return { world: level.world(), start: startOf(level.entities()) };
+        return { world: held(level.world()), start: startOf(level.entities()) };
     } finally {
         level.release();
     }
@@ -30,6 +37,6 @@ export async function loadLevel(firma, name) {
         case 'map': return ofBrushes(await firma.levelFromMap(bytes, { name }));
         case 'bsp': return ofBrushes(await firma.levelFromBsp(bytes, { name }));
         case 'firma': return { world: firma.unpackWorld(bytes, name), start: null };
-        default: return { world: await firma.worldFromObj(bytes, { name }), start: null };
+        default: return { world: held(await firma.worldFromObj(bytes, { name })), start: null };
     }
 }

@@ -33,11 +33,12 @@ function offerHooks(game, loop, draw) {
         },
         fire() {
             const { status, reason } = game.fire();
-            return { status, reason: reason ?? null, text: describeShot(game.launcher.last) };
+            return { status, reason: reason ?? null, text: describeShot(game.state().shot) };
         },
         undo: () => game.undo(),
         redo: () => game.redo(),
         respawn: () => game.respawn(),
+        startSet: (name) => game.startSet(name),
         togglePortals: () => game.togglePortals(),
         turnPortal: () => game.turnPortal(),
         /** Draws now, `dt` seconds later for what fades. */
@@ -56,6 +57,18 @@ function offerHooks(game, loop, draw) {
         },
         game,
     });
+}
+
+/** Buttons for what the level has. */
+function offerSets(game) {
+    for (const name of ['bridge', 'wall']) {
+        const button = document.querySelector(`#${name}`);
+        button.hidden = !game.sets.plans[name];
+        button.addEventListener('click', () => {
+            button.blur(); // the space bar is for jumping
+            game.startSet(name);
+        });
+    }
 }
 
 /** Calls `frame` with the seconds gone by, for each frame of the browser. */
@@ -92,10 +105,13 @@ async function start() {
             respawn: () => game.respawn(),
             portals: () => game.togglePortals(),
             door: () => game.turnPortal(),
+            bridge: () => game.startSet('bridge'),
+            wall: () => game.startSet('wall'),
             level: () => (location.search = `?level=${kLevels[(kLevels.indexOf(name) + 1) % kLevels.length]}`),
             help: () => document.body.classList.toggle('without-help'),
         });
 
+        offerSets(game);
         const loop = { running: true };
         const draw = (dt) => {
             game.aim();

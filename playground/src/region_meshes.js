@@ -49,6 +49,11 @@ export class RegionMeshes {
         }
     }
 
+    /** Nothing is drawn any more. */
+    clear() {
+        for (const place of [...this.regions.keys()]) this.#remove(place);
+    }
+
     #remove(place) {
         const region = this.regions.get(place);
         if (!region) return;

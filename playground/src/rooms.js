@@ -42,6 +42,19 @@ export class Rooms {
     }
 }
 
+/** Square metres of convex polygons, as portals have them. */
+export function areaOf(polygons) {
+    let sum = 0;
+    for (const corners of polygons) {
+        const at = (k) => [corners[k], corners[k + 1], corners[k + 2]];
+        for (let k = 3; k + 3 < corners.length; k += 3) {
+            const normal = cross(subtract(at(k), at(0)), subtract(at(k + 3), at(0)));
+            sum += Math.sqrt(dot(normal, normal)) / 2;
+        }
+    }
+    return sum;
+}
+
 /** How far a ray goes to a convex polygon, from either side; Infinity when it passes by. */
 function distanceTo(corners, eye, direction) {
     const at = (k) => [corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]];

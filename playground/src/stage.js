@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn, but for the faces: camera, lights, fog, the flash of a shot.
+// What is drawn, but for the faces: camera, lights, fog, the flash of a shot, a cast that is shown.
 import * as THREE from 'three';
 
 const kFog = 0x8f9aa6;
@@ -29,7 +29,9 @@ export class Stage {
             new THREE.LineBasicMaterial({ color: 0xffe0a0, transparent: true, depthWrite: false }));
         this.trace.frustumCulled = false;
         this.trace.visible = false;
-        this.scene.add(this.lamp, this.flash, this.ball, this.trace);
+        this.cast = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x40ff80, fog: false }));
+        this.cast.visible = false;
+        this.scene.add(this.lamp, this.flash, this.ball, this.trace, this.cast);
         this.sinceShot = Infinity;
     }
 
@@ -54,6 +56,21 @@ export class Stage {
         this.ball.position.set(...point);
         this.flash.position.set(...point.map((x, k) => x + 0.4 * normal[k]));
         this.sinceShot = 0;
+    }
+
+    /** Shows where a cast went, from now on; null: no longer. */
+    showCast(from, to) {
+        this.cast.visible = from !== null;
+        if (!from) return;
+        this.cast.geometry.dispose();
+        this.cast.geometry = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(...from), new THREE.Vector3(...to)]);
+    }
+
+    /** Compiles what materials need before they are first drawn, so that no frame waits for it. */
+    warmUp(materials) {
+        const group = new THREE.Group();
+        for (const material of Object.values(materials)) group.add(new THREE.Mesh(new THREE.BufferGeometry(), material));
+        this.renderer.compile(group, this.camera, this.scene);
     }
 
     render(dt) {

@@ -123,7 +123,7 @@ normal = normalize(normal + roughness(kind) * (viewMatrix * vec4(detailHere.lean
 
 // The sky shines by itself; glass lets through more than water.
 const kFragmentSky = `
-if (kind > 4.5) diffuseColor.a = kind > 5.5 ? 0.72 : 0.22;
+if (kind > 4.5) diffuseColor.a *= kind > 5.5 ? 0.72 : 0.22;
 if (kind > 3.5 && kind < 4.5) outgoingLight = diffuseColor.rgb * (0.75 + 0.25 * smoothstep(0.0, 9.0, vPlace.z));
 #include <opaque_fragment>
 `;
@@ -144,11 +144,19 @@ function makeMaterial(keeps, detail, options) {
     return material;
 }
 
-/** `solid` for what hides all behind it, `clear` for glass and water, which are seen from both sides. */
-export function makeSurfaceMaterials() {
-    const detail = makeDetailTexture();
+/**
+ * `solid` for what hides all behind it, `clear` for glass and water, which are seen from both sides.
+ * @param fades  of what has an opacity: pixels of the solid go one by one, so that it needs no sorting
+ */
+function makePair(detail, fades) {
     return {
-        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, detail, {}),
+        solid: makeMaterial(`${kKind} < ${kFirstClear}.0`, detail, fades ? { alphaHash: true } : {}),
         clear: makeMaterial(`${kKind} >= ${kFirstClear}.0`, detail, { transparent: true, depthWrite: false, side: THREE.DoubleSide }),
     };
+}
+
+/** The materials of the level, and a function that makes a pair for what fades by itself. */
+export function makeSurfaceMaterials() {
+    const detail = makeDetailTexture();
+    return { ...makePair(detail, false), makeFading: () => makePair(detail, true) };
 }

@@ -3,8 +3,12 @@
 //
 // Time is stepped by hand: nothing here waits for a frame rate. Pictures go to build/playground_shots.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { call, load, open, shoot } from './harness.mjs';
+import { call, kFirma, kRoot, load, open, shoot } from './harness.mjs';
 
 const kRadius = 0.35;
 const kThinWall = 10.05; // x of its eastern side; 5 cm of rock between two rooms
@@ -242,6 +246,14 @@ test('keys and the mouse', async () => {
     await until(() => window.firmaPlayground.state().version === 0);
     await page.keyboard.press('y');
     await until(() => window.firmaPlayground.state().version === 1);
+    for (const [key, name, shots] of [['b', 'bridge', 2], ['t', 'wall', 1]]) {
+        await page.keyboard.press(key);
+        await until(([is, of]) => ((set) => set?.name === is && set.shots === of)(window.firmaPlayground.state().set), [name, shots]);
+    }
+    for (let version = 3; version >= 1; --version) {
+        await page.keyboard.press('z');
+        await until((v) => window.firmaPlayground.state().version === v, version);
+    }
 
     await page.mouse.click(500, 300); // takes the pointer, does not fire
     await until(() => document.pointerLockElement !== null);
@@ -316,6 +328,171 @@ test('the depot: rooms by name, portals shown, a door closed', async () => {
     assert.deepEqual(await drawnWrong(page), []);
     await call(page, 'check');
     await shoot(page, '12_dock');
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+/** The corners of what fades, low and high, and its opacity. */
+const fadingBounds = (page) =>
+    page.evaluate(() => {
+        const low = [Infinity, Infinity, Infinity];
+        const high = low.map((x) => -x);
+        const { loose } = window.firmaPlayground.game;
+        for (const { meshes } of loose.fading)
+            for (const { geometry, group } of meshes.regions.values())
+                geometry.attributes.position.array.forEach((x, k) => {
+                    const at = x + group.position.toArray()[k % 3];
+                    low[k % 3] = Math.min(low[k % 3], at);
+                    high[k % 3] = Math.max(high[k % 3], at);
+                });
+        return { low, high, opacity: loose.fading.map(({ materials }) => materials.solid.opacity), drawn: loose.group.children.length };
+    });
+
+/** What `firma demo` tells of the same two scenes. */
+let told = null;
+function toldByDemo() {
+    return (told ??= askDemo());
+}
+
+function askDemo() {
+    const folder = mkdtempSync(path.join(os.tmpdir(), 'firma-playground-'));
+    try {
+        const call = ['demo', path.join(kRoot, 'levels/depot.map'), '--casts', '100', '--craters', '1', '-o', path.join(folder, 'x.svg'), '--json'];
+        return JSON.parse(execFileSync(kFirma, call, { stdio: ['ignore', 'pipe', 'ignore'] })).depot;
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+}
+
+const near = (a, b) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${a} and ${b}`);
+
+test('the bridge shot at both ends falls and fades, as firma demo has it', async () => {
+    const told = toldByDemo().bridge;
+    const { page, errors } = await load(session);
+    const first = await call(page, 'hash');
+    assert.equal(await page.textContent('#bridge'), 'Shoot the bridge (B)');
+    await page.click('#bridge');
+    assert.equal((await call(page, 'step', 0.3, {})).version, 0); // one looks first
+    assert.match(await page.evaluate(() => (window.firmaPlayground.draw(), document.querySelector('#hud .set').textContent)), /the bridge: 0 of 2 shots: shooting/);
+    await shoot(page, '13_bridge_before');
+    assert.equal((await call(page, 'step', 0.3, {})).version, 1);
+    assert.equal((await call(page, 'step', 5, {})).version, 2); // a shot a step at most
+    let s = await call(page, 'step', 5, {});
+    assert.equal(s.version, 2);
+    assert.deepEqual([s.set.shots, s.set.done, s.set.chunks, s.set.crumbs], [2, 2, told.chunks, told.crumbs]);
+    for (const [is, should] of [[s.set.volume, told.volume], [s.set.mass, told.mass], [s.set.largest.volume, told.largest.volume], [s.set.largest.mass, told.largest.mass]])
+        near(is, should);
+    assert.ok(s.set.largest.volume > 8 && s.set.chunks >= 2);
+
+    // It is drawn where it was, as something of its own.
+    assert.deepEqual(await drawnWrong(page), []);
+    assert.ok(s.fading > 100, `${s.fading}`);
+    const { low, high, opacity, drawn } = await fadingBounds(page);
+    assert.ok(drawn >= 1 && drawn === opacity.length && opacity.every((x) => x === 1), `${opacity}`);
+    // The deck is 2 m wide; ends of its rails, which reach toward the walls, are loose as well.
+    assert.ok(low[0] >= 13 && high[0] <= 15 && low[1] > 0 && high[1] < 14 && low[2] >= 3 && high[2] <= 5 && high[1] - low[1] > 5, `${low} ${high}`);
+    await shoot(page, '14_bridge_loose', 0.4);
+    const words = await page.textContent('#hud .set');
+    assert.ok(words.includes(`${told.chunks} chunks of ${told.volume.toFixed(2)} m\u00b3`) && words.includes(`the largest ${told.largest.volume.toFixed(2)} m\u00b3`), words);
+    await shoot(page, '15_bridge_fading', 1);
+    const later = (await fadingBounds(page)).opacity;
+    assert.ok(later.every((x) => x > 0.1 && x < 0.9), `${later}`);
+    await call(page, 'draw', 3);
+    assert.deepEqual([(await state(page)).fading, (await fadingBounds(page)).drawn], [0, 0]);
+    await shoot(page, '16_bridge_gone');
+    await call(page, 'check');
+
+    // Again there is nothing; undone, it is back, and nothing fades any more.
+    await call(page, 'startSet', 'bridge');
+    await call(page, 'step', 0.6, {});
+    s = await call(page, 'step', 0.8, {});
+    assert.equal(s.set.shots, 2);
+    assert.equal(s.set.chunks, 0);
+    while (await call(page, 'undo'));
+    assert.equal(await call(page, 'hash'), first);
+    assert.deepEqual([(await state(page)).set, await drawnWrong(page)], [null, []]);
+    await call(page, 'startSet', 'bridge');
+    await call(page, 'step', 0.6, {});
+    await call(page, 'step', 0.8, {});
+    assert.ok((await state(page)).fading > 100);
+    await call(page, 'undo');
+    assert.equal((await state(page)).fading, 0);
+
+    // Who fires himself ends it.
+    await call(page, 'undo');
+    await call(page, 'startSet', 'bridge');
+    await call(page, 'step', 0.6, {});
+    const { version } = await state(page);
+    await call(page, 'look', 3.1, -0.4);
+    assert.equal((await call(page, 'fire')).status, 'done');
+    s = await call(page, 'step', 3, {});
+    assert.deepEqual([s.version, s.set], [version + 1, null]);
+    assert.deepEqual(errors, []);
+    await page.close();
+});
+
+test('a hole through the thin wall is a portal, and a cast goes through it, as firma demo has it', async () => {
+    const told = toldByDemo().hole;
+    const { page, errors } = await load(session);
+    const before = await state(page);
+    await page.click('#wall');
+    const s = await call(page, 'step', 0.6, {});
+    assert.equal(s.room.name, 'office_west');
+    assert.equal(s.portals.all, before.portals.all + 1);
+    const [portal] = s.set.portals;
+    assert.deepEqual([portal.id, [...portal.rooms].sort()], [told.portal, [...told.rooms].sort()]);
+    near(portal.area, told.area);
+    for (const when of ['before', 'after']) {
+        assert.deepEqual([s.set[when].material, s.set[when].room], [told[when].material, told[when].room]);
+        near(s.set[when].distance, told[when].distance);
+    }
+    assert.deepEqual([s.set.before.room, s.set.after.room], ['office_west', 'office_middle']);
+    assert.equal(await page.evaluate(() => window.firmaPlayground.game.stage.cast.visible), true);
+    await call(page, 'togglePortals');
+    await shoot(page, '17_hole', 0.5);
+    assert.match(await page.textContent('#hud .set'), /new: portal \d+ between office_\w+ and office_\w+, 0\.\d\d m\u00b2; a cast met \S+ in room office_west after 3\.25 m before, meets \S+ in room office_middle after 9\.\d\d m now/);
+    await call(page, 'place', 3, 18, 0.01); // and so does the cross
+    await call(page, 'look', 0, -0.02);
+    assert.deepEqual((await call(page, 'aim')).rooms, ['office_west', 'office_middle']);
+    assert.deepEqual(await drawnWrong(page), []);
+    await call(page, 'undo');
+    assert.equal((await state(page)).portals.all, before.portals.all);
+    assert.deepEqual((await call(page, 'aim')).rooms, ['office_west']);
+    assert.equal(await page.evaluate(() => window.firmaPlayground.game.stage.cast.visible), false);
+    assert.deepEqual(errors, []);
+    await page.close();
+
+    const other = await load(session, '?level=first.obj'); // of one room
+    await other.page.click('#wall');
+    const { set } = await call(other.page, 'step', 0.6, {});
+    assert.ok(set.portals.length === 0 && set.after.distance > set.before.distance + 5, JSON.stringify(set));
+    await call(other.page, 'draw');
+    assert.match(await other.page.textContent('#hud .set'), /one room on both sides, so no portal/);
+    await shoot(other.page, '18_hole_in_first');
+    await other.page.close();
+});
+
+test('what a crater of one\'s own cuts off fades', async () => {
+    const { page, errors } = await load(session);
+    await call(page, 'place', 18.75, 7, 0.01);
+    let shot = null;
+    for (let k = 0; k < 14 && !shot?.chunks?.count; ++k) {
+        const [dx, dy] = [13.9 - 18.75, 1.5 + 0.85 * k - 7]; // along the bridge's rail
+        await call(page, 'look', Math.atan2(dy, dx), Math.atan2(3.9 - 1.56, Math.hypot(dx, dy)));
+        assert.equal((await call(page, 'fire')).status, 'done');
+        const s = await state(page);
+        shot = s.shot;
+        assert.equal(s.fading > 0, shot.chunks.count > 0);
+    }
+    assert.ok(shot.chunks.count >= 1 && shot.chunks.volume > 0.001, JSON.stringify(shot.chunks));
+    near(shot.chunks.mass, 2400 * shot.chunks.volume);
+    assert.equal(shot.report.loose, null);
+    await shoot(page, '19_own_chunk', 0.3);
+    assert.match(await page.textContent('#hud .shot'), /\d chunks? of 0\.\d+ m\u00b3, \d+ kg came loose/);
+    assert.deepEqual(await drawnWrong(page), []);
+    await call(page, 'draw', 3);
+    assert.equal((await state(page)).fading, 0);
+    await call(page, 'check');
     assert.deepEqual(errors, []);
     await page.close();
 });

@@ -6,11 +6,11 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-export const kFolder = process.env.FIRMA_PLAYGROUND ?? path.join(root, 'build/playground');
-const kFirma = process.env.FIRMA ?? path.join(root, 'build/release/bin/firma');
+export const kRoot = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+export const kFolder = process.env.FIRMA_PLAYGROUND ?? path.join(kRoot, 'build/playground');
+export const kFirma = process.env.FIRMA ?? path.join(kRoot, 'build/release/bin/firma');
 const kChromium = process.env.FIRMA_CHROMIUM ?? '/usr/bin/chromium';
-const kShots = path.join(root, 'build/playground_shots');
+const kShots = path.join(kRoot, 'build/playground_shots');
 const kTimeout = 120_000; // milliseconds: graphics in software on a busy machine are slow, and no test is about that
 
 /** Starts `firma serve` on a free port. */

@@ -156,14 +156,12 @@ bool CellWriter::ends_stay(std::uint32_t use, std::uint32_t after) const {
     return !(one_edge && one_beyond) && (has_ending(piece, next) || has_ending(next, piece));
 }
 
+/// Of faces that go, too: what stood at their edges may stay.
 bool CellWriter::has_ending(std::uint32_t piece, std::uint32_t next) const {
-    const auto stays = [&](std::uint32_t other) {
-        return in_.is_kept(other) && !in_.dissolved[other] && may_stay(other);
-    };
     const auto beyond = in_.users.at(next);
     for (const std::uint32_t one : in_.users.at(piece))
-        if (stays(one) && std::none_of(beyond.begin(), beyond.end(), [&](std::uint32_t other) {
-                return stays(other) && in_.uses[other].edge == in_.uses[one].edge;
+        if (may_stay(one) && std::none_of(beyond.begin(), beyond.end(), [&](std::uint32_t other) {
+                return in_.uses[other].edge == in_.uses[one].edge;
             }))
             return true;
     return false;

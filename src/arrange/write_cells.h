@@ -43,7 +43,8 @@ private:
     /// Whether it came with an edge that may be used again.
     bool may_stay(std::uint32_t use) const;
     /// With Selection::keeps_ends: whether the point between a use and the next one is an end all the same, that of any
-    /// face's edge that may be used again, or of the line along which the solids touch: then all edges end there.
+    /// face's edge that may be used again, kept or not, or of the line along which the solids touch: then all edges end
+    /// there.
     bool ends_stay(std::uint32_t use, std::uint32_t after) const;
     bool has_ending(std::uint32_t piece, std::uint32_t next) const;
     /// The number of the edge that a chain of uses makes, which begins with `first` and ends before a point that stays.

@@ -3,35 +3,20 @@
 #include "carve/clip_sheets.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "arrange/label_cells.h"
 #include "base/disjoint_sets.h"
 #include "base/flat_map.h"
+#include "base/sort.h"
 #include "carve/gather.h"
-#include "solid/make_facets.h"
+#include "carve/point_within.h"
 
 namespace firma {
 namespace {
 
 constexpr std::uint32_t kNoNumber = ~0u;
-/// Input steps: the middle of a triangle that is wider lies in it, however it is rounded (fine_plane()).
-constexpr double kThinnest = 0x1p-10;
-
 /// Where a piece of a sheet lies against the cutter.
 enum class SheetPlace : std::uint8_t { kOut, kIn, kOn, kUnknown };
-
-/// A plane across an axis, at a fine place: input steps.
-Plane fine_plane(int axis, double at) {
-    constexpr double kScale = 1 << 16;
-    Plane plane = axis_plane(axis, 0);
-    const double rounded = std::floor(at * kScale + 0.5);
-    plane.normal[axis] = std::int64_t(kScale);
-    plane.set_offset(-Int128(std::int64_t(rounded)));
-    plane.d = -rounded;
-    plane.size = kScale;
-    return plane;
-}
 
 class SheetClipper {
 public:
@@ -54,6 +39,7 @@ public:
         if (!label_sheets()) return {};
         cell_air_.assign(cells().cells.size(), ClippedSheets::kNoAir);
         if (!label_faces()) return {};
+        divide_edges();
         write_faces();
         write_sheets();
         if (failed_) return {};
@@ -208,35 +194,12 @@ private:
 
     /// By a point within it.
     SheetPlace place_of(const Cell& cell) {
-        points_.clear();
-        exact_.clear();
-        for (const PieceUse& use : cells().uses(cell)) {
-            const ExactPoint corner = overlay_.point(start_of(use));
-            points_.push_back(corner.rounded());
-            exact_.push_back(corner.approximate());
-        }
-        const Plane& plane = sheet(cell.face).plane->plane;
-        const FlatView view = plane.front_view();
-        if (!facet_maker_.make(points_, cells().ends(cell), view, facets_))
-            facet_maker_.make_folded(points_, exact_, cells().ends(cell), view, facets_);
-        Vec3 middle{0, 0, 0};
-        double thickest = 0;
-        for (std::size_t k = 0; k < facets_.count(); ++k) {
-            const std::span corners(facets_.corners.data() + facets_.first[k], facets_.first[k + 1] - facets_.first[k]);
-            const auto corner = [&](std::size_t c) { return exact_[corners[c]]; };
-            for (std::size_t c = 2; c < corners.size(); ++c) {
-                const Vec3 a = corner(0), b = corner(c - 1), d = corner(c);
-                const double area = length(cross(b - a, d - a));
-                const double width = area / std::max({length(b - a), length(d - a), length(d - b), kThinnest});
-                if (!(width > thickest)) continue;
-                thickest = width;
-                middle = (a + b + d) * (1.0 / 3);
-            }
-        }
-        if (thickest < kThinnest) return SheetPlace::kUnknown;
-        const Plane u = fine_plane(view.u(), middle[view.u()]), v = fine_plane(view.v(), middle[view.v()]);
-        if (exact_turn(plane, u, v) == 0) return SheetPlace::kUnknown;
-        const int side = side_of_cutter(in_.cutter, ExactPoint(plane, u, v));
+        corners_.clear();
+        for (const PieceUse& use : cells().uses(cell)) corners_.push_back(overlay_.point(start_of(use)));
+        const std::optional<ExactPoint> within =
+            within_.find(sheet(cell.face).plane->plane, corners_, cells().ends(cell));
+        if (!within) return SheetPlace::kUnknown;
+        const int side = side_of_cutter(in_.cutter, *within);
         return side > 0 ? SheetPlace::kIn : side < 0 ? SheetPlace::kOut : SheetPlace::kOn;
     }
 
@@ -369,14 +332,14 @@ private:
     std::uint32_t number_at(const PieceUse& use, bool of_sheet) {
         const std::uint32_t number = use.edge == FacePiece::kNoEdge ? kNoNumber : origin_[use.edge].number;
         if (number != kNoNumber && is_whole(use)) return number;
-        return of_sheet ? number_of_sheet(use.piece) : number_of_part(use.piece, number);
+        return of_sheet && number == kNoNumber ? number_of_sheet(use.piece) : number_of_part(use.piece, number);
     }
 
-    /// A new edge between two faces of the fill: part of one that they have, or across a face.
+    /// A new edge: part of one by number, or between two faces of the fill across a face.
     std::uint32_t number_of_part(std::uint32_t piece, std::uint32_t number) {
         std::uint32_t& known = number_of_part_.at(std::uint64_t(piece) << 32 | number);
         if (known != FlatMap::kNone) return known;
-        bool doubled = false;
+        bool doubled = number != kNoNumber && overlay_.edges[overlay_edge_[number]].doubled;
         for (const std::uint32_t use : users_.at(piece)) {
             const std::uint32_t other = number_of_use(use);
             doubled |= other != kNoNumber && other != number;
@@ -393,7 +356,7 @@ private:
             const std::uint32_t number = number_of_use(use);
             if (is_whole(it) && number != kNoNumber) return number;
             as_it_was |= is_whole(it);
-            if (is_sheet(cells().cells[users_.cell_of(use)].face)) continue;
+            if (number == kNoNumber && is_sheet(cells().cells[users_.cell_of(use)].face)) continue;
             face = true;
             part = std::min(part, number);
         }
@@ -423,15 +386,88 @@ private:
         return {number, start != from};
     }
 
-    /// How many faces of the fill have an edge.
-    void count_uses() {
-        uses_of_edge_.assign(overlay_.edges.size(), 0);
-        for (std::size_t face = 0; face < face_of_.size(); ++face)
-            for (const OverlaySide& side : overlay_.sides(overlay_.faces[face])) ++uses_of_edge_[side.edge];
+    /// Edges by number that what is kept has parts of: whatever else has them is divided likewise.
+    void divide_edges() {
+        std::vector<std::uint8_t> partly(overlay_.edges.size(), 0);
+        bool any = false;
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
+            if (!is_kept(cell)) continue;
+            for (const PieceUse& use : cells().uses(cells().cells[cell])) {
+                if (use.edge == FacePiece::kNoEdge || origin_[use.edge].number == kNoNumber || is_whole(use)) continue;
+                partly[use.edge] = 1;
+                any = true;
+            }
+        }
+        if (!any) return;
+        std::vector<std::vector<std::uint32_t>> pieces(overlay_.edges.size());
+        std::vector<std::uint8_t> against(overlay_.edges.size(), 0);  // whether an edge runs against its line
+        for (std::uint32_t face = 0; face < overlay_.faces.size(); ++face)
+            for (const FacePiece& piece : lines_.of_face(face)) {
+                if (piece.edge == FacePiece::kNoEdge || !partly[piece.edge]) continue;
+                pieces[piece.edge].push_back(piece.piece);
+                against[piece.edge] = piece.reversed;
+            }
+        parts_of_.assign(view_.edge_count(), {});
+        for (std::uint32_t edge = 0; edge < pieces.size(); ++edge) {
+            sort_once(pieces[edge]);
+            if (against[edge]) std::reverse(pieces[edge].begin(), pieces[edge].end());
+            const std::uint32_t number = origin_[edge].number;
+            for (const std::uint32_t piece : pieces[edge]) {
+                const std::uint32_t from = against[edge] ? lines_.piece(piece).to : lines_.piece(piece).from;
+                parts_of_[number].push_back(use_of(number_of_part(piece, number), from));
+            }
+        }
+        divide_walls();
+    }
+
+    bool is_divided(std::uint32_t number) const { return number < parts_of_.size() && !parts_of_[number].empty(); }
+
+    /// Adds what takes the place of an edge by number.
+    void append_parts(const PatchUse& use, std::vector<PatchUse>& uses) const {
+        if (!is_divided(use.edge)) {
+            uses.push_back(use);
+            return;
+        }
+        const std::vector<PatchUse>& parts = parts_of_[use.edge];
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const PatchUse& part = parts[use.reversed ? parts.size() - 1 - k : k];
+            uses.push_back({part.edge, part.reversed != use.reversed});
+        }
+    }
+
+    /// Faces that the fill left alone become pieces of themselves, and what other portals ask for is noted.
+    void divide_walls() {
+        std::vector<bool> gone(in_.patch.faces.size(), false);
+        for (const std::uint32_t face : loops_.gone) gone[face] = true;
+        for (std::uint32_t face = 0; face < in_.patch.faces.size(); ++face) {
+            const PatchFace& it = in_.patch.faces[face];
+            if (gone[face] || it.replaced) continue;
+            const auto uses = in_.patch.uses(it);
+            if (std::none_of(uses.begin(), uses.end(), [&](const PatchUse& use) { return is_divided(use.edge); }))
+                continue;
+            made_.loops.gone.push_back(face);
+            add_copy({Ref<const SolidPlane>(it.plane), 0, 0, 0, 0, face, ~0u}, uses, in_.patch.ends(it));
+        }
+        sort_once(made_.loops.gone);
+        std::vector<EdgeDivision> divisions;
+        std::vector<PatchUse> parts;
+        std::size_t next = 0;  // of the fill's divisions
+        for (std::uint32_t edge = 0; edge < in_.patch.edges.size(); ++edge) {
+            const auto first = std::uint32_t(parts.size());
+            if (next < loops_.divisions.size() && loops_.divisions[next].edge == edge) {
+                const EdgeDivision& division = loops_.divisions[next++];
+                for (std::uint32_t k = 0; k < division.count; ++k)
+                    append_parts(loops_.parts[division.first_part + k], parts);
+            } else if (is_divided(edge)) {
+                append_parts({edge, false}, parts);
+            }
+            if (parts.size() > first) divisions.push_back({edge, first, std::uint32_t(parts.size()) - first});
+        }
+        made_.loops.divisions = std::move(divisions);
+        made_.loops.parts = std::move(parts);
     }
 
     void write_faces() {
-        count_uses();
         std::size_t next = 0;  // of face_of_
         for (std::uint32_t k = 0; k < loops_.faces.size(); ++k) {
             const NewFace& face = loops_.faces[k];
@@ -445,12 +481,20 @@ private:
         }
     }
 
-    void copy_face(const NewFace& face) {
-        NewFace made = face;
-        made.first_use = std::uint32_t(made_.loops.all_uses.size());
+    void copy_face(const NewFace& face) { add_copy(face, loops_.uses(face), loops_.ends(face)); }
+
+    /// A piece of a face that was there, with its edges as they are now.
+    void add_copy(NewFace made, std::span<const PatchUse> uses, std::span<const std::uint32_t> ends) {
+        std::vector<PatchUse>& all = made_.loops.all_uses;
+        made.first_use = std::uint32_t(all.size());
         made.first_loop = std::uint32_t(made_.loops.loop_ends.size());
-        for (const PatchUse& use : loops_.uses(face)) made_.loops.all_uses.push_back(use);
-        for (const std::uint32_t end : loops_.ends(face)) made_.loops.loop_ends.push_back(end);
+        std::size_t next = 0;
+        for (const std::uint32_t end : ends) {
+            for (; next < end; ++next) append_parts(uses[next], all);
+            made_.loops.loop_ends.push_back(std::uint32_t(all.size()) - made.first_use);
+        }
+        made.use_count = std::uint32_t(all.size()) - made.first_use;
+        made.loop_count = std::uint32_t(ends.size());
         made_.loops.faces.push_back(std::move(made));
         made_.air.push_back(ClippedSheets::kNoAir);
     }
@@ -461,8 +505,6 @@ private:
         made.first_use = std::uint32_t(made_.loops.all_uses.size());
         made.first_loop = std::uint32_t(made_.loops.loop_ends.size());
         for (const PieceUse& use : cells().uses(cell)) {
-            // An edge that a wall has, too, is not divided: no sheet ends within it.
-            failed_ |= use.edge != FacePiece::kNoEdge && !is_whole(use) && uses_of_edge_[use.edge] == 1;
             const std::uint32_t number = number_at(use, false);
             failed_ |= number == kNoNumber;
             if (failed_) return;
@@ -493,10 +535,12 @@ private:
         rest.sheet = sheet;
         for (const PieceUse& use : cells().uses(cell)) {
             SheetSide& side = rest.sides.emplace_back();
-            // Nor is one of a wall that the fill only touches: its faces would have to be divided, too.
-            failed_ |= use.edge != FacePiece::kNoEdge && origin_[use.edge].number != kNoNumber && !is_whole(use);
             const std::uint32_t number = number_at(use, true);
             if (number == kNoNumber) {
+                if (!is_whole(use)) {  // a sheet beside it has the edge, as it was
+                    failed_ = true;
+                    return;
+                }
                 const SolidEdge& edge = origin_[use.edge].use.edge();
                 const bool reversed = overlay_.edges[use.edge].from != start_of(use);
                 side.use = SolidUse(Ref<const SolidEdge>(&edge), reversed);
@@ -535,17 +579,16 @@ private:
     DividedLines lines_{overlay_, spans_};
     CellFinder cell_finder_{overlay_, spans_, lines_};
     PieceUsers users_;
-    std::vector<SheetPlace> place_;        ///< of cells
-    std::vector<std::uint32_t> cell_air_;  ///< likewise
-    std::vector<std::uint32_t> uses_of_edge_, at_sheet_, faces_at_;
+    std::vector<SheetPlace> place_;                ///< of cells
+    std::vector<std::uint32_t> cell_air_;          ///< likewise
+    std::vector<std::vector<PatchUse>> parts_of_;  ///< of edges by number: what takes their place. Empty: of none
+    std::vector<std::uint32_t> at_sheet_, faces_at_;
     std::vector<CellSpoke> spokes_;
     std::vector<std::uint32_t> new_from_;  ///< the point that each new edge starts at
     FlatMap number_of_part_;               ///< of new edges: by piece, and by the number of the edge divided there
     FlatMap own_edge_;                     ///< of the overlay, by address
-    std::vector<GridPoint> points_;
-    std::vector<Vec3> exact_;
-    FacetMaker facet_maker_;
-    Facets facets_;
+    std::vector<ExactPoint> corners_;
+    WithinFinder within_;
 };
 
 }  // namespace

@@ -2,8 +2,11 @@
 // What a cut opens, piece by connected piece.
 #include "carve/find_pockets.h"
 
+#include <optional>
+
 #include "base/disjoint_sets.h"
 #include "carve/exact_ray.h"
+#include "carve/point_within.h"
 
 namespace firma {
 namespace {
@@ -121,21 +124,39 @@ private:
         return best;
     }
 
+    /// By corners of the cavity, then by points within its faces: where it touches the shell, some lie on it.
     bool encloses(const Shell& shell, const Shell& cavity) const {
-        constexpr double kFar = 1e18;  // input steps
-        const ExactPoint& from = view_.point(view_.from(loops_.uses(face(cavity.faces[0]))[0]));
-        for (int way = 0; way < ExactRay::kWays; ++way) {
-            const ExactRay ray(from, way);
-            CrossingCount crossings;
-            std::vector<ExactRay::Edge> edges;
-            for (const std::uint32_t k : shell.faces) {
-                append_edges(face(k), edges);
-                if (!crossings.add(ray.meet(face(k).plane->plane, edges, kFar))) break;
-                edges.clear();
-            }
-            if (crossings.sure()) return crossings.odd();
+        for (const std::uint32_t k : cavity.faces)
+            if (const int side = side_of(shell, view_.point(view_.from(loops_.uses(face(k))[0]))); side != 0)
+                return side > 0;
+        WithinFinder within;
+        std::vector<ExactPoint> corners;
+        for (const std::uint32_t k : cavity.faces) {
+            corners.clear();
+            for (const PatchUse& use : loops_.uses(face(k))) corners.push_back(view_.point(view_.from(use)));
+            const std::optional<ExactPoint> point = within.find(face(k).plane->plane, corners, loops_.ends(face(k)));
+            if (!point) continue;
+            if (const int side = side_of(shell, *point); side != 0) return side > 0;
         }
         return false;
+    }
+
+    /// Whether a point lies in a shell: 1, or outside: -1; 0 on it.
+    int side_of(const Shell& shell, const ExactPoint& point) const {
+        constexpr double kFar = 1e18;  // input steps
+        std::vector<ExactRay::Edge> edges;
+        for (int way = 0; way < ExactRay::kWays; ++way) {
+            const ExactRay ray(point, way);
+            CrossingCount crossings;
+            for (const std::uint32_t k : shell.faces) {
+                edges.clear();
+                append_edges(face(k), edges);
+                if (!crossings.add(ray.meet(face(k).plane->plane, edges, kFar))) break;
+            }
+            if (crossings.begins_on_one()) return 0;
+            if (crossings.sure()) return crossings.odd() ? 1 : -1;
+        }
+        return 0;
     }
 
     void append_edges(const NewFace& of, std::vector<ExactRay::Edge>& edges) const {

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "base/sort.h"
+#include "carve/gather.h"
 #include "carve/group_loops.h"
 #include "geometry/flat_point.h"
 
@@ -21,20 +22,12 @@ namespace {
 
 constexpr std::uint32_t kNone32 = ~0u;
 
-/// What wins comes first: what may not be carved, then the lower number.
-std::vector<std::uint32_t> in_order(const MatterPieces& pieces, const CarveRules* rules,
-                                    std::vector<std::uint32_t> numbers) {
-    if (!any_hard(pieces, rules)) {
-        sort_range(numbers);
-        return numbers;
-    }
-    const auto soft = [&](std::uint32_t k) { return !(hardness_of(pieces, pieces.pieces[k], rules) >= 1); };
-    sort_range(numbers, [&](std::uint32_t a, std::uint32_t b) {
-        const bool soft_a = soft(a), soft_b = soft(b);
-        return soft_a != soft_b ? soft_b : a < b;
-    });
-    return numbers;
-}
+/// A piece near a cut, and whether it wins over those that may be carved.
+struct Contender {
+    bool soft;
+    std::uint32_t number;
+    auto operator<=>(const Contender&) const = default;
+};
 
 }  // namespace
 
@@ -74,6 +67,7 @@ bool MatterSplitter::step() {
         finish();
         return false;
     }
+    if (next_ == 0) list_candidates();
     if (loops_.faces[next_].face == kNone32) assign(loops_.faces[next_]);
     ++next_;
     return true;
@@ -85,98 +79,138 @@ void MatterSplitter::assign(const NewFace& face) {
     whole.ends.assign(loops_.ends(face).begin(), loops_.ends(face).end());
     face_ = &face;
     plane_ = face.plane.get();
-    list_candidates(box_of(whole));
-    assigned_[next_] = resolve(std::move(whole), 0, 0);
+    assigned_[next_] = resolve(std::move(whole), candidates_);
     for (const Assigned& it : assigned_[next_]) note_vertices(it.part);
 }
 
-GridBox MatterSplitter::box_of(const Part& part) const {
+/// Corners are rounded, and so are boxes of pieces: a little larger than what it holds.
+GridBox MatterSplitter::reach_of(std::span<const PatchUse> uses) const {
     GridBox box;
-    for (const PatchUse& use : part.uses) box.add(view_.point(view_.from(use)).rounded());
-    return box;
+    for (const PatchUse& use : uses) box.add(view_.point(view_.from(use)).rounded());
+    return grown(box, 2);
 }
 
-void MatterSplitter::list_candidates(const GridBox& box) {
-    candidates_.clear();
-    // Corners are rounded, and so are boxes of pieces.
-    constexpr std::int32_t kSteps = 2;
-    GridBox reach = box;
-    for (int axis = 0; axis < 3; ++axis) {
-        reach.low[axis] -= std::min(kSteps, std::int32_t(std::int64_t(reach.low[axis]) - INT32_MIN));
-        reach.high[axis] += std::min(kSteps, std::int32_t(std::int64_t(INT32_MAX) - reach.high[axis]));
-    }
-    pieces_.tree.for_each_meeting(reach, [&](std::uint32_t number) {
-        candidates_.push_back(number);
+/// All pieces near the new faces. What wins comes first: what may not be carved, then the lower number.
+void MatterSplitter::list_candidates() {
+    GridBox box;
+    for (const NewFace& face : loops_.faces)
+        if (face.face == kNone32) box.add(reach_of(loops_.uses(face)));
+    if (box.low.x > box.high.x) return;
+    const bool hard = any_hard(pieces_, rules_);
+    std::vector<Contender> found;
+    pieces_.tree.for_each_meeting(box, [&](std::uint32_t number) {
+        found.push_back({!hard || hardness_of(pieces_, pieces_.pieces[number], rules_) < 1, number});
         return false;
     });
-    candidates_ = in_order(pieces_, rules_, std::move(candidates_));
+    sort_range(found);
+    for (const Contender& it : found) candidates_.push_back(it.number);
+}
+
+/// Where a part lies. In a plane, what counts is what is behind the face.
+MatterSplitter::Sides MatterSplitter::sides(const Part& part, const SolidPlane& plane) const {
+    Sides found;
+    for (const PatchUse& use : part.uses) {
+        const int side = exact_side(plane.plane, view_.point(view_.from(use)));
+        found.behind |= side < 0;
+        found.front |= side > 0;
+        if (found.behind && found.front) return found;
+    }
+    if (!found.behind && !found.front)
+        (dot(plane.plane.direction(), plane_->plane.direction()) < 0 ? found.front : found.behind) = true;
+    return found;
+}
+
+/// Whether nothing of a part lies behind a plane.
+bool MatterSplitter::keeps_away(const SolidPlane& plane, const Part& part) const {
+    bool front = false;
+    for (const PatchUse& use : part.uses) {
+        const int side = exact_side(plane.plane, view_.point(view_.from(use)));
+        if (side < 0) return false;
+        front |= side > 0;
+    }
+    return front || sides(part, plane).front;
+}
+
+/// Those that no plane of their own keeps away from a part. Behind a face that carving makes lies solid: where all near
+/// it are of one matter no more is asked.
+std::vector<std::uint32_t> MatterSplitter::near(const Part& part, std::span<const std::uint32_t> candidates) const {
+    const GridBox reach = reach_of(part.uses);
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t number : candidates)
+        if (boxes_meet(pieces_.pieces[number].box, reach)) found.push_back(number);
+    if (are_of_one(found)) return found;
+    std::erase_if(found, [&](std::uint32_t number) {
+        return std::ranges::any_of(pieces_.planes_of(pieces_.pieces[number]),
+                                   [&](const auto& plane) { return keeps_away(*plane, part); });
+    });
+    return found;
+}
+
+/// Bodies of one matter, none of a mesh.
+bool MatterSplitter::are_of_one(std::span<const std::uint32_t> pieces) const {
+    return std::ranges::all_of(pieces, [&](std::uint32_t number) {
+        const MatterPiece& piece = pieces_.pieces[number];
+        return !piece.mesh && piece.matter == pieces_.pieces[pieces[0]].matter;
+    });
 }
 
 bool MatterSplitter::all_of_one(const std::vector<Assigned>& parts) const {
     return std::all_of(parts.begin(), parts.end(), [&](const Assigned& it) { return it.matter == parts[0].matter; });
 }
 
-/// @param plane  of the candidate, the first one not looked at yet: the part lies behind those before
-std::vector<MatterSplitter::Assigned> MatterSplitter::resolve(Part part, std::size_t candidate, std::size_t plane) {
-    const auto one = [&](std::uint32_t matter) {
-        std::vector<Assigned> made;
-        made.push_back({std::move(part), matter});
-        return made;
-    };
-    while (candidate < candidates_.size()) {
-        const MatterPiece& piece = pieces_.pieces[candidates_[candidate]];
-        if (plane == 0) {
-            const bool same = std::all_of(
-                candidates_.begin() + std::ptrdiff_t(candidate), candidates_.end(),
-                [&](std::uint32_t k) { return pieces_.pieces[k].matter == piece.matter && !pieces_.pieces[k].mesh; });
-            if (same) return one(piece.matter);
-            if (piece.mesh) {
-                const std::optional<GridPoint> point = point_within(part);
-                if (point && holds(pieces_, piece, *point)) return one(piece.matter);
-                ++candidate;
-                continue;
-            }
-        }
-        if (plane == piece.plane_count) return one(piece.matter);
+std::vector<MatterSplitter::Assigned> MatterSplitter::one(Part part, std::uint32_t matter) {
+    std::vector<Assigned> made;
+    made.push_back({std::move(part), matter});
+    return made;
+}
+
+/// @param candidates  those before them do not hold any of the part
+std::vector<MatterSplitter::Assigned> MatterSplitter::resolve(Part part, std::span<const std::uint32_t> candidates) {
+    const std::vector<std::uint32_t> found = near(part, candidates);
+    for (std::span<const std::uint32_t> left = found; !left.empty(); left = left.subspan(1)) {
+        const MatterPiece& piece = pieces_.pieces[left[0]];
+        if (are_of_one(left)) return one(std::move(part), piece.matter);
+        if (!piece.mesh) return divide(std::move(part), left, 0);
+        const std::optional<GridPoint> point = point_within(part);
+        if (point && holds(pieces_, piece, *point)) return one(std::move(part), piece.matter);
+    }
+    return one(std::move(part), pieces_.rest);
+}
+
+/// @param candidates  none of them a mesh's, of the first
+/// @param plane       of the first: the part lies behind those before
+std::vector<MatterSplitter::Assigned> MatterSplitter::divide(Part part, std::span<const std::uint32_t> candidates,
+                                                             std::size_t plane) {
+    const MatterPiece& piece = pieces_.pieces[candidates[0]];
+    for (; plane < piece.plane_count; ++plane) {
         const Ref<const SolidPlane>& by = pieces_.planes_of(piece)[plane];
-        bool behind = false, front = false;
-        for (const PatchUse& use : part.uses) {
-            const int side = exact_side(by->plane, view_.point(view_.from(use)));
-            behind |= side < 0;
-            front |= side > 0;
+        const Sides lies = sides(part, *by);
+        if (!lies.front) continue;
+        if (!lies.behind) return resolve(std::move(part), candidates.subspan(1));
+        std::vector<Part> behind, front;
+        if (!split(part, by, behind, front)) {
+            const std::uint32_t matter = matter_at_point(part, candidates);
+            return one(std::move(part), matter);
         }
-        // In its plane: what matters is behind the face.
-        if (!behind && !front) front = dot(by->plane.direction(), plane_->plane.direction()) < 0;
-        if (!front) {
-            ++plane;
-            continue;
-        }
-        if (!behind) {
-            ++candidate;
-            plane = 0;
-            continue;
-        }
-        std::vector<Part> parts_behind, parts_front;
-        if (!split(part, by, parts_behind, parts_front)) return one(matter_at_point(part, candidate));
         std::vector<Assigned> all;
         const auto add = [&](std::vector<Assigned> some) {
             for (Assigned& it : some) all.push_back(std::move(it));
         };
-        for (Part& it : parts_behind) add(resolve(std::move(it), candidate, plane + 1));
-        for (Part& it : parts_front) add(resolve(std::move(it), candidate + 1, 0));
-        if (all_of_one(all)) return one(all[0].matter);
-        return all;
+        for (Part& it : behind) add(divide(std::move(it), candidates, plane + 1));
+        for (Part& it : front) add(resolve(std::move(it), candidates.subspan(1)));
+        if (!all_of_one(all)) return all;
+        return one(std::move(part), all[0].matter);
     }
-    return one(pieces_.rest);
+    return one(std::move(part), piece.matter);
 }
 
 /// Behind one point, where nothing better tells.
-std::uint32_t MatterSplitter::matter_at_point(const Part& part, std::size_t from) const {
+std::uint32_t MatterSplitter::matter_at_point(const Part& part, std::span<const std::uint32_t> candidates) const {
     const std::optional<GridPoint> point = point_within(part);
     if (point)
-        for (std::size_t k = from; k < candidates_.size(); ++k)
-            if (holds(pieces_, pieces_.pieces[candidates_[k]], *point)) return pieces_.pieces[candidates_[k]].matter;
-    return pieces_.pieces[candidates_[from]].matter;
+        for (const std::uint32_t number : candidates)
+            if (holds(pieces_, pieces_.pieces[number], *point)) return pieces_.pieces[number].matter;
+    return pieces_.pieces[candidates[0]].matter;
 }
 
 /// In the middle of the widest way through a part across, where it is cut halfway between two corners.

@@ -54,6 +54,9 @@ private:
         Part part;
         std::uint32_t matter;
     };
+    struct Sides {
+        bool behind = false, front = false;
+    };
     /// Where a loop changes its side of a plane, at the vertex that item `item` begins with.
     struct SideChange {
         std::uint32_t item = 0;  ///< in items_
@@ -69,11 +72,17 @@ private:
     };
 
     void assign(const NewFace& face);
-    std::vector<Assigned> resolve(Part part, std::size_t candidate, std::size_t plane);
+    void list_candidates();
+    std::vector<std::uint32_t> near(const Part& part, std::span<const std::uint32_t> candidates) const;
+    bool are_of_one(std::span<const std::uint32_t> pieces) const;
+    std::vector<Assigned> resolve(Part part, std::span<const std::uint32_t> candidates);
+    std::vector<Assigned> divide(Part part, std::span<const std::uint32_t> candidates, std::size_t plane);
+    static std::vector<Assigned> one(Part part, std::uint32_t matter);
     bool all_of_one(const std::vector<Assigned>& parts) const;
-    GridBox box_of(const Part& part) const;
-    void list_candidates(const GridBox& box);
-    std::uint32_t matter_at_point(const Part& part, std::size_t from) const;
+    GridBox reach_of(std::span<const PatchUse> uses) const;
+    Sides sides(const Part& part, const SolidPlane& plane) const;
+    bool keeps_away(const SolidPlane& plane, const Part& part) const;
+    std::uint32_t matter_at_point(const Part& part, std::span<const std::uint32_t> candidates) const;
     std::optional<GridPoint> point_within(const Part& part) const;
 
     bool split(const Part& part, const Ref<const SolidPlane>& plane, std::vector<Part>& behind,
@@ -111,6 +120,7 @@ private:
     std::uint32_t next_ = 0;
     bool whole_ = true;  ///< nothing was split so far
 
+    std::vector<std::uint32_t> candidates_;        ///< pieces near the cut, in the order in which they win
     std::vector<std::vector<Assigned>> assigned_;  ///< by face of loops_; empty for the world's
 
     // Edges that are parts of others, and new ones: by number from first_part_ on.
@@ -126,7 +136,6 @@ private:
     // Of the face at hand:
     const SolidPlane* plane_ = nullptr;  ///< of the face
     const NewFace* face_ = nullptr;
-    std::vector<std::uint32_t> candidates_;
     // Of the split at hand:
     std::vector<PatchUse> items_;
     std::vector<std::uint32_t> item_ends_;

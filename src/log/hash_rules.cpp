@@ -23,6 +23,7 @@ std::uint64_t hash_rules(const CarveRules& rules, const Anchors* anchors) {
         hasher.add(limit);
     hasher.add(rules.max_cutter_size);
     hasher.add(rules.merge_share);
+    if (!rules.open_faces) hasher.add(std::uint32_t(1));
     if (!anchors) return hasher.value();
     const auto add = [&](const auto& list) {
         hasher.add(list.size());

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // From a world and a hostile patch to another world, or to the reason why not.
+#include "save/apply_patch.h"
+
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/flat_map.h"
+#include "base/sort.h"
 #include "carve/gather.h"
 #include "firma/world_patch.h"
 #include "save/anchor_bytes.h"
@@ -14,6 +18,9 @@
 #include "save/unpack_exact.h"
 #include "save/unpack_faces.h"
 #include "solid/append_faces.h"
+#include "solid/check_boundary.h"
+#include "solid/hash_face.h"
+#include "world/check_exchange.h"
 
 namespace firma {
 namespace {
@@ -28,8 +35,16 @@ std::vector<SectionType> sections_of_patch() {
 
 class PatchReader {
 public:
-    PatchReader(const World& world, std::vector<Section> all, const std::string& name)
-        : world_(world), data_(world.data()), damage_(name), sections_(std::move(all), damage_) {}
+    PatchReader(const World& world, std::vector<Section> all, const std::string& name, const PatchChecks& checks)
+        : world_(world),
+          data_(world.data()),
+          checks_(checks),
+          damage_(name),
+          sections_(std::move(all), damage_),
+          solid_after_(data_.solid.data().faces),
+          castable_after_(data_.castable),
+          solid_edit_(solid_after_, data_.tree_options),
+          castable_edit_(castable_after_, data_.tree_options) {}
 
     Result<World> apply() {
         const std::vector<SectionType> known = sections_of_patch();
@@ -161,24 +176,110 @@ private:
         return !damage_.error();
     }
 
-    /// Faces of one kind exchanged.
-    FaceStore exchanged(const FaceStore& before, bool solid) const {
-        StoreEdit edit(before, data_.tree_options);
-        bool any = false;
-        for (const FacetPlace& facet : removed_) {
-            if (facet.record().solid != solid) continue;
-            edit.remove(facet);
-            any = true;
+    StoreEdit& edit_of(bool solid) { return solid ? solid_edit_ : castable_edit_; }
+
+    /// Faces of both kinds exchanged.
+    void exchange() {
+        for (const FacetPlace& facet : removed_) edit_of(facet.record().solid).remove(facet);
+        for (const bool solid : {true, false}) {
+            FaceSet some;
+            for (const FaceSet::Entry& face : added_.faces)
+                if (face.solid == solid) append_face(added_, face, some);
+            const auto of_kind = [&](const FacetPlace& facet) { return facet.record().solid == solid; };
+            if (some.faces.empty() && std::none_of(removed_.begin(), removed_.end(), of_kind)) continue;
+            edit_of(solid).add(std::move(some));
+            while (edit_of(solid).step()) {
+            }
+            (solid ? solid_after_ : castable_after_) = edit_of(solid).result();
         }
-        FaceSet some;
-        for (const FaceSet::Entry& face : added_.faces)
-            if (face.solid == solid) append_face(added_, face, some);
-        any |= !some.faces.empty();
-        if (!any) return before;
-        edit.add(std::move(some));
-        while (edit.step()) {
+        find_added();
+    }
+
+    /// The faces added, in the blocks made.
+    void find_added() {
+        const auto is_added = [&](FaceId id) {
+            const auto found = std::lower_bound(added_.faces.begin(), added_.faces.end(), id,
+                                                [](const FaceSet::Entry& face, FaceId of) { return face.id < of; });
+            return found != added_.faces.end() && found->id == id;
+        };
+        for (const StoreEdit* edit : {&solid_edit_, &castable_edit_})
+            for (const Ref<const Node>& leaf : edit->added()) {
+                const Block& block = block_of(*leaf);
+                for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
+                    if (is_added(block.faces[slot].id)) made_facets_.push_back({&block, slot});
+            }
+    }
+
+    Solid solid_after() {
+        auto solid = std::make_shared<SolidData>(data_.solid.data());
+        solid->faces = solid_after_;
+        solid->rock_outside = unpacked_.world.rock_outside;
+        solid->next_face = unpacked_.world.next_face;
+        solid->edits = unpacked_.world.edits;
+        PointHash points;
+        add_points(removed_, -1, points);
+        add_points(made_facets_, 1, points);
+        const SumsByKey& sums = points.finish();
+        sums.add_to(solid->points);
+        solid->point_sum += sums.total();
+        return Solid(std::move(solid));
+    }
+
+    static void add_points(std::span<const FacetPlace> facets, int sign, PointHash& points) {
+        FlatMap owners;
+        for (const FacetPlace& facet : facets) {
+            if (!facet.record().solid) continue;
+            if (const FaceOwner* owner = facet.block->owner_of(facet.record())) {
+                std::uint32_t& known = owners.at(reinterpret_cast<std::uintptr_t>(owner));
+                if (known != FlatMap::kNone) continue;
+                known = 0;
+            }
+            add_face(*facet.block, facet.record(), sign, points);
         }
-        return edit.result();
+    }
+
+    /// Of the rooms that have faces exchanged, and of new ones; others are shared.
+    RoomFacesMap changed_rooms(const WorldData& after) const {
+        struct Change {
+            NodeEdit nodes;
+            Ref<RoomFaces> faces{new RoomFaces};
+        };
+        std::map<std::uint32_t, Change> changes;
+        const auto change_of = [&](std::uint32_t part) -> Change& {
+            const std::uint32_t room = after.cells.current_room(part);
+            const bool is_old = room < data_.cells.room_count();
+            const auto [at, is_new] =
+                changes.try_emplace(room, Change{NodeEdit(is_old ? data_.faces_of(room).tree : Ref<const Node>())});
+            if (is_new && is_old) {
+                at->second.faces->count = data_.faces_of(room).count;
+                at->second.faces->hash = data_.faces_of(room).hash;
+            }
+            return at->second;
+        };
+        for (const StoreEdit* edit : {&solid_edit_, &castable_edit_}) {
+            for (const PartChange& change : edit->parts()) {
+                RoomFaces& faces = *change_of(change.part).faces;
+                faces.count += std::size_t(change.faces);
+                faces.hash += change.hash;
+            }
+            for (const Block* block : edit->removed()) change_of(block->part).nodes.remove(block, block->box());
+            for (const Ref<const Node>& leaf : edit->added()) change_of(block_of(*leaf).part).nodes.add(leaf);
+        }
+        RoomFacesMap rooms = data_.room_faces;
+        for (std::uint32_t room = data_.cells.room_count(); room < after.cells.room_count(); ++room)
+            rooms.set(room, Ref<const RoomFaces>(new RoomFaces));
+        for (auto& [room, change] : changes) {
+            const Ref<const Node>&solid = solid_after_.root, &castable = castable_after_.root;
+            if (after.cells.room_count() == 1 && !(solid && castable)) {
+                change.faces->tree = solid ? solid : castable;
+            } else {
+                while (change.nodes.step()) {
+                }
+                change.faces->tree = change.nodes.result();
+            }
+            rooms.set(room, Ref<const RoomFaces>(change.faces.get()));
+        }
+        return rooms;
     }
 
     void build() {
@@ -188,32 +289,66 @@ private:
                 damage_.report(kFacesSection, "has a face in a room that is part of another");
                 return;
             }
+        exchange();
         auto data = std::make_shared<WorldData>(data_);
-        data->solid = solid_of(exchanged(data_.solid.data().faces, true), after.rock_outside, after.next_face,
-                               after.edits, data_.tree_options);
-        data->castable = exchanged(data_.castable, false);
+        data->solid = solid_after();
+        data->castable = castable_after_;
         data->cells = cells_;
         data->materials = after.materials;
         data->version = after.version;
         if (anchors_) data->anchors = anchors_;
-        const BuiltStore solid = parts_of(data->solid.data().faces), castable = parts_of(data->castable);
+        if (!checks_.whole && rooms_stay(data_, *data)) {
+            data->set_faces(changed_rooms(*data));
+            made_ = World(data);
+            check_part();
+        } else {
+            if (!find_all_rooms(*data)) return;
+            made_ = World(data);
+            check_whole(made_, true, damage_);
+        }
+        if (!damage_.error() && checks_.hash && hash_world(made_) != hash_after_)
+            damage_.report(ErrorCode::kMalformed, "", "the world that it makes is not the one that it says");
+    }
+
+    /// Where faces that stay may be in other rooms.
+    bool find_all_rooms(WorldData& data) {
+        const BuiltStore solid = parts_of(data.solid.data().faces), castable = parts_of(data.castable);
         for (const BuiltStore* store : {&solid, &castable})
             for (const PartIndex& part : store->parts)
-                if (part.part >= cells_.room_count()) {
-                    damage_.report(kPatchSection, "leaves faces in a room that is not there");
-                    return;
-                }
-        data->set_faces(faces_of_rooms(data->cells, {&solid, &castable}));
-        made_ = World(std::move(data));
-        check_whole(made_, true, damage_);
-        if (!damage_.error() && hash_world(made_) != hash_after_)
-            damage_.report(ErrorCode::kMalformed, "", "the world that it makes is not the one that it says");
+                if (part.part >= cells_.room_count())
+                    return damage_.report(kPatchSection, "leaves faces in a room that is not there");
+        data.set_faces(faces_of_rooms(data.cells, {&solid, &castable}));
+        return true;
+    }
+
+    /// What was exchanged, and its border.
+    void check_part() {
+        if (const auto fault = check_exchange(data_, made_.data(), !has_cells_, removed_, made_facets_))
+            return report(damage_, *fault);
+        std::vector<FacetPlace> added, removed, near;
+        for (const FacetPlace& facet : removed_)
+            if (facet.record().solid) removed.push_back(facet);
+        const Node* root = data_.solid.data().faces.root.get();
+        for (const FacetPlace& facet : made_facets_) {
+            if (!facet.record().solid) continue;
+            added.push_back(facet);
+            const FaceOwner* owner = facet.block->owner_of(facet.record());
+            if (root) gather_facets(root, owner ? owner->box : facet.block->box_of(facet.record()), near);
+        }
+        sort_range(near, [](const FacetPlace& a, const FacetPlace& b) {
+            return a.record().id != b.record().id ? a.record().id < b.record().id : a.slot < b.slot;
+        });
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+        if (const auto fault = check_exchange(std::move(added), removed, near)) report(damage_, *fault);
     }
 
     const World& world_;
     const WorldData& data_;
+    const PatchChecks checks_;
     Damage damage_;
     Sections sections_;
+    FaceStore solid_after_, castable_after_;  ///< until exchange(): before
+    StoreEdit solid_edit_, castable_edit_;
     bool has_cells_ = false;
     std::uint64_t hash_after_ = 0;
     UnpackedData unpacked_;
@@ -225,15 +360,21 @@ private:
     std::vector<Ref<SolidFace>> exact_;
     FaceSet added_;
     std::shared_ptr<const Anchors> anchors_;  ///< null: as they were
+    std::vector<FacetPlace> made_facets_;     ///< the faces added, in blocks
     World made_;
 };
 
 }  // namespace
 
-Result<World> apply_patch(const World& world, std::span<const std::byte> patch, std::string name) {
+Result<World> apply_patch(const World& world, std::span<const std::byte> patch, std::string name,
+                          const PatchChecks& checks) {
     Result<std::vector<Section>> read = read_container(patch, name);
     if (!read) return read.error();
-    return PatchReader(world, std::move(read).value(), name).apply();
+    return PatchReader(world, std::move(read).value(), name, checks).apply();
+}
+
+Result<World> apply_patch(const World& world, std::span<const std::byte> patch, std::string name) {
+    return apply_patch(world, patch, std::move(name), PatchChecks{});
 }
 
 }  // namespace firma

@@ -8,16 +8,22 @@
 
 namespace firma {
 
+inline std::string fault_place(FaceId face) {
+    return face.valid() ? ": face " + std::to_string(face.value) : std::string();
+}
+inline void report(Damage& damage, const WorldFault& fault) {
+    damage.report(ErrorCode::kMalformed, fault_place(fault.face), "the world is broken: " + fault.what);
+}
+inline void report(Damage& damage, const SolidFault& fault) {
+    damage.report(ErrorCode::kMalformed, fault_place(fault.face), std::string("the solid is broken: ") + fault.what);
+}
+
 /// What no part can see by itself.
 inline void check_whole(const World& world, bool exact, Damage& damage) {
-    const auto face_place = [](FaceId face) {
-        return face.valid() ? ": face " + std::to_string(face.value) : std::string();
-    };
     if (const std::optional<WorldFault> fault = check_world(world)) {
-        damage.report(ErrorCode::kMalformed, face_place(fault->face), "the world is broken: " + fault->what);
+        report(damage, *fault);
     } else if (exact) {
-        if (const std::optional<SolidFault> solid = check_solid(world))
-            damage.report(ErrorCode::kMalformed, face_place(solid->face), "the solid is broken: " + solid->what);
+        if (const std::optional<SolidFault> solid = check_solid(world)) report(damage, *solid);
     }
 }
 

@@ -72,6 +72,10 @@ private:
             merge_.f64(rules.merge_share);
             needs_version_3_ = true;
         }
+        if (!rules.open_faces) {
+            open_faces_.u32(0);
+            needs_version_3_ = true;
+        }
         rules_.u32(std::uint32_t(rules.zones.size()));
         rules_.u32(std::uint32_t(rules.hardness.size()));
         for (const std::size_t most : {rules.max_faces, rules.max_candidate_faces, rules.max_new_faces,
@@ -167,6 +171,7 @@ private:
         add_materials(data_, all);
         if (data_.rules) add(kRulesSection, rules_);
         if (data_.rules && data_.rules->merge_share > 0) add(kMergeSection, merge_);
+        if (data_.rules && !data_.rules->open_faces) add(kOpenFacesSection, open_faces_);
         face_packer_.add_to(all);
         for (NewSection& section : cells_)
             if (needs_version_3_ || section.type != kPortalFacesSection) all.push_back(std::move(section));
@@ -200,7 +205,7 @@ private:
     ExactPacker exact_packer_;
     FacePacker face_packer_;
     std::vector<NewSection> cells_;
-    ByteWriter world_, rules_, merge_, anchors_;
+    ByteWriter world_, rules_, merge_, open_faces_, anchors_;
     ByteWriter texture_maps_, textured_faces_, texture_outlines_;
     ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
     FlatMap number_of_node_, number_of_block_;

@@ -20,6 +20,7 @@ inline constexpr SectionType kPortalCornersSection = section_type("PCOR");
 // From version 3 on.
 inline constexpr SectionType kPortalFacesSection = section_type("PEXA");
 inline constexpr SectionType kMergeSection = section_type("MERG");
+inline constexpr SectionType kOpenFacesSection = section_type("OPEN");
 // The exact part.
 inline constexpr SectionType kPlanesSection = section_type("PLAN");
 inline constexpr SectionType kGridPointsSection = section_type("GRID");
@@ -60,7 +61,7 @@ inline constexpr SectionType kSectionsOfBoth[] = {
     kCornersSection, kRoomRecordsSection, kPortalsSection,    kPortalPolygonsSection, kPortalCornersSection,
     kPlanesSection,  kGridPointsSection,  kMeetPointsSection, kEdgesSection,          kExactFacesSection,
     kUsesSection,    kLoopsSection};
-inline constexpr SectionType kSectionsOfVersion3[] = {kPortalFacesSection, kMergeSection};
+inline constexpr SectionType kSectionsOfVersion3[] = {kPortalFacesSection, kMergeSection, kOpenFacesSection};
 inline constexpr SectionType kSectionsOfTextures[] = {kTextureMapsSection, kTexturedFacesSection,
                                                       kTextureOutlinesSection};
 inline constexpr SectionType kSectionsOfAnchors[] = {kAnchorsSection};

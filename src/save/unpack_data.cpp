@@ -96,7 +96,8 @@ CarveZone zone_at(const std::byte* at) {
     return zone;
 }
 
-bool unpack_rules(const Entries& section, const Entries* merge, UnpackedData& unpacked, Damage& damage) {
+bool unpack_rules(const Entries& section, const Entries* merge, const Entries* open_faces, UnpackedData& unpacked,
+                  Damage& damage) {
     if (section.count() < kRulesBytes) return damage.report(section.type(), "ends before its limits");
     const std::byte* at = section.at(0);
     const std::uint64_t zones = read_u32(at), hardness = read_u32(at + 4);
@@ -129,6 +130,11 @@ bool unpack_rules(const Entries& section, const Entries* merge, UnpackedData& un
         if (merge->count() != 1 || !is_merge_share(rules.merge_share))
             return damage.report(merge->type(), "is no share of walls");
     }
+    if (open_faces && open_faces->count() > 0) {
+        rules.open_faces = false;
+        if (open_faces->count() != 1 || read_u32(open_faces->at(0)) != 0)
+            return damage.report(open_faces->type(), "does not say that faces which bound nothing stay");
+    }
     unpacked.world.rules = std::make_shared<const CarveRules>(std::move(rules));
     return true;
 }
@@ -145,7 +151,10 @@ UnpackedData unpack_data(Sections& sections, Damage& damage) {
     const Entries rules = sections.entries(kRulesSection, 1);
     std::optional<Entries> merge;
     if (sections.has(kMergeSection)) merge = sections.entries(kMergeSection, 8);
-    if (!damage.error()) unpack_rules(rules, merge ? &*merge : nullptr, unpacked, damage);
+    std::optional<Entries> open_faces;
+    if (sections.has(kOpenFacesSection)) open_faces = sections.entries(kOpenFacesSection, 4);
+    if (!damage.error())
+        unpack_rules(rules, merge ? &*merge : nullptr, open_faces ? &*open_faces : nullptr, unpacked, damage);
     return unpacked;
 }
 

@@ -2,12 +2,13 @@
 // The whole boundary of a solid.
 #include "solid/boundary.h"
 
+#include <utility>
+
 #include "base/sort.h"
 
 namespace firma {
 
 Boundary take_boundary(const Node* root) {
-    Boundary boundary;
     std::vector<FacetPlace> found;
     if (root) {
         found.reserve(root->facets_below);
@@ -15,6 +16,11 @@ Boundary take_boundary(const Node* root) {
             for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) found.push_back({&block, slot});
         });
     }
+    return boundary_of(std::move(found));
+}
+
+Boundary boundary_of(std::vector<FacetPlace> found) {
+    Boundary boundary;
     sort_range(found, [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
     boundary.patch.reserve(found.size());
     std::vector<std::uint32_t> face_of;

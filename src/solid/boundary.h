@@ -24,4 +24,7 @@ struct Boundary {
 /// @param root  of an index over the faces of a solid; null for none
 Boundary take_boundary(const Node* root);
 
+/// Of these facets, in any order.
+Boundary boundary_of(std::vector<FacetPlace> facets);
+
 }  // namespace firma

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Face by face, then edge by edge; the first fault ends it.
+// Face by face, then edge by edge; the first fault ends it. Where faces are exchanged, what stays is not looked at: an
+// edge that none of those faces has is used as it was.
 #include "solid/check_boundary.h"
 
 #include <vector>
@@ -51,21 +52,72 @@ public:
         : boundary_(boundary), patch_(boundary.patch), uses_(patch_.edges.size()) {}
 
     std::optional<SolidFault> check() {
+        check_faces(std::uint32_t(patch_.faces.size()));
+        for (std::uint32_t edge = 0; edge < patch_.edges.size() && !fault_; ++edge) {
+            check_uses(edge, uses_[edge]);
+            if (!fault_) check_planes(edge);
+        }
+        // Then all facets together are closed: those of a face have its loops for a rim, and in all loops together each
+        // edge, from the rounded point of one vertex to that of another, is there once each way.
+        return fault_;
+    }
+
+    /// @param first_removed  faces from here on go, those below it come
+    std::optional<SolidFault> check_exchange(std::uint32_t first_removed, std::span<const FacetPlace> near) {
+        check_faces(first_removed);
+        if (fault_) return fault_;
+        std::vector<Uses> removed(patch_.edges.size());
+        for (std::size_t k = first_removed; k < patch_.faces.size(); ++k)
+            for (const PatchUse& use : patch_.uses(patch_.faces[k])) removed[use.edge].add(use);
+        std::vector<bool> stays(patch_.edges.size());
+        for (const FacetPlace& facet : near) mark_staying(facet, stays);
+        for (std::uint32_t edge = 0; edge < patch_.edges.size() && !fault_; ++edge) {
+            // Before, it was used once each way: by faces that go, or by some that stay, or by one of each.
+            const Uses &added = uses_[edge], &gone = removed[edge];
+            const std::uint32_t was_there = gone.any() || stays[edge];
+            const Uses after{was_there - gone.forward + added.forward, was_there - gone.back + added.back};
+            if (!after.any() && !added.any()) continue;  // it goes with its faces
+            check_uses(edge, after);
+            if (!fault_ && added.any()) check_planes(edge);
+        }
+        return fault_;
+    }
+
+private:
+    struct Uses {
+        std::uint32_t forward = 0, back = 0;
+
+        void add(const PatchUse& use) { (use.reversed ? back : forward)++; }
+        bool any() const { return forward != 0 || back != 0; }
+    };
+
+    void check_faces(std::uint32_t end) {
         rounded_.assign(patch_.vertices.size(), ~0u);
-        for (face_ = 0; face_ < patch_.faces.size() && !fault_; ++face_) {
+        for (face_ = 0; face_ < end && !fault_; ++face_) {
             check_loops();
             if (!fault_ && !face().stored) check_untouched();
             if (!fault_) check_plane();
             if (!fault_ && face().stored) check_stored(*face().stored);
             if (!fault_) check_facets();
         }
-        for (std::uint32_t edge = 0; edge < patch_.edges.size() && !fault_; ++edge) check_edge(edge);
-        // Then all facets together are closed: those of a face have its loops for a rim, and in all loops together each
-        // edge, from the rounded point of one vertex to that of another, is there once each way.
-        return fault_;
     }
 
-private:
+    /// Edges that a face has which is not in the patch: which stay.
+    void mark_staying(const FacetPlace& facet, std::vector<bool>& stays) const {
+        if (patch_.find(facet) != SolidPatch::kNone) return;
+        const auto mark = [&](const std::optional<PatchUse>& use) {
+            if (use) stays[use->edge] = true;
+        };
+        if (const auto* owner = static_cast<const SolidFace*>(facet.block->owner_of(facet.record()))) {
+            for (const SolidUse& use : owner->uses) mark(patch_.find(use));
+            return;
+        }
+        const std::size_t corners = facet.record().corner_count;
+        for (std::size_t k = 0; k < corners; ++k)
+            mark(patch_.find(to_input(facet.block->corner(facet.record(), k)),
+                             to_input(facet.block->corner(facet.record(), k + 1 < corners ? k + 1 : 0))));
+    }
+
     const PatchFace& face() const { return patch_.faces[face_]; }
 
     void report(const char* what, const Vec3& at) {
@@ -110,7 +162,7 @@ private:
     void check_plane() {
         const Plane& plane = face().plane->plane;
         for (const PatchUse& use : patch_.uses(face())) {
-            (use.reversed ? uses_[use.edge].back : uses_[use.edge].forward)++;
+            uses_[use.edge].add(use);
             if (!lies_on(plane, patch_.vertices[patch_.from(use)].point))
                 return report_vertex("a vertex lies off the plane of its face", patch_.from(use));
         }
@@ -168,14 +220,17 @@ private:
         return known;
     }
 
-    void check_edge(std::uint32_t index) {
+    void check_uses(std::uint32_t index, const Uses& uses) {
         const PatchEdge& edge = patch_.edges[index];
         face_ = edge.face[edge.face[0] == ~0u];
-        if (uses_[index].forward != 1 || uses_[index].back != 1)
-            return report_vertex(uses_[index].forward + uses_[index].back == 1
-                                     ? "an edge is used once"
-                                     : "an edge is not used exactly once each way",
-                                 edge.vertex[0]);
+        if (uses.forward != 1 || uses.back != 1)
+            report_vertex(
+                uses.forward + uses.back == 1 ? "an edge is used once" : "an edge is not used exactly once each way",
+                edge.vertex[0]);
+    }
+
+    void check_planes(std::uint32_t index) {
+        const PatchEdge& edge = patch_.edges[index];
         if (!edge.stored) return;
         if (!edge.plane[0] || !edge.plane[1]) return report_vertex("an edge lacks a plane", edge.vertex[0]);
         if (exact_parallel(edge.plane[0]->plane, edge.plane[1]->plane))
@@ -185,10 +240,6 @@ private:
                 if (!lies_on(plane->plane, patch_.vertices[vertex].point))
                     return report_vertex("an edge's plane does not hold its vertex", vertex);
     }
-
-    struct Uses {
-        std::uint32_t forward = 0, back = 0;
-    };
 
     const Boundary& boundary_;
     const SolidPatch& patch_;
@@ -205,6 +256,14 @@ private:
 
 std::optional<SolidFault> check_boundary(const Boundary& boundary) {
     return BoundaryChecker(boundary).check();
+}
+
+std::optional<SolidFault> check_exchange(std::vector<FacetPlace> added, std::span<const FacetPlace> removed,
+                                         std::span<const FacetPlace> near) {
+    Boundary boundary = boundary_of(std::move(added));
+    const auto first_removed = std::uint32_t(boundary.patch.faces.size());
+    for (const FacetPlace& facet : removed) boundary.patch.add(facet);
+    return BoundaryChecker(boundary).check_exchange(first_removed, near);
 }
 
 }  // namespace firma

@@ -14,8 +14,8 @@
 #include "firma/rooms.h"
 #include "join/body_solid.h"
 #include "solid/face_ids.h"
-#include "world/count_reaching.h"
 #include "world/inside_materials.h"
+#include "world/open_faces.h"
 #include "world/room_edit.h"
 
 namespace firma {
@@ -68,16 +68,19 @@ public:
         }
         const auto start = std::chrono::steady_clock::now();
         switch (phase_) {
-            case Phase::kCastable:
-                phase_ = count_castable();
+            case Phase::kOpenFaces:
+                phase_ = trim_open_faces();
                 report_time_ += microseconds_since(start);
                 return phase_ != Phase::kEnd;
             case Phase::kPlaceFaces:
                 phase_ = place_faces();
                 break;
             case Phase::kSolid:
-                if (solid_->step()) break;
-                rooms_.start(*solid_);
+                if (!solid_->step()) phase_ = Phase::kCastable;
+                break;
+            case Phase::kCastable:
+                if (changes_open_faces() && open_->store().step()) break;
+                rooms_.start(*solid_, changes_open_faces() ? &open_->store() : nullptr);
                 phase_ = Phase::kRooms;
                 break;
             case Phase::kRooms:
@@ -97,14 +100,16 @@ public:
 
     CarveResult result() const {
         CarveResult result;
-        result.status = refused_ ? CarveStatus::kRefused : cut_.status();
+        result.status = refused_ ? CarveStatus::kRefused : published_ ? CarveStatus::kDone : cut_.status();
         result.error = refused_ ? *refused_ : cut_.error();
         result.report = cut_.report();
         result.report.times.gather += report_time_;
         result.report.times.tree += time_;
         result.report.times.chunks += chunk_time_;
-        if (castable_) result.report.faces_castable_only = castable_->count();
+        if (open_ && !refused_) open_->tell(result.report);
         if (published_) {
+            result.report.faces_removed += open_removed_;
+            result.report.faces_added += open_added_;
             result.report.portals = rooms_.portals_made();
             result.report.rooms = rooms_.rooms_made();
         }
@@ -122,7 +127,7 @@ public:
     }
 
 private:
-    enum class Phase : std::uint8_t { kCut, kCastable, kChunks, kPlaceFaces, kSolid, kRooms, kEnd };
+    enum class Phase : std::uint8_t { kCut, kOpenFaces, kChunks, kPlaceFaces, kSolid, kCastable, kRooms, kEnd };
 
     /// Materials of new faces by matter; none where the options name one for all, or there is one only.
     std::vector<std::uint32_t> insides(const CarveOptions& options, CarveKind kind) {
@@ -170,14 +175,16 @@ private:
             return Phase::kEnd;
         }
         if (cut_.step()) return Phase::kCut;
-        const bool counts = cut_.status() != CarveStatus::kRefused && world_.data().castable.root;
-        return counts ? Phase::kCastable : after_castable();
+        const bool any = cut_.status() != CarveStatus::kRefused && world_.data().castable.root;
+        return any ? Phase::kOpenFaces : after_open_faces();
     }
 
-    Phase after_castable() const {
-        if (cut_.status() != CarveStatus::kDone) return Phase::kEnd;
+    Phase after_open_faces() const {
+        if (cut_.status() != CarveStatus::kDone) return changes_open_faces() ? Phase::kPlaceFaces : Phase::kEnd;
         return cut_.pieces().empty() ? Phase::kPlaceFaces : Phase::kChunks;
     }
+
+    bool changes_open_faces() const { return open_ && open_->changes(); }
 
     bool is_large(const CutPiece& piece) const { return piece.volume >= options_.chunks->min_volume; }
 
@@ -195,19 +202,49 @@ private:
         return chunk_ || next_piece_ < cut_.pieces().size() ? Phase::kChunks : Phase::kPlaceFaces;
     }
 
-    Phase count_castable() {
+    Phase trim_open_faces() {
+        if (!open_) open_.emplace(world_.data(), cut_.cutter(), !cut_.fills());
+        if (open_->step()) return Phase::kOpenFaces;
+        refused_ = open_->refused();
+        return refused_ ? Phase::kEnd : after_open_faces();
+    }
+
+    /// What is castable only, once it is known which ids the solid's faces take.
+    bool start_open_faces(SolidChange& change) {
         const WorldData& data = world_.data();
-        if (!castable_) {
-            const CarveRules defaults;
-            const CarveRules& rules = data.rules ? *data.rules : defaults;
-            castable_.emplace(data.castable.root.get(), cut_.cutter(), rules.max_pairs);
-        }
-        return castable_->step() ? Phase::kCastable : after_castable();
+        open_removed_ = open_->removed().size();
+        open_added_ = open_->added();
+        const std::size_t of_solid = change.added.faces.size();
+        const CarveRules& rules = data.rules ? *data.rules : CarveRules();
+        FaceIds ids(data.next_face(), options_.edit);
+        if (data.face_count() - change.removed.size() - open_removed_ + of_solid + open_added_ > rules.max_faces)
+            refused_ = Error{ErrorCode::kTooLarge, "cutter",
+                             "the world would have more than " + std::to_string(rules.max_faces) + " faces"};
+        else if (!ids.has(of_solid + open_added_))
+            refused_ = Error{ErrorCode::kTooLarge, "cutter", "the world has no ids left for new faces"};
+        if (refused_) return false;
+        for (std::size_t k = 0; k < of_solid; ++k) ids.take();
+        open_->start(ids);
+        change.edit = options_.edit;
+        change.next_face = ids.next_face();
+        return true;
     }
 
     /// Says which room the faces that come are part of.
     Phase place_faces() {
         SolidChange change = cut_.take_change();
+        if (changes_open_faces() && !start_open_faces(change)) return Phase::kEnd;
+        if (cut_.status() == CarveStatus::kDone)
+            place_faces_of_solid(change);
+        else
+            names_ = world_.data().materials;
+        if (changes_open_faces())
+            for (const FacetPlace& facet : open_->removed()) rooms_.add_to(facet.block->part);
+        solid_ = std::make_unique<SolidEdit>(world_.solid(), std::move(change));
+        return Phase::kSolid;
+    }
+
+    void place_faces_of_solid(SolidChange& change) {
         stands_free_ = cut_.fills() && change.removed.empty();
         for (const FacetPlace& facet : change.removed) rooms_.take(facet.block->part);
         for (const FaceSet::Entry& face : change.added.faces)
@@ -225,8 +262,6 @@ private:
                 if (face.part == kUnsetPart) face.part = room;
         }
         names_ = materials_.take_up(change.added, inside_.empty() ? material_ : ~0u);
-        solid_ = std::make_unique<SolidEdit>(world_.solid(), std::move(change));
-        return Phase::kSolid;
     }
 
     /// Whose air a carving's new air is, if that is not told by what it touches.
@@ -283,6 +318,7 @@ private:
     Phase publish() {
         auto data = next_version(world_.data());
         data->solid = solid_->result();
+        if (changes_open_faces()) data->castable = open_->store().result();
         rooms_.publish(*data);
         data->materials = names_;
         data->anchors = stands_free_ ? with_edit(anchors_, data->edits()) : anchors_;
@@ -299,7 +335,8 @@ private:
     const std::uint32_t material_;
     CutJob cut_;
     InsideMaterials::Names names_;  ///< once it is known which are used
-    std::optional<ReachCount> castable_;
+    std::optional<OpenFaceEdit> open_;
+    std::size_t open_removed_ = 0, open_added_ = 0;
     RoomEdit rooms_;
     std::unique_ptr<SolidEdit> solid_;
     World after_;

@@ -191,7 +191,7 @@ void Cells::set_portal_boxes(RoomRecord& record) const {
     record.portal_box = box_of(record.portals);
     record.portal_boxes.clear();
     record.portal_index = {};
-    if (record.portals.size() <= kCrowd) {
+    if (record.portals.size() <= kListed) {
         record.portal_boxes.reserve(record.portals.size());
         for (const PortalId id : record.portals) record.portal_boxes.push_back(portal(id.value).box);
         return;
@@ -205,7 +205,7 @@ void Cells::set_portal_boxes(RoomRecord& record) const {
 void Cells::set_portal_boxes(RoomRecord& record, const Cells& before, std::uint32_t room,
                              std::span<const PortalId> changed) const {
     const RoomRecord& old = before.room(room);
-    if (record.portals.size() <= kCrowd || !old.portal_index) return set_portal_boxes(record);
+    if (record.portals.size() <= kListed || !old.portal_index) return set_portal_boxes(record);
     record.portal_box = box_of(record.portals);
     NodeEdit edit(old.portal_index);
     for (const PortalId id : changed) {

@@ -105,7 +105,9 @@ struct PortalState {
 /// A value: copies share everything.
 class Cells {
 public:
-    /// So many portals of a room are gone through one by one.
+    /// So many portals of a room are gone through one by one; more have an index.
+    static constexpr std::size_t kListed = 16;
+    /// Portals of rooms that have more are hashed without the room's number.
     static constexpr std::size_t kCrowd = 64;
 
     std::uint32_t room_count() const { return std::uint32_t(rooms_.size()); }
@@ -116,18 +118,15 @@ public:
     bool is_closed(std::uint32_t portal) const { return portals_[portal].closed; }
     bool any_closed() const { return closed_ > 0; }
     std::span<const PortalId> portals_of(std::uint32_t room) const { return rooms_[room]->portals; }
-    /// Calls `function(portal)` for the portals of a room whose boxes meet a box, and perhaps for others near it; in no
-    /// order that means anything, until it returns true.
-    template <class Function>
-    void for_each_portal_of(std::uint32_t room, const GridBox& around, const Function& function) const {
+    /// Calls `function(portal)` for the portals of a room whose boxes `meets(box)` says yes to, and perhaps for others
+    /// near them; in no order that means anything, until it returns true.
+    /// @param meets  of a GridBox, and of a BoxF
+    template <class Meets, class Function>
+    void for_each_portal_of(std::uint32_t room, const Meets& meets, const Function& function) const {
         const RoomRecord& record = *rooms_[room];
-        if (record.portal_index) {
-            for_each_indexed_portal(
-                *record.portal_index, [&](const GridBox& box) { return boxes_meet(box, around); }, function);
-            return;
-        }
+        if (record.portal_index) return for_each_portal_in(*record.portal_index, meets, function);
         for (std::size_t k = 0; k < record.portals.size(); ++k)
-            if (boxes_meet(record.portal_boxes[k], around) && function(record.portals[k].value)) return;
+            if (meets(record.portal_boxes[k]) && function(record.portals[k].value)) return;
     }
     /// A record's boxes and index, once its portals are set and indexed.
     void set_portal_boxes(RoomRecord& record) const;

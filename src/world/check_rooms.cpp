@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/sort.h"
 #include "geometry/exact_point.h"
 #include "solid/solid_face.h"
 #include "world/world_data.h"
@@ -39,19 +40,69 @@ public:
     explicit RoomChecker(const WorldData& data) : data_(data), cells_(data.cells) {}
 
     std::optional<WorldFault> check() {
+        if (check_cells() || !cells_.known()) return fault_;
+        // Without an exact part there is no solid, and nothing closes.
+        if (data_.solid.face_count() > 0)
+            for (std::uint32_t room = 0; room < cells_.room_count() && !fault_; ++room) check_closed(room);
+        return fault_;
+    }
+
+    std::optional<WorldFault> check_cells() {
         if (!cells_.known()) {
             if (cells_.room_count() != 1 || cells_.portal_count() > 0) report("rooms have no records", {});
             return fault_;
         }
         check_records();
         if (!fault_) check_portals();
-        // Without an exact part there is no solid, and nothing closes.
-        if (!fault_ && data_.solid.face_count() > 0)
-            for (std::uint32_t room = 0; room < cells_.room_count() && !fault_; ++room) check_closed(room);
+        return fault_;
+    }
+
+    std::optional<WorldFault> check_exchange(const WorldData& before, bool cells_shared,
+                                             std::span<const FacetPlace> removed, std::span<const FacetPlace> added) {
+        std::vector<Exchanged> all;
+        for (const FacetPlace& facet : removed)
+            all.push_back({cells_.current_room(facet.block->part), false, &facet, nullptr, false});
+        for (const FacetPlace& facet : added)
+            all.push_back({cells_.current_room(facet.block->part), true, &facet, nullptr, false});
+        if (!cells_shared) {
+            add_portals(before.cells, false, all);
+            add_portals(cells_, true, all);
+        }
+        sort_range(all, [](const Exchanged& a, const Exchanged& b) { return a.room < b.room; });
+        for (std::size_t first = 0, end = 0; first < all.size() && !fault_; first = end) {
+            sides_.clear();
+            for (end = first; end < all.size() && all[end].room == all[first].room; ++end) {
+                const Exchanged& it = all[end];
+                if (it.portal)
+                    for (const PortalPolygon& polygon : it.portal->all_polygons())
+                        add_sides(polygon, it.inward == it.comes);
+                else
+                    add_sides(*it.facet->block, it.facet->record(), it.comes);
+            }
+            report_uneven(all[first].room);
+        }
         return fault_;
     }
 
 private:
+    /// A facet or a portal that comes or goes, of a room that has it.
+    struct Exchanged {
+        std::uint32_t room = 0;
+        bool comes = false;
+        const FacetPlace* facet = nullptr;
+        const Portal* portal = nullptr;
+        bool inward = false;  ///< the portal's polygons are wound as seen from this room
+    };
+
+    static void add_portals(const Cells& cells, bool come, std::vector<Exchanged>& all) {
+        cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
+            const std::array<RoomId, 2> rooms = cells.rooms_of(*state.portal);
+            for (const bool first : {true, false})
+                if (!state.portal->gone())
+                    all.push_back({rooms[first ? 0 : 1].value, come, nullptr, state.portal.get(), first});
+        });
+    }
+
     void report(std::string what, FaceId face) {
         if (!fault_) fault_ = WorldFault{std::move(what), face};
     }
@@ -86,12 +137,12 @@ private:
 
     /// Its boxes, or its index over them.
     bool finds_its_portals(const RoomRecord& record) const {
-        const bool crowd = record.portals.size() > Cells::kCrowd;
-        if (crowd != bool(record.portal_index) || record.portal_boxes.size() != (crowd ? 0 : record.portals.size()))
+        const bool indexed = record.portals.size() > Cells::kListed;
+        if (indexed != bool(record.portal_index) || record.portal_boxes.size() != (indexed ? 0 : record.portals.size()))
             return false;
         for (std::size_t k = 0; k < record.portal_boxes.size(); ++k)
             if (record.portal_boxes[k] != cells_.portal(record.portals[k].value).box) return false;
-        if (!crowd) return true;
+        if (!indexed) return true;
         std::vector<PortalId> found;
         for_each_indexed_portal(
             *record.portal_index, [](const GridBox&) { return true; },
@@ -152,10 +203,11 @@ private:
         return nullptr;
     }
 
-    void add_sides(const Block& block, const FaceRecord& face) {
+    void add_sides(const Block& block, const FaceRecord& face, bool as_wound) {
         for (std::size_t k = 0; k < face.corner_count; ++k) {
             const GridPoint &a = block.corner(face, k), &b = block.corner(face, k + 1u < face.corner_count ? k + 1 : 0);
-            if (a != b) sides_.emplace_back(a, b, face.id);  // rounding may leave a facet a side of no length
+            if (a == b) continue;  // rounding may leave a facet a side of no length
+            as_wound ? sides_.emplace_back(a, b, face.id) : sides_.emplace_back(b, a, face.id);
         }
     }
 
@@ -173,13 +225,17 @@ private:
         if (const Node* tree = data_.faces_of(room).tree.get())
             for_each_block(*tree, [&](const Block& block) {
                 for (const FaceRecord& face : block.faces)
-                    if (face.solid) add_sides(block, face);
+                    if (face.solid) add_sides(block, face, true);
             });
         for (const PortalId id : cells_.portals_of(room)) {
             const Portal& portal = cells_.portal(id.value);
             for (const PortalPolygon& polygon : portal.all_polygons())
                 add_sides(polygon, cells_.rooms_of(portal)[0].value == room);
         }
+        report_uneven(room);
+    }
+
+    void report_uneven(std::uint32_t room) {
         if (const Side* side = uneven_side())
             report(room_text(room, "is not closed by its faces and portals"), side->face);
     }
@@ -206,6 +262,15 @@ private:
 
 std::optional<WorldFault> check_rooms(const World& world) {
     return RoomChecker(world.data()).check();
+}
+
+std::optional<WorldFault> check_cells(const WorldData& data) {
+    return RoomChecker(data).check_cells();
+}
+
+std::optional<WorldFault> check_rooms_exchange(const WorldData& before, const WorldData& after, bool cells_shared,
+                                               std::span<const FacetPlace> removed, std::span<const FacetPlace> added) {
+    return RoomChecker(after).check_exchange(before, cells_shared, removed, added);
 }
 
 }  // namespace firma

@@ -11,6 +11,7 @@
 #include "solid/face_ids.h"
 #include "solid/hash_facet.h"
 #include "world/block_faces.h"
+#include "world/check_exchange.h"
 #include "world/check_rooms.h"
 #include "world/world_data.h"
 
@@ -46,6 +47,23 @@ bool contains(const BoxF& box, const Vec3& p) {
         if (p[axis] < double(box.low[axis]) || p[axis] > double(box.high[axis])) return false;
     return true;
 }
+
+}  // namespace
+
+const char* fault_of_face(const Block& block, const FaceRecord& record, bool solid) {
+    if (record.owner != kNoOwner && record.owner >= block.owners.size()) return "a face has an owner that is not there";
+    Vec3 corners[256];
+    for (std::uint32_t k = 0; k < record.corner_count; ++k) corners[k] = to_metres(block.corner(record, k));
+    const PolygonFault polygon = check_polygon({corners, record.corner_count});
+    const bool flattened = polygon == PolygonFault::kNoArea && record.owner != kNoOwner;  // by rounding
+    if (polygon != PolygonFault::kNone && !flattened) return describe(polygon);
+    if (!record.id.valid()) return "a face has no id";
+    if (record.solid != solid)
+        return solid ? "a face of the solid does not say so" : "a castable-only face says it is solid";
+    return nullptr;
+}
+
+namespace {
 
 class Checker {
 public:
@@ -167,17 +185,7 @@ private:
             if (!contains(box, to_metres(block.corner(record, k))))
                 return report("a face reaches out of its leaf", record.id);
         if (!in_store_) return;
-        if (record.owner != kNoOwner && record.owner >= block.owners.size())
-            return report("a face has an owner that is not there", record.id);
-        Vec3 corners[256];
-        for (std::uint32_t k = 0; k < record.corner_count; ++k) corners[k] = to_metres(block.corner(record, k));
-        const PolygonFault polygon = check_polygon({corners, record.corner_count});
-        const bool flattened = polygon == PolygonFault::kNoArea && record.owner != kNoOwner;  // by rounding
-        if (polygon != PolygonFault::kNone && !flattened) return report(describe(polygon), record.id);
-        if (!record.id.valid()) return report("a face has no id", record.id);
-        if (record.solid != solid_)
-            return report(solid_ ? "a face of the solid does not say so" : "a castable-only face says it is solid",
-                          record.id);
+        if (const char* fault = fault_of_face(block, record, solid_)) return report(fault, record.id);
         ids_.push_back(record.id.value);
     }
 

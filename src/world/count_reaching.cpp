@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
-#include "carve/gather.h"
 #include "carve/polygon_reaches.h"
 #include "firma/grid.h"
 
@@ -60,11 +60,8 @@ bool passes_through(const Vec3 (&triangle)[3], std::span<const Vec3> polygon) {
 
 }  // namespace
 
-ReachCount::ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t max_pairs)
-    : cutter_(cutter), budget_(max_pairs) {
-    std::vector<FacetPlace> others;
-    gather_facets(root, cutter.box, cutter.bevelled, 0, ~std::size_t(0), near_, others);
-}
+ReachCount::ReachCount(std::vector<FacetPlace> near, const CutterSolid& cutter, std::uint64_t max_pairs)
+    : cutter_(cutter), budget_(max_pairs), near_(std::move(near)) {}
 
 bool ReachCount::step() {
     const std::uint64_t before = budget_.taken();

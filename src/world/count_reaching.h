@@ -13,14 +13,13 @@
 namespace firma {
 
 /// Counts faces of which some part lies inside the cutter. Judged in double: one that just touches the cutter, or
-/// reaches less than 1/4096 m into it, may count or not. Asks the faces in the cutter's bevelled box alone, in pieces
-/// of some ten microseconds.
+/// reaches less than 1/4096 m into it, may count or not. Works in pieces of some ten microseconds.
 class ReachCount {
 public:
-    /// @param root        of an index over faces; null for none
+    /// @param near       faces, that may reach into it
     /// @param max_pairs  of a face and a triangle of the cutter: once they are used up, faces count that reach into
     ///                    the bevelled box
-    ReachCount(const Node* root, const CutterSolid& cutter, std::uint64_t max_pairs);
+    ReachCount(std::vector<FacetPlace> near, const CutterSolid& cutter, std::uint64_t max_pairs);
 
     /// Does one piece of work; false once there is none left.
     bool step();

@@ -25,14 +25,15 @@ Ref<const Node> portal_leaf(std::uint32_t number, const GridBox& box);
 
 /// Calls `function(number)` for each portal whose box, rounded outward, `meets(box)` says yes to, until it returns
 /// true; in no order that means anything. Allocates nothing.
+/// @param meets  of a BoxF
 template <class Meets, class Function>
-void for_each_indexed_portal(const Node& root, const Meets& meets, const Function& function) {
+void for_each_portal_in(const Node& root, const Meets& meets, const Function& function) {
     struct Visitor {
         const Meets& meets;
         const Function& function;
         bool enter(const Bin& bin, double& nearest) const {
             nearest = 0;
-            return meets(to_grid(bin.box));
+            return meets(bin.box);
         }
         bool still(double) const { return true; }
         bool facets(const IndexedFacets& facets, std::uint32_t, std::uint32_t) const {
@@ -40,6 +41,12 @@ void for_each_indexed_portal(const Node& root, const Meets& meets, const Functio
         }
     } visitor{meets, function};
     traverse(root, visitor);
+}
+
+/// The same by boxes of the grid.
+template <class Meets, class Function>
+void for_each_indexed_portal(const Node& root, const Meets& meets, const Function& function) {
+    for_each_portal_in(root, [&](const BoxF& box) { return meets(to_grid(box)); }, function);
 }
 
 }  // namespace firma

@@ -401,8 +401,9 @@ bool RoomEdit::shares_the_solids_index() const {
     return sum_of_rooms_ == 1 && before_.faces_of(0).tree.get() == before_.solid.data().faces.root.get();
 }
 
-void RoomEdit::start(const SolidEdit& solid) {
+void RoomEdit::start(const SolidEdit& solid, const StoreEdit* open) {
     solid_ = &solid;
+    open_ = open;
     targets_.clear();
     edits_.clear();
     next_edit_ = 0;
@@ -422,10 +423,13 @@ void RoomEdit::start(const SolidEdit& solid) {
         it.edit = edits_.size();
         edits_.emplace_back(join_nodes(indices));
     }
-    for (const Block* block : solid.store().removed())
-        edits_[target(target_of_part(block->part)).edit].remove(block, block->box());
-    for (const Ref<const Node>& leaf : solid.store().added())
-        edits_[target(target_of_part(block_of(*leaf).part)).edit].add(leaf);
+    for (const StoreEdit* store : {&solid.store(), open}) {
+        if (!store) continue;
+        for (const Block* block : store->removed())
+            edits_[target(target_of_part(block->part)).edit].remove(block, block->box());
+        for (const Ref<const Node>& leaf : store->added())
+            edits_[target(target_of_part(block_of(*leaf).part)).edit].add(leaf);
+    }
 }
 
 std::size_t RoomEdit::portals_made() const {
@@ -555,10 +559,13 @@ void RoomEdit::publish(const Target& it, std::vector<PortalId> portals, std::spa
         made->hash += before_.faces_of(room).hash;
         exterior |= cells.room(room).exterior;
     }
-    for (const PartChange& change : solid_->store().parts()) {
-        if (target_of_part(change.part) != it.room) continue;
-        made->count += std::size_t(change.faces);
-        made->hash += change.hash;
+    for (const StoreEdit* store : {&solid_->store(), open_}) {
+        if (!store) continue;
+        for (const PartChange& change : store->parts()) {
+            if (target_of_part(change.part) != it.room) continue;
+            made->count += std::size_t(change.faces);
+            made->hash += change.hash;
+        }
     }
     for (const std::uint32_t room : it.from) {
         if (room == it.room) continue;

@@ -54,7 +54,8 @@ public:
     std::size_t rooms_made() const { return sum_of_rooms_ - before_.cells.room_count(); }
 
     /// Begins to edit the indices of the rooms.
-    void start(const SolidEdit& solid);
+    /// @param open  what is castable only, where that changes; else null
+    void start(const SolidEdit& solid, const StoreEdit* open);
     /// Does one piece of work; false once there is none left.
     bool step();
 
@@ -113,6 +114,7 @@ private:
     std::vector<NodeEdit> edits_;
     std::size_t next_edit_ = 0;
     const SolidEdit* solid_ = nullptr;
+    const StoreEdit* open_ = nullptr;
 };
 
 }  // namespace firma

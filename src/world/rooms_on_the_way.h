@@ -43,8 +43,7 @@ public:
             looked_into_ = memory.marks.data();
             passed_ = looked_into_ + words;
         }
-        std::fill_n(looked_into_, words, 0);
-        std::fill_n(passed_, words, 0);
+        for (std::size_t k = 0; k < words; ++k) looked_into_[k] = passed_[k] = 0;
         count_ = 0;
         waiting_ = few_waiting_.data();
         room_for_ = few_waiting_.size();

@@ -63,13 +63,29 @@ inline BoxD box_of_face(const Block& block, const FaceRecord& face) {
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
 }
 
+/// A box around a path, metres: whether it meets others.
+struct PathBox {
+    Vec3 low, high;
+
+    bool operator()(const BoxF& box) const {
+        return box.low[0] <= high.x && box.high[0] >= low.x && box.low[1] <= high.y && box.high[1] >= low.y &&
+               box.low[2] <= high.z && box.high[2] >= low.z;
+    }
+    bool operator()(const GridBox& box) const {
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(box.low[axis] <= high[axis] * kSurfaceSteps && box.high[axis] >= low[axis] * kSurfaceSteps))
+                return false;
+        return true;
+    }
+};
+
 /// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may
 /// bring `latest` forward.
 template <class Found>
 class SweepVisitor {
 public:
-    SweepVisitor(const Sweep& sweep, const CastOptions& options, Found& found)
-        : sweep_(sweep), boxes_(sweep), options_(options), found_(found) {}
+    SweepVisitor(const Sweep& sweep, const SweepBox& boxes, const CastOptions& options, Found& found)
+        : sweep_(sweep), boxes_(boxes), options_(options), found_(found) {}
 
     bool enter(const Bin& bin, double& nearest) {
         ++counts.nodes;
@@ -110,7 +126,7 @@ template <class Found>
 class WorldSweep {
 public:
     WorldSweep(const WorldData& data, const Sweep& sweep, const CastOptions& options, Found& found)
-        : data_(data), sweep_(sweep), options_(options), found_(found) {}
+        : data_(data), sweep_(sweep), boxes_(sweep), options_(options), found_(found) {}
 
     /// Through all rooms at once.
     void ask_all() {
@@ -123,27 +139,30 @@ public:
     void ask_from(std::uint32_t start, RoomTrail& trail) {
         rooms_.start(data_.cells.room_count());
         grown_ = grown_radius(sweep_);
-        const SweepBox boxes(sweep_);
-        rooms_.wait({0, start, kNoPortalPassed, false});
+        look_from({0, start, kNoPortalPassed, false}, trail);
         while (rooms_.any() && !ended_) {
             const WaitingRoom next = rooms_.take_first();
             if (next.reached > found_.latest) break;
-            const bool first_look = !rooms_.looked_into(next.room);
-            if (next.behind && !first_look) continue;
-            if (!next.behind) {
-                add_room(trail, next.room, next.portal);
-                rooms_.mark_passed(next.room);
-            }
-            rooms_.mark_looked_into(next.room);
-            const Node* tree = data_.faces_of(next.room).tree.get();
-            if (first_look && tree) look_into(*tree);
-            if (!ended_) pass_portals(next, first_look, boxes);
+            look_from(next, trail);
         }
     }
 
 private:
+    void look_from(const WaitingRoom& next, RoomTrail& trail) {
+        const bool first_look = !rooms_.looked_into(next.room);
+        if (next.behind && !first_look) return;
+        if (!next.behind) {
+            add_room(trail, next.room, next.portal);
+            rooms_.mark_passed(next.room);
+        }
+        rooms_.mark_looked_into(next.room);
+        const Node* tree = data_.faces_of(next.room).tree.get();
+        if (first_look && tree) look_into(*tree);
+        if (!ended_) pass_portals(next, first_look);
+    }
+
     void look_into(const Node& index) {
-        SweepVisitor<Found> visitor(sweep_, options_, found_);
+        SweepVisitor<Found> visitor(sweep_, boxes_, options_, found_);
         traverse(index, visitor);
         ended_ = visitor.ended;
         if (options_.counts) {
@@ -156,34 +175,31 @@ private:
 
     /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
     /// wait.
-    void pass_portals(const WaitingRoom& from, bool first_look, const SweepBox& boxes) {
+    void pass_portals(const WaitingRoom& from, bool first_look) {
         // A large hall may have dozens; most are nowhere near.
-        data_.cells.for_each_portal_of(from.room, box_of_sweep(), [&](std::uint32_t index) {
+        data_.cells.for_each_portal_of(from.room, path_box(), [&](std::uint32_t index) {
             const Portal& portal = data_.cells.portal(index);
             const std::uint32_t beyond = data_.cells.beyond(portal, from.room);
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
-            if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal, boxes)) return true;
+            if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal)) return true;
             double reached = 0;
             if (behind ? rooms_.looked_into(beyond) : rooms_.passed(beyond)) return false;
-            if (!reaches(portal, boxes, reached)) return false;
+            if (!reaches(portal, reached)) return false;
             rooms_.wait({reached > from.reached ? reached : from.reached, beyond, index, behind});
             return false;
         });
     }
 
     /// Around all that the sphere may touch up to the latest time; what lies outside, SweepBox would not enter.
-    GridBox box_of_sweep() const {
-        const auto in_steps = [](double metres) {
-            return std::int32_t(std::clamp(metres * kSurfaceSteps, double(INT32_MIN), double(INT32_MAX)));
-        };
-        constexpr double kRounding = 2 / kSurfaceSteps;  // of these sums, and of conversion toward zero
+    PathBox path_box() const {
+        constexpr double kRounding = 1 / kSurfaceSteps;  // of these sums
         const double grown = grown_ + kRounding;
         const Vec3 last = sweep_.at(found_.latest);
-        GridBox box;
+        PathBox box;
         for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = in_steps(std::min(sweep_.start[axis], last[axis]) - grown);
-            box.high[axis] = in_steps(std::max(sweep_.start[axis], last[axis]) + grown);
+            box.low[axis] = std::min(sweep_.start[axis], last[axis]) - grown;
+            box.high[axis] = std::max(sweep_.start[axis], last[axis]) + grown;
         }
         return box;
     }
@@ -192,12 +208,12 @@ private:
         return data_.cells.any_closed() && data_.cells.is_closed(index) && (portal.mask & options_.mask);
     }
 
-    bool reaches(const Portal& portal, const SweepBox& boxes, double& reached) {
+    bool reaches(const Portal& portal, double& reached) {
         bool any = false;
         for (const PortalPolygon& polygon : portal.polygons()) {
             count_box();
             double nearest;
-            if (!boxes.enters(polygon.box, found_.latest, nearest)) continue;
+            if (!boxes_.enters(polygon.box, found_.latest, nearest)) continue;
             if (!reaches_portal(sweep_, polygon.shape, grown_, found_.latest, nearest)) continue;
             if (!any || nearest < reached) reached = nearest;
             any = true;
@@ -207,27 +223,26 @@ private:
 
     void meet_closed_portals() {
         if (ended_) return;
-        const SweepBox boxes(sweep_);
         const auto meets = [&](const GridBox& box) {
             const Vec3 low = to_metres(box.low), high = to_metres(box.high);
             double nearest;
-            return boxes.enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, found_.latest, nearest);
+            return boxes_.enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, found_.latest, nearest);
         };
         data_.cells.for_each_portal_where(meets, [&](std::uint32_t index, const Portal& portal) {
-            if (!ended_ && stops(index, portal)) meet_portal(index, portal, boxes);
+            if (!ended_ && stops(index, portal)) meet_portal(index, portal);
         });
     }
 
     /// A closed portal counts once, however many polygons it has: by the one met first.
     /// @return whether this ended the cast
-    bool meet_portal(std::uint32_t index, const Portal& portal, const SweepBox& boxes) {
+    bool meet_portal(std::uint32_t index, const Portal& portal) {
         SweepContact first;
         first.portal = index;
         const auto polygons = portal.polygons();
         for (std::uint32_t k = 0; k < polygons.size(); ++k) {
             count_box();
             double nearest;
-            if (!boxes.enters(polygons[k].box, found_.latest, nearest)) continue;
+            if (!boxes_.enters(polygons[k].box, found_.latest, nearest)) continue;
             const Contact contact =
                 cast_sweep_polygon(sweep_, polygons[k].shape, Sides::kBoth, found_.latest, options_.counts);
             if (!contact.touched() || (first.contact.touched() && contact.t >= first.contact.t)) continue;
@@ -243,6 +258,7 @@ private:
 
     const WorldData& data_;
     const Sweep& sweep_;
+    const SweepBox boxes_;
     const CastOptions& options_;
     Found& found_;
     bool ended_ = false;

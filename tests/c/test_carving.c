@@ -119,15 +119,21 @@ static void test_cut(firma_world room, firma_cutter cutter) {
     CHECK_OK(firma_world_release(after));
 }
 
-/* A sheet without a back is castable only: cut into, it stays. */
+/* A sheet without a back is castable only: cut into, it gets a hole; filled over, it stays. */
 static void test_castable_only(firma_cutter cutter) {
     const char obj[] = "v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nf 1 2 3 4\n";
     firma_world sheet = {0}, after = {0};
     firma_carve_report report = {.size = sizeof report};
     CHECK_OK(firma_world_from_obj(obj, sizeof obj - 1, "sheet.obj", NULL, &sheet));
     CHECK_OK(firma_carve(sheet, cutter, &kInFloor, NULL, &after, &report));
-    CHECK(report.status == FIRMA_CARVE_NOTHING && report.faces_castable_only == 1);
-    CHECK(hash_of(after) == hash_of(sheet));
+    CHECK(report.status == FIRMA_CARVE_DONE && report.faces_castable_only == 0 && report.volume == 0);
+    CHECK(report.open_trimmed == 1 && report.open_removed == 0 && report.panes == 0 && report.clips == 0);
+    CHECK(report.faces_removed == 1 && report.faces_added > 3);
+    CHECK(hash_of(after) != hash_of(sheet));
+    CHECK_OK(firma_world_release(after));
+    const firma_carve_options fills = {.size = sizeof fills, .fill = 1};
+    CHECK_OK(firma_carve(sheet, cutter, &kInFloor, &fills, &after, &report));
+    CHECK(report.faces_castable_only == 1 && report.open_trimmed == 0);
     CHECK_OK(firma_world_release(after));
     CHECK_OK(firma_world_release(sheet));
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
@@ -175,6 +176,33 @@ TEST(CarveRooms, ACavityIsARoomThroughEdits) {
 }
 
 /// A pillar goes, and its air is that of the room that it stood in.
+/// Six corners, each so far from the middle along an axis.
+Cutter octahedron(double reach) {
+    const std::vector<Vec3> corners{{reach, 0, 0},  {0, reach, 0},  {0, 0, reach},
+                                    {-reach, 0, 0}, {0, -reach, 0}, {0, 0, -reach}};
+    const std::vector<CutterTriangle> triangles{{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2},
+                                                {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}};
+    return make_cutter(corners, triangles).value();
+}
+
+/// All corners of the cavity lie on the cutter: none of them tells that it is in it.
+TEST(CarveRooms, ACavityThatTouchesWhatSwallowsItIsPartOfIt) {
+    const Vec3 middle{1.5, 2, -2};
+    const CarveResult cavity = carve(two_halves(), octahedron(0.5), {.position = middle});
+    ASSERT_TRUE(cavity.done());
+    ASSERT_EQ(cavity.world.room_count(), 3u);
+    // With a second box, which makes a room: what a cutter opens in one piece is not looked at so closely.
+    test::TriangleMesh boxes = test::box_mesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    boxes.add(test::box_mesh({2, -0.5, -0.5}, {3, 0.5, 0.5}));
+    const CarveResult result = carve(cavity.world, boxes.cutter().value(), {.position = middle});
+    ASSERT_TRUE(result.done());
+    test::expect_sound_world(result.world);
+    EXPECT_EQ(result.world.room_count(), 4u);
+    EXPECT_EQ(locate(result.world, middle), in_room(2));
+    EXPECT_EQ(locate(result.world, middle + Vec3{0.4, 0.4, 0.4}), in_room(2));
+    EXPECT_EQ(locate(result.world, middle + Vec3{2.5, 0, 0}), in_room(3));
+}
+
 TEST(CarveRooms, APillarThatGoesIsAir) {
     const World pillar = cut(two_halves(), CutterShape::kBox, {1.5, 2, 2}, 0.3, true).world;
     const CarveResult result = cut(pillar, CutterShape::kRocky, {1.5, 2, 2}, 1.2);
@@ -308,6 +336,52 @@ TEST(CarveRooms, AFilledPortalGoes) {
         EXPECT_TRUE(portal_info(again.world, {1})->open);
         EXPECT_EQ(find_path(again.world, {0}, {1})->size(), 1u);
     }
+}
+
+/// It stands on its corner where the portal's rim lies between the floors of both rooms: the rim is divided there, and
+/// the floors with it.
+TEST(CarveRooms, AFillThatTouchesARimInAPoint) {
+    for (const bool open : {true, false}) {
+        const World world = two_halves(open);
+        const CarveResult result = fill(world, octahedron(1), {.position = {4, 2, 1}});
+        ASSERT_TRUE(result.done());
+        test::expect_sound_world(result.world);
+        EXPECT_EQ(room_info(result.world, {1})->merged_into, RoomId{1});
+        EXPECT_EQ(locate(result.world, {3.4, 2, 0.1}), in_room(0));
+        EXPECT_EQ(locate(result.world, {4.6, 2, 0.1}), in_room(1));
+        EXPECT_EQ(portal_info(result.world, {0})->open, open);
+        EXPECT_EQ(area_of(result.world, {0}), 16 - 2);
+        EXPECT_EQ(hash_world(unpack_world(pack_world(result.world), "test").value()), hash_world(result.world));
+        // And a hole beside it, where floors are pieces of themselves by now.
+        const CarveResult hole = cut(result.world, CutterShape::kRocky, {4, 1, 0}, 0.7);
+        ASSERT_TRUE(hole.done());
+        test::expect_sound_world(hole.world);
+        EXPECT_EQ(room_info(hole.world, {1})->merged_into, RoomId{1});
+    }
+}
+
+/// It takes the walls on both sides of a portal's rim, and has an edge of its own there, which runs on over a corner of
+/// the portal: the corner stays.
+TEST(CarveRooms, AFillWhoseEdgeRunsOverAPortalsCorner) {
+    // Where it touches the rim there is a corner, in the middle of an edge.
+    const World world = fill(two_halves(), octahedron(1), {.position = {4, 3, 2}}).world;
+    std::vector<Vec3> corners;
+    for (const double z : {1.0, 3.0})
+        for (const auto& [x, y] : {std::pair(2, 3), {4, 4}, {6, 3}, {6, 5}, {2, 5}})
+            corners.push_back({double(x), double(y), z});
+    std::vector<CutterTriangle> triangles{{0, 4, 1}, {1, 4, 3}, {1, 3, 2}, {5, 6, 9}, {6, 8, 9}, {6, 7, 8}};
+    for (std::uint32_t k = 0; k < 5; ++k) {
+        const std::uint32_t next = (k + 1) % 5;
+        triangles.push_back({k, next, next + 5});
+        triangles.push_back({k, next + 5, k + 5});
+    }
+    const CarveResult result = fill(world, make_cutter(corners, triangles).value(), {});
+    ASSERT_TRUE(result.done());
+    test::expect_sound_world(result.world);
+    EXPECT_EQ(room_info(result.world, {1})->merged_into, RoomId{1});
+    EXPECT_EQ(area_of(result.world, {0}), 16 - 2);
+    EXPECT_EQ(locate(result.world, {3.5, 3.5, 1.2}), in_room(0));
+    EXPECT_EQ(locate(result.world, {4.5, 3.5, 1.2}), in_room(1));
 }
 
 /// Fills at every place of a portal: its rim, its middle, flush with it.

@@ -10,7 +10,8 @@ import zlib
 from harness import FIRST, CliTest, box, obj
 
 HEADER = 'x,y,z,radius,shape,seed\n'
-REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,chunks,chunk_volume,reason'
+REPORT = 'blast,status,ms,faces_gone,faces_new,retries,volume,hash,castable_only,portals,rooms,chunks,chunk_volume,' \
+         'open_trimmed,open_removed,panes,clips,reason'
 FLOOR = '35,29,0.2,1.6,rocky,1\n'     # in the floor of the hall
 AIR = '35,29,3,0.5,rocky,4\n'         # in the middle of its air
 OUTSIDE = '9000,0,0,1,rocky,3\n'
@@ -202,24 +203,30 @@ class After(CarveTest):
         self.assertEqual(row['status'], 'done')
         self.assertTrue(self.sound('b.obj')['sound'])
 
-    def test_what_is_not_closed_stays(self):
+    def test_what_is_not_closed_gets_holes(self):
         self.write('open.obj', obj([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)], [(0, 1, 2, 3)]))
         row, = self.carve('open.obj', '2,2,0,1,rocky,1\n')
-        self.assertEqual((row['status'], row['faces_new']), ('nothing', '0'))
-        self.assertEqual(len(self.faces('a.obj')), 1)
+        self.assertEqual((row['status'], row['open_trimmed'], row['open_removed']), ('done', '1', '0'))
+        self.assertEqual((float(row['volume']), row['faces_gone']), (0, '1'))
+        self.assertEqual(len(self.faces('a.obj')), int(row['faces_new']))
+        self.assertGreater(int(row['faces_new']), 8)
         self.assertIn('1 of the faces bound no closed solid', self.firma('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj'))
-        self.assertEqual(self.firma_json('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 1)
+        self.assertEqual(self.firma_json('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'],
+                         int(row['faces_new']))
         self.assertEqual(self.firma_json('carve', FIRST, '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 0)
 
-    def test_castable_only_is_told(self):
+    def test_what_stays_is_told(self):
         """A blast that meets nothing but faces that no blast changes is told apart from one in the air."""
         corners = [(x, y, z) for z in (0, 3) for y in (0, 4) for x in (0, 4)]
-        self.write('open.obj', obj(corners, [(0, 1, 3, 2), (4, 5, 7, 6)]))
-        rows = self.carve('open.obj', '2,2,0,1,rocky,1\n2,2,1.5,0.5,rocky,1\n2,2,1.5,3,rocky,1\n')
+        self.write('open.obj', 'usemtl vault\n' + obj(corners, [(0, 1, 3, 2), (4, 5, 7, 6)]))
+        self.write('hard.matter', 'matter vault\n  texture vault\n  hardness 1\n')
+        self.write('b.csv', HEADER + '2,2,0,1,rocky,1\n2,2,1.5,0.5,rocky,1\n2,2,1.5,3,rocky,1\n')
+        arguments = ['carve', 'open.obj', '--matter', 'hard.matter', '--blasts', 'b.csv', '-o', 'a.obj']
+        self.assertIn('nothing      2 met only faces that stay (3), 1 met only air',
+                      self.firma(*arguments, '--report', 'r.csv'))
+        rows = list(csv.DictReader(self.read('r.csv').splitlines()))
         self.assertEqual([(row['status'], row['castable_only']) for row in rows],
                          [('nothing', '1'), ('nothing', '0'), ('nothing', '2')])
-        arguments = ['carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj']
-        self.assertIn('nothing      2 met only faces that are castable only (3), 1 met only air', self.firma(*arguments))
         told = self.firma_json(*arguments)
         self.assertEqual((told['nothing'], told['nothing_castable_only']), (3, 2))
         self.carve(FIRST, FLOOR + AIR)

@@ -146,7 +146,7 @@ class Log(CliTest):
         for other in [[], ['--no-hanging'], ['--anchors', 'ground'], ['--no-hanging', '--anchors', 'rock,ground']]:
             self.refuse('log', 'verify', 'a.firmalog', 'solid.obj', *other, says='other anchors')
         checked = self.firma_json('check', 'a.firma')
-        self.assertEqual((checked['sound'], checked['anchors']), (True, {'materials': 1, 'sources': 0, 'edits': 0, 'hanging': 0}))
+        self.assertEqual((checked['sound'], checked['anchors']), (True, {'materials': 1, 'sources': 0, 'edits': 0, 'hanging': 0, 'volumes': 0}))
         self.assertIn('; 1 anchor and 0 faces that hung free\n', self.firma('check', 'a.firma'))
         self.assertIsNone(self.firma_json('check', self.plain())['anchors'])
         for bad in ['stone', 'ground,', ',', 'ground,ground ']:

@@ -3,6 +3,7 @@
 // machine. same_everywhere.mjs does the very same through the JavaScript API; change both or none.
 //
 //   same_everywhere LEVEL.obj|LEVEL.bsp CUTS CASTS
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -381,6 +382,120 @@ static firma_world with_rules(firma_world world) {
     return harder;
 }
 
+// ---- a log ----
+
+static firma_command draw_part(uint32_t number) {
+    firma_command command, quantised;
+    const uint32_t kind = below(8);
+    if (kind == 0) {
+        const uint32_t portal = below(4);
+        must(firma_command_door(number, portal, below(2), &command));
+        return command;
+    }
+    firma_cutter cutter;
+    firma_pose pose;
+    draw_cutter(&cutter);
+    draw_pose(&pose);
+    const firma_carve_options options = {
+        .size = sizeof options, .fill = kind == 1, .material = kind < 4 ? "logged" : NULL, .chunks = kind != 1};
+    must(firma_command_edit(number, cutter, &pose, &options, &command));
+    must(firma_cutter_release(cutter));
+    if (kind > 5) return command;
+    must(firma_command_quantise(command, &quantised));
+    must(firma_command_release(command));
+    return quantised;
+}
+
+// Of every eight one is a group of three.
+static firma_command draw_command(uint32_t* number) {
+    if (below(8)) return draw_part(++*number);
+    firma_command parts[3], group;
+    for (int k = 0; k < 3; ++k) parts[k] = draw_part(++*number);
+    must(firma_command_group(parts, 3, &group));
+    for (int k = 0; k < 3; ++k) must(firma_command_release(parts[k]));
+    return group;
+}
+
+static firma_world apply_command(firma_world world, firma_command command, bool in_slices) {
+    firma_carve_report report = {.size = sizeof report};
+    firma_world after;
+    if (in_slices) {
+        firma_job job;
+        must(firma_command_start(world, command, &job));
+        uint32_t finished = 0;
+        while (!finished) must(firma_job_run(job, 20, &finished));
+        must(firma_job_result(job, &after, &report));
+        must(firma_job_release(job));
+    } else {
+        must(firma_command_apply(world, command, &after, &report));
+    }
+    mix_report(&report);
+    mix_long(report.chunks);
+    mix_double(report.chunk_volume);
+    if (report.chunks) must(firma_chunks_release(report.loose));
+    must(firma_world_release(world));
+    return after;
+}
+
+// The log as bytes, and what comes of these bytes on the level, in slices: it must be `hash`.
+static uint64_t replay_packed(firma_world level, firma_log log, uint64_t hash, size_t* length) {
+    firma_bytes bytes;
+    const void* data;
+    firma_log read;
+    firma_replay replay;
+    firma_replay_facts facts = {.size = sizeof facts};
+    firma_world world;
+    uint64_t replayed;
+    must(firma_log_pack(log, &bytes));
+    must(firma_bytes_get_view(bytes, &data, length));
+    for (size_t k = 0; k < *length; ++k) mix(((const unsigned char*)data)[k]);
+    must(firma_log_unpack(data, *length, "log", &read));
+    must(firma_replay_start(level, read, UINT32_MAX, &replay));
+    uint32_t finished = 0;
+    while (!finished) must(firma_replay_run(replay, 20, &finished));
+    must(firma_replay_get_facts(replay, &facts));
+    must(firma_replay_result(replay, &world));
+    must(firma_world_hash(world, &replayed));
+    if (replayed != hash) {
+        fprintf(stderr, "a replay gives %016llx, the commands gave %016llx\n", (unsigned long long)replayed,
+                (unsigned long long)hash);
+        exit(1);
+    }
+    must(firma_world_release(world));
+    must(firma_replay_release(replay));
+    must(firma_log_release(read));
+    must(firma_bytes_release(bytes));
+    return facts.done;
+}
+
+// Commands of all kinds, a log of them, and the same with a patch in place of the first half.
+static void say_log(firma_world level, unsigned count) {
+    firma_log log, compact;
+    uint32_t number = 0, half = 0;
+    uint64_t hash;
+    size_t length, compact_length;
+    must(firma_log_begin(level, &log));
+    firma_world world;
+    must(firma_world_copy(level, &world));
+    for (unsigned k = 0; k < count; ++k) {
+        const firma_command command = draw_command(&number);
+        world = apply_command(world, command, k % 3 == 0);
+        must(firma_log_append(log, command));
+        must(firma_command_release(command));
+        if (k % 10 == 9) must(firma_log_checkpoint(log, world));
+        if (k < count / 2) half = number;
+    }
+    must(firma_world_hash(world, &hash));
+    const uint64_t done = replay_packed(level, log, hash, &length);
+    must(firma_log_compact(log, level, half, &compact));
+    replay_packed(level, compact, hash, &compact_length);
+    printf("log=%zu commands=%u done=%llu compact=%zu world=%016llx answers=%08x%08x\n", length, count,
+           (unsigned long long)done, compact_length, (unsigned long long)hash, (unsigned)hash_a, (unsigned)hash_b);
+    must(firma_log_release(compact));
+    must(firma_log_release(log));
+    must(firma_world_release(world));
+}
+
 // What is only worth it once: volume and area, faces, the difference to the level, the bytes of the file and back.
 static void say_rest(firma_world first, firma_world last) {
     double volume, area;
@@ -435,6 +550,9 @@ int main(int count, char** words) {
         cast = until;
         say(world, cut, cast);
     }
+    const firma_world level = with_rules(first);
+    say_log(level, cuts / 10);
+    must(firma_world_release(level));
     say_rest(first, world);
     must(firma_world_release(world));
     must(firma_world_release(first));

@@ -139,7 +139,7 @@ function drawCutter(firma) {
 function drawPose(firma) {
     const kind = below(3);
     const pose = { position: somewhere(), rotation: [0, 0, 0, 1], scale: 1 };
-    if (kind === 0) for (let axis = 0; axis < 3; ++axis) pose.position[axis] = Math.trunc(pose.position[axis]);
+    if (kind === 0) for (let axis = 0; axis < 3; ++axis) pose.position[axis] = Math.trunc(pose.position[axis]) + 0; // no -0, as in C
     for (let axis = 0; axis < 3; ++axis) lastCut[axis] = pose.position[axis];
     if (kind === 1) for (let k = 0; k < 4; ++k) pose.rotation[k] = below(201) - 100 + (k === 3 ? 0.5 : 0);
     if (kind === 2) pose.rotation = firma.randomTurn(seed());
@@ -299,6 +299,90 @@ function withRules(world) {
     return world.withRules({ zones: [zone] });
 }
 
+// ---- a log ----
+
+function drawPart(firma, number) {
+    const kind = below(8);
+    if (kind === 0) {
+        const portal = below(4);
+        return firma.doorCommand(number, portal, below(2) === 1);
+    }
+    const cutter = drawCutter(firma);
+    const pose = drawPose(firma);
+    const options = { fill: kind === 1, material: kind < 4 ? 'logged' : '', chunks: kind !== 1 };
+    const command = firma.editCommand(number, cutter, pose, options);
+    cutter.release();
+    if (kind > 5) return command;
+    const quantised = command.quantised();
+    command.release();
+    return quantised;
+}
+
+let number = 0;
+function drawCommand(firma) {
+    if (below(8)) return drawPart(firma, ++number);
+    const parts = [];
+    for (let k = 0; k < 3; ++k) parts.push(drawPart(firma, ++number));
+    const group = firma.groupCommand(parts);
+    parts.forEach((part) => part.release());
+    return group;
+}
+
+function applyCommand(world, command, inSlices) {
+    let result;
+    if (inSlices) {
+        const job = world.startApply(command);
+        while (!job.run(20));
+        result = job.result();
+        job.release();
+    } else {
+        result = world.apply(command);
+    }
+    const { world: after, report } = result;
+    mixReport(report);
+    mixLong(report.chunks);
+    mixDouble(report.chunkVolume);
+    report.loose?.release();
+    world.release();
+    return after;
+}
+
+function replayPacked(firma, level, log, hash) {
+    const bytes = log.pack();
+    bytes.forEach(mix);
+    const read = firma.unpackLog(bytes, 'log');
+    const replay = read.replay(level);
+    while (!replay.run(20));
+    const { done } = replay.facts();
+    const world = replay.result();
+    if (world.hash() !== hash) throw new Error(`a replay gives ${hex(world.hash(), 16)}, the commands gave ${hex(hash, 16)}`);
+    [world, replay, read].forEach((handle) => handle.release());
+    return { done, length: bytes.length };
+}
+
+function sayLog(print, firma, level, count) {
+    const log = firma.beginLog(level);
+    let half = 0;
+    let world = level.copy();
+    for (let k = 0; k < count; ++k) {
+        const command = drawCommand(firma);
+        world = applyCommand(world, command, k % 3 === 0);
+        log.append(command);
+        command.release();
+        if (k % 10 === 9) log.checkpoint(world);
+        if (k < Math.floor(count / 2)) half = number;
+    }
+    const hash = world.hash();
+    const { done, length } = replayPacked(firma, level, log, hash);
+    const compact = log.compact(level, half);
+    const { length: compactLength } = replayPacked(firma, level, compact, hash);
+    print(
+        `log=${length} commands=${count} done=${done} compact=${compactLength} ` +
+            `world=${hex(hash, 16)} answers=${answersSoFar()}`,
+    );
+    [compact, log, world].forEach((handle) => handle.release());
+}
+
 function sayRest(print, firma, first, last) {
     const { volume, area } = last.measure();
     mixDouble(volume);
@@ -337,6 +421,9 @@ export async function run(module, level, cuts, casts, print) {
         cast = until;
         say(print, world, cut, cast);
     }
+    const begin = withRules(first);
+    sayLog(print, firma, begin, Math.floor(cuts / 10));
+    begin.release();
     sayRest(print, firma, first, world);
     world.release();
     first.release();

@@ -12,13 +12,14 @@ with open(sys.argv[1], encoding='utf-8') as file:
 
 
 def struct(name):
-    """The struct as a class of ctypes: numbers and arrays of them."""
+    """The struct as a class of ctypes: numbers, other structs and arrays of these."""
     fields = []
     for kind, names in re.findall(r'(\w+) ([^;]+);', re.search(rf'struct {name} {{(.*?)}}', header, re.DOTALL).group(1)):
         for field, length in re.findall(r'(\w+)(?:\[(\w+)\])?(?:,|$)', names):
             if length and not length.isdigit():
                 length = re.search(rf'#define {length} (\d+)', header).group(1)
-            fields.append((field, TYPES[kind] * int(length) if length else TYPES[kind]))
+            of = TYPES.get(kind) or struct(kind)
+            fields.append((field, of * int(length) if length else of))
     return type(name, (c.Structure,), {'_fields_': fields})
 
 

@@ -49,12 +49,7 @@ inline EditCommand cut_command(std::uint32_t number, std::variant<CraterSeed, Cu
 }
 
 inline EditCommand door_command(std::uint32_t number, std::uint32_t portal, bool open) {
-    EditCommand command;
-    command.number = number;
-    command.kind = EditKind::kDoor;
-    command.portal = {portal};
-    command.open = open;
-    return command;
+    return door_command(number, PortalId{portal}, open);
 }
 
 inline EditCommand group_command(std::vector<EditCommand> parts) {

@@ -386,6 +386,7 @@ private:
             if (abs(exactly - (fills_ ? Real(common - all) : common)) > all * Real("1e-20"))
                 fail("what was lost is not what the cutter has in common with the solid");
         }
+        std::vector<std::uint32_t> gainers;
         for (std::uint32_t room = 0; room < after.rooms.size(); ++room) {
             const bool is_new = room >= volumes_before_.rooms.size();
             const RoomInfo info = *room_info(after_, {room});
@@ -397,19 +398,47 @@ private:
                 fail(room_words({room}) + (fills_ ? " gained " : " lost ") + std::to_string(gained) + " m3");
             if (!fills_ && !is_new && gained > allowed && lost_no_wall(room))
                 fail(room_words({room}) + " gained air that it does not touch");
+            if (gained > allowed) gainers.push_back(room);
         }
+        if (!fills_ && !blast_.from && gainers.size() == 1 && gainers[0] < before_.room_count())
+            judge_choice(gainers[0]);
+    }
+
+    /// All pockets went to one room: of the walls that were taken no other one had more.
+    void judge_choice(std::uint32_t room) {
+        constexpr double kSure = 1e-3;  // square metres: more than rounding of corners makes
+        const WallArea own = wall_area(room);
+        bool several = false;
+        for (std::uint32_t other = 0; other < before_.room_count(); ++other) {
+            if (room_info(before_, {other})->merged_into != RoomId{other} || other == room) continue;
+            if (room_info(after_, {other})->merged_into != RoomId{other}) return;  // swallowed: the last choice
+            const WallArea walls = wall_area(other);
+            several |= walls.was - walls.is > kSure;
+            if (walls.was - walls.is > own.was - own.is + kSure)
+                fail("what was opened went to " + room_words({room}) + ", and more of the walls of " +
+                     room_words({other}) + " was taken");
+        }
+        tally_.choices += several;
+    }
+
+    struct WallArea {
+        double was = 0, is = 0;  ///< square metres, of the facets that changed
+    };
+    WallArea wall_area(std::uint32_t room) const {
+        const auto area_of = [](const FacetPlace& place) { return length(area_vector(facet_corners(place))) / 2; };
+        WallArea sum;
+        for (const FacetPlace& place : change_.gone)
+            if (cells_before().current_room(place.block->part) == room) sum.was += area_of(place);
+        for (const FacetPlace& place : change_.come)
+            if (place.record().edit != after_.data().edits() && cells_after().current_room(place.block->part) == room)
+                sum.is += area_of(place);
+        return sum;
     }
 
     /// Whether none of a room's walls was taken, exactly so on a lattice; where corners were rounded it is not told.
     bool lost_no_wall(std::uint32_t room) const {
-        const auto area_of = [](const FacetPlace& place) { return length(area_vector(facet_corners(place))) / 2; };
-        double was = 0, is = 0;
-        for (const FacetPlace& place : change_.gone)
-            if (cells_before().current_room(place.block->part) == room) was += area_of(place);
-        for (const FacetPlace& place : change_.come)
-            if (place.record().edit != after_.data().edits() && cells_after().current_room(place.block->part) == room)
-                is += area_of(place);
-        return std::fabs(was - is) <= 1e-12 * (1 + was);
+        const WallArea walls = wall_area(room);
+        return std::fabs(walls.was - walls.is) <= 1e-12 * (1 + walls.was);
     }
 
     void judge_rooms() {
@@ -607,8 +636,10 @@ private:
     /// Both sides of points of open portals, new ones and changed ones first: the rooms that it names, a way through,
     /// and of a new one that it was a wall.
     void judge_portal_sides() {
-        std::vector<std::uint32_t> portals = portals_near(cells_after(), false, 1);
-        std::stable_partition(portals.begin(), portals.end(), [&](std::uint32_t k) { return is_changed(k); });
+        std::vector<std::uint32_t> portals, others;
+        for (const std::uint32_t k : portals_near(cells_after(), false, 1))
+            (is_changed(k) ? portals : others).push_back(k);
+        portals.insert(portals.end(), others.begin(), others.end());
         for (std::size_t k = 0; k < portals.size() && k < std::size_t(options_.open) * 2; ++k) {
             if (k >= std::size_t(options_.open) && !is_changed(portals[k])) break;
             if (!judge_sides_of(portals[k])) return;
@@ -782,8 +813,7 @@ public:
         if (!result.done()) return wrong;
         // What is put down free in the air stays there.
         if (fills)
-            for (const auto& face : hanging_faces(result.world))
-                if (face.first == result.world.data().edits()) hanging_.insert(face);
+            for (const auto& face : put_down_faces(result.world)) hanging_.insert(face);
         world_ = result.world;
         return wrong;
     }
@@ -808,6 +838,7 @@ void BlastTally::add(const BlastTally& other) {
     rooms_made += other.rooms_made;
     rooms_swallowed += other.rooms_swallowed;
     rooms_filled += other.rooms_filled;
+    choices += other.choices;
     portals_made += other.portals_made;
     portals_grown += other.portals_grown;
     portals_divided += other.portals_divided;

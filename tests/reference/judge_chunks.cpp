@@ -61,14 +61,31 @@ std::pair<std::uint32_t, std::uint32_t> key_of(const Boundary& boundary, std::ui
 
 }  // namespace
 
-HangingFaces hanging_faces(const World& world) {
+namespace {
+
+/// Of shells that look outward, and of which each face is one that counts.
+template <class Counts>
+HangingFaces faces_of_bodies(const World& world, const Counts& counts) {
     const Boundary boundary = take_boundary(world.solid().data().faces.root.get());
     HangingFaces hanging, others;
-    for (const FloodedShell& shell : flood_all(boundary))
-        for (const std::uint32_t face : shell.faces)
-            (shell.volume > 0 ? hanging : others).insert(key_of(boundary, face));
+    for (const FloodedShell& shell : flood_all(boundary)) {
+        const bool hangs = shell.volume > 0 && std::all_of(shell.faces.begin(), shell.faces.end(), [&](auto face) {
+                               return counts(key_of(boundary, face).first);
+                           });
+        for (const std::uint32_t face : shell.faces) (hangs ? hanging : others).insert(key_of(boundary, face));
+    }
     for (const auto& key : others) hanging.erase(key);
     return hanging;
+}
+
+}  // namespace
+
+HangingFaces hanging_faces(const World& world) {
+    return faces_of_bodies(world, [](std::uint32_t) { return true; });
+}
+
+HangingFaces put_down_faces(const World& world) {
+    return faces_of_bodies(world, [&](std::uint32_t edit) { return edit == world.solid().edits(); });
 }
 
 ChunkVerdict judge_chunks(const World& before, const HangingFaces& hanging, const CarveResult& result,

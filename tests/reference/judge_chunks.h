@@ -15,6 +15,9 @@ namespace firma::reference {
 /// Edit and source of faces of which none bounds anything else but bodies that hang free.
 using HangingFaces = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 HangingFaces hanging_faces(const World& world);
+/// Likewise, of bodies that the last edit made alone: what a fill put down where it touched nothing. What it joined to
+/// a body is part of that, and may be shot off it.
+HangingFaces put_down_faces(const World& world);
 
 struct ChunkVerdict {
     std::string fault;  ///< "" for none

@@ -32,15 +32,9 @@ std::string differs(const World& a, const World& b) {
 
 class CutInContact {
 public:
-    CutInContact(const World& before, const CutOrder& order, const CarveResult& result, scenes::Rng& rng,
-                 const std::string& where, CutTally& tally)
-        : before_(before),
-          after_(result.world),
-          order_(order),
-          result_(result),
-          rng_(rng),
-          where_(where),
-          tally_(tally) {}
+    CutInContact(const World& before, const CutOrder& order, const CarveResult& result, const std::string& where,
+                 CutTally& tally)
+        : before_(before), after_(result.world), order_(order), result_(result), where_(where), tally_(tally) {}
 
     bool holds() const { return holds_; }
 
@@ -99,7 +93,6 @@ private:
     const World &before_, &after_;
     const CutOrder& order_;
     const CarveResult& result_;
-    scenes::Rng& rng_;
     const std::string& where_;
     CutTally& tally_;
     bool holds_ = true;
@@ -120,7 +113,7 @@ Vec3 point_around(const PlacedCutter& cutter, scenes::Rng& rng) {
 
 bool ContactJudge::judge(const World& before, const CutOrder& order, const CarveResult& result, scenes::Rng& rng,
                          const std::string& where, CutTally& tally) {
-    CutInContact cut(before, order, result, rng, where, tally);
+    CutInContact cut(before, order, result, where, tally);
     cut.judge_place();
     const std::optional<PlacedCutter> placed = placed_cutter(order, result.report);
     if (result.status == CarveStatus::kRefused || !placed) return cut.holds();

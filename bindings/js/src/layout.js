@@ -577,7 +577,7 @@ export const CARVE_OPTIONS = Object.freeze({
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 208,
+    sizeof: 240,
     size: 0,
     status: 4,
     retries: 8,
@@ -606,6 +606,10 @@ export const CARVE_REPORT = Object.freeze({
     chunksUs: 184,
     loose: 192,
     cutShort: 200,
+    openTrimmed: 208,
+    openRemoved: 216,
+    panes: 224,
+    clips: 232,
 });
 
 /** firma_anchors */

@@ -62,6 +62,31 @@ test('commands say what they do, and come back from their bytes', () => {
     });
 });
 
+test('options of a command, and one that is cut off between two of them', () => {
+    playing((world, keep) => {
+        const options = { material: 'dirt', from: [4, 4, 2], chunks: { minVolume: 2, density: 5 } };
+        const bytes = shot(3, 4, keep, options).pack();
+        const read = (length) => keep(firma.unpackCommand(bytes.subarray(0, length))).facts().options;
+        assert.deepEqual(read(bytes.length), { fill: false, edit: 3, ...options });
+        const valid = [];
+        for (let length = 0; length < bytes.length; ++length) {
+            try {
+                valid.push(read(length));
+            } catch (error) {
+                assert.equal(error.code, 'MALFORMED', `${length} bytes`);
+            }
+        }
+        const { material, from } = options;
+        assert.deepEqual(valid, [
+            { fill: false, edit: 3, material: '' },
+            { fill: false, edit: 3, material },
+            { fill: false, edit: 3, material, from },
+        ]);
+        const usual = keep(firma.unpackCommand(shot(4, 4, keep, { chunks: true }).pack())).facts().options;
+        assert.deepEqual(usual.chunks, { minVolume: 0.001, density: 2000 });
+    });
+});
+
 test('groups are one version; doors', () => {
     playing((world, keep) => {
         const parts = [shot(1, 2, keep), shot(2, 6, keep)];

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Planes through points of the surface grid.
+#include "geometry/surface_plane.h"
+
+namespace firma {
+namespace {
+
+Int128 magnitude_of(Int128 value) {
+    return value < 0 ? -value : value;
+}
+
+/// normal . p + offset = 0, p in surface steps: divided by what divides all four.
+Plane plane_of_surface(const Int128 (&normal)[3], Int128 offset) {
+    Int128 divisor = magnitude_of(offset), most = 0;
+    Int128 scaled[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        scaled[axis] = normal[axis] * kSurfacePerInput;
+        for (Int128 other = magnitude_of(scaled[axis]); other != 0;) {
+            const Int128 rest = divisor % other;
+            divisor = other;
+            other = rest;
+        }
+    }
+    Plane plane;
+    if (divisor == 0) return plane;
+    std::int64_t size = 0;
+    for (Int128& component : scaled) {
+        component /= divisor;
+        if (magnitude_of(component) > most) most = magnitude_of(component);
+    }
+    if (most > Int128(1) << 52) return plane;
+    for (int axis = 0; axis < 3; ++axis) {
+        plane.normal[axis] = std::int64_t(scaled[axis]);
+        size += std::int64_t(magnitude_of(scaled[axis]));
+    }
+    plane.set_offset(offset / divisor);
+    plane.d = double(plane.offset());
+    plane.size = double(size > std::int64_t(1) << 53 ? size + (size & 1) : size);
+    return plane;
+}
+
+Int128 offset_at(const Int128 (&normal)[3], const GridPoint& p) {
+    return -(normal[0] * p.x + normal[1] * p.y + normal[2] * p.z);
+}
+
+}  // namespace
+
+Plane surface_plane(std::span<const GridPoint> corners) {
+    Int128 normal[3] = {0, 0, 0};
+    for (std::size_t k = 2; k < corners.size(); ++k) {  // the first ones may lie on a line
+        Int128 u[3], v[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            u[axis] = Int128(corners[k - 1][axis]) - corners[0][axis];
+            v[axis] = Int128(corners[k][axis]) - corners[0][axis];
+        }
+        for (int k3 = 0, i = 1, j = 2; k3 < 3; i = j, j = k3, ++k3) normal[k3] = u[i] * v[j] - u[j] * v[i];
+        if (normal[0] != 0 || normal[1] != 0 || normal[2] != 0) break;
+    }
+    return plane_of_surface(normal, offset_at(normal, corners[0]));
+}
+
+Plane surface_edge_plane(const GridPoint& a, const GridPoint& b, const Plane& face) {
+    const int axis = face.dominant_axis(), next = (axis + 1) % 3, last = (axis + 2) % 3;
+    Int128 normal[3] = {0, 0, 0};
+    normal[next] = Int128(b[last]) - a[last];
+    normal[last] = Int128(a[next]) - b[next];
+    return plane_of_surface(normal, offset_at(normal, a));
+}
+
+Plane surface_axis_plane(int axis, std::int32_t at) {
+    Int128 normal[3] = {0, 0, 0};
+    normal[axis] = 1;
+    return plane_of_surface(normal, -Int128(at));
+}
+
+Plane plane_beside(const Plane& plane, int way) {
+    Plane beside = plane;
+    std::int64_t scale = 1;
+    while (scale < 1 << 16 && plane.size * double(2 * scale) < 0x1p51) scale *= 2;
+    for (std::int64_t& component : beside.normal) component *= scale;
+    beside.set_offset(plane.offset() * scale - way);
+    beside.d = double(beside.offset());
+    beside.size = plane.size * double(scale);
+    return beside;
+}
+
+}  // namespace firma
