@@ -114,7 +114,10 @@ Json command_json(const EditCommand& command) {
     json["scale"] = command.pose.scale;
     json["material"] = command.options.material;
     const std::optional<ChunkOptions>& chunks = command.options.chunks;
-    json["chunks"] = chunks ? Json{{"min_volume", chunks->min_volume}, {"density", chunks->density}} : Json();
+    json["chunks"] = Json();
+    if (!chunks) return json;
+    json["chunks"]["min_volume"] = chunks->min_volume;
+    json["chunks"]["density"] = chunks->density > 0 ? Json(chunks->density) : Json();
     return json;
 }
 
@@ -129,7 +132,8 @@ std::string command_text(const EditCommand& command) {
     text += fmt::format(" at {}, scale {}", point_text(command.pose.position), command.pose.scale);
     if (!command.options.material.empty()) text += ", material " + command.options.material;
     if (const std::optional<ChunkOptions>& chunks = command.options.chunks)
-        text += fmt::format(", with chunks of {} m3 and {} kg/m3", chunks->min_volume, chunks->density);
+        text += fmt::format(", with chunks of {} m3", chunks->min_volume) +
+                (chunks->density > 0 ? fmt::format(" and {} kg/m3", chunks->density) : "");
     return text;
 }
 

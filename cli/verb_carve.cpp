@@ -90,8 +90,8 @@ around rooms; what hangs free in LEVEL as it is read, and its parts, unless --no
 .firma file keeps what was said for it, unless these options say it anew; made with --chunks it has the brushes' volumes.
 Pieces smaller than --min-volume leave as well, but are only counted (crumbs). Give --chunks to all runs over a level or
 to none: a piece left hanging is not looked for later. --chunk-report writes a row a chunk: blast (its row, from 0), chunk
-(of that blast, from 0), volume (cubic metres), mass (kilograms, by --density), x,y,z (its centre of mass, metres, where it
-was), ixx,iyy,izz,ixy,ixz,iyz (the tensor of inertia about that, kg m2, 17 significant digits).
+(of that blast, from 0), volume (cubic metres), mass (kilograms, by matter or --density), x,y,z (its centre of mass,
+metres, where it was), ixx,iyy,izz,ixy,ixz,iyz (the tensor of inertia about that, kg m2, 17 significant digits).
 
 The level written goes by the ending of AFTER. A .firma file holds all of it, its exact solid, tree and counters
 too: blasts go on from it as if there had been no file between. A .glb is binary glTF 2.0, for viewers and engines: the
@@ -467,7 +467,8 @@ Verb add_carve(CLI::App& app) {
     command.add_flag("--chunks", arguments->chunks, "pieces that blasts leave loose leave the level; see below");
     command.add_option("--min-volume", arguments->min_volume, "V",
                        "smaller pieces are crumbs, cubic metres (default 0.001)");
-    command.add_option("--density", arguments->density, "D", "of chunks, kilograms a cubic metre (default 2000)");
+    command.add_option("--density", arguments->density, "D",
+                       "of chunks, kilograms a cubic metre (default: of each matter its own)");
     add_anchor_options(command, arguments->anchors);
     command.add_option("--chunk-report", arguments->chunk_report, "FILE", "csv to write: a row a chunk, see below");
     add_json_flag(command, arguments->json);

@@ -54,7 +54,7 @@ byte where that was found; so is, for replay, a checkpoint that does not hold.
 --json, show: log, bytes, version (of the format), level_hash, rules_hash (16 hexadecimal digits), level_edits (the number
 of the last edit before it), last_number, patched_number or null (of the last edit that a patch stands for), patch_bytes,
 command_count, checkpoint_count, commands [{number, kind, cutter, seed or null, position, rotation, scale, material,
-chunks {min_volume, density} or null; of a door portal, open; of a group parts}], checkpoints [{commands, hash}].
+chunks {min_volume, density (null: by matter)} or null; of a door portal, open; of a group parts}], checkpoints [{commands, hash}].
 --json, compact: as show, of the log written, without commands and checkpoints; seconds.
 --json, verify and replay: log, level, holds, fault or null, commands (that were applied), done, nothing, refused,
 checkpoints (that hold), hash, seconds (of the replay), per_command_ms, faces, version (of the world), edits, out or null.

@@ -67,7 +67,12 @@ Result<World> named_world(const Solid& solid, const ChunksObject& of) {
 }  // namespace
 
 ChunksObject::ChunksObject(std::vector<firma::Chunk> all, const World& of)
-    : chunks(std::move(all)), materials(of.data().materials), tolerance(of.tolerance()), tree(of.data().tree_options) {}
+    : chunks(std::move(all)), materials(of.data().materials), tolerance(of.tolerance()), tree(of.data().tree_options) {
+    for (const firma::Chunk& chunk : chunks) {
+        std::vector<firma_matter_volume>& of_chunk = volumes.emplace_back();
+        for (const MatterVolume& it : chunk.matters) of_chunk.push_back({it.matter, 0, it.volume});
+    }
+}
 
 }  // namespace firma::c
 
@@ -122,6 +127,8 @@ firma_code firma_chunks_get(firma_chunks chunks, size_t chunk, firma_chunk* out)
         made.face_count = found->solid.face_count();
         put(bounds.low, made.low);
         put(bounds.high, made.high);
+        made.matters = object->volumes[chunk].data();
+        made.matter_count = object->volumes[chunk].size();
         put_sized(made, out);
         return FIRMA_OK;
     });
@@ -153,7 +160,7 @@ firma_code firma_world_pieces(firma_world world, double density, firma_chunks* p
         std::vector<firma::Chunk> all;
         for (Solid& solid : connected_pieces(object->world.solid())) {
             const MassProperties mass = mass_properties(solid, density);
-            all.push_back({std::move(solid), {}, mass});
+            all.push_back({std::move(solid), {}, mass, {}});
         }
         return give(std::make_unique<ChunksObject>(std::move(all), object->world), pieces, function);
     });

@@ -54,7 +54,8 @@ firma_code read_options(const firma_world_options* options, WorldOptions& world,
         return fail(FIRMA_ERROR_INVALID, function, "no_textures must be 0 or 1, reserved 0");
     world.textures = given->no_textures == 0;
     read.scale = given->scale;
-    return FIRMA_OK;
+    if (!given->matters) return FIRMA_OK;
+    return read_matters(*given->matters, world.matters.emplace(), function);
 }
 
 firma_code read_options(const firma_cast_options* options, CastOptions& cast, firma_cast_options& whole,
@@ -203,6 +204,7 @@ void put_report(const CarveResult& result, firma_chunks loose, firma_carve_repor
     out.faces_searched = report.faces_searched;
     out.chunks_us = report.times.chunks;
     out.loose = loose;
+    out.cut_short = report.cut_short;
     out.open_trimmed = report.open_trimmed;
     out.open_removed = report.open_removed;
     out.panes = report.panes;

@@ -10,6 +10,7 @@
 #include "bindings/c/calls.h"
 #include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/matter.h"
 #include "firma/queries.h"
 #include "firma/vec.h"
 #include "firma/world.h"
@@ -38,6 +39,8 @@ inline Sphere sphere_of(const firma_cast_input& input) {
     return {vec(input.centre), input.radius};
 }
 
+/// A table as a caller has it. What it says is judged by whoever makes a world by it.
+firma_code read_matters(const firma_matter_table& given, MatterTable& table, const char* function);
 /// FIRMA_OK, or what is wrong with the options; null gives the defaults.
 firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read, const char* function);
 firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function);

@@ -22,6 +22,7 @@ enum class Kind : std::uint8_t {
     kRegionMeshes,
     kBytes,
     kChunks,
+    kMatters,
     kCommand,
     kLog,
     kReplay

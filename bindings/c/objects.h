@@ -93,6 +93,7 @@ struct ChunksObject final : Object {
     static constexpr const char* kNoun = "list of chunks";
     ChunksObject(std::vector<firma::Chunk> all, const World& of);
     std::vector<firma::Chunk> chunks;
+    std::vector<std::vector<firma_matter_volume>> volumes;  ///< of each
     std::shared_ptr<const std::vector<std::string>> materials;
     Tolerance tolerance;
     TreeOptions tree;

@@ -30,6 +30,7 @@ void add_report(CarveReport& sum, const CarveReport& part) {
     sum.clips += part.clips;
     sum.portals += part.portals;
     sum.rooms += part.rooms;
+    sum.cut_short += part.cut_short;
     sum.scale = std::min(sum.scale, part.scale);
     sum.volume += part.volume;
     sum.chunks += part.chunks;

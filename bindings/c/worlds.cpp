@@ -100,6 +100,7 @@ firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* fu
     rules.max_pairs = or_default(given.max_pairs, rules.max_pairs);
     rules.max_corners = or_default(given.max_corners, rules.max_corners);
     if (given.max_cutter_size != 0) rules.max_cutter_size = given.max_cutter_size;
+    rules.merge_share = given.merge_share;
     return FIRMA_OK;
 }
 

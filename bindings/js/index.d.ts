@@ -198,6 +198,13 @@ export interface Firma {
      * @param a, b of hashRegions(), of two worlds
      */
     differingRegions(a: readonly RegionHash[], b: readonly RegionHash[]): Vector3[];
+    /** The table that worlds are made by where none is given. */
+    defaultMatters(): WholeMatterTable;
+    /**
+     * A table as text, as `firma carve --matter` takes it: docs/formats.md has the form. Costs the text.
+     * @param name for messages @throws {FirmaError} MALFORMED, with the line
+     */
+    readMatters(text: string | Bytes, name?: string): Promise<WholeMatterTable>;
     /** A unit quaternion, evenly distributed; equal seeds give equal ones on every machine. */
     randomTurn(seed: Seed): Quaternion;
 
@@ -220,6 +227,8 @@ export interface WorldOptions {
     contactOffset?: number;
     /** Metres a unit of the file or mesh; 0 or none: the format's own (1; 1/32 for .bsp and .map). */
     scale?: number;
+    /** What the level is made of; defaultMatters() unless given. @throws {FirmaError} INVALID for a table that is none */
+    matters?: MatterTable;
     /** Whether how textures lie is kept, for texture() and triangles(); true unless given. */
     textures?: boolean;
     /** Whether nodes are split by surface area, not in half. */
@@ -230,6 +239,59 @@ export interface WorldOptions {
     facesPerLeaf?: number;
     /** Cubic metres. */
     minNodeVolume?: number;
+}
+
+/** How something breaks, for what a game shows and hears of it: brick, wood, steel, glass. */
+export type Fracture = 'chunks' | 'splinters' | 'bends' | 'pane';
+
+export interface Matter {
+    /** '' unless given; no two of a table have the same. */
+    name?: string;
+    /** The material of faces that a cut leaves in it; '' unless given. */
+    inside?: string;
+    /** Kilograms a cubic metre, above 0; 2400 unless given. */
+    density?: number;
+    /** Megapascals of tension that it bears, from 0; 3 unless given. */
+    strength?: number;
+    /**
+     * 0..1, 0 unless given: 1 may not be carved, a crater is cut short there; below, a cutter whose centre is nearest to
+     * this matter is shrunk to (1 - hardness) of its scale.
+     */
+    hardness?: number;
+    /** 'chunks' unless given. */
+    fracture?: Fracture;
+}
+
+/** `*` stands for any letters; case does not matter. Without `/` it is compared with what follows a name's last `/`. */
+export interface MatterPattern {
+    pattern: string;
+    /** Index into MatterTable.matters. */
+    matter: number;
+}
+
+/** What levels are made of: docs/matter.md. A world says everything of a matter by its number here. */
+export interface MatterTable {
+    /** At least one: the first is that of what no pattern fits. At most 4,096, as patterns. */
+    matters: readonly Matter[];
+    /** Which textures are of which; the first that fits counts. */
+    patterns?: readonly MatterPattern[];
+}
+
+/** A table that a world or a file has. */
+export interface WholeMatterTable {
+    matters: Required<Matter>[];
+    patterns: MatterPattern[];
+}
+
+export interface MatterCounts {
+    /** Of the level, that bound solid: brushes, closed meshes. */
+    pieces: number;
+    /** Of these, how many may not be carved. */
+    protectedPieces: number;
+    /** How many pieces are of each matter of the table. */
+    ofMatter: number[];
+    /** The matter of what lies in no piece. */
+    rest: number;
 }
 
 export interface LevelOptions {
@@ -790,7 +852,7 @@ export interface CarveOptions {
 export interface ChunkOptions {
     /** Cubic metres: smaller pieces leave the world too, but are only counted, as crumbs. 0 or none: 0.001. */
     minVolume?: number;
-    /** Kilograms a cubic metre. 0 or none: 2000. */
+    /** Kilograms a cubic metre, of all of a chunk. 0 or none: of each matter its own. */
     density?: number;
 }
 
@@ -820,6 +882,8 @@ export interface CarveReport {
     rooms: number;
     /** What zones and materials left of the cutter's scale, 0..1. */
     scale: number;
+    /** Zones and pieces of the level that may not be carved, and took part of the cutter. */
+    cutShort: number;
     /** Cubic metres taken; negative when added. */
     volume: number;
     /** Pieces that came loose, in `loose`, and their cubic metres: not in `volume`. */
@@ -836,7 +900,7 @@ export interface CarveReport {
     times: Record<'place' | 'gather' | 'cut' | 'label' | 'trace' | 'facets' | 'chunks' | 'tree' | 'total', number>;
 }
 
-/** Of a body that is as dense everywhere. */
+/** Of a body. */
 export interface Mass {
     /** Cubic metres. */
     volume: number;
@@ -848,6 +912,14 @@ export interface Mass {
     inertia: number[];
 }
 
+/** How much of a chunk is of one matter. */
+export interface MatterVolume {
+    /** Its number in World.matters() of the world that the chunk left. */
+    matter: number;
+    /** Cubic metres. */
+    volume: number;
+}
+
 /** A piece as a body. */
 export interface Chunk extends Mass {
     /** Where its frame's origin lay in the world, metres: a point of it lay at origin + point. */
@@ -856,6 +928,8 @@ export interface Chunk extends Mass {
     /** Bounds in its frame, metres. */
     low: Vector3;
     high: Vector3;
+    /** What it is made of, ascending; none of World.pieces(). */
+    matters: MatterVolume[];
 }
 
 /** Pieces, in an order that is the same everywhere; they never change. */
@@ -1052,6 +1126,11 @@ export interface Rules {
     maxCorners?: number;
     /** Metres. */
     maxCutterSize?: number;
+    /**
+     * Rooms become one where open portals that carvings made between them are larger than this share of the walls of the
+     * one that has less; never across a closed portal. 0: they stay apart.
+     */
+    mergeShare?: number;
 }
 
 export interface RegionHash {
@@ -1158,6 +1237,22 @@ export interface World extends Handle {
     texture(face: FaceRef | number): Texture;
     /** Null when the world has no such face. Goes through all faces of the world. */
     findFace(id: number): Face | null;
+
+    /** The table that the world was made by. Costs a copy of it. */
+    matters(): WholeMatterTable;
+    /**
+     * What a place is made of, whether or not a cut has made air of it since: the number of a matter. Where pieces of
+     * the level overlap, one that may not be carved wins, then the lower number. Costs the pieces whose boxes hold it.
+     * @throws {FirmaError} OUT_OF_RANGE for a point that is not finite
+     */
+    matterAt(point: Vector): number;
+    /**
+     * That of a face of a hit or of faces: of its brush or closed mesh; of a face that an edit made what is just behind
+     * its middle. @throws {FirmaError} INVALID for a face that the world does not have
+     */
+    matterOf(face: FaceRef): number;
+    /** Goes through the pieces of the level. */
+    countMatters(): MatterCounts;
 
     /**
      * The first touch. Numbers of the input that are not finite or too large, a negative radius, and a room that is not

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The types of 'firma/readers': the module of readers, loaded ahead of the first file.
-import type { Bytes, Cutter, Firma, Level, LevelOptions, World, WorldOptions } from './index.js';
+import type { Bytes, Cutter, Firma, Level, LevelOptions, WholeMatterTable, World, WorldOptions } from './index.js';
 
 /**
  * Loads the module of readers, unless that was done already, for what loadFirma() gave; it is where the options of
@@ -24,4 +24,5 @@ export interface Readers {
     levelFromMap(file: string | Bytes, options?: LevelOptions): Level;
     levelFromBsp(file: Bytes, options?: LevelOptions): Level;
     cutterFromObj(file: string | Bytes, name?: string): Cutter;
+    readMatters(text: string | Bytes, name?: string): WholeMatterTable;
 }

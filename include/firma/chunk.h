@@ -16,6 +16,13 @@
 
 namespace firma {
 
+/// How much of a body is of one matter.
+struct MatterVolume {
+    std::uint32_t matter = 0;  ///< index into MatterTable::matters of the world that the body was part of
+    double volume = 0;         ///< cubic metres
+    friend bool operator==(const MatterVolume&, const MatterVolume&) = default;
+};
+
 /// A piece that came loose and left the world, with its exact faces: their sources and materials are those that they
 /// had in the world.
 struct Chunk {
@@ -24,16 +31,20 @@ struct Chunk {
     Solid solid;
     /// Where that frame's origin lay in the world, metres: a point of the frame lay at `origin` + point.
     Vec3 origin;
-    /// In its frame.
+    /// In its frame: by the densities of the matters that it is made of, or by one density (ChunkOptions::density).
     MassProperties mass;
+    /// What it is made of, as matter_at() says it of each place: ascending, each matter once. Volumes add up to that of
+    /// `mass` but for rounding.
+    std::vector<MatterVolume> matters;
 };
 
 /// How a cut looks for loose pieces: see CarveOptions::chunks.
 struct ChunkOptions {
     /// Pieces of less, cubic metres, leave the world too, but are only counted: CarveReport::crumbs.
     double min_volume = 0.001;
-    /// Kilograms a cubic metre.
-    double density = 2000;
+    /// Kilograms a cubic metre, of all that a chunk is made of; 0: of each matter its own (Matter::density). Where
+    /// several are near a chunk their pieces are cut out of it, exactly, each at the cost of a small subtract().
+    double density = 0;
 };
 
 /// What holds a piece of a world's solid. A piece with one face that holds stays where it is, as does whatever reaches

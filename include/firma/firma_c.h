@@ -2,9 +2,9 @@
 /* Firma from C: worlds, casts, carving, differences, histories, edit logs, files. C99 and later; from C++ use the other
  * headers.
  *
- * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, command, log,
- * replay or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its
- * own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always:
+ * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
+ * log, replay or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with
+ * its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always:
  * numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
@@ -148,6 +148,9 @@ typedef struct firma_bytes {
 typedef struct firma_chunks {
     uint64_t id;
 } firma_chunks;
+typedef struct firma_matters {
+    uint64_t id;
+} firma_matters;
 typedef struct firma_command {
     uint64_t id;
 } firma_command;
@@ -157,6 +160,81 @@ typedef struct firma_log {
 typedef struct firma_replay {
     uint64_t id;
 } firma_replay;
+
+/* ---- matter ----------------------------------------------------------------------------------------------------- */
+
+/* What levels are made of: docs/matter.md. A table lists matters, and patterns that say which textures are of which. A
+ * world is made by one (firma_world_options); everything that it says of a matter is by its number there. */
+
+/* How something breaks: for what a game shows and hears of it. No edit goes by it. */
+typedef enum firma_fracture {
+    FIRMA_FRACTURE_CHUNKS = 0,    /* brick, concrete, rock */
+    FIRMA_FRACTURE_SPLINTERS = 1, /* wood */
+    FIRMA_FRACTURE_BENDS = 2,     /* steel */
+    FIRMA_FRACTURE_PANE = 3       /* glass */
+} firma_fracture;
+
+typedef struct firma_matter {
+    const char* name;   /* UTF-8; null is "" */
+    const char* inside; /* the material of faces that a cut leaves in it; "" or null: that without a name */
+    double density;     /* kilograms a cubic metre, > 0 */
+    double strength;    /* megapascals of tension that it bears, >= 0 */
+    double hardness;   /* 0..1: 1 may not be carved; below, a cutter whose centre is nearest to this matter is shrunk to
+                          (1 - hardness) of its scale; 0 is cut as it is */
+    uint32_t fracture; /* firma_fracture */
+    uint32_t reserved; /* must be 0 */
+} firma_matter;
+
+/* `*` stands for any letters, case does not matter. One without `/` is compared with what follows the last `/` of a
+ * name, one with `/` with the whole name. */
+typedef struct firma_matter_pattern {
+    const char* pattern;
+    uint32_t matter; /* index into the matters */
+    uint32_t reserved;
+} firma_matter_pattern;
+
+typedef struct firma_matter_table {
+    uint32_t size;               /* sizeof(firma_matter_table) */
+    uint32_t reserved;           /* must be 0 */
+    const firma_matter* matters; /* at least one, at most 4,096: the first is that of what no pattern fits */
+    size_t matter_count;
+    const firma_matter_pattern* patterns; /* the first that fits counts; at most 4,096 */
+    size_t pattern_count;
+} firma_matter_table;
+
+/* The built-in table, which worlds are made by where none is given. */
+FIRMA_API firma_code firma_matters_default(firma_matters* matters);
+/* A table as text: docs/formats.md has the form. `name`, for messages, may be null. FIRMA_ERROR_MALFORMED with file and
+ * line for what is no such text. Costs the text. */
+FIRMA_API firma_code firma_matters_from_text(const char* text, size_t length, const char* name, firma_matters* matters);
+/* The same from a file. Not in the modules for browsers and node. */
+FIRMA_API firma_code firma_matters_load(const char* path, firma_matters* matters);
+/* The table that a world was made by. Costs a copy of it. */
+FIRMA_API firma_code firma_world_matters(firma_world world, firma_matters* matters);
+/* Good until the handle is released; also as it is for firma_world_options. */
+FIRMA_API firma_code firma_matters_get_view(firma_matters matters, firma_matter_table* table);
+FIRMA_API firma_code firma_matters_release(firma_matters matters);
+
+/* What a place is made of, whether or not a cut has made air of it since: the number of a matter. Where pieces of the
+ * level overlap, one that may not be carved wins, then the lower number. What is in no piece is the rest.
+ * FIRMA_ERROR_OUT_OF_RANGE for a point that is not finite. Takes no memory; costs the pieces whose boxes hold it. */
+FIRMA_API firma_code firma_world_matter_at(firma_world world, const double point[3], uint32_t* matter);
+/* That of a face by its id and first corner, as in firma_hit: of its brush or closed mesh; of a face that an edit made
+ * what is just behind its middle. FIRMA_ERROR_INVALID for a face that the world does not have. */
+FIRMA_API firma_code firma_world_matter_of(firma_world world, uint32_t face, const int32_t corner[3], uint32_t* matter);
+
+typedef struct firma_matter_counts {
+    uint32_t size;             /* sizeof(firma_matter_counts) */
+    uint32_t rest;             /* the matter of what lies in no piece */
+    uint64_t pieces;           /* of the level, that bound solid: brushes, closed meshes */
+    uint64_t protected_pieces; /* of these, how many may not be carved */
+    uint64_t matter_count;     /* of the table */
+} firma_matter_counts;
+
+/* `of_matter` gets how many pieces are of each matter, of the first `capacity`; it may be null when that is 0. Goes
+ * through the pieces. */
+FIRMA_API firma_code firma_world_count_matters(firma_world world, uint64_t* of_matter, size_t capacity,
+                                               firma_matter_counts* counts);
 
 /* ---- worlds ----------------------------------------------------------------------------------------------------- */
 
@@ -178,6 +256,7 @@ typedef struct firma_world_options {
     double scale;           /* metres a unit of the file or mesh; 0: the format's own (1; 1/32 for .bsp and .map) */
     uint32_t no_textures;   /* 1: how textures lie is not kept, and firma_world_texture() finds nothing of the file */
     uint32_t reserved;      /* must be 0 */
+    const firma_matter_table* matters; /* what the level is made of, copied; null: firma_matters_default() */
 } firma_world_options;
 
 FIRMA_API void firma_world_options_defaults(firma_world_options* options);
@@ -350,6 +429,8 @@ typedef struct firma_rules {
     size_t hardness_count;
     uint64_t max_faces, max_candidate_faces, max_new_faces, max_cutter_triangles, max_pairs, max_corners;
     double max_cutter_size; /* metres */
+    double merge_share;     /* rooms become one where open portals that carvings made between them are larger than this
+                               share of the walls of the one that has less; never across a closed portal. 0: they stay */
 } firma_rules;
 
 /* The same world under other rules for carving, which are copied; shares all else. FIRMA_ERROR_INVALID for a hardness
@@ -865,7 +946,7 @@ typedef struct firma_carve_options {
      * worlds that are to agree on it although they may lack others. */
     uint32_t edit;
     double min_chunk_volume; /* cubic metres; pieces of less are only counted, as crumbs. 0: 0.001 */
-    double density;          /* kilograms a cubic metre, for the mass of chunks. 0: 2000 */
+    double density;          /* of chunks, kilograms a cubic metre. 0: of each matter that they are made of */
 } firma_carve_options;
 
 typedef enum firma_carve_status {
@@ -896,6 +977,7 @@ typedef struct firma_carve_report {
     uint64_t faces_searched; /* exact faces read beyond the candidates, to find out what is loose */
     double chunks_us;
     firma_chunks loose; /* the chunks, to be released by firma_chunks_release(); 0 where there are none */
+    uint64_t cut_short; /* zones and pieces of the level that may not be carved, and took part of the cutter */
     /* Of faces that bound no solid: of which the cutter took a part; that went whole; panes that went whole; of the
      * first two, those that stop walkers alone, or shots alone. */
     uint64_t open_trimmed, open_removed, panes, clips;
@@ -955,7 +1037,7 @@ typedef struct firma_anchors {
 FIRMA_API firma_code firma_world_with_anchors(firma_world world, const firma_anchors* anchors,
                                               firma_world* with_anchors);
 
-/* Of a body that is as dense everywhere. */
+/* Of a body. */
 typedef struct firma_mass {
     double volume;     /* cubic metres */
     double mass;       /* kilograms */
@@ -968,6 +1050,13 @@ typedef struct firma_mass {
  * time and in memory. */
 FIRMA_API firma_code firma_world_mass(firma_world world, double density, firma_mass* mass);
 
+/* How much of a chunk is of one matter. */
+typedef struct firma_matter_volume {
+    uint32_t matter; /* its number in the world that the chunk left */
+    uint32_t reserved;
+    double volume; /* cubic metres */
+} firma_matter_volume;
+
 typedef struct firma_chunk {
     uint32_t size; /* sizeof(firma_chunk) */
     uint32_t reserved;
@@ -975,6 +1064,9 @@ typedef struct firma_chunk {
     firma_mass mass;        /* in its frame */
     uint64_t face_count;    /* that casts meet */
     double low[3], high[3]; /* bounds in its frame, metres */
+    const firma_matter_volume* matters; /* what it is made of, ascending; good until the handle is released. None of
+                                           firma_world_pieces() */
+    size_t matter_count;
 } firma_chunk;
 
 FIRMA_API firma_code firma_chunks_get_count(firma_chunks chunks, size_t* count);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A loose piece as a solid in a frame of its own.
+// A loose piece as a solid in a frame of its own, with what it weighs.
 #include "carve/make_chunk.h"
 
-#include <limits>
+#include <utility>
 
 #include "solid/append_faces.h"
 #include "solid/measure_boundary.h"
@@ -10,24 +10,48 @@
 
 namespace firma {
 
-Chunk make_chunk(const CutPiece& piece, const Solid& solid, double density) {
+ChunkMaker::ChunkMaker(const CutPiece& piece, const Solid& solid, double density, const ChunkMatters& matters)
+    : density_(density), matters_(matters) {
     FaceSet set;
     append_facets(piece.removed, set);
     set.owners.insert(set.owners.end(), piece.made.owners.begin(), piece.made.owners.end());
     for (const FaceSet::Entry& face : piece.made.faces) append_face(piece.made, face, set);
     std::uint32_t id = 0;
     for (FaceSet::Entry& face : set.faces) face.id = {id++};
+    SolidData like = solid.data();
+    ++like.edits;  // the cut that made it loose
     const InputPoint middle = middle_of(piece.box);
+    std::optional<std::uint32_t> only = 0;
+    if (matters_.pieces) only = only_matter_in(*matters_.pieces, piece.box);
+    if (!only)
+        shares_ = std::make_unique<MatterShares>(solid_of_faces(set, id, like), piece.box, middle, *matters_.pieces,
+                                                 matters_.rules, matters_.solid_of);
     InputPoint back;
     for (int axis = 0; axis < 3; ++axis) back[axis] = -middle[axis];
     move_faces(back, set);
-    SolidData like = solid.data();
-    ++like.edits;  // the cut that made it loose
-    Chunk chunk;
-    chunk.solid = solid_of_faces(std::move(set), id, like);
-    chunk.origin = to_metres(to_surface(middle));
-    chunk.mass = mass_properties(chunk.solid, density);
-    return chunk;
+    chunk_.solid = solid_of_faces(std::move(set), id, like);
+    chunk_.origin = to_metres(to_surface(middle));
+    const MatterTable& table = matters_.pieces ? matters_.pieces->table : default_matters();
+    const double usual = table.matters[only.value_or(0)].density;
+    chunk_.mass = mass_properties(chunk_.solid, density_ > 0 ? density_ : usual);
+    if (only) chunk_.matters = {{*only, chunk_.mass.volume}};
+}
+
+bool ChunkMaker::step() {
+    if (!shares_) return false;
+    if (shares_->step()) return true;
+    Moments weighted{};
+    for (const MatterShares::Share& share : shares_->shares()) {
+        const double density = matters_.pieces->table.matters[share.matter].density;
+        add_moments(weighted, share.moments, density);
+        chunk_.matters.push_back({share.matter, mass_of(share.moments, {}, 1).volume});
+    }
+    shares_.reset();
+    if (density_ > 0) return false;
+    const double volume = chunk_.mass.volume;
+    chunk_.mass = mass_of(weighted, {}, 1);  // the middle is its frame's origin
+    chunk_.mass.volume = volume;
+    return false;
 }
 
 }  // namespace firma

@@ -103,8 +103,8 @@ bool take_field(ByteReader& in, std::uint64_t field, CarveOptions& options) {
 std::optional<Error> judge_chunk_options(const ChunkOptions& options) {
     if (!is_finite(options.min_volume) || !is_finite(options.density))
         return Error{ErrorCode::kOutOfRange, "", "the options of chunks are not finite"};
-    if (std::signbit(options.min_volume) || !(options.density > 0))
-        return Error{ErrorCode::kOutOfRange, "", "chunks of less than no volume, or of no density"};
+    if (std::signbit(options.min_volume) || std::signbit(options.density))
+        return Error{ErrorCode::kOutOfRange, "", "chunks of less than no volume or density"};
     return {};
 }
 

@@ -67,9 +67,17 @@ void MomentSum::add_cones(const Plane& plane, std::span<const std::uint32_t> end
     }
 }
 
-MassProperties mass_of(const MomentSum& sum, double density) {
+void add_moments(Moments& to, const Moments& other, double factor) {
+    const DoubleDouble times(factor);
+    to.volume = to.volume + times * other.volume;
+    for (int i = 0; i < 3; ++i) {
+        to.first[i] = to.first[i] + times * other.first[i];
+        for (int j = i; j < 3; ++j) to.second[i][j] = to.second[i][j] + times * other.second[i][j];
+    }
+}
+
+MassProperties mass_of(const Moments& m, const InputPoint& apex, double density) {
     MassProperties mass;
-    const Moments& m = sum.sums();
     if (!(m.volume.high > 0) || !(density >= 0) || density == INFINITY) return mass;
     constexpr double kStep = 1 / kInputSteps, kCube = kStep * kStep * kStep;
     mass.volume = rounded(m.volume) * kCube;
@@ -77,7 +85,7 @@ MassProperties mass_of(const MomentSum& sum, double density) {
     DoubleDouble centre[3];
     for (int i = 0; i < 3; ++i) {
         centre[i] = m.first[i] / m.volume;
-        mass.centre[i] = rounded(centre[i] + DoubleDouble(double(sum.apex()[i]))) * kStep;
+        mass.centre[i] = rounded(centre[i] + DoubleDouble(double(apex[i]))) * kStep;
     }
     DoubleDouble spread[3][3];  // second moments about the centre
     for (int i = 0; i < 3; ++i)
@@ -99,7 +107,7 @@ MassProperties mass_properties(const Solid& solid, double density) {
     for (const PatchFace& face : patch.faces) box.add(face.box);
     MomentSum sum(middle_of(box));
     for (const PatchFace& face : patch.faces) add_face(patch, face, sum);
-    return mass_of(sum, density);
+    return mass_of(sum.sums(), sum.apex(), density);
 }
 
 }  // namespace firma

@@ -19,6 +19,9 @@ struct Moments {
     DoubleDouble second[3][3];  ///< [i][j] for i <= j; the others are left 0
 };
 
+/// Adds `factor` times the other ones, about the same point.
+void add_moments(Moments& to, const Moments& other, double factor);
+
 /// Adds faces up, each with its loops: as they look, so that what is behind them counts.
 class MomentSum {
 public:
@@ -51,7 +54,8 @@ private:
     std::vector<PointArm> arms_;
 };
 
-/// Of what was added, in metres and kilograms; all 0 where its volume is not positive.
-MassProperties mass_of(const MomentSum& sum, double density);
+/// In metres and kilograms; all 0 where the volume is not positive.
+/// @param apex  that the moments are about
+MassProperties mass_of(const Moments& moments, const InputPoint& apex, double density);
 
 }  // namespace firma

@@ -189,9 +189,17 @@ private:
     bool is_large(const CutPiece& piece) const { return piece.volume >= options_.chunks->min_volume; }
 
     Phase make_next_chunk() {
-        const CutPiece& piece = cut_.pieces()[next_piece_++];
-        if (is_large(piece)) chunks_.push_back(make_chunk(piece, world_.solid(), options_.chunks->density));
-        return next_piece_ < cut_.pieces().size() ? Phase::kChunks : Phase::kPlaceFaces;
+        if (chunk_) {
+            if (chunk_->step()) return Phase::kChunks;
+            chunks_.push_back(chunk_->take());
+            chunk_.reset();
+        } else if (const CutPiece& piece = cut_.pieces()[next_piece_++]; is_large(piece)) {
+            const MatterPieces* pieces = world_.data().matters.get();
+            const auto solid_of = [pieces](const MatterPiece& it) { return solid_of_piece(*pieces, it); };
+            chunk_ = std::make_unique<ChunkMaker>(piece, world_.solid(), options_.chunks->density,
+                                                  ChunkMatters{pieces, world_.data().rules.get(), solid_of});
+        }
+        return chunk_ || next_piece_ < cut_.pieces().size() ? Phase::kChunks : Phase::kPlaceFaces;
     }
 
     Phase trim_open_faces() {
@@ -335,6 +343,7 @@ private:
     bool published_ = false;
     bool stands_free_ = false;  ///< filled in where nothing was
     std::vector<Chunk> chunks_;
+    std::unique_ptr<ChunkMaker> chunk_;  ///< the one at hand
     std::size_t next_piece_ = 0;
     std::optional<Error> refused_;
     Phase phase_ = Phase::kCut;

@@ -53,6 +53,7 @@ void test_old_names(void);
 void test_carving(void);
 void test_chunks(void);
 void test_commands(void);
+void test_matters(void);
 void test_logs(void);
 void test_patches(void);
 void test_stores(void);

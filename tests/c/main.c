@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
     test_old_names();
     test_carving();
     test_chunks();
+    test_matters();
     test_commands();
     test_logs();
     test_patches();

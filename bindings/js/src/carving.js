@@ -98,6 +98,7 @@ function getReport(core) {
         portals: core.getCount(at + CARVE_REPORT.portals),
         rooms: core.getCount(at + CARVE_REPORT.rooms),
         scale: core.getF64(at + CARVE_REPORT.scale),
+        cutShort: core.getCount(at + CARVE_REPORT.cutShort),
         volume: core.getF64(at + CARVE_REPORT.volume),
         chunks: core.getCount(at + CARVE_REPORT.chunks),
         chunkVolume: core.getF64(at + CARVE_REPORT.chunkVolume),

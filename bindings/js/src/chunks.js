@@ -4,7 +4,7 @@ import { flag, number, object, text, word, words } from './arguments.js';
 import { Cutter, getPose, putPose } from './carving.js';
 import { badCall } from './errors.js';
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
-import { ANCHORS, CHUNK, MASS, REST } from './layout.js';
+import { ANCHORS, CHUNK, MASS, MATTER_VOLUME, REST } from './layout.js';
 import { World } from './world.js';
 import { putName } from './world_options.js';
 
@@ -16,6 +16,16 @@ function getMassAt(core, at) {
         centre: core.getVector(at + MASS.centre),
         inertia: Array.from(core.f64.subarray(inertia, inertia + 9)),
     };
+}
+
+function getVolumes(core, at) {
+    return Array.from({ length: core.getU32(at + CHUNK.matterCount) }, (_, k) => {
+        const one = core.getU32(at + CHUNK.matters) + k * MATTER_VOLUME.sizeof;
+        return {
+            matter: core.getU32(one + MATTER_VOLUME.matter),
+            volume: core.getF64(one + MATTER_VOLUME.volume),
+        };
+    });
 }
 
 export class Chunks extends Handle {
@@ -35,6 +45,7 @@ export class Chunks extends Handle {
                 faceCount: core.getCount(at + CHUNK.faceCount),
                 low: core.getVector(at + CHUNK.low),
                 high: core.getVector(at + CHUNK.high),
+                matters: getVolumes(core, at),
             };
         });
     }

@@ -28,6 +28,8 @@ const FILLED = {
     logFacts: layout.LOG_FACTS,
     replayFacts: layout.REPLAY_FACTS,
     storeFacts: layout.STORE_FACTS,
+    matterTable: layout.MATTER_TABLE,
+    matterCounts: layout.MATTER_COUNTS,
 };
 
 /** Structs that a single call needs one of; they lie at fixed places, made once. */

@@ -8,6 +8,7 @@ import { Cutter, getPose, putPose } from './carving.js';
 import { cutterAtRest } from './chunks.js';
 import { Command } from './commands.js';
 import { EditLog } from './logs.js';
+import { defaultMatters } from './matters.js';
 import { putMesh, readMesh } from './mesh.js';
 import { differingRegions } from './patches.js';
 import { REQUESTS } from './reading.js';
@@ -75,12 +76,21 @@ export class Firma {
         return core.borrow((lent) => {
             const at = putMesh(core, lent, read);
             const name = putName(lent, chosen.name);
-            return new World(core, makeHandle(core, 'firma_world_from_mesh', at, name, putWorldOptions(core, chosen)));
+            const how = putWorldOptions(core, lent, chosen);
+            return new World(core, makeHandle(core, 'firma_world_from_mesh', at, name, how));
         });
     }
 
     async cutterFromObj(data, name) {
         return this.#read('cutterFromObj', data, name);
+    }
+
+    async readMatters(data, name) {
+        return this.#read('readMatters', data, name);
+    }
+
+    defaultMatters() {
+        return defaultMatters(this.#core);
     }
 
     unpackWorld(data, name) {

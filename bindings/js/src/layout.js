@@ -28,6 +28,14 @@ export const CODE_NAMES = Object.freeze([
     'INTERNAL',
 ]);
 
+/** By the numbers of firma_fracture. */
+export const FRACTURE_NAMES = Object.freeze([
+    'chunks',
+    'splinters',
+    'bends',
+    'pane',
+]);
+
 /** By the numbers of firma_texture_unit. */
 export const TEXTURE_UNIT_NAMES = Object.freeze([
     'texels',
@@ -99,9 +107,50 @@ export const TASKS = Object.freeze({
     user: 8,
 });
 
+/** firma_matter */
+export const MATTER = Object.freeze({
+    sizeof: 40,
+    name: 0,
+    inside: 4,
+    density: 8,
+    strength: 16,
+    hardness: 24,
+    fracture: 32,
+    reserved: 36,
+});
+
+/** firma_matter_pattern */
+export const MATTER_PATTERN = Object.freeze({
+    sizeof: 12,
+    pattern: 0,
+    matter: 4,
+    reserved: 8,
+});
+
+/** firma_matter_table */
+export const MATTER_TABLE = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    reserved: 4,
+    matters: 8,
+    matterCount: 12,
+    patterns: 16,
+    patternCount: 20,
+});
+
+/** firma_matter_counts */
+export const MATTER_COUNTS = Object.freeze({
+    sizeof: 32,
+    size: 0,
+    rest: 4,
+    pieces: 8,
+    protectedPieces: 16,
+    matterCount: 24,
+});
+
 /** firma_world_options */
 export const WORLD_OPTIONS = Object.freeze({
-    sizeof: 48,
+    sizeof: 56,
     size: 0,
     surfaceArea: 4,
     maxDepth: 8,
@@ -111,6 +160,7 @@ export const WORLD_OPTIONS = Object.freeze({
     scale: 32,
     noTextures: 40,
     reserved: 44,
+    matters: 48,
 });
 
 /** firma_mesh */
@@ -199,7 +249,7 @@ export const ZONE = Object.freeze({
 
 /** firma_rules */
 export const RULES = Object.freeze({
-    sizeof: 80,
+    sizeof: 88,
     size: 0,
     reserved: 4,
     zones: 8,
@@ -213,6 +263,7 @@ export const RULES = Object.freeze({
     maxPairs: 56,
     maxCorners: 64,
     maxCutterSize: 72,
+    mergeShare: 80,
 });
 
 /** firma_face */
@@ -526,7 +577,7 @@ export const CARVE_OPTIONS = Object.freeze({
 
 /** firma_carve_report */
 export const CARVE_REPORT = Object.freeze({
-    sizeof: 232,
+    sizeof: 240,
     size: 0,
     status: 4,
     retries: 8,
@@ -554,10 +605,11 @@ export const CARVE_REPORT = Object.freeze({
     facesSearched: 176,
     chunksUs: 184,
     loose: 192,
-    openTrimmed: 200,
-    openRemoved: 208,
-    panes: 216,
-    clips: 224,
+    cutShort: 200,
+    openTrimmed: 208,
+    openRemoved: 216,
+    panes: 224,
+    clips: 232,
 });
 
 /** firma_anchors */
@@ -580,9 +632,17 @@ export const MASS = Object.freeze({
     inertia: 40,
 });
 
+/** firma_matter_volume */
+export const MATTER_VOLUME = Object.freeze({
+    sizeof: 16,
+    matter: 0,
+    reserved: 4,
+    volume: 8,
+});
+
 /** firma_chunk */
 export const CHUNK = Object.freeze({
-    sizeof: 200,
+    sizeof: 208,
     size: 0,
     reserved: 4,
     origin: 8,
@@ -590,6 +650,8 @@ export const CHUNK = Object.freeze({
     faceCount: 144,
     low: 152,
     high: 176,
+    matters: 200,
+    matterCount: 204,
 });
 
 /** firma_rest */

@@ -45,6 +45,10 @@ class Readers {
     cutterFromObj(data, name) {
         return this.#read('cutterFromObj', data, name);
     }
+
+    readMatters(data, name) {
+        return this.#read('readMatters', data, name);
+    }
 }
 
 export async function loadReaders(firma) {

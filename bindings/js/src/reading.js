@@ -4,6 +4,7 @@ import { makeHandle } from './handle.js';
 import { bytes, number, object, text } from './arguments.js';
 import { Cutter } from './carving.js';
 import { Level } from './level.js';
+import { takeMatters } from './matters.js';
 import { World } from './world.js';
 import { putName, putWorldOptions, readWorldOptions } from './world_options.js';
 
@@ -62,7 +63,7 @@ function worldOfFile(format, file, options, place) {
         const id = readers.borrow((lent) => {
             const at = lent.bytes(data);
             const name = putName(lent, chosen.name);
-            return makeHandle(readers, format, at, data.length, name, putWorldOptions(readers, chosen));
+            return makeHandle(readers, format, at, data.length, name, putWorldOptions(readers, lent, chosen));
         });
         return moveWorld(readers, core, id);
     });
@@ -75,8 +76,11 @@ function levelOfFile(format, file, options, place) {
     const called = text(given.name, place, 'name');
     return new Request(file, (data, readers, core) => {
         const world = (id, chosen) => {
-            const at = putWorldOptions(readers, readWorldOptions(chosen, 'world'));
-            return moveWorld(readers, core, makeHandle(readers, 'firma_world_from_level', id, at));
+            const options = readWorldOptions(chosen, 'world');
+            const made = readers.borrow((lent) =>
+                makeHandle(readers, 'firma_world_from_level', id, putWorldOptions(readers, lent, options)),
+            );
+            return moveWorld(readers, core, made);
         };
         return readers.borrow((lent) => {
             const at = lent.bytes(data);
@@ -84,6 +88,18 @@ function levelOfFile(format, file, options, place) {
             return new Level(readers, makeHandle(readers, format, at, data.length, name, scale), world);
         });
     });
+}
+
+/** A table goes over as an object. */
+function mattersOfText(file, name, place) {
+    const called = text(name, place, 'name');
+    return new Request(file, (data, readers) =>
+        readers.borrow((lent) => {
+            const at = lent.bytes(data);
+            const handle = makeHandle(readers, 'firma_matters_from_text', at, data.length, putName(lent, called));
+            return takeMatters(readers, handle);
+        }),
+    );
 }
 
 /** The readers make a mesh of the file, `core` a cutter of the mesh. */
@@ -133,5 +149,9 @@ export const REQUESTS = {
     cutterFromObj(data, name) {
         const place = 'cutterFromObj';
         return cutterOfObj(bytes(data, place, 'the file', true), name, place);
+    },
+    readMatters(data, name) {
+        const place = 'readMatters';
+        return mattersOfText(bytes(data, place, 'the table', true), name, place);
     },
 };

@@ -7,7 +7,7 @@ import { doubles, longWord, number, object, text, vector } from './arguments.js'
 const PLACE = 'withRules';
 const ZONE_NAMES = ['name', 'low', 'high', 'hardness'];
 const LIMITS = ['maxFaces', 'maxCandidateFaces', 'maxNewFaces', 'maxCutterTriangles', 'maxPairs', 'maxCorners'];
-const NAMES = ['zones', 'hardness', ...LIMITS, 'maxCutterSize'];
+const NAMES = ['zones', 'hardness', ...LIMITS, 'maxCutterSize', 'mergeShare'];
 
 function putZones(core, lent, zones) {
     const at = lent.take(zones.length * ZONE.sizeof);
@@ -30,11 +30,12 @@ function putZones(core, lent, zones) {
 /** @returns the address of the struct */
 export function putRules(core, lent, rules) {
     const given = object(rules, PLACE, 'the rules', NAMES);
-    const { zones = [], hardness = [], maxCutterSize = 0 } = given;
+    const { zones = [], hardness = [], maxCutterSize = 0, mergeShare = 0 } = given;
     if (!Array.isArray(zones)) throw badCall(PLACE, 'zones must be an array');
     doubles(hardness, 1, PLACE, 'hardness');
     const limits = LIMITS.map((name) => longWord(given[name] === undefined ? 0 : given[name], PLACE, name));
     number(maxCutterSize, PLACE, 'maxCutterSize');
+    number(mergeShare, PLACE, 'mergeShare');
     const zonesAt = putZones(core, lent, zones);
     const hardnessAt = lent.doubles(hardness);
     const at = core.at.rules;
@@ -46,5 +47,6 @@ export function putRules(core, lent, rules) {
     core.setU32(at + RULES.hardnessCount, hardness.length);
     LIMITS.forEach((name, k) => core.setU64(at + RULES[name], limits[k]));
     core.setF64(at + RULES.maxCutterSize, maxCutterSize);
+    core.setF64(at + RULES.mergeShare, mergeShare);
     return at;
 }

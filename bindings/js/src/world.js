@@ -25,6 +25,7 @@ import { carve, Edit, Job } from './carving.js';
 import { getMass, getPieces, putAnchors } from './chunks.js';
 import { applyCommand } from './commands.js';
 import { getShownFace, onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
+import { countMatters, matterAt, matterOf, mattersOf } from './matters.js';
 import { takeRegionMeshes } from './regions.js';
 import { applyPatch, listFaces, makePatch } from './patches.js';
 import { findByName, getNeighbours, getPath, getPortal, getRoom, locate, NO_ROOM } from './rooms.js';
@@ -90,6 +91,22 @@ export class World extends Handle {
         const core = this[CORE];
         core.run('firma_world_material', this[ID], word(material, 'material', 'the material'), core.at.out);
         return core.text(core.getU32(core.at.out));
+    }
+
+    matters() {
+        return mattersOf(this);
+    }
+
+    matterAt(point) {
+        return matterAt(this, point);
+    }
+
+    matterOf(face) {
+        return matterOf(this, face);
+    }
+
+    countMatters() {
+        return countMatters(this);
     }
 
     findRoom(name) {

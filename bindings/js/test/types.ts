@@ -29,6 +29,9 @@ import {
     type Location,
     type LogFacts,
     type Mass,
+    type MatterCounts,
+    type MatterTable,
+    type MatterVolume,
     type Mesh,
     type Near,
     type Overlap,
@@ -45,6 +48,7 @@ import {
     type Texture,
     type TextureUnit,
     type Triangles,
+    type WholeMatterTable,
     type World,
     type WorldFacts,
 } from 'firma';
@@ -188,6 +192,16 @@ const { world: after, report } = world.carve(
     { fill: true, material: 'a' },
 );
 const refused: CarveReport = report;
+const short: number = report.cutShort;
+const table: WholeMatterTable = await firma.readMatters('matter a', 'a.matter');
+const given: MatterTable = { matters: [{}, { name: 'oak', fracture: 'splinters' }], patterns: [{ pattern: 'o*', matter: 1 }] };
+firma.worldFromMesh(mesh, { matters: given }).release();
+firma.worldFromMesh(mesh, { matters: firma.defaultMatters() }).release();
+// @ts-expect-error a style that is none
+firma.worldFromMesh(mesh, { matters: { matters: [{ fracture: 'melts' }] } });
+const counted: MatterCounts = world.countMatters();
+const dense: number = world.matters().matters[world.matterAt([1, 2, 3])]!.density + readers.readMatters('').patterns.length;
+const ofFace: number = world.matterOf(world.faces().ids.length ? { face: 1, corner: [0, 0, 0] } : { id: 1, corner: [0, 0, 0] });
 const total: number = refused.times.total + refused.times.place;
 const job = world.startCarve(cutter, { position: [1, 2, 3] });
 while (!job.run(1000));
@@ -198,6 +212,7 @@ edit.finish().release();
 const held: World = world.withAnchors({ hanging: false, materials: ['a'], sources: Uint32Array.of(1) });
 const loose: Chunks | null = held.carve(cutter, { position: [1, 2, 3] }, { chunks: { minVolume: 1 }, edit: 7 }).report.loose;
 const chunk: Chunk | undefined = loose?.list()[0];
+const woods: MatterVolume[] = chunk?.matters ?? [];
 const body: Mass = loose?.world(0).mass(1000) ?? world.pieces(500).list()[0]!;
 const rest: Rest = firma.cutterAtRest(world, { position: chunk?.origin ?? [0, 0, 0] }, 'name');
 const weight: number = body.inertia[8]! + refused.chunkVolume + refused.crumbs + refused.times.chunks + rest.mended;
@@ -225,6 +240,7 @@ const corners: Float64Array = diff.added.corners;
 const left: FaceInfos = diff.removedFaces;
 const rooms: number = left.rooms.length + left.sources.length;
 world.withRules({
+    mergeShare: 0.5,
     zones: [{ name: 'a', low: [0, 0, 0], high: [1, 1, 1], hardness: 1 }],
     hardness: [0],
     maxFaces: 5,
