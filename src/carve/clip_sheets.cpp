@@ -517,13 +517,25 @@ private:
         made_.air.push_back(cell_air_[index]);
     }
 
+    /// Whether a face of the fill ends along the rim of a sheet, where that had an edge alone: from now on both have
+    /// one, so that what divides it divides it in both.
+    bool meets_a_face(const Cell& cell) const {
+        for (const PieceUse& use : cells().uses(cell)) {
+            if (use.edge != FacePiece::kNoEdge && origin_[use.edge].number != kNoNumber) continue;
+            for (const std::uint32_t user : users_.at(use.piece))
+                if (!is_sheet(cells().cells[users_.cell_of(user)].face)) return true;
+        }
+        return false;
+    }
+
     void write_sheets() {
         for (std::uint32_t k = 0; k < sheets_.size(); ++k) {
             const auto face = std::uint32_t(face_of_.size() + k);
             const std::uint32_t first = cells().first_of_face[face], end = cells().first_of_face[face + 1];
             made_.changed[k] = end != first + 1 || place_[first] != SheetPlace::kOut ||
                                overlay_.faces[face].side_count != sheets_[k].uses.size() ||
-                               cells().cells[first].use_count != sheets_[k].uses.size();
+                               cells().cells[first].use_count != sheets_[k].uses.size() ||
+                               meets_a_face(cells().cells[first]);
             if (!made_.changed[k]) continue;
             for (std::uint32_t cell = first; cell < end; ++cell)
                 if (place_[cell] == SheetPlace::kOut) write_rest(k, cells().cells[cell]);

@@ -6,9 +6,14 @@
 #include <vector>
 
 #include "firma/carve.h"
+#include "firma/edit_log.h"
 #include "firma/rooms.h"
 #include "firma/versions.h"
+#include "scenes/blast_worlds.h"
+#include "scenes/blasts.h"
+#include "scenes/rng.h"
 #include "tests/carve/cutters.h"
+#include "tests/reference/judge_logs.h"
 #include "world/assemble_world.h"
 #include "world/world_data.h"
 
@@ -89,6 +94,20 @@ TEST(CarvePortalEdges, ARoomThatOnlyHasPortalsThereKeepsUp) {
         EXPECT_EQ(world.data().faces_of(2).hash, before.data().faces_of(2).hash);  // none of its faces was met
     }
     cut_at({-4, 5, 4});  // where a portal that these changed meets the ceiling
+}
+
+/// A fill's faces end along a portal's rim that no face had: both have one edge from then on, which a later cut divides
+/// in both. The 44th command of this log is such a fill, the 57th such a cut.
+TEST(CarvePortalEdges, AFillThatEndsAtARimSharesItsEdges) {
+    constexpr std::uint64_t kCase = 146;  // of full_logs --what repair --seed 1
+    scenes::Rng rng(0x9E3779B97F4A7C15ull ^ (kCase + 1) * 0xD1B54A32D192ED03ull);
+    const World level =
+        scenes::with_closed_doors(scenes::blast_world(scenes::BlastWorld::kInRock, 1'000'003 + kCase), 1.0 / 3, rng);
+    World world = level;
+    std::vector<EditCommand> commands = reference::random_commands(level, 100, rng);
+    commands.resize(57);
+    for (const EditCommand& command : commands) world = apply(world, command).world;
+    test::expect_sound_world(world);
 }
 
 }  // namespace
