@@ -144,12 +144,13 @@ private:
             if (record.portal_boxes[k] != cells_.portal(record.portals[k].value).box) return false;
         if (!indexed) return true;
         std::vector<PortalId> found;
-        for_each_indexed_portal(
-            *record.portal_index, [](const GridBox&) { return true; },
-            [&](std::uint32_t number) {
-                found.push_back({number});
-                return false;
-            });
+        bool stale = false;  // what it was before it changed: the next edit would not find it
+        for_each_leaf(record.portal_index, [&](const Ref<const Node>& leaf) {
+            found.push_back({static_cast<const IndexedPortal&>(*leaf->facets).number});
+            const PortalState* now = cells_.portals().find(found.back().value);
+            stale = stale || !now || !now->leaf || now->leaf->facets.get() != leaf->facets.get();
+        });
+        if (stale) return false;
         std::sort(found.begin(), found.end());
         return found == record.portals;
     }

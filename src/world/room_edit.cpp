@@ -310,8 +310,10 @@ void RoomEdit::divide_portals(CutJob& cut) {
             merge_portal(portal);
             continue;
         }
-        if (std::optional<PortalPart> divided = divide_portal(portal, cut, sheets_))
+        if (std::optional<PortalPart> divided = divide_portal(portal, cut, sheets_)) {
+            touch_both(portal);  // one that has but portals at the edge lost no face
             set_portal(number, Ref<const Portal>(new Portal(*std::move(divided))), before_.cells.is_closed(number));
+        }
     }
 }
 
@@ -326,14 +328,19 @@ void RoomEdit::clip_portals(CutJob& cut) {
         for (const CutSheet& sheet : left)
             if (sheet.portal == number) sheets_.add(sheet.plane, sheet.uses, sheet.ends, part);
         const bool closed = !part.polygons.empty() && before_.cells.is_closed(number);
-        for (const RoomId room : before_.cells.rooms_of(before_.cells.portal(number))) touch(room.value);
+        touch_both(before_.cells.portal(number));
         set_portal(number, Ref<const Portal>(new Portal(std::move(part))), closed);
     }
 }
 
+/// Rooms of a portal that changes: each keeps its box, or an index over it and others.
+void RoomEdit::touch_both(const Portal& portal) {
+    for (const RoomId room : before_.cells.rooms_of(portal)) touch(room.value);
+}
+
 void RoomEdit::merge_portal(const Portal& portal) {
     const auto rooms = before_.cells.rooms_of(portal);
-    for (const RoomId room : rooms) touch(room.value);
+    touch_both(portal);
     merge_into_lower(rooms[0].value, rooms[1].value);
 }
 

@@ -82,6 +82,7 @@ private:
     static constexpr std::size_t kNone = ~std::size_t(0);
 
     TouchedRoom& touch(std::uint32_t part);
+    void touch_both(const Portal& portal);
     bool shares_the_solids_index() const;
     void take_walls(const CutOpening& opening, const std::vector<std::uint32_t>& room_of_pocket);
     std::vector<std::uint32_t> portals_between(std::uint32_t room, std::uint32_t other) const;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Cuts at an edge where a room has portals only, no face: the room does not lie in the way, but its portals change.
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <vector>
+
+#include "firma/carve.h"
+#include "firma/rooms.h"
+#include "firma/versions.h"
+#include "tests/carve/cutters.h"
+#include "world/assemble_world.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+constexpr int kStrips = 9, kStripLength = 2;  ///< along y; metres
+
+/// A hall 8 m wide and 4 m high. Room 2 is what lies above two slopes that come up from the middle of the floor; below
+/// these lie room 0, at -x, and room 1. A portal for each slope and strip.
+WorldParts valley_parts() {
+    WorldParts parts;
+    parts.materials = {""};
+    parts.rock_outside = true;
+    parts.options.rules.merge_share = 0;
+    parts.rooms.resize(3);
+    std::uint32_t id = 0;
+    const auto at = [](int x, int y, int z) {
+        const int step = int(kSurfaceSteps);
+        return GridPoint{x * step, y * step, z * step};
+    };
+    const auto add = [&](int room, std::initializer_list<GridPoint> corners) {
+        FaceSet& set = parts.rooms[std::size_t(room)].faces;
+        set.faces.push_back({.id = {id++},
+                             .first_corner = std::uint32_t(set.corners.size()),
+                             .corner_count = std::uint32_t(corners.size()),
+                             .solid = true});
+        for (const GridPoint& corner : corners) {
+            set.corners.push_back(std::uint32_t(set.vertices.size()));
+            set.vertices.push_back(corner);
+        }
+    };
+    const auto add_portal = [&](std::uint32_t below, std::vector<GridPoint> corners) {
+        PortalPart portal;
+        portal.rooms = {RoomId{below}, RoomId{2}};
+        portal.polygons = {std::move(corners)};
+        parts.portals.push_back(std::move(portal));
+    };
+    for (int strip = 0; strip < kStrips; ++strip) {
+        const int a = strip * kStripLength, b = a + kStripLength;
+        add(0, {at(-4, a, 0), at(0, a, 0), at(0, b, 0), at(-4, b, 0)});
+        add(0, {at(-4, a, 0), at(-4, b, 0), at(-4, b, 4), at(-4, a, 4)});
+        add(1, {at(0, a, 0), at(4, a, 0), at(4, b, 0), at(0, b, 0)});
+        add(1, {at(4, a, 0), at(4, a, 4), at(4, b, 4), at(4, b, 0)});
+        add(2, {at(-4, a, 4), at(-4, b, 4), at(4, b, 4), at(4, a, 4)});
+        add_portal(0, {at(0, a, 0), at(-4, a, 4), at(-4, b, 4), at(0, b, 0)});
+        add_portal(1, {at(0, a, 0), at(0, b, 0), at(4, b, 4), at(4, a, 4)});
+    }
+    const int end = kStrips * kStripLength;
+    add(0, {at(0, 0, 0), at(-4, 0, 0), at(-4, 0, 4)});
+    add(1, {at(0, 0, 0), at(4, 0, 4), at(4, 0, 0)});
+    add(2, {at(0, 0, 0), at(-4, 0, 4), at(4, 0, 4)});
+    add(0, {at(0, end, 0), at(-4, end, 4), at(-4, end, 0)});
+    add(1, {at(0, end, 0), at(4, end, 0), at(4, end, 4)});
+    add(2, {at(0, end, 0), at(4, end, 4), at(-4, end, 4)});
+    return parts;
+}
+
+/// More portals than a room lists: it has an index over them, which each cut must keep up.
+TEST(CarvePortalEdges, ARoomThatOnlyHasPortalsThereKeepsUp) {
+    World world = assemble_world(valley_parts()).value();
+    test::expect_sound_world(world);
+    ASSERT_GT(room_info(world, {2})->portals.size(), Cells::kListed);
+    const auto cut_at = [&](const Vec3& place) {
+        const CarveResult cut = carve(world, make_crater(CutterShape::kRocky, 3), {.position = place, .scale = 0.3});
+        EXPECT_TRUE(cut.done());
+        EXPECT_EQ(cut.world.room_count(), 3u);
+        test::expect_sound_world(cut.world);
+        for (const std::uint32_t portal : {4u, 5u})  // of the strip from 4 m to 6 m
+            EXPECT_EQ(&cut.world.data().cells.portal(portal) == &world.data().cells.portal(portal),
+                      place.z > 0 && portal == 5u);
+        return cut.world;
+    };
+    for (const double y : {4.6, 5.4}) {
+        SCOPED_TRACE(y);
+        const World before = world;
+        world = cut_at({0, y, 0});
+        EXPECT_EQ(world.data().faces_of(2).hash, before.data().faces_of(2).hash);  // none of its faces was met
+    }
+    cut_at({-4, 5, 4});  // where a portal that these changed meets the ceiling
+}
+
+}  // namespace
+}  // namespace firma
