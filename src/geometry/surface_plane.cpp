@@ -2,11 +2,31 @@
 // Planes through points of the surface grid.
 #include "geometry/surface_plane.h"
 
+#include <utility>
+
 namespace firma {
 namespace {
 
 Int128 magnitude_of(Int128 value) {
     return value < 0 ? -value : value;
+}
+
+/// Of numbers that are not negative, by shifts and differences: what the module links has no remainder of 128 bits.
+/// Source: J. Stein, Computational Problems Associated with Racah Algebra, 1967.
+Int128 common_divisor(Int128 a, Int128 b) {
+    if (a == 0 || b == 0) return a + b;
+    int twos = 0;
+    for (; ((a | b) & 1) == 0; ++twos) {
+        a >>= 1;
+        b >>= 1;
+    }
+    while ((a & 1) == 0) a >>= 1;
+    while (b != 0) {
+        while ((b & 1) == 0) b >>= 1;
+        if (a > b) std::swap(a, b);
+        b -= a;
+    }
+    return a << twos;
 }
 
 /// normal . p + offset = 0, p in surface steps: divided by what divides all four.
@@ -15,11 +35,7 @@ Plane plane_of_surface(const Int128 (&normal)[3], Int128 offset) {
     Int128 scaled[3];
     for (int axis = 0; axis < 3; ++axis) {
         scaled[axis] = normal[axis] * kSurfacePerInput;
-        for (Int128 other = magnitude_of(scaled[axis]); other != 0;) {
-            const Int128 rest = divisor % other;
-            divisor = other;
-            other = rest;
-        }
+        divisor = common_divisor(divisor, magnitude_of(scaled[axis]));
     }
     Plane plane;
     if (divisor == 0) return plane;

@@ -139,6 +139,13 @@ bool unpack_rules(const Entries& section, const Entries* merge, const Entries* o
     return true;
 }
 
+/// Facets of walls whose exact form was left away are not cut: nothing would be behind a hole in them.
+void keep_open_faces(UnpackedData& unpacked) {
+    CarveRules rules = unpacked.world.rules ? *unpacked.world.rules : CarveRules{};
+    rules.open_faces = false;
+    unpacked.world.rules = std::make_shared<const CarveRules>(std::move(rules));
+}
+
 }  // namespace
 
 UnpackedData unpack_data(Sections& sections, Damage& damage) {
@@ -147,7 +154,10 @@ UnpackedData unpack_data(Sections& sections, Damage& damage) {
     const Entries materials = sections.entries(kMaterialsSection, 1);
     if (damage.error() || !unpack_counters(world, unpacked, damage) || !unpack_materials(materials, unpacked, damage))
         return unpacked;
-    if (!unpacked.world.rules) return unpacked;
+    if (!unpacked.world.rules) {
+        if (!unpacked.exact) keep_open_faces(unpacked);
+        return unpacked;
+    }
     const Entries rules = sections.entries(kRulesSection, 1);
     std::optional<Entries> merge;
     if (sections.has(kMergeSection)) merge = sections.entries(kMergeSection, 8);
@@ -155,6 +165,7 @@ UnpackedData unpack_data(Sections& sections, Damage& damage) {
     if (sections.has(kOpenFacesSection)) open_faces = sections.entries(kOpenFacesSection, 4);
     if (!damage.error())
         unpack_rules(rules, merge ? &*merge : nullptr, open_faces ? &*open_faces : nullptr, unpacked, damage);
+    if (!unpacked.exact && !damage.error()) keep_open_faces(unpacked);
     return unpacked;
 }
 

@@ -210,7 +210,7 @@ class After(CarveTest):
         self.assertEqual((float(row['volume']), row['faces_gone']), (0, '1'))
         self.assertEqual(len(self.faces('a.obj')), int(row['faces_new']))
         self.assertGreater(int(row['faces_new']), 8)
-        self.assertIn('1 of the faces bound no closed solid', self.firma('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj'))
+        self.assertIn(f"{row['faces_new']} of the faces bound no closed solid", self.firma('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj'))
         self.assertEqual(self.firma_json('carve', 'open.obj', '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'],
                          int(row['faces_new']))
         self.assertEqual(self.firma_json('carve', FIRST, '--blasts', 'b.csv', '-o', 'a.obj')['castable_only'], 0)
@@ -224,7 +224,7 @@ class After(CarveTest):
         arguments = ['carve', 'open.obj', '--matter', 'hard.matter', '--blasts', 'b.csv', '-o', 'a.obj']
         self.assertIn('nothing      2 met only faces that stay (3), 1 met only air',
                       self.firma(*arguments, '--report', 'r.csv'))
-        rows = list(csv.DictReader(self.read('r.csv').splitlines()))
+        rows = list(csv.DictReader(self.read('r.csv').decode().splitlines()))
         self.assertEqual([(row['status'], row['castable_only']) for row in rows],
                          [('nothing', '1'), ('nothing', '0'), ('nothing', '2')])
         told = self.firma_json(*arguments)

@@ -122,7 +122,7 @@ class Log(CliTest):
         self.assertEqual(self.firma_json('log', 'verify', 'c.firmalog', DEPOT)['hash'], carved['hash'])
         command = self.firma_json('log', 'show', 'a.firmalog')['commands'][0]
         self.assertEqual(command['chunks'], {'min_volume': 0.25, 'density': None})
-        self.assertIn(', with chunks of 0.25 m3 and 2000 kg/m3\n', self.firma('log', 'show', 'a.firmalog'))
+        self.assertIn(', with chunks of 0.25 m3\n', self.firma('log', 'show', 'a.firmalog'))
         plain = self.firma_json(*call[:-3])
         self.assertNotEqual(plain['hash'], carved['hash'])                     # the bridge hangs there
         self.assertIsNone(self.firma_json('log', 'show', 'a.firmalog')['commands'][0]['chunks'])

@@ -49,6 +49,13 @@ std::string words(const Vec3& v) {
     return text;
 }
 
+Box box_of_facet(const FacetPlace& place) {
+    Box box;
+    for (const std::uint16_t corner : place.block->corners_of(place.record()))
+        box.add(to_metres(place.block->vertices[corner]));
+    return box;
+}
+
 Box box_of(const PlacedCutter& placed) {
     Box box;
     for (const InputPoint& p : placed.vertices) box.add(to_metres(to_surface(p)));
@@ -129,9 +136,22 @@ private:
             fail("face_count is not before - gone + new");
         if (after_.version() != before_.version() + 1) fail("version");
         for (const FacetPlace& place : change_.gone)
-            if (!place.record().solid) return fail("a face that bounds no solid is gone");
+            if (!place.record().solid && !may_take(place)) return fail("a face that bounds no solid is gone");
         for (const FacetPlace& place : change_.come)
             if (place.record().id.value < before_.data().next_face()) return fail("a new face with an old id");
+    }
+
+    /// A face that bounds no solid: panes go whole, of others what lies in the cutter.
+    bool may_take(const FacetPlace& place) const {
+        if (fill_ || (before_.data().rules && !before_.data().rules->open_faces)) return false;
+        const CarveReport& report = result_.report;
+        if (report.panes > 0) return true;
+        if (report.open_trimmed + report.open_removed == 0) return false;
+        const Box box = box_of(*placed_), own = box_of_facet(place);
+        bool meets = true;
+        for (int axis = 0; axis < 3; ++axis)
+            meets = meets && own.low[axis] <= box.high[axis] + 1e-3 && own.high[axis] >= box.low[axis] - 1e-3;
+        return meets;
     }
 
     void judge_volume() {

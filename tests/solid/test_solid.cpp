@@ -172,7 +172,9 @@ TEST(Solid, FacesBesideItChangeNothing) {
     for (int k = 0; k < 5; ++k)  // sheets without a back, across where it is cut
         test::add_polygon(level, {{2.0 * k, -5, -3}, {2.0 * k, 5, -3}, {2.0 * k, 5, 3}});
     const Solid solid = make_solid(level).value();
-    const World world = make_world(level).value();
+    CarveRules rules;
+    rules.open_faces = false;
+    const World world = with_rules(make_world(level).value(), rules).value();
     ASSERT_EQ(world.face_count() - solid.face_count(), 5u);
     scenes::Rng rng(7);
     std::vector<CutOrder> cuts;

@@ -89,13 +89,15 @@ test('a random turn is of length one, and the same for the same seed', () => {
     throwsCode('BAD_CALL', () => firma.randomTurn(-1));
 });
 
-test('a report tells faces that are castable only', () => {
+test('a report tells what a crater takes of faces that bound no solid', () => {
     const sheet = firma.worldFromMesh({ positions: [0, 0, 0, 8, 0, 0, 8, 8, 0], corners: [0, 1, 2] });
     releasing([sheet, firma.crater('rocky', 1)], (world, cutter) => {
-        for (const [z, met] of [[0, 1], [4, 0]]) {
+        for (const [z, status, trimmed] of [[0, 'done', 1], [4, 'nothing', 0]]) {
             const { world: after, report } = world.carve(cutter, { position: [5, 3, z] });
+            assert.equal(after.facts().faceCount > 1, trimmed === 1);
             after.release();
-            assert.deepEqual([report.status, report.facesCastableOnly], ['nothing', met]);
+            assert.deepEqual([report.status, report.openTrimmed, report.openRemoved], [status, trimmed, 0]);
+            assert.deepEqual([report.facesCastableOnly, report.volume], [0, 0]);
         }
     });
 });
