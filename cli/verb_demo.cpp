@@ -211,12 +211,13 @@ std::string craters_text(const LoadedLevel& loaded, const Results& results) {
             row_text("", fmt::format("{} of them met only faces that stay", grouped(craters.nothing_castable_only)));
     for (const auto& [reason, count] : craters.refusals)
         text += row_text("", fmt::format("{} refused: {}", grouped(count), reason));
-    if (craters.done == 0) return text + row_text("", "nothing here bounds a closed solid");
+    if (craters.done == 0) return text + row_text("", "nothing here that a crater takes");
     std::vector<double> seconds = craters.seconds;
     text += row_text("time of a crater",
                      fmt::format("median {}, 99th percentile {}", seconds_text(percentile(seconds, 0.5)),
                                  seconds_text(percentile(seconds, 0.99))));
     text += row_text("volume taken", fmt::format("{:.4g} cubic metres", craters.volume));
+    if (craters.volume == 0) text += row_text("", "nothing here bounds a closed solid: craters are holes in faces");
     if (craters.chunks + craters.crumbs > 0)
         text += row_text("came loose", fmt::format("{} of {:.3g} cubic metres, {}", counted(craters.chunks, "chunk"),
                                                    craters.chunk_volume, counted(craters.crumbs, "crumb")));
