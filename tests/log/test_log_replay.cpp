@@ -3,7 +3,9 @@
 // files between its commands; and edits that lie apart give one solid in any order.
 #include <gtest/gtest.h>
 
-#include <barrier>
+#include <condition_variable>
+#include <future>
+#include <mutex>
 #include <set>
 #include <string>
 #include <thread>
@@ -152,14 +154,16 @@ TEST(LogReplay, OnSeveralThreadsAtATime) {
     for (const std::size_t count : {1u, 2u, 4u}) {
         std::vector<ReplayResult> results(count);
         std::vector<std::thread> threads;
-        std::barrier<> start{std::ptrdiff_t(count)};
+        std::promise<void> start;
+        const std::shared_future<void> started = start.get_future().share();
         for (std::size_t k = 0; k < count; ++k)
             threads.emplace_back([&, k] {
-                start.arrive_and_wait();
+                started.wait();
                 LogReplay job(anchored_depot(), log);
                 while (!job.run(100.0 * double(k)));
                 results[k] = job.result();
             });
+        start.set_value();
         for (std::thread& thread : threads) thread.join();
         for (const ReplayResult& result : results) {
             ASSERT_TRUE(result.ok()) << result.error->text();
@@ -176,7 +180,7 @@ TEST(LogReplay, HandedFromThreadToThread) {
         World world = anchored_depot();
         std::optional<CommandJob> job;
         std::size_t next = 0;
-        bool over = false, finished = false, wrong = false;
+        bool over = false, wrong = false;
         const auto go_on = [&] {  // one thread at a time
             if (!job) job.emplace(world, commands[next]);
             if (!job->run(200)) return;
@@ -186,16 +190,18 @@ TEST(LogReplay, HandedFromThreadToThread) {
             over = ++next == commands.size();
         };
         std::size_t turn = 0;
-        std::barrier step(std::ptrdiff_t(count), [&]() noexcept {  // while all wait
-            ++turn;
-            finished = over;
-        });
+        std::mutex mutex;
+        std::condition_variable next_turn;
         std::vector<std::thread> threads;
         for (std::size_t k = 0; k < count; ++k)
             threads.emplace_back([&, k] {
-                while (!finished) {
-                    if (turn % count == k) go_on();
-                    step.arrive_and_wait();
+                std::unique_lock lock(mutex);
+                for (;;) {
+                    next_turn.wait(lock, [&] { return over || turn % count == k; });
+                    if (over) return;
+                    go_on();
+                    ++turn;
+                    next_turn.notify_all();
                 }
             });
         for (std::thread& thread : threads) thread.join();
