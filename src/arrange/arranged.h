@@ -59,6 +59,9 @@ struct Selection {
     /// Whether the ends of edges that may be used again stay, where they lie along a line, too: something else than
     /// these faces ends there.
     bool keeps_ends = false;
+    /// With `keeps_ends`: whether ends stay, too, where a cell of the first operand that is not kept has a corner: such
+    /// cells are wanted with the edges of those kept, see Arranged::edge_of_use.
+    bool keeps_corners = false;
 };
 
 }  // namespace firma

@@ -151,6 +151,7 @@ bool CellWriter::ends_stay(std::uint32_t use, std::uint32_t after) const {
     // What lies beyond is not here: the edge stays as it is.
     if (one_edge && there == KeptCells::kNone && there_after == KeptCells::kNone) return false;
     if (in_.users.shared(piece) != in_.users.shared(next)) return true;
+    if (in_.selection.keeps_corners && (has_corner(piece, next) || has_corner(next, piece))) return true;
     const bool one_beyond = there != KeptCells::kNone && there_after != KeptCells::kNone &&
                             in_.uses[there].edge == edge && in_.uses[there_after].edge == edge;
     return !(one_edge && one_beyond) && (has_ending(piece, next) || has_ending(next, piece));
@@ -164,6 +165,30 @@ bool CellWriter::has_ending(std::uint32_t piece, std::uint32_t next) const {
                 return in_.uses[other].edge == in_.uses[one].edge;
             }))
             return true;
+    return false;
+}
+
+/// An outline may touch a line with a corner: then one cell lies at both pieces, or two do, and none goes on there.
+bool CellWriter::has_corner(std::uint32_t piece, std::uint32_t next) const {
+    for (const std::uint32_t use : in_.users.at(piece)) {
+        const Cell& cell = in_.cells.cells[in_.users.cell_of(use)];
+        if (in_.overlay.faces[cell.face].operand == 0 && !in_.is_kept(use) && !goes_on(use, next)) return true;
+    }
+    return false;
+}
+
+/// Whether what stands before or after a use in its loop is another piece's.
+bool CellWriter::goes_on(std::uint32_t use, std::uint32_t next) const {
+    const Cell& cell = in_.cells.cells[in_.users.cell_of(use)];
+    const std::uint32_t at = use - cell.first_use;
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : in_.cells.ends(cell)) {
+        if (at < end) {
+            const std::uint32_t before = at > first ? at - 1 : end - 1, after = at + 1 < end ? at + 1 : first;
+            return in_.uses[cell.first_use + before].piece == next || in_.uses[cell.first_use + after].piece == next;
+        }
+        first = end;
+    }
     return false;
 }
 

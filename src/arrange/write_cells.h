@@ -47,6 +47,9 @@ private:
     /// there.
     bool ends_stay(std::uint32_t use, std::uint32_t after) const;
     bool has_ending(std::uint32_t piece, std::uint32_t next) const;
+    /// Whether a cell that is not kept lies at one of two pieces of a line and does not go on along the other one.
+    bool has_corner(std::uint32_t piece, std::uint32_t next) const;
+    bool goes_on(std::uint32_t use, std::uint32_t next) const;
     /// The number of the edge that a chain of uses makes, which begins with `first` and ends before a point that stays.
     std::uint32_t edge_of(std::uint32_t first, std::uint32_t last);
     bool is_doubled(std::uint32_t first, std::uint32_t last) const;

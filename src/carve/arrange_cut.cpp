@@ -274,6 +274,7 @@ Selection CutArranger::selection() const {
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
     selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
     selection.keeps_ends = in_.divides;
+    selection.keeps_corners = in_.divides && in_.opens;
     return selection;
 }
 

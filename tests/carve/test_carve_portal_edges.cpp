@@ -96,18 +96,26 @@ TEST(CarvePortalEdges, ARoomThatOnlyHasPortalsThereKeepsUp) {
     cut_at({-4, 5, 4});  // where a portal that these changed meets the ceiling
 }
 
+/// The world after so many commands of a case of `full_logs --what repair --seed 1`.
+World after_commands(std::uint64_t number, scenes::BlastWorld kind, std::size_t count) {
+    scenes::Rng rng(0x9E3779B97F4A7C15ull ^ (number + 1) * 0xD1B54A32D192ED03ull);
+    World world = scenes::with_closed_doors(scenes::blast_world(kind, 1'000'003 + number), 1.0 / 3, rng);
+    std::vector<EditCommand> commands = reference::random_commands(world, 100, rng);
+    commands.resize(count);
+    for (const EditCommand& command : commands) world = apply(world, command).world;
+    return world;
+}
+
 /// A fill's faces end along a portal's rim that no face had: both have one edge from then on, which a later cut divides
 /// in both. The 44th command of this log is such a fill, the 57th such a cut.
 TEST(CarvePortalEdges, AFillThatEndsAtARimSharesItsEdges) {
-    constexpr std::uint64_t kCase = 146;  // of full_logs --what repair --seed 1
-    scenes::Rng rng(0x9E3779B97F4A7C15ull ^ (kCase + 1) * 0xD1B54A32D192ED03ull);
-    const World level =
-        scenes::with_closed_doors(scenes::blast_world(scenes::BlastWorld::kInRock, 1'000'003 + kCase), 1.0 / 3, rng);
-    World world = level;
-    std::vector<EditCommand> commands = reference::random_commands(level, 100, rng);
-    commands.resize(57);
-    for (const EditCommand& command : commands) world = apply(world, command).world;
-    test::expect_sound_world(world);
+    test::expect_sound_world(after_commands(146, scenes::BlastWorld::kInRock, 57));
+}
+
+/// Two parts of a wall that the last cut takes meet in a corner alone, through which only a line passes in what stays:
+/// the edge ends there all the same, as the portal that the parts become has it in two.
+TEST(CarvePortalEdges, PartsThatMeetInACornerHaveEdgesUpToIt) {
+    test::expect_sound_world(after_commands(112, scenes::BlastWorld::kMany, 84));
 }
 
 }  // namespace
