@@ -33,7 +33,7 @@ MomentSum sum_of(const SolidPatch& patch, const InputPoint& apex) {
     return sum;
 }
 
-/// Less of a body than this share of its volume is as good as none of it.
+/// Less of a body than this share of its volume is as good as none of it: a tenth of what masses are held to.
 constexpr double kNegligible = 1e-13;
 
 }  // namespace

@@ -3,25 +3,14 @@
 #include "carve/point_within.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "geometry/exact_plane.h"
 
 namespace firma {
 namespace {
 
 /// Input steps: the middle of a triangle that is wider lies in it, however it is rounded (fine_plane()).
 constexpr double kThinnest = 0x1p-10;
-
-/// A plane across an axis, at a fine place: input steps.
-Plane fine_plane(int axis, double at) {
-    constexpr double kScale = 1 << 16;
-    Plane plane = axis_plane(axis, 0);
-    const double rounded = std::floor(at * kScale + 0.5);
-    plane.normal[axis] = std::int64_t(kScale);
-    plane.set_offset(-Int128(std::int64_t(rounded)));
-    plane.d = -rounded;
-    plane.size = kScale;
-    return plane;
-}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "base/sort.h"
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
+#include "geometry/exact_plane.h"
 #include "geometry/surface_plane.h"
 #include "solid/append_faces.h"
 
@@ -21,18 +22,6 @@ constexpr std::uint32_t kNotMet = ~0u;
 /// Input steps: what of a polygon is thinner everywhere goes only where it lies as deep in the cutter, as rounding
 /// makes such slivers at its surface. Four surface steps.
 constexpr double kThinCell = 4.0 / kSurfacePerInput;
-
-/// Across an axis, at a fine place: input steps.
-Plane plane_across(int axis, double at) {
-    constexpr double kScale = 1 << 16;
-    Plane plane = axis_plane(axis, 0);
-    const double rounded = std::floor(at * kScale + 0.5);
-    plane.normal[axis] = std::int64_t(kScale);
-    plane.set_offset(-Int128(std::int64_t(rounded)));
-    plane.d = -rounded;
-    plane.size = kScale;
-    return plane;
-}
 
 /// Along the normal of a polygon, with numbers too large for a plane.
 FlatView view_of(std::span<const GridPoint> corners) {
@@ -265,7 +254,7 @@ bool PolygonTrimmer::lies_in(const Cell& cell) {
         }
     if (widest < kThinCell) return widest >= 0 && lies_deep(middle);
     const FlatView view = plane.front_view();
-    const Plane u = plane_across(view.u(), middle[view.u()]), v = plane_across(view.v(), middle[view.v()]);
+    const Plane u = fine_plane(view.u(), middle[view.u()]), v = fine_plane(view.v(), middle[view.v()]);
     const auto side = [&](const Plane& at) {
         return meet_in_world(at, u, v) ? side_of_cutter(cutter_, ExactPoint(at, u, v)) : -1;
     };
@@ -279,7 +268,7 @@ bool PolygonTrimmer::lies_deep(const Vec3& middle) const {
         for (const double step : {-kThinCell, kThinCell}) {
             Vec3 at = middle;
             at[axis] += step;
-            const Plane x = plane_across(0, at.x), y = plane_across(1, at.y), z = plane_across(2, at.z);
+            const Plane x = fine_plane(0, at.x), y = fine_plane(1, at.y), z = fine_plane(2, at.z);
             if (!meet_in_world(x, y, z) || side_of_cutter(cutter_, ExactPoint(x, y, z)) <= 0) return false;
         }
     return true;

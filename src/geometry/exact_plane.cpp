@@ -103,6 +103,17 @@ Plane axis_plane(int axis, std::int32_t step) {
     return with_doubles(plane);
 }
 
+Plane fine_plane(int axis, double at) {
+    constexpr double kScale = 1 << 16;
+    Plane plane = axis_plane(axis, 0);
+    const double rounded = std::floor(at * kScale + 0.5);
+    plane.normal[axis] = std::int64_t(kScale);
+    plane.set_offset(-Int128(std::int64_t(rounded)));
+    plane.d = -rounded;
+    plane.size = kScale;
+    return plane;
+}
+
 bool exact_parallel(const Plane& a, const Plane& b) {
     return normal_minor(a, b, 0, 1) == 0 && normal_minor(a, b, 1, 2) == 0 && normal_minor(a, b, 2, 0) == 0;
 }

@@ -92,6 +92,8 @@ Plane edge_plane(const InputPoint& a, const InputPoint& b, const Plane& face);
 
 /// The plane axis = step, looking toward greater coordinates.
 Plane axis_plane(int axis, std::int32_t step);
+/// Across an axis at a place in input steps, rounded to 2^-16 of one; looking toward greater coordinates.
+Plane fine_plane(int axis, double at);
 
 /// A component of a.normal x b.normal, for (i, j) = (1, 2), (2, 0), (0, 1): at most 2^105.
 inline Int128 normal_minor(const Plane& a, const Plane& b, int i, int j) {
