@@ -535,7 +535,8 @@ CutJob::Phase CutJob::take_loops() {
     const std::vector<std::uint8_t>& cut = crossings().face_cut;
     report_.faces_cut = std::size_t(std::count(cut.begin(), cut.end(), 1));
     if (loops().gone.empty() && loops().faces.empty()) {
-        if (!cut_short_by_.empty()) return refuse(ErrorCode::kInvalid, cut_short_by_ + " may not be carved");
+        left_with_nothing_ = !cut_short_by_.empty();
+        if (left_with_nothing_) return refuse(ErrorCode::kInvalid, cut_short_by_ + " may not be carved");
         status_ = CarveStatus::kNothing;
         return Phase::kEnd;
     }

@@ -78,9 +78,12 @@ public:
     const Error& error() const { return error_; }
     const CarveReport& report() const { return report_; }
     const std::string& reproduction() const { return reproduction_; }
+    /// Refused, as it takes nothing of the solid and was cut short: what is left of the cutter is cutter().
+    bool left_with_nothing() const { return left_with_nothing_; }
     /// With kDone. Once: it is moved out.
     SolidChange take_change() { return std::move(change_); }
-    /// Likewise.
+    const SolidChange& change() const { return change_; }
+    /// Once: it is moved out.
     CutOpening take_opening() { return std::move(opening_); }
     /// Whether a fill met sheets and it is known what it does to them. With kDone, as the next two.
     bool clipped() const { return clipped_.has_value(); }
@@ -204,6 +207,7 @@ private:
     Phase phase_ = Phase::kPlace;
 
     bool hardness_asked_ = false;
+    bool left_with_nothing_ = false;
     std::string cut_short_by_;               ///< the first such thing
     std::vector<std::uint32_t> source_of_;   ///< by face of the trimmed cutter: the triangle it is a part of
     std::optional<std::uint32_t> material_;  ///< of all faces that the cutter leaves; none: they are of several matters

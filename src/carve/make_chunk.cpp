@@ -9,15 +9,31 @@
 #include "solid/part_of_solid.h"
 
 namespace firma {
+namespace {
 
-ChunkMaker::ChunkMaker(const CutPiece& piece, const Solid& solid, double density, const ChunkMatters& matters)
-    : density_(density), matters_(matters) {
+/// Its faces, numbered from 0.
+FaceSet faces_of_cut_piece(const CutPiece& piece) {
     FaceSet set;
     append_facets(piece.removed, set);
     set.owners.insert(set.owners.end(), piece.made.owners.begin(), piece.made.owners.end());
     for (const FaceSet::Entry& face : piece.made.faces) append_face(piece.made, face, set);
     std::uint32_t id = 0;
     for (FaceSet::Entry& face : set.faces) face.id = {id++};
+    return set;
+}
+
+}  // namespace
+
+Solid solid_of_cut_piece(const CutPiece& piece, const Solid& solid) {
+    FaceSet set = faces_of_cut_piece(piece);
+    const auto count = std::uint32_t(set.faces.size());
+    return solid_of_faces(std::move(set), count, solid.data());
+}
+
+ChunkMaker::ChunkMaker(const CutPiece& piece, const Solid& solid, double density, const ChunkMatters& matters)
+    : density_(density), matters_(matters) {
+    FaceSet set = faces_of_cut_piece(piece);
+    const auto id = std::uint32_t(set.faces.size());
     SolidData like = solid.data();
     ++like.edits;  // the cut that made it loose
     const InputPoint middle = middle_of(piece.box);

@@ -20,6 +20,10 @@ struct ChunkMatters {
     std::function<std::optional<Solid>(const MatterPiece&)> solid_of;
 };
 
+/// A loose piece as a solid where it lies.
+/// @param solid  that it came off, before the cut
+Solid solid_of_cut_piece(const CutPiece& piece, const Solid& solid);
+
 /// Works in pieces of some ten microseconds, and one that grows with the chunk.
 class ChunkMaker {
 public:

@@ -101,7 +101,7 @@ public:
     CarveResult result() const {
         CarveResult result;
         result.status = refused_ ? CarveStatus::kRefused : published_ ? CarveStatus::kDone : cut_.status();
-        result.error = refused_ ? *refused_ : cut_.error();
+        if (refused_ || !published_) result.error = refused_ ? *refused_ : cut_.error();
         result.report = cut_.report();
         result.report.times.gather += report_time_;
         result.report.times.tree += time_;
@@ -175,8 +175,8 @@ private:
             return Phase::kEnd;
         }
         if (cut_.step()) return Phase::kCut;
-        const bool any = cut_.status() != CarveStatus::kRefused && world_.data().castable.root;
-        return any ? Phase::kOpenFaces : after_open_faces();
+        const bool goes_on = cut_.status() != CarveStatus::kRefused || (cut_.left_with_nothing() && !cut_.fills());
+        return goes_on && world_.data().castable.root ? Phase::kOpenFaces : after_open_faces();
     }
 
     Phase after_open_faces() const {
@@ -203,7 +203,10 @@ private:
     }
 
     Phase trim_open_faces() {
-        if (!open_) open_.emplace(world_.data(), cut_.cutter(), !cut_.fills());
+        if (!open_) {
+            open_.emplace(world_.data(), cut_.cutter(), !cut_.fills());
+            if (cut_.status() == CarveStatus::kDone) open_->take_along(cut_.pieces(), cut_.change());
+        }
         if (open_->step()) return Phase::kOpenFaces;
         refused_ = open_->refused();
         return refused_ ? Phase::kEnd : after_open_faces();

@@ -8,7 +8,10 @@
 
 #include "base/sort.h"
 #include "carve/gather.h"
+#include "carve/make_chunk.h"
+#include "carve/place_solid.h"
 #include "firma/level.h"
+#include "world/share_corner.h"
 
 namespace firma {
 namespace {
@@ -23,13 +26,6 @@ std::uint64_t key_of(const FacetPlace& facet) {
     return facet.record().id.value;
 }
 
-bool share_a_corner(const FacetPlace& a, const FacetPlace& b) {
-    for (std::uint32_t j = 0; j < a.record().corner_count; ++j)
-        for (std::uint32_t k = 0; k < b.record().corner_count; ++k)
-            if (a.block->corner(a.record(), j) == b.block->corner(b.record(), k)) return true;
-    return false;
-}
-
 const CarveRules& rules_of(const WorldData& data) {
     static const CarveRules kDefaults;
     return data.rules ? *data.rules : kDefaults;
@@ -38,17 +34,29 @@ const CarveRules& rules_of(const WorldData& data) {
 }  // namespace
 
 OpenFaceEdit::OpenFaceEdit(const WorldData& before, const CutterSolid& cutter, bool carves)
-    : before_(before), cutter_(cutter), rules_(rules_of(before)) {
-    sort_out(carves && rules_.open_faces);
+    : before_(before),
+      cutter_(cutter),
+      rules_(rules_of(before)),
+      carves_(carves && rules_.open_faces),
+      takes_(&cutter) {
+    sort_out();
 }
 
 OpenFaceEdit::~OpenFaceEdit() = default;
 
-void OpenFaceEdit::sort_out(bool carves) {
+void OpenFaceEdit::take_along(std::span<const CutPiece> pieces, const SolidChange& change) {
+    if (!carves_ || pieces.empty()) return;
+    pieces_ = pieces;
+    carried_ = std::make_unique<CarriedFaces>(before_.castable, before_.solid, change, pieces,
+                                              [this](const FaceRecord& record) { return may_be_carved(record); });
+}
+
+void OpenFaceEdit::sort_out() {
     std::vector<FacetPlace> near, others, stay;
     gather_facets(before_.castable.root.get(), grown(cutter_.box, 1), cutter_.bevelled, 1, ~std::size_t(0), near,
                   others);
-    for (const FacetPlace& facet : near) (carves && may_be_carved(facet.record()) ? trimmed_ : stay).push_back(facet);
+    for (const FacetPlace& facet : near) (carves_ && may_be_carved(facet.record()) ? trimmed_ : stay).push_back(facet);
+    of_world_ = trimmed_.size();
     stay_.emplace(std::move(stay), cutter_, rules_.max_pairs);
 }
 
@@ -72,18 +80,30 @@ std::optional<std::uint32_t> OpenFaceEdit::pane_matter(const FaceRecord& record)
 bool OpenFaceEdit::step() {
     switch (phase_) {
         case Phase::kCount:
-            if (stay_->step()) break;
-            phase_ = Phase::kEnd;
-            if (trimmed_.empty()) break;
-            trimmer_ = std::make_unique<PolygonTrimmer>(cutter_, std::move(trimmed_), rules_.max_pairs);
-            phase_ = Phase::kTrim;
+            if (!stay_->step()) phase_ = Phase::kCarried;
+            break;
+        case Phase::kCarried:
+            if (carried_ && carried_->step()) break;
+            if (carried_)
+                for (const FacetPlace& facet : carried_->faces()) {
+                    if (is_taken(facet)) continue;
+                    if (const auto matter = pane_matter(facet.record()))
+                        take_pane(facet, *matter);
+                    else
+                        take(facet);
+                }
+            std::erase_if(trimmed_, [&](const FacetPlace& facet) { return is_taken(facet); });
+            of_world_ = trimmed_.size();
+            phase_ = start_trimmer();
+            break;
+        case Phase::kNear:
+            phase_ = place_next_piece();
             break;
         case Phase::kTrim:
-            trim_on();
+            phase_ = trim_on();
             break;
-        case Phase::kPanes:
-            take_panes();
-            phase_ = Phase::kEnd;
+        case Phase::kTake:
+            phase_ = take_trimmed();
             break;
         case Phase::kEnd:
             break;
@@ -91,74 +111,134 @@ bool OpenFaceEdit::step() {
     return phase_ != Phase::kEnd;
 }
 
-void OpenFaceEdit::trim_on() {
-    const auto refuse = [&](ErrorCode code, std::string reason) {
-        refused_ = Error{code, "cutter", std::move(reason)};
-        phase_ = Phase::kEnd;
-    };
+OpenFaceEdit::Phase OpenFaceEdit::start_trimmer() {
+    if (trimmed_.empty()) return Phase::kNear;
+    trimmer_ = std::make_unique<PolygonTrimmer>(*takes_, std::move(trimmed_), rules_.max_pairs);
+    return Phase::kTrim;
+}
+
+/// Where it meets faces: as a cutter, where it lies.
+OpenFaceEdit::Phase OpenFaceEdit::place_next_piece() {
+    if (next_piece_ == pieces_.size()) return end();
+    const CutPiece& piece = pieces_[next_piece_++];
+    const GridBox box = grown(piece.box, 1);
+    trimmed_.clear();
+    gather_facets(before_.castable.root.get(), box, trimmed_);
+    std::erase_if(trimmed_, [&](const FacetPlace& facet) { return is_taken(facet) || !may_be_carved(facet.record()); });
+    of_world_ = trimmed_.size();
+    FaceSet left = added_;
+    for (std::uint32_t k = 0; k < left.faces.size(); ++k) left.faces[k].id = {k};
+    left_ = left.faces.empty() ? FaceStore() : build_store(left, before_.tree_options).store;
+    gather_facets(left_.root.get(), box, trimmed_);
+    if (trimmed_.empty()) return Phase::kNear;
+    const Result<Cutter> cutter = cutter_from_solid(solid_of_cut_piece(piece, before_.solid));
+    if (!cutter) return refuse(cutter.error().code, cutter.error().reason);
+    if (std::optional<Error> fault = place_any_cutter(cutter.value(), {}, piece_))
+        return refuse(fault->code, std::move(fault->reason));
+    takes_ = &piece_;
+    return start_trimmer();
+}
+
+OpenFaceEdit::Phase OpenFaceEdit::refuse(ErrorCode code, std::string reason) {
+    refused_ = Error{code, "cutter", std::move(reason)};
+    return Phase::kEnd;
+}
+
+OpenFaceEdit::Phase OpenFaceEdit::trim_on() {
     switch (trimmer_->step()) {
         case PolygonTrimmer::End::kGoesOn:
-            return;
+            return Phase::kTrim;
         case PolygonTrimmer::End::kDone:
-            phase_ = Phase::kPanes;
-            return;
+            return Phase::kTake;
         case PolygonTrimmer::End::kPairs:
             return refuse(ErrorCode::kTooLarge, "it and castable-only faces are more than the " +
                                                     std::to_string(rules_.max_pairs) + " pairs that the world allows");
         case PolygonTrimmer::End::kTooLarge:
             return refuse(ErrorCode::kTooLarge, "it and castable-only faces lie in more than 2 million planes");
         case PolygonTrimmer::End::kBroken:
-            return refuse(ErrorCode::kInvalid, "it crosses itself where it meets castable-only faces");
+            break;
     }
+    return refuse(ErrorCode::kInvalid, "it crosses itself where it meets castable-only faces");
 }
 
 void OpenFaceEdit::take(const FacetPlace& facet) {
+    taken_.at(key_of(facet)) = 0;
     removed_.push_back(facet);
     clips_ += is_clip(facet.record());
 }
 
-/// Panes whole, of all others what the cutter holds.
-void OpenFaceEdit::take_panes() {
+bool OpenFaceEdit::is_taken(const FacetPlace& facet) const {
+    return taken_.find(key_of(facet)) != FlatMap::kNone;
+}
+
+/// Panes whole, of all others what the cutter or the piece holds.
+OpenFaceEdit::Phase OpenFaceEdit::take_trimmed() {
     const std::vector<FacetPlace>& facets = trimmer_->facets();
-    FlatMap taken;
+    lost_.assign(added_.faces.size(), 0);
     for (std::size_t k = 0; k < facets.size(); ++k) {
         if (trimmer_->fate(k) == PolygonTrimmer::Fate::kStays) continue;
-        if (const auto matter = pane_matter(facets[k].record())) {
-            if (taken.find(key_of(facets[k])) != FlatMap::kNone) continue;
-            take_pane(facets[k], *matter, taken);
-            ++panes_;
+        std::uint32_t from = facets[k].record().id.value;
+        if (k >= of_world_) {
+            lost_[from] = 1;
+            from = from_[from];
+        } else if (is_taken(facets[k])) {
             continue;
+        } else if (const auto matter = pane_matter(facets[k].record())) {
+            take_pane(facets[k], *matter);
+            continue;
+        } else {
+            take(facets[k]);
         }
-        take(facets[k]);
-        const bool trimmed = trimmer_->fate(k) == PolygonTrimmer::Fate::kTrimmed;
-        (trimmed ? cut_ : whole_) += 1;
-        if (trimmed) trimmer_->append_left(k, added_);
+        if (trimmer_->fate(k) == PolygonTrimmer::Fate::kTrimmed) trimmer_->append_left(k, added_);
+        from_.resize(added_.faces.size(), from);
     }
-    sort_range(removed_, [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
-    if (added_.faces.size() > rules_.max_new_faces)
-        refused_ = Error{
-            ErrorCode::kTooLarge, "cutter",
-            "it makes more than the " + std::to_string(rules_.max_new_faces) + " new faces that the world allows"};
+    forget_lost();
+    return Phase::kNear;
 }
 
 /// All faces of one matter that hang together by corners.
-void OpenFaceEdit::take_pane(const FacetPlace& seed, std::uint32_t matter, FlatMap& taken) {
+void OpenFaceEdit::take_pane(const FacetPlace& seed, std::uint32_t matter) {
+    ++panes_;
     std::vector<FacetPlace> waiting(1, seed), near;
-    taken.at(key_of(seed)) = 0;
+    take(seed);
     while (!waiting.empty()) {
         const FacetPlace facet = waiting.back();
         waiting.pop_back();
-        take(facet);
-        ++whole_;
         near.clear();
         gather_facets(before_.castable.root.get(), facet.block->box_of(facet.record()), near);
         for (const FacetPlace& other : near) {
             if (pane_matter(other.record()) != matter || !may_be_carved(other.record())) continue;
-            if (taken.find(key_of(other)) != FlatMap::kNone || !share_a_corner(facet, other)) continue;
-            taken.at(key_of(other)) = 0;
+            if (is_taken(other) || !share_a_corner(facet, other)) continue;
+            take(other);
             waiting.push_back(other);
         }
     }
+}
+
+/// What was left of faces, and then taken.
+void OpenFaceEdit::forget_lost() {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < added_.faces.size(); ++k) {
+        if (k < lost_.size() && lost_[k]) continue;
+        from_[kept] = from_[k];
+        added_.faces[kept++] = added_.faces[k];
+    }
+    added_.faces.resize(kept);
+    from_.resize(kept);
+}
+
+OpenFaceEdit::Phase OpenFaceEdit::end() {
+    sort_range(removed_, [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
+    for (const std::uint32_t id : from_) {
+        std::uint32_t& left = taken_.at(id);
+        cut_ += left == 0;
+        left = 1;
+    }
+    whole_ = removed_.size() - cut_;
+    if (added_.faces.size() > rules_.max_new_faces)
+        return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.max_new_faces) +
+                                                " new faces that the world allows");
+    return Phase::kEnd;
 }
 
 void OpenFaceEdit::start(FaceIds& ids) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a carving does to faces that are castable only: those that the cutter reaches are trimmed, without a cap; a pane
-// of glass goes whole; liquids, triggers and what may not be carved stay.
+// of glass goes whole; liquids, triggers and what may not be carved stay. Loose pieces take such faces along.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/flat_map.h"
@@ -13,6 +15,7 @@
 #include "firma/carve.h"
 #include "solid/face_ids.h"
 #include "solid/face_store.h"
+#include "world/carried_faces.h"
 #include "world/count_reaching.h"
 #include "world/world_data.h"
 
@@ -24,6 +27,11 @@ public:
     /// @param carves  else nothing is trimmed, and only counted what stays
     OpenFaceEdit(const WorldData& before, const CutterSolid& cutter, bool carves);
     ~OpenFaceEdit();
+
+    /// Pieces that leave: what stands on them alone goes with them, and of the rest what lies in them, as if each were
+    /// a cutter. Before the first step().
+    /// @param change  what the cut makes of the solid, pieces gone; kept alive by the caller, as are the pieces
+    void take_along(std::span<const CutPiece> pieces, const SolidChange& change);
 
     /// Does one piece of work, some ten microseconds; false once there is none left.
     bool step();
@@ -44,27 +52,45 @@ public:
     StoreEdit& store() { return *store_; }
 
 private:
-    enum class Phase : std::uint8_t { kCount, kTrim, kPanes, kEnd };
+    enum class Phase : std::uint8_t { kCount, kCarried, kNear, kTrim, kTake, kEnd };
 
-    void sort_out(bool carves);
+    void sort_out();
     bool may_be_carved(const FaceRecord& record) const;
     std::optional<std::uint32_t> pane_matter(const FaceRecord& record) const;
-    void trim_on();
-    void take_panes();
-    void take_pane(const FacetPlace& seed, std::uint32_t matter, FlatMap& taken);
+    Phase place_next_piece();
+    Phase start_trimmer();
+    Phase trim_on();
+    Phase take_trimmed();
+    Phase refuse(ErrorCode code, std::string reason);
+    Phase end();
+    void take_pane(const FacetPlace& seed, std::uint32_t matter);
     void take(const FacetPlace& facet);
+    bool is_taken(const FacetPlace& facet) const;
+    void forget_lost();
 
     const WorldData& before_;
     const CutterSolid& cutter_;
     const CarveRules& rules_;
+    const bool carves_;
     Phase phase_ = Phase::kCount;
-    std::vector<FacetPlace> trimmed_;  ///< near the cutter, and may be
     std::optional<ReachCount> stay_;
-    std::unique_ptr<PolygonTrimmer> trimmer_;
     std::optional<Error> refused_;
 
-    std::vector<FacetPlace> removed_;  ///< in order of ids
+    std::span<const CutPiece> pieces_;
+    std::unique_ptr<CarriedFaces> carried_;
+    std::size_t next_piece_ = 0;
+    CutterSolid piece_;                ///< the one at hand
+    const CutterSolid* takes_;         ///< the cutter, then one piece after the other
+    std::vector<FacetPlace> trimmed_;  ///< near it, and may be: faces of the world, then `left_`
+    std::size_t of_world_ = 0;         ///< of these
+    FaceStore left_;                   ///< `added_`, for the next to take from; ids are their numbers
+    std::unique_ptr<PolygonTrimmer> trimmer_;
+
+    std::vector<FacetPlace> removed_;  ///< in order of ids once all is done
+    FlatMap taken_;                    ///< their ids
     FaceSet added_;
+    std::vector<std::uint32_t> from_;  ///< of each of `added_`: the id of the face that it is left of
+    std::vector<std::uint8_t> lost_;   ///< whether it was taken, too
     std::unique_ptr<StoreEdit> store_;
     std::size_t cut_ = 0, whole_ = 0, panes_ = 0, clips_ = 0;
 };
