@@ -662,6 +662,27 @@ void MatterSplitter::finish() {
     }
     sort_range(made_.gone);
     divide_taken();
+    mark_doubled();
+}
+
+/// Edges that were made between two vertices of the grid where there may be another edge: of a crater that ends along
+/// an edge of the world, say, whose new faces are divided there.
+void MatterSplitter::mark_doubled() {
+    const auto pair = [&](std::uint32_t edge) {
+        const std::uint32_t a = view_.from({edge, false}), b = view_.to({edge, false});
+        return std::pair(std::min(a, b), std::max(a, b));
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
+    for (std::uint32_t edge = first_part_; edge < view_.edge_count(); ++edge) {
+        const auto [a, b] = pair(edge);
+        if (view_.point(a).on_grid() && view_.point(b).on_grid()) first.try_emplace({a, b}, edge);
+    }
+    if (first.empty()) return;
+    for (std::uint32_t edge = 0; edge < first_part_; ++edge)
+        if (const auto made = first.find(pair(edge)); made != first.end()) made->second = edge;
+    for (std::uint32_t edge = first_part_; edge < view_.edge_count(); ++edge)
+        if (const auto made = first.find(pair(edge)); made != first.end() && made->second != edge)
+            made_.edges[edge - view_.first_new_edge()].doubled = true;
 }
 
 /// What was taken of faces, and edges that something else uses, are divided at the same places.

@@ -104,6 +104,7 @@ private:
     void note_vertices(const Part& part);
     void finish();
     void divide_taken();
+    void mark_doubled();
     void add_division(std::uint32_t edge, std::span<const PatchUse> parts);
     void expand(const PatchUse& use, std::vector<PatchUse>& uses);
     void add_face(const NewFace& like, std::span<const PatchUse> uses, std::span<const std::uint32_t> ends,

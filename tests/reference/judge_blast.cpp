@@ -424,13 +424,16 @@ private:
     struct WallArea {
         double was = 0, is = 0;  ///< square metres, of the facets that changed
     };
+    /// Faces that bound no solid are no walls.
     WallArea wall_area(std::uint32_t room) const {
         const auto area_of = [](const FacetPlace& place) { return length(area_vector(facet_corners(place))) / 2; };
         WallArea sum;
         for (const FacetPlace& place : change_.gone)
-            if (cells_before().current_room(place.block->part) == room) sum.was += area_of(place);
+            if (place.record().solid && cells_before().current_room(place.block->part) == room)
+                sum.was += area_of(place);
         for (const FacetPlace& place : change_.come)
-            if (place.record().edit != after_.data().edits() && cells_after().current_room(place.block->part) == room)
+            if (place.record().solid && place.record().edit != after_.data().edits() &&
+                cells_after().current_room(place.block->part) == room)
                 sum.is += area_of(place);
         return sum;
     }
