@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "carve/gather.h"
 #include "carve/polygon_reaches.h"
 #include "index/box_tree.h"
 #include "solid/append_faces.h"
@@ -100,7 +101,10 @@ FaceGroups::FaceGroups(const CutFaces& cut)
 
 /// What was side by side before is of one shell, what is side by side now too. What the cutter alone bounds is a new
 /// hollow, and has to do with none of the others; unless the cutter has a hollow itself: then it may be what is left of
-/// a room that the cutter swallowed, around a piece in its hollow, or such a piece.
+/// a room that the cutter swallowed, around a piece in its hollow, or such a piece. A shell of which all that is left
+/// is one group may have been that of a hollow, and the group a piece that hung in it, cut off all around: then it lies
+/// within the cutter's convex hull, as any way out of the hollow leads into the cutter. Whatever else the cutter
+/// touched may have held such a piece.
 std::vector<FaceGroups::Family> FaceGroups::families(std::span<const std::uint32_t> lost) {
     DisjointSets related = sets_;
     for (const PatchEdge& edge : patch_.edges)
@@ -110,11 +114,9 @@ std::vector<FaceGroups::Family> FaceGroups::families(std::span<const std::uint32
         if (cut_.parent(k) != kNone) related.join(k, patch_node(cut_.parent(k)));
     std::vector<std::uint8_t> is_old(cut_.made_count() + patch_.faces.size(), 0);
     for (std::uint32_t face = 0; face < patch_.faces.size(); ++face) is_old[related.find(patch_node(face))] = 1;
-    const bool apart = std::any_of(changed_.begin(), changed_.end(),
-                                   [&](std::uint32_t group) { return !is_old[related.find(group)]; });
-    if (apart && changed_.size() > 1 && has_hollow(cut_.view.cutter())) return {{changed_, !lost.empty()}};
+    const bool cuts_out = changed_.size() > 1 && has_hollow(cut_.view.cutter());
     std::vector<Family> families;
-    std::vector<std::uint32_t> number(is_old.size(), kNone);
+    std::vector<std::uint32_t> number(cut_.made_count() + patch_.faces.size(), kNone);
     for (const std::uint32_t group : changed_) {
         std::uint32_t& known = number[related.find(group)];
         if (known == kNone) {
@@ -126,7 +128,25 @@ std::vector<FaceGroups::Family> FaceGroups::families(std::span<const std::uint32
     for (const std::uint32_t face : lost)
         if (const std::uint32_t family = number[related.find(patch_node(face))]; family != kNone)
             families[family].lost = true;
+    const bool apart = families.size() > 1 && std::any_of(families.begin(), families.end(), [&](const Family& family) {
+                           if (!is_old[related.find(family.groups[0])]) return cuts_out;
+                           return family.groups.size() == 1 && lies_in_the_cutter(family.groups[0]);
+                       });
+    if (apart) return {{changed_, !lost.empty()}};
     return families;
+}
+
+/// By boxes, of the faces that are known so far.
+bool FaceGroups::lies_in_the_cutter(std::uint32_t group) {
+    GridBox box;
+    for (std::uint32_t k = 0; k < cut_.made_count(); ++k)
+        if (sets_.find(k) == group) box.add(cut_.owner(k).box);
+    for (std::uint32_t face = 0; face < patch_.faces.size(); ++face)
+        if (stays_[face] && sets_.find(patch_node(face)) == group) box.add(live(patch_.faces[face].facet).box());
+    const GridBox cutter = grown(cut_.view.cutter().box, kSurfacePerInput);
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.low[axis] < cutter.low[axis] || box.high[axis] > cutter.high[axis]) return false;
+    return true;
 }
 
 void FaceGroups::start(const Node* root, const Anchors& anchors) {

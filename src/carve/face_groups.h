@@ -54,7 +54,7 @@ public:
     /// Groups that one of loops.faces is in, ascending.
     const std::vector<std::uint32_t>& changed() const { return changed_; }
     /// Those of them that come from one shell, or several that touched the cutter together: by the faces that were side
-    /// by side before the cut.
+    /// by side before the cut. All of them where one may have hung in a hollow of the others.
     struct Family {
         std::vector<std::uint32_t> groups;
         bool lost = false;  ///< whether one of `lost` was of it
@@ -105,6 +105,7 @@ private:
         bool held = false;
     };
 
+    bool lies_in_the_cutter(std::uint32_t group);
     std::uint32_t patch_node(std::uint32_t face) const { return cut_.made_count() + face; }
     State& state(std::uint32_t node) { return states_[state_of_[sets_.find(node)]]; }
     std::uint32_t join(std::uint32_t a, std::uint32_t b);

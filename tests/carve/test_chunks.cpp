@@ -215,6 +215,23 @@ TEST(Chunks, FromWithinACutter) {
     test::expect_sound_world(all.world);
 }
 
+/// A cutter around what it leaves of the rock beside a hollow, which opens the hall as well.
+TEST(Chunks, WhatHungInAHollow) {
+    CarveResult result;
+    World world = with_anchors(make_world(test::box_level({0, 0, 0}, {8, 8, 8}, true)).value());
+    world = take_box(world, {8.75, 3.25, 3.25}, {10.25, 4.75, 4.75}, result);
+    test::TriangleMesh mesh = test::box_mesh({7.75, 1.75, 1.75}, {12.25, 6.25, 6.25});
+    test::TriangleMesh inner = test::box_mesh({9, 3, 3}, {11, 5, 5});
+    inner.turn_over();
+    mesh.add(inner);
+    const CarveResult cut = carve(world, mesh.cutter().value(), {}, with_chunks());
+    ASSERT_TRUE(cut.done());
+    ASSERT_EQ(cut.chunks.size(), 1u);
+    EXPECT_EQ(cut.chunks[0].mass.volume, 2 * 2 * 2 - 1.25 * 1.5 * 1.5);
+    EXPECT_EQ(locate(cut.world.solid(), {10.75, 4, 4}), Where::kAir);
+    test::expect_sound_world(cut.world);
+}
+
 /// What only the cutter bounds comes off nothing: no face is looked for, however large the level.
 TEST(Chunks, ANewHollowIsNoReasonToSearch) {
     CarveResult result;

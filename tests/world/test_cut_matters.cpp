@@ -131,6 +131,22 @@ TEST(CutMatters, SeamsDoNotCountForTheSolid) {
     EXPECT_EQ(carve(split.world, rock, test::pose_at(4, 2, 4, 1.2)).status, CarveStatus::kNothing);
 }
 
+/// An overhang of wood on a floor of brick, cut straight down where they meet: the new face is one as to the solid, and
+/// divided there, beside the edge of the two that was there.
+TEST(CutMatters, ASeamBesideAnEdgeThatIsThere) {
+    const std::vector<map_text::PlaneText> overhang{{{-1, 0, 0}, 0}, {{1, 0, 0}, 4},   {{0, -1, 0}, 0},
+                                                    {{0, 2, -1}, 0}, {{0, 0, -1}, -4}, {{0, 0, 1}, 8}};
+    const World world = test::brush_world(map_text::box({0, 0, 0}, {4, 8, 4}, "old_brick") +
+                                          map_text::plane_brush(overhang, "wood_panel"));
+    const CarveResult cut = carve(world, test::box_mesh({-1, -1, 3}, {5, 2, 5}).cutter().value(), {});
+    ASSERT_TRUE(cut.done()) << cut.error.text();
+    test::expect_sound_world(cut.world);
+    const Shown shown = shown_by(cut.world, 1);
+    EXPECT_EQ(shown.wrong, 0u);
+    EXPECT_EQ(shown.area.at("matter/brick"), 4 * 1 + 4 * 2);
+    EXPECT_EQ(shown.area.at("matter/wood"), 4 * 1 + 4 * 2);
+}
+
 TEST(CutMatters, OverlapsAndSlopesAreSplitExactly) {
     // A tilted brush in a block, overlapped by others: planes meet inside new faces.
     std::string tilted = "{\n";
