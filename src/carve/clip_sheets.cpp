@@ -232,25 +232,20 @@ private:
     void know_walls() {
         std::vector<bool> gone(in_.patch.faces.size(), false);
         for (const std::uint32_t face : loops_.gone) gone[face] = true;
-        const auto for_each_side = [&](const auto& take) {
-            for (std::uint32_t face = 0; face < in_.patch.faces.size(); ++face) {
-                const PatchFace& it = in_.patch.faces[face];
-                if (gone[face] || it.replaced) continue;
-                for (const PatchUse& use : in_.patch.uses(it)) take(use, face);
+        first_wall_.assign(view_.edge_count(), kNoNumber);
+        const auto know = [&](std::span<const PatchUse> uses, const PatchFace& face) {
+            for (const PatchUse& use : uses) {
+                std::uint32_t& first = first_wall_[use.edge];
+                walls_.push_back({face.plane, use.reversed, air_of_(face.facet.block->part), first});
+                first = std::uint32_t(walls_.size()) - 1;
             }
-            for (const NewFace& face : loops_.faces)
-                if (face.face != ~0u)
-                    for (const PatchUse& use : loops_.uses(face)) take(use, face.face);
         };
-        first_wall_.assign(view_.edge_count() + 1, 0);
-        for_each_side([&](const PatchUse& use, std::uint32_t) { ++first_wall_[use.edge + 1]; });
-        for (std::size_t k = 1; k < first_wall_.size(); ++k) first_wall_[k] += first_wall_[k - 1];
-        walls_.resize(first_wall_.back());
-        std::vector<std::uint32_t> next(first_wall_.begin(), first_wall_.end() - 1);
-        for_each_side([&](const PatchUse& use, std::uint32_t face) {
+        for (std::uint32_t face = 0; face < in_.patch.faces.size(); ++face) {
             const PatchFace& it = in_.patch.faces[face];
-            walls_[next[use.edge]++] = {it.plane, use.reversed, air_of_(it.facet.block->part)};
-        });
+            if (!gone[face] && !it.replaced) know(in_.patch.uses(it), it);
+        }
+        for (const NewFace& face : loops_.faces)
+            if (face.face != ~0u) know(loops_.uses(face), in_.patch.faces[face.face]);
     }
 
     void look_around(std::uint32_t piece, DisjointSets& sets,
@@ -316,7 +311,7 @@ private:
         for (const std::uint32_t number : numbers_) {
             const OverlayEdge& edge = overlay_.edges[overlay_edge_[number]];
             const bool along = overlay_.lines.before(lines_.piece(piece).line, edge.from, edge.to);
-            for (std::uint32_t wall = first_wall_[number]; wall < first_wall_[number + 1]; ++wall) {
+            for (std::uint32_t wall = first_wall_[number]; wall != kNoNumber; wall = walls_[wall].next) {
                 const WallSide& it = walls_[wall];
                 const bool forward = along != it.reversed;
                 const PlaneId plane = overlay_.tables.planes.add(it.plane->plane);
@@ -329,7 +324,7 @@ private:
     void tell_by_walls(std::vector<std::pair<std::uint32_t, std::uint32_t>>& told) {
         std::vector<std::uint32_t> air(view_.edge_count(), ClippedSheets::kNoAir);
         for (std::uint32_t edge = 0; edge < view_.edge_count(); ++edge)
-            if (first_wall_[edge] < first_wall_[edge + 1]) air[edge] = walls_[first_wall_[edge]].air;
+            if (first_wall_[edge] != kNoNumber) air[edge] = walls_[first_wall_[edge]].air;
         for (const std::uint32_t edge : at_sheet_) air[edge] = ClippedSheets::kNoAir;
         for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
             const Cell& it = cells().cells[cell];
@@ -610,6 +605,7 @@ private:
         const SolidPlane* plane = nullptr;
         bool reversed = false;
         std::uint32_t air = 0;
+        std::uint32_t next = kNoNumber;  ///< of those that use the edge
     };
     static constexpr std::uint8_t kWall = 2;  ///< a spoke's operand; its cell is in walls_
 
@@ -642,7 +638,7 @@ private:
     std::vector<std::uint32_t> cell_air_;          ///< likewise
     std::vector<std::vector<PatchUse>> parts_of_;  ///< of edges by number: what takes their place. Empty: of none
     std::vector<WallSide> walls_;
-    std::vector<std::uint32_t> first_wall_;  ///< in walls_, of edges by number; and one more
+    std::vector<std::uint32_t> first_wall_;  ///< in walls_, of edges by number
     std::vector<std::uint32_t> at_sheet_, faces_at_, numbers_;
     std::vector<CellSpoke> spokes_;
     std::vector<std::uint32_t> new_from_;  ///< the point that each new edge starts at
