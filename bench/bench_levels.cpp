@@ -12,13 +12,14 @@
 #include "firma/carve.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
+#include "scenes/one_tree.h"
 #include "scenes/rng.h"
 #include "solid/append_faces.h"
 #include "solid/build_blocks.h"
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
-#include "world/assemble_world.h"
+#include "world/world_data.h"
 
 namespace firma::bench {
 namespace {
@@ -74,30 +75,6 @@ std::vector<OfLevel> join_all(const Settings& settings, Table& table) {
     return levels;
 }
 
-/// The same faces in one tree.
-World as_one_room(const World& world) {
-    const WorldData& data = world.data();
-    StoredWorld one;
-    const auto in_one = [&](const FaceStore& store) {
-        FaceSet faces;
-        if (store.root) append_all_faces(*store.root, faces);
-        for (FaceSet::Entry& face : faces.faces) face.part = 0;
-        return build_store(faces, data.tree_options);
-    };
-    one.solid = in_one(data.solid.data().faces);
-    one.castable = in_one(data.castable);
-    one.records.resize(1);
-    one.rock_outside = data.rock_outside();
-    one.next_face = data.next_face();
-    one.edits = data.edits();
-    one.version = data.version;
-    one.materials = data.materials;
-    one.tolerance = data.tolerance;
-    one.tree_options = data.tree_options;
-    one.rules = data.rules;
-    return world_of(std::move(one));
-}
-
 struct Move {
     Sphere sphere;
     Vec3 path;
@@ -124,7 +101,7 @@ std::vector<Move> moves_in(const World& world, double radius, double longest, st
 }
 
 void race_casts(const OfLevel& of, const Settings& settings, Table& table) {
-    const World one = as_one_room(of.world);
+    const World one = scenes::in_one_tree(of.world);
     struct Kind {
         const char* name;
         double radius, longest;
@@ -164,7 +141,7 @@ void race_casts(const OfLevel& of, const Settings& settings, Table& table) {
 /// What a change in one room costs: a crater, by rooms and in one tree; a door; the article's rule, which rebuilds the
 /// tree of the touched room, against rebuilding that of the level.
 void race_changes(const OfLevel& of, const Settings& settings, Table& table) {
-    const World one = as_one_room(of.world);
+    const World one = scenes::in_one_tree(of.world);
     const Cutter cutter = make_crater(CutterShape::kRocky, 7);
     scenes::Rng rng(5);
     struct Shot {

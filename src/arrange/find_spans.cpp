@@ -29,6 +29,10 @@ std::uint32_t SpanFinder::register_edge(std::uint32_t index) {
     return line;
 }
 
+void SpanFinder::know_edges(std::uint32_t face) {
+    for (const OverlaySide& side : overlay_.sides(overlay_.faces[face])) register_edge(side.edge);
+}
+
 /// Its edges count as spans.
 void SpanFinder::touch(std::uint32_t index) {
     if (touched_[index]) return;

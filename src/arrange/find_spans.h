@@ -32,6 +32,8 @@ public:
     void start();
     /// Two faces whose boxes meet, of different solids, or both of those that bound nothing.
     void meet(std::uint32_t a, std::uint32_t b);
+    /// Whatever divides the lines of a face's edges, as other faces meet, divides these edges.
+    void know_edges(std::uint32_t face);
     /// Once all pairs met: faces in one plane learn of each other's spans, then spans that cross within a face divide
     /// each other.
     /// @return whether all of it is done; else call it again

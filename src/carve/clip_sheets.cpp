@@ -156,10 +156,9 @@ private:
                 spans_.meet(other, face);
                 return false;
             });
-        // Sheets side by side are divided alike.
-        for (auto face = std::uint32_t(face_of_.size()); face < overlay_.faces.size(); ++face)
-            for (auto other = std::uint32_t(face_of_.size()); other < face; ++other)
-                if (boxes_meet(overlay_.faces[other].box, overlay_.faces[face].box)) spans_.meet(other, face);
+        // Sheets side by side are divided alike. They do not divide each other: where the rim of one touches the inside
+        // of another, that stays whole.
+        for (auto face = std::uint32_t(face_of_.size()); face < overlay_.faces.size(); ++face) spans_.know_edges(face);
         const auto finish = [](const auto& step) {
             for (;;) {
                 WorkSlice slice(1u << 20);
@@ -217,6 +216,7 @@ private:
         DisjointSets sets(cells().cells.size());
         std::vector<std::uint32_t> air(cells().cells.size(), ClippedSheets::kNoAir);
         std::vector<std::pair<std::uint32_t, std::uint32_t>> told;  // cell, air
+        know_walls();
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) look_around(piece, sets, told);
         tell_by_walls(told);
         for (const auto& [cell, which] : told) {
@@ -226,6 +226,26 @@ private:
         }
         for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) cell_air_[cell] = air[sets.find(cell)];
         return true;
+    }
+
+    /// Faces that the fill left, and pieces of those that it cut, by the edges that they use.
+    void know_walls() {
+        std::vector<bool> gone(in_.patch.faces.size(), false);
+        for (const std::uint32_t face : loops_.gone) gone[face] = true;
+        first_wall_.assign(view_.edge_count(), kNoNumber);
+        const auto know = [&](std::span<const PatchUse> uses, const PatchFace& face) {
+            for (const PatchUse& use : uses) {
+                std::uint32_t& first = first_wall_[use.edge];
+                walls_.push_back({face.plane, use.reversed, air_of_(face.facet.block->part), first});
+                first = std::uint32_t(walls_.size()) - 1;
+            }
+        };
+        for (std::uint32_t face = 0; face < in_.patch.faces.size(); ++face) {
+            const PatchFace& it = in_.patch.faces[face];
+            if (!gone[face] && !it.replaced) know(in_.patch.uses(it), it);
+        }
+        for (const NewFace& face : loops_.faces)
+            if (face.face != ~0u) know(loops_.uses(face), in_.patch.faces[face.face]);
     }
 
     void look_around(std::uint32_t piece, DisjointSets& sets,
@@ -260,13 +280,18 @@ private:
             failed_ = true;
             return;
         }
+        add_wall_spokes(piece);
         sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
         for (std::size_t k = 0; k < spokes_.size(); ++k) {
             const CellSpoke& here = spokes_[k];
-            if (here.operand == 1) continue;
+            if (here.operand != 0) continue;
             const CellSpoke& next = spokes_[(k + (here.air_after ? 1 : spokes_.size() - 1)) % spokes_.size()];
             if (next.operand == 0) {
                 meet(here.use, next.use);
+                continue;
+            }
+            if (next.operand == kWall) {
+                told.emplace_back(here.cell, walls_[next.cell].air);
                 continue;
             }
             // What comes after it, turning counter-clockwise, lies in front of a sheet that runs forward.
@@ -277,20 +302,29 @@ private:
             if (const std::uint32_t number = number_of_use(use); number != kNoNumber) at_sheet_.push_back(number);
     }
 
+    /// Where faces meet along a line two and two, walls may stand between a face of the fill and a sheet.
+    void add_wall_spokes(std::uint32_t piece) {
+        numbers_.clear();
+        for (const std::uint32_t use : users_.at(piece))
+            if (const std::uint32_t number = number_of_use(use); number != kNoNumber) numbers_.push_back(number);
+        sort_once(numbers_);
+        for (const std::uint32_t number : numbers_) {
+            const OverlayEdge& edge = overlay_.edges[overlay_edge_[number]];
+            const bool along = overlay_.lines.before(lines_.piece(piece).line, edge.from, edge.to);
+            for (std::uint32_t wall = first_wall_[number]; wall != kNoNumber; wall = walls_[wall].next) {
+                const WallSide& it = walls_[wall];
+                const bool forward = along != it.reversed;
+                const PlaneId plane = overlay_.tables.planes.add(it.plane->plane);
+                spokes_.push_back({wall, wall, forward ? plane : from_behind(plane), forward, kWall, 0});
+            }
+        }
+    }
+
     /// Faces that share an edge, without a sheet between them, bound the same air.
     void tell_by_walls(std::vector<std::pair<std::uint32_t, std::uint32_t>>& told) {
         std::vector<std::uint32_t> air(view_.edge_count(), ClippedSheets::kNoAir);
-        const auto note = [&](std::uint32_t edge, std::uint32_t face) {
-            air[edge] = air_of_(in_.patch.faces[face].facet.block->part);
-        };
-        std::vector<bool> gone(in_.patch.faces.size(), false);
-        for (const std::uint32_t face : loops_.gone) gone[face] = true;
-        for (std::uint32_t face = 0; face < in_.patch.faces.size(); ++face)
-            if (!gone[face] && !in_.patch.faces[face].replaced)
-                for (const PatchUse& use : in_.patch.uses(in_.patch.faces[face])) note(use.edge, face);
-        for (const NewFace& face : loops_.faces)
-            if (face.face != ~0u)
-                for (const PatchUse& use : loops_.uses(face)) note(use.edge, face.face);
+        for (std::uint32_t edge = 0; edge < view_.edge_count(); ++edge)
+            if (first_wall_[edge] != kNoNumber) air[edge] = walls_[first_wall_[edge]].air;
         for (const std::uint32_t edge : at_sheet_) air[edge] = ClippedSheets::kNoAir;
         for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
             const Cell& it = cells().cells[cell];
@@ -566,6 +600,15 @@ private:
         made_.rest.push_back(std::move(rest));
     }
 
+    /// How a face that is not in the overlay uses an edge.
+    struct WallSide {
+        const SolidPlane* plane = nullptr;
+        bool reversed = false;
+        std::uint32_t air = 0;
+        std::uint32_t next = kNoNumber;  ///< of those that use the edge
+    };
+    static constexpr std::uint8_t kWall = 2;  ///< a spoke's operand; its cell is in walls_
+
     /// Where an edge of the overlay comes from.
     struct Origin {
         std::uint32_t number = kNoNumber;
@@ -594,7 +637,9 @@ private:
     std::vector<SheetPlace> place_;                ///< of cells
     std::vector<std::uint32_t> cell_air_;          ///< likewise
     std::vector<std::vector<PatchUse>> parts_of_;  ///< of edges by number: what takes their place. Empty: of none
-    std::vector<std::uint32_t> at_sheet_, faces_at_;
+    std::vector<WallSide> walls_;
+    std::vector<std::uint32_t> first_wall_;  ///< in walls_, of edges by number
+    std::vector<std::uint32_t> at_sheet_, faces_at_, numbers_;
     std::vector<CellSpoke> spokes_;
     std::vector<std::uint32_t> new_from_;  ///< the point that each new edge starts at
     FlatMap number_of_part_;               ///< of new edges: by piece, and by the number of the edge divided there

@@ -171,7 +171,9 @@ std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& opt
         some = {};
         for (; k < order.size() && part_of(faces.faces[order[k]]) == part; ++k)
             append_face(faces, faces.faces[order[k]], some);
-        parts.push_back({part, builder.build(some, options)});
+        // As edits divide: casts go through one room's index after another, and the middle of a room's box is rarely
+        // where its walls part.
+        parts.push_back({part, builder.build(some, options, kNodeItems)});
     }
     return parts;
 }

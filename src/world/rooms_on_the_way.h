@@ -43,7 +43,12 @@ public:
             looked_into_ = memory.marks.data();
             passed_ = looked_into_ + words;
         }
-        for (std::size_t k = 0; k < words; ++k) looked_into_[k] = passed_[k] = 0;
+        if (words == 1) {  // of most levels; not worth two calls
+            looked_into_[0] = passed_[0] = 0;
+        } else {
+            std::fill_n(looked_into_, words, 0);
+            std::fill_n(passed_, words, 0);
+        }
         count_ = 0;
         waiting_ = few_waiting_.data();
         room_for_ = few_waiting_.size();

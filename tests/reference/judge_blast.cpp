@@ -429,19 +429,44 @@ private:
         const auto area_of = [](const FacetPlace& place) { return length(area_vector(facet_corners(place))) / 2; };
         WallArea sum;
         for (const FacetPlace& place : change_.gone)
-            if (place.record().solid && cells_before().current_room(place.block->part) == room)
-                sum.was += area_of(place);
+            if (was_wall(place, room)) sum.was += area_of(place);
         for (const FacetPlace& place : change_.come)
-            if (place.record().solid && place.record().edit != after_.data().edits() &&
-                cells_after().current_room(place.block->part) == room)
-                sum.is += area_of(place);
+            if (is_old_wall(place, room)) sum.is += area_of(place);
         return sum;
     }
+    bool was_wall(const FacetPlace& place, std::uint32_t room) const {
+        return place.record().solid && cells_before().current_room(place.block->part) == room;
+    }
+    /// Of the world after, but not of this edit's cutter.
+    bool is_old_wall(const FacetPlace& place, std::uint32_t room) const {
+        return place.record().solid && place.record().edit != after_.data().edits() &&
+               cells_after().current_room(place.block->part) == room;
+    }
 
-    /// Whether none of a room's walls was taken, exactly so on a lattice; where corners were rounded it is not told.
+    /// Whether none of a room's walls was taken, exactly so on a lattice; where corners were rounded it is not told. By
+    /// planes: a wall that grows, as the cutter's face beside it becomes part of it, may make up for what another lost.
     bool lost_no_wall(std::uint32_t room) const {
-        const WallArea walls = wall_area(room);
-        return std::fabs(walls.was - walls.is) <= 1e-12 * (1 + walls.was);
+        using Key = std::array<long long, 4>;  // of a plane: its normal and how far off the origin it lies
+        std::map<Key, WallArea> planes;
+        const auto add = [&](const FacetPlace& place, double WallArea::* sum) {
+            const std::vector<Vec3> corners = facet_corners(place);
+            const Vec3 twice = area_vector(corners);
+            const double size = length(twice);
+            if (size == 0) return;
+            const Vec3 normal = twice * (1 / size);
+            Key key;
+            for (int axis = 0; axis < 3; ++axis) key[std::size_t(axis)] = std::llround(normal[axis] * 1e6);
+            key[3] = std::llround(dot(normal, corners[0]) * 1e6);
+            planes[key].*sum += size / 2;
+        };
+        for (const FacetPlace& place : change_.gone)
+            if (was_wall(place, room)) add(place, &WallArea::was);
+        for (const FacetPlace& place : change_.come)
+            if (is_old_wall(place, room)) add(place, &WallArea::is);
+        return std::all_of(planes.begin(), planes.end(), [](const auto& plane) {
+            const WallArea& walls = plane.second;
+            return std::fabs(walls.was - walls.is) <= 1e-12 * (1 + walls.was);
+        });
     }
 
     void judge_rooms() {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -135,6 +136,37 @@ TEST(BuildBlocks, EachPartHasBlocksAndAnIndexOfItsOwn) {
         });
     }
     EXPECT_EQ(seen, std::vector<int>(3000, 1));
+}
+
+std::vector<Bin> bins_below(const Node& node) {
+    std::vector<Bin> bins(node.bins.begin(), node.bins.end());
+    for (const Ref<const Node>& child : node.children) {
+        const std::vector<Bin> below = bins_below(*child);
+        bins.insert(bins.end(), below.begin(), below.end());
+    }
+    return bins;
+}
+
+bool same_bins(const Node& a, const Node& b) {
+    const std::vector<Bin> mine = bins_below(a), its = bins_below(b);
+    return std::equal(mine.begin(), mine.end(), its.begin(), its.end(), [](const Bin& x, const Bin& y) {
+        return std::equal(x.box.low, x.box.low + 3, y.box.low) && std::equal(x.box.high, x.box.high + 3, y.box.high) &&
+               x.first == y.first && x.count == y.count;
+    });
+}
+
+/// Casts by room go through the index of a part: above blocks it is divided by surface area, as edits do, whatever the
+/// options say of the bins below.
+TEST(BuildBlocks, AnIndexOfOnePartOfSeveralIsDividedBySurfaceAreaAboveBlocks) {
+    for (const std::uint32_t count : {5000u, 64u}) {
+        FaceSet alone = random_faces(count, 100000, 8000), one_of_two = alone;
+        one_of_two.faces.push_back(alone.faces[0]);
+        one_of_two.faces.back().part = 1;
+        const Ref<const Node> root = build_blocks(one_of_two, {})[0].root;
+        EXPECT_EQ(count_faces(*root), count);
+        EXPECT_TRUE(same_bins(*root, *BlockBuilder().build(alone, {}, kNodeItems)));
+        EXPECT_EQ(same_bins(*root, *index_over(alone, {})), count <= kNodeItems) << "a block has nothing above it";
+    }
 }
 
 TEST(BuildBlocks, SurfaceAreaSplitsOverlapLess) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Fills where portals touch each other, and not along an edge that both have: rooms stay apart.
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <vector>
+
+#include "firma/carve.h"
+#include "firma/queries.h"
+#include "firma/rooms.h"
+#include "tests/carve/cutters.h"
+#include "world/assemble_world.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+/// A hall 8 m wide, of three rooms. Room 0 lies below z = 0, and above it, up to two slopes that come up from the
+/// middle of its ceiling, room 1; room 2 lies above these. The slopes touch the inside of the portal between rooms 0
+/// and 1.
+WorldParts wedge_parts() {
+    WorldParts parts;
+    parts.materials = {""};
+    parts.rock_outside = true;
+    parts.options.rules.merge_share = 0;
+    parts.rooms.resize(3);
+    std::uint32_t id = 0;
+    const auto at = [](int x, int y, int z) {
+        const int step = int(kSurfaceSteps);
+        return GridPoint{x * step, y * step, z * step};
+    };
+    const auto add = [&](int room, std::initializer_list<GridPoint> corners) {
+        FaceSet& set = parts.rooms[std::size_t(room)].faces;
+        set.faces.push_back({.id = {id++},
+                             .first_corner = std::uint32_t(set.corners.size()),
+                             .corner_count = std::uint32_t(corners.size()),
+                             .solid = true});
+        for (const GridPoint& corner : corners) {
+            set.corners.push_back(std::uint32_t(set.vertices.size()));
+            set.vertices.push_back(corner);
+        }
+    };
+    const GridPoint south = at(0, -1, 0), north = at(0, 7, 0);
+    add(0, {at(-4, 0, -4), at(0, -1, -4), at(4, 0, -4), at(4, 6, -4), at(0, 7, -4), at(-4, 6, -4)});
+    add(0, {at(-4, 0, -4), at(-4, 6, -4), at(-4, 6, 0), at(-4, 0, 0)});
+    add(0, {at(4, 0, -4), at(4, 0, 0), at(4, 6, 0), at(4, 6, -4)});
+    add(0, {at(4, 0, -4), at(0, -1, -4), south, at(4, 0, 0)});
+    add(0, {at(0, -1, -4), at(-4, 0, -4), at(-4, 0, 0), south});
+    add(0, {at(-4, 6, -4), at(0, 7, -4), north, at(-4, 6, 0)});
+    add(0, {at(0, 7, -4), at(4, 6, -4), at(4, 6, 0), north});
+    add(1, {at(-4, 0, 0), at(-4, 6, 0), at(-4, 6, 4), at(-4, 0, 4)});
+    add(1, {at(4, 0, 0), at(4, 0, 4), at(4, 6, 4), at(4, 6, 0)});
+    add(1, {south, at(-4, 0, 0), at(-4, 0, 4)});
+    add(1, {south, at(4, 0, 4), at(4, 0, 0)});
+    add(1, {north, at(-4, 6, 4), at(-4, 6, 0)});
+    add(1, {north, at(4, 6, 0), at(4, 6, 4)});
+    add(2, {at(-4, 0, 4), at(-4, 6, 4), at(4, 6, 4), at(4, 0, 4)});
+    add(2, {south, at(-4, 0, 4), at(4, 0, 4)});
+    add(2, {north, at(4, 6, 4), at(-4, 6, 4)});
+    PortalPart level, slopes;
+    level.rooms = {RoomId{1}, RoomId{0}};
+    level.polygons = {{at(-4, 0, 0), south, at(4, 0, 0), at(4, 6, 0), north, at(-4, 6, 0)}};
+    slopes.rooms = {RoomId{1}, RoomId{2}};
+    slopes.polygons = {{south, at(-4, 0, 4), at(-4, 6, 4), north}, {south, north, at(4, 6, 4), at(4, 0, 4)}};
+    parts.portals = {level, slopes};
+    return parts;
+}
+
+TEST(FillsBetweenPortals, OneThatTouchesTheInsideOfAnotherDoesNotDivideIt) {
+    const World hall = assemble_world(wedge_parts()).value();
+    test::expect_sound_world(hall);
+    struct Body {
+        Vec3 low, high;
+    };
+    const Body bodies[] = {{{1, 2, -0.5}, {2, 3, 0.5}},        // in one portal alone, with the others beside it
+                           {{-1, 2, -0.5}, {1.5, 3, 0.5}},     // where they touch
+                           {{-1, -0.5, -0.5}, {1.5, 6, 0.5}},  // likewise, and along most of it
+                           {{-1, 2, -0.5}, {0, 3, 0.5}},       // with an edge along it
+                           {{-1, 2, 0}, {1, 3, 1}},            // flush with one of them
+                           {{-1, 2, -1}, {1, 3, 0}}};
+    for (const bool cut_before : {false, true})
+        for (const Body& body : bodies) {
+            SCOPED_TRACE(body.low.y);
+            World world = hall;
+            // A pillar beside it, which divides rims.
+            if (cut_before) world = fill(world, test::box_mesh({-0.5, 4, -1}, {0.5, 5, 1}).cutter().value(), {}).world;
+            const CarveResult result = fill(world, test::box_mesh(body.low, body.high).cutter().value(), {});
+            ASSERT_TRUE(result.done());
+            test::expect_sound_world(result.world);
+            for (std::uint32_t room = 0; room < 3; ++room)
+                EXPECT_EQ(room_info(result.world, {room})->merged_into, RoomId{room});
+            EXPECT_EQ(portal_count(result.world), 2u);
+            EXPECT_EQ(locate(result.world, {3, 1, -0.1}).room, RoomId{0});
+            EXPECT_EQ(locate(result.world, {-3, 1, 0.1}).room, RoomId{1});
+            EXPECT_EQ(locate(result.world, {0, 1, 1.5}).room, RoomId{2});
+            const CarveResult hole = carve(result.world, make_crater(CutterShape::kRocky, 3), {.position = body.high});
+            ASSERT_TRUE(hole.done());
+            test::expect_sound_world(hole.world);
+        }
+}
+
+}  // namespace
+}  // namespace firma

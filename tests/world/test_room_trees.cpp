@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What a cast by room looks at, beside one of the same faces in one tree: it saves what other rooms hold, and has the
+// portals to ask. Counted, as counts repeat; times are bench_levels' to take.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firma/brush_world.h"
+#include "firma/queries.h"
+#include "firma/rooms.h"
+#include "scenes/one_tree.h"
+#include "scenes/rng.h"
+#include "tests/openarena_maps.h"
+#include "tests/sample.h"
+#include "world/sweep_world.h"
+
+namespace firma {
+namespace {
+
+struct Started {
+    Sphere sphere;
+    Vec3 path;
+    RoomId room;
+};
+
+/// From the air of rooms that are closed, clear of the walls.
+std::vector<Started> starts_in(const World& world, double radius, double longest, std::size_t many) {
+    scenes::Rng rng(31);
+    const Box box = world.bounds();
+    std::vector<Started> starts;
+    while (starts.size() < many) {
+        Started start;
+        start.sphere.radius = radius;
+        for (int axis = 0; axis < 3; ++axis) start.sphere.centre[axis] = rng.uniform(box.low[axis], box.high[axis]);
+        const Location where = locate(world, start.sphere.centre);
+        if (where.where != Where::kAir || room_info(world, where.room)->exterior) continue;
+        if (closest(world, start.sphere.centre, radius + 1e-3)) continue;
+        start.path = rng.direction() * rng.uniform(0.1, longest);
+        start.room = where.room;
+        starts.push_back(start);
+    }
+    return starts;
+}
+
+/// Same answers, for fewer boxes of nodes, faces and portals.
+void expect_less(const World& world, const World& one) {
+    for (const auto& [radius, longest] : {std::pair{0.3, 2.0}, {0.3, 50.0}, {0.0, 50.0}}) {
+        CastCounts by_room, in_one;
+        for (const Started& start : starts_in(world, radius, longest, 1000)) {
+            const Hit a = cast(world, start.sphere, start.path, {.counts = &by_room, .room = start.room});
+            const Hit b = cast(one, start.sphere, start.path, {.counts = &in_one});
+            EXPECT_EQ(a.status, b.status);
+            EXPECT_EQ(a.fraction, b.fraction);
+        }
+        EXPECT_LT(double(by_room.nodes + by_room.boxes), 0.9 * double(in_one.nodes + in_one.boxes))
+            << "radius " << radius << ", up to " << longest << " m";
+        EXPECT_LE(by_room.faces, in_one.faces) << "radius " << radius << ", up to " << longest << " m";
+    }
+}
+
+TEST(RoomTrees, CastsByRoomLookAtLessThanThoseInOneTree) {
+    const World depot = make_world(read_brush_level(FIRMA_ROOT "/levels/depot.map").value(), {}).value();
+    expect_less(depot, scenes::in_one_tree(depot));
+}
+
+/// Maps of which one room is most of the air, so that rooms save little; czest2ctf's has 44 portals.
+TEST(RoomTrees, AlsoWhereOneRoomIsMostOfTheLevel) {
+    std::size_t tried = 0;
+    for (const std::filesystem::path& map : openarena_maps()) {
+        const std::string name = map.stem().string();
+        if (name != "czest2ctf" && name != "ctf_compromise") continue;
+        SCOPED_TRACE(name);
+        const World world = make_world(read_brush_level(map.string()).value(), {}).value();
+        expect_less(world, scenes::in_one_tree(world));
+        ++tried;
+    }
+    if (tried == 0) GTEST_SKIP() << kNoOpenArena;
+}
+
+/// Faces of 3 to 64 corners anywhere, at the world's rim as well.
+TEST(RoomTrees, ABoxOfAFaceIsAroundItsCorners) {
+    scenes::Rng rng(7);
+    const auto steps = [&] {
+        return rng.chance(0.1) ? INT32_MIN : rng.chance(0.1) ? INT32_MAX : std::int32_t(rng.uniform(-0x1p31, 0x1p31));
+    };
+    for (int k = 0; k < test::sample(2000); ++k) {
+        Block block;
+        FaceRecord face;
+        face.first_corner = std::uint16_t(rng.below(5));
+        face.corner_count = std::uint8_t(3 + rng.below(62));
+        for (std::uint32_t c = 0; c < 80; ++c) {
+            block.vertices.push_back({steps(), steps(), steps()});
+            block.corner_vertices.push_back(std::uint16_t(rng.below(c + 1)));
+        }
+        const GridBox expected = block.box_of(face);
+        const Vec3 low = to_metres(expected.low), high = to_metres(expected.high);
+        const BoxD box = box_of_face(block, face);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(box.low[axis], low[axis]);
+            EXPECT_EQ(box.high[axis], high[axis]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace firma
