@@ -314,6 +314,8 @@ export interface Level extends Handle {
     notes(): string[];
     /** What the file holds and casts will not meet. */
     omissions(): Omission[];
+    /** Boxes around the brushes of its entities `firma_anchor`, metres: for World.withAnchors(). */
+    anchorVolumes(): { low: Vector3; high: Vector3 }[];
     /** For numbers in the entities' values. */
     readonly metresPerUnit: number;
 }
@@ -952,6 +954,11 @@ export interface Anchors {
     materials?: readonly string[];
     /** Faces that come from these of the level's file hold; of brushes, from these sides. */
     sources?: Words;
+    /**
+     * Solid that reaches into one of these is held: of a level of brushes, those of Level.anchorVolumes(). One that is
+     * empty, or not finite, holds nothing.
+     */
+    volumes?: readonly { low: Vector; high: Vector }[];
 }
 
 export interface Rest {
@@ -1069,6 +1076,8 @@ export interface ReplayFacts {
     refused: number;
     /** That were compared and hold. */
     checkpoints: number;
+    /** Why it ended early, "place: reason", null where it did not; result() throws that, with a code. */
+    error: string | null;
 }
 
 /** `world` is always a handle of its own, to be released; of the world before when nothing was done. */
@@ -1131,6 +1140,11 @@ export interface Rules {
      * one that has less; never across a closed portal. 0: they stay apart.
      */
     mergeShare?: number;
+    /**
+     * Whether a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies in the
+     * cutter; true unless given. Liquids stay, and what else stops neither walkers nor shots nor sight.
+     */
+    openFaces?: boolean;
 }
 
 export interface RegionHash {

@@ -341,6 +341,11 @@ typedef struct firma_omission {
     uint64_t count;
 } firma_omission;
 
+/* Metres; along each axis from `low` to `high`. */
+typedef struct firma_box {
+    double low[3], high[3];
+} firma_box;
+
 typedef struct firma_level_view {
     uint32_t size;                /* sizeof(firma_level_view) */
     const firma_entity* entities; /* the first is the world */
@@ -349,7 +354,9 @@ typedef struct firma_level_view {
     size_t note_count;
     const firma_omission* omissions; /* what the file holds and casts will not meet */
     size_t omission_count;
-    double metres_a_unit; /* for numbers in the entities' values */
+    double metres_a_unit;     /* for numbers in the entities' values */
+    const firma_box* anchors; /* around each brush of its entities firma_anchor: `volumes` of firma_anchors */
+    size_t anchor_count;
 } firma_level_view;
 
 /* Views are good until the handle is released. Made with the level. */
@@ -431,11 +438,15 @@ typedef struct firma_rules {
     double max_cutter_size; /* metres */
     double merge_share;     /* rooms become one where open portals that carvings made between them are larger than this
                                share of the walls of the one that has less; never across a closed portal. 0: they stay */
+    /* 0: a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies in the cutter;
+     * liquids stay, and what else stops neither walkers nor shots nor sight. 1: all of them stay. */
+    uint32_t no_open_faces;
+    uint32_t reserved2; /* must be 0 */
 } firma_rules;
 
 /* The same world under other rules for carving, which are copied; shares all else. FIRMA_ERROR_INVALID for a hardness
- * that is not within 0..1, a box that is empty or not of numbers, a max_cutter_size that is no length. Costs the zones
- * and hardnesses. */
+ * that is not within 0..1, a box that is empty or not of numbers, a max_cutter_size that is no length, a no_open_faces
+ * that is not 0 or 1. Costs the zones and hardnesses. */
 FIRMA_API firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, firma_world* with_rules);
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
@@ -1028,6 +1039,9 @@ typedef struct firma_anchors {
     size_t material_count;
     const uint32_t* sources; /* faces that come from these of the level's file hold; of brushes, from these sides */
     size_t source_count;
+    const firma_box* volumes; /* solid that reaches into one is held: those of a level, `anchors` of firma_level_view,
+                                 say. One that is empty, or not finite, holds nothing */
+    size_t volume_count;
 } firma_anchors;
 
 /* The same world with what holds its pieces said anew, of the same version. Edits and files keep it, no hash sees it. A
@@ -1277,6 +1291,8 @@ typedef struct firma_replay_facts {
     uint64_t applied; /* commands: of these */
     uint64_t done, nothing, refused;
     uint64_t checkpoints; /* that were compared and hold */
+    const char* error; /* why it ended early, "place: reason"; "" where it did not. Good until the handle is released.
+                          firma_replay_result() gives the code */
 } firma_replay_facts;
 
 /* A log applied to the level it begins from, in slices. Commands with numbers above `last_number` are left out

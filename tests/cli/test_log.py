@@ -51,6 +51,15 @@ class Log(CliTest):
         # A rocky crater and its material, with all else that a log has.
         self.assertLess(len(self.read('a.firmalog')), 48 * carved['done'])
 
+    def test_log_of_the_depot_that_other_languages_replay(self):
+        """tests/data/depot_bridge.firmalog is what is written; the tests of C and JavaScript compare this hash."""
+        data = os.path.join(ROOT, 'tests', 'data', 'depot_bridge')
+        carved = self.firma_json('carve', DEPOT, '--blasts', data + '.csv', '-o', 'd.firma', '--log', 'd.firmalog', '--chunks')
+        self.assertEqual((carved['done'], carved['chunks'], carved['anchors']['volumes']), (3, 3, 4))
+        self.assertEqual(carved['hash'], '6a6ae825c313c7b6')
+        with open(data + '.firmalog', 'rb') as file:
+            self.assertEqual(self.read('d.firmalog'), file.read())
+
     def test_show(self):
         self.write('b.csv', HEADER + '4,4,0,0.7,rocky,12345678901234567890\n4,4,4,0.1,box,1\n0,4,4.1,0.5,drill,3\n')
         self.carve('--material', 'crater')
