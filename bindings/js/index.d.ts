@@ -1350,8 +1350,8 @@ export interface World extends Handle {
     /** Costs copying its polygons. */
     portal(portal: number): Portal;
     /**
-     * The same world with a door opened or closed, one version on; another handle to this one when it is so already.
-     * Costs a few small copies, however many portals and faces there are, and the corners of this portal.
+     * The same world with a door opened or closed, one version on; another handle to this one when it is so already or
+     * has no polygons. Costs a few small copies, however many portals and faces there are, and the corners of this portal.
      */
     setPortalOpen(portal: number, open: boolean): World;
     /**
@@ -1379,8 +1379,9 @@ export interface World extends Handle {
     edit(): Edit;
     /**
      * As carve(), for any command. The report of a group adds up its parts', with the smallest scale and the chunks of
-     * all. Refused, too, where its number is not above that of the last edit, for a portal that is not there, and for
-     * what no command may be. Costs what its edits cost.
+     * all. Refused, too, where it carves or fills and its number is not above that of the last edit, for a portal that
+     * is not there, and for what no command may be. Numbers of doors do not matter here: put them in order first. Costs
+     * what its edits cost.
      */
     apply(command: Command): CarveResult;
     /** The same in slices of time. Makes the crater of a seed; all else is left to the job. */

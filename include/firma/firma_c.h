@@ -741,8 +741,8 @@ FIRMA_API firma_code firma_world_portal(firma_world world, uint32_t portal, firm
 /* Its polygons as a list of faces: convex, counter-clockwise seen from rooms[0]; `source` is the portal, `id`
  * FIRMA_NO_FACE. Costs copying them. */
 FIRMA_API firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma_faces* polygons);
-/* Opens (1) or closes (0) it: one version on, or, when it is so already, another handle to the same world. Costs a few
- * small copies, however many portals and faces there are, and the corners of this portal. */
+/* Opens (1) or closes (0) it: one version on, or, when it is so already or has no polygons, another handle to the same
+ * world. Costs a few small copies, however many portals and faces there are, and the corners of this portal. */
 FIRMA_API firma_code firma_world_set_portal_open(firma_world world, uint32_t portal, uint32_t open, firma_world* after);
 
 /* The rooms that portals, open or closed, join to a room, ascending. `count` gets how many; the first `capacity` of
@@ -1244,8 +1244,9 @@ FIRMA_API firma_code firma_command_part(firma_command command, size_t part, firm
 FIRMA_API firma_code firma_command_release(firma_command command);
 
 /* As firma_carve(), for any command. The report of a group adds up its parts', with the smallest scale and the chunks
- * of all; of a door it says only the status. It is refused, too, where its number is not above that of the last edit,
- * for a portal that is not there, and for what no command may be. Costs what its edits cost. */
+ * of all; of a door it says only the status. It is refused, too, where it carves or fills and its number is not above
+ * that of the last edit, for a portal that is not there, and for what no command may be. Numbers of doors do not matter
+ * here: put them in order first. Costs what its edits cost. */
 FIRMA_API firma_code firma_command_apply(firma_world world, firma_command command, firma_world* after,
                                          firma_carve_report* report);
 /* The same in slices, by firma_job_run() and firma_job_result(). Makes the crater of a seed; all else is left to them.
