@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "carve/gather.h"
-#include "carve/side_of_solid.h"
 #include "carve/tile_faces.h"
 
 namespace firma {
@@ -147,16 +145,17 @@ void CutArranger::take_world() {
 }
 
 CutArranger::End CutArranger::add_cutter(WorkSlice& slice) {
+    const auto first = std::uint32_t(world_face_.size());
+    std::vector<std::uint32_t> face_of;
     if (solid_) {
         if (!solid_->add(slice)) return End::kGoesOn;
         triangle_of_ = solid_->faces();
-        const auto first = std::uint32_t(world_face_.size());
-        for (const std::uint32_t face : in_.cutter.turned->face_of) group_face_.push_back(first + face);
+        for (const std::uint32_t face : in_.cutter.turned->face_of) face_of.push_back(first + face);
         solid_.reset();
     } else {
         if (!mesh_->add(slice)) return End::kGoesOn;
         triangle_of_ = mesh_->triangles();
-        group_face_ = mesh_->face_of();
+        face_of = mesh_->face_of();
         vertex_of_point_.resize(overlay_.tables.points.size(), kNone);
         for (std::uint32_t v = 0; v < mesh_->points().size(); ++v)
             if (std::uint32_t& known = vertex_of_point_[mesh_->points()[v]]; known == kNone)
@@ -166,28 +165,14 @@ CutArranger::End CutArranger::add_cutter(WorkSlice& slice) {
     patch_edge_.resize(overlay_.edges.size(), kNone);
     if (overlay_.tables.planes.size() >= kMostPlanes) return End::kTooLarge;
     spans_.start();
-    met_.assign(overlay_.faces.size(), kNone);
+    pairs_.start(in_.cutter, overlay_, std::move(face_of), first);
     return go_to(Phase::kPairs);
 }
 
 CutArranger::End CutArranger::meet_next() {
-    // A mesh's triangles hold its faces; a Solid's facets lie near its faces.
-    const std::int32_t steps = in_.cutter.turned ? 1 + kFacetReach : 1;
-    const std::uint64_t before = budget_.taken();
-    for (; next_ < world_face_.size() && budget_.taken() - before < kPairsACutStep; ++next_) {
-        in_.cutter.tree.for_each_meeting(grown(overlay_.faces[next_].box, steps), [&](std::uint32_t triangle) {
-            const std::uint32_t face = group_face_[triangle];
-            if (met_[face] == next_) return false;
-            met_[face] = next_;
-            if (!budget_.take()) return true;
-            spans_.meet(next_, face);
-            return false;
-        });
-        if (budget_.spent()) return End::kPairs;
-    }
-    if (next_ < world_face_.size()) return End::kGoesOn;
-    next_ = 0;
-    return go_to(Phase::kSpans);
+    const bool more = pairs_.step(spans_, budget_);
+    if (budget_.spent()) return End::kPairs;
+    return more ? End::kGoesOn : go_to(Phase::kSpans);
 }
 
 /// By a point of it that the other solid's boundary does not hold: a corner, or one within an edge.

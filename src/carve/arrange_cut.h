@@ -12,6 +12,7 @@
 
 #include "arrange/keep_cells.h"
 #include "carve/crossings.h"
+#include "carve/cutter_pairs.h"
 #include "carve/label.h"
 #include "carve/new_loops.h"
 #include "carve/overlay_operands.h"
@@ -98,10 +99,9 @@ private:
     Overlay overlay_;
     std::vector<std::uint32_t> patch_edge_;       ///< of an overlay's edge; ~0: one of the cutter
     std::vector<std::uint32_t> world_face_;       ///< the patch's, of the overlay's first faces
-    std::vector<std::uint32_t> group_face_;       ///< the overlay's, of a triangle
     std::vector<std::uint32_t> triangle_of_;      ///< the lowest, of the overlay's faces after those; a Solid's face
     std::vector<std::uint32_t> vertex_of_point_;  ///< see cut_view.h; ~0: none yet
-    std::vector<std::uint32_t> met_;              ///< of the overlay's faces: the last one it was tried with
+    CutterPairs pairs_;
     std::vector<std::uint32_t> number_;           ///< see cut_view.h, of the arranged edges
     std::vector<std::uint32_t> number_of_piece_;  ///< likewise, of pieces that only taken cells have; ~0: none yet
     std::vector<std::vector<PieceUse>> divided_;  ///< of the overlay's edges that are the patch's: their pieces

@@ -135,7 +135,11 @@ LooseSearch::Phase LooseSearch::look_at_rest() {
     return Phase::kRest;
 }
 
+/// Two families may lead to one shell: what hangs between two places that the cutter cut.
 void LooseSearch::judge_whole(std::uint32_t group) {
+    group = groups_.group_of(group);
+    if (std::any_of(loose_.begin(), loose_.end(), [&](const Loose& it) { return groups_.group_of(it.group) == group; }))
+        return;
     const double volume = groups_.is_held(group) ? 0 : volume_of(groups_.faces(group));
     if (volume > 0 && !holds_a_volume(group))
         loose_.push_back({group, volume});

@@ -182,7 +182,8 @@ private:
         return turn(t, longest) || merge(corners, shortest);
     }
 
-    /// (i, j, k) and (j, i, s), of which the first is flat on the other, become (i, s, k) and (s, j, k).
+    /// (i, j, k) and (j, i, s), of which the first is flat on the other, become (i, s, k) and (s, j, k): where both are
+    /// less flat. So no edges are turned to and fro where many corners lie in a row.
     bool turn(std::uint32_t t, int side) {
         const CutterTriangle& it = triangles_[t];
         const std::uint32_t i = it[std::size_t(side)], j = it[std::size_t((side + 1) % 3)],
@@ -194,7 +195,10 @@ private:
         std::uint32_t s = kNoTriangle;
         for (const std::uint32_t corner : triangles_[across])
             if (corner != i && corner != j) s = corner;
-        if (s == k || neighbours_[k].count(s) > 0 || !claim({i, j, k, s})) return false;
+        if (s == k || neighbours_[k].count(s) > 0) return false;
+        const double flattest = std::min(square_height(it), square_height(triangles_[across]));
+        if (!(std::min(square_height({i, s, k}), square_height({s, j, k})) > flattest)) return false;
+        if (!claim({i, j, k, s})) return false;
         triangles_[t] = {i, s, k};
         triangles_[across] = {s, j, k};
         return true;

@@ -7,8 +7,6 @@
 #include <cmath>
 
 #include "base/sort.h"
-#include "carve/gather.h"
-#include "carve/side_of_solid.h"
 #include "geometry/exact_plane.h"
 #include "geometry/surface_plane.h"
 #include "solid/append_faces.h"
@@ -18,7 +16,6 @@ namespace {
 
 constexpr std::size_t kTrimUnitsAStep = 32;
 constexpr std::size_t kMostTrimPlanes = 1u << 21;  // see arrange/point_table.cpp
-constexpr std::uint32_t kNotMet = ~0u;
 /// Input steps: what of a polygon is thinner everywhere goes only where it lies as deep in the cutter, as rounding
 /// makes such slivers at its surface. Four surface steps.
 constexpr double kThinCell = 4.0 / kSurfacePerInput;
@@ -172,40 +169,25 @@ void PolygonTrimmer::divide(std::uint32_t facet, const std::vector<GridPoint>& c
 }
 
 PolygonTrimmer::End PolygonTrimmer::add_cutter(WorkSlice& slice) {
+    const auto first = std::uint32_t(facet_of_.size());
+    std::vector<std::uint32_t> face_of;
     if (solid_) {
         if (!solid_->add(slice)) return End::kGoesOn;
-        for (const std::uint32_t face : cutter_.turned->face_of)
-            group_face_.push_back(std::uint32_t(facet_of_.size()) + face);
+        for (const std::uint32_t face : cutter_.turned->face_of) face_of.push_back(first + face);
     } else {
         if (!mesh_->add(slice)) return End::kGoesOn;
-        group_face_ = mesh_->face_of();
+        face_of = mesh_->face_of();
     }
     if (overlay_.tables.planes.size() >= kMostTrimPlanes) return End::kTooLarge;
     spans_.start();
-    met_.assign(overlay_.faces.size(), kNotMet);
+    pairs_.start(cutter_, overlay_, std::move(face_of), first);
     phase_ = Phase::kPairs;
     return End::kGoesOn;
 }
 
 PolygonTrimmer::End PolygonTrimmer::meet_next() {
-    // A mesh's triangles hold its faces; a Solid's facets lie near its faces.
-    const std::int32_t steps = cutter_.turned ? 1 + kFacetReach : 1;
-    const std::uint64_t before = budget_.taken();
-    for (; next_ < facet_of_.size() && budget_.taken() - before < kPairsACutStep; ++next_) {
-        cutter_.tree.for_each_meeting(grown(overlay_.faces[next_].box, steps), [&](std::uint32_t triangle) {
-            const std::uint32_t face = group_face_[triangle];
-            if (met_[face] == next_) return false;
-            met_[face] = next_;
-            if (!budget_.take()) return true;
-            spans_.meet(next_, face);
-            return false;
-        });
-        if (budget_.spent()) return End::kPairs;
-    }
-    if (next_ < facet_of_.size()) return End::kGoesOn;
-    next_ = 0;
-    phase_ = Phase::kSpans;
-    return End::kGoesOn;
+    if (!pairs_.step(spans_, budget_)) phase_ = Phase::kSpans;
+    return budget_.spent() ? End::kPairs : End::kGoesOn;
 }
 
 void PolygonTrimmer::place_cells(std::uint32_t face) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arrange/find_cells.h"
+#include "carve/cutter_pairs.h"
 #include "carve/overlay_operands.h"
 #include "carve/pair_budget.h"
 #include "solid/face_set.h"
@@ -88,8 +89,7 @@ private:
     std::vector<std::uint32_t> facet_of_;  ///< of the overlay's first faces; the cutter's follow
     std::unique_ptr<PatchAdder> solid_;
     std::unique_ptr<MeshAdder> mesh_;
-    std::vector<std::uint32_t> group_face_;  ///< the overlay's, of a triangle
-    std::vector<std::uint32_t> met_;         ///< of the overlay's faces: the last one it was tried with
+    CutterPairs pairs_;
     SpanFinder spans_{overlay_};
     DividedLines lines_{overlay_, spans_};
     CellFinder cells_{overlay_, spans_, lines_};

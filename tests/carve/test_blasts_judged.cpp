@@ -4,6 +4,7 @@
 //
 // What the judge told of the library broken on purpose, in 800 blasts of full_blasts each (2026-11-26), in cases:
 // - the room that the shot came from is the last choice (room_edit.cpp): 43
+// - a pocket goes to the room in whose walls it opened the least (2026-11-27, 806 blasts of seed 7): 110
 // - edges of portals are not divided: 29 of 61 blasts in the world "lattice" alone
 // - a portal that is divided is open: 122
 // - a piece of a new portal is left out: 212

@@ -22,6 +22,7 @@
 #include "tests/brush/depot_level.h"
 #include "tests/carve/cutters.h"
 #include "tests/reference/judge_rooms.h"
+#include "tests/sample.h"
 #include "tests/world/two_halves.h"
 #include "world/world_data.h"
 
@@ -490,6 +491,46 @@ TEST(CarveRooms, EdgesOnOneLineEndWhereThoseOfWallsDo) {
     ASSERT_TRUE(result.done());
     test::expect_sound_world(result.world);
     EXPECT_EQ(reference::unclosed_room(result.world), "");
+}
+
+/// Rooms stay apart, however many holes there are, and portals grow no faster than craters.
+TEST(CarveRooms, TheDepotKeepsItsRoomsAndPortals) {
+    struct Count {
+        std::size_t rooms = 0, portals = 0;
+        explicit Count(const World& world) {
+            for (std::uint32_t k = 0; k < world.room_count(); ++k)
+                rooms += room_info(world, {k})->merged_into == RoomId{k};
+            for (std::uint32_t k = 0; k < portal_count(world); ++k) portals += portal_info(world, {k})->polygons > 0;
+        }
+    };
+    World world = make_world(test::depot_level()).value();
+    const Count before(world);
+    ASSERT_GE(before.rooms, 22u);
+    const Box box = world.bounds();
+    scenes::Rng rng(16);
+    const std::size_t craters = test::sample(200);
+    for (std::size_t done = 0; done < craters;) {
+        Sphere start;
+        for (int axis = 0; axis < 3; ++axis) start.centre[axis] = rng.uniform(box.low[axis], box.high[axis]);
+        const Vec3 path = rng.direction() * 50.0;
+        if (locate(world, start.centre).where != Where::kAir) continue;
+        const Hit hit = cast(world, start, path);
+        if (!hit.touched()) continue;
+        const Pose pose{hit.point, random_turn(rng.next()), rng.uniform(0.4, 1.2)};
+        CarveOptions options;
+        if (rng.chance(0.5)) options.from = start.centre;
+        const CarveResult result = carve(world, make_crater(CutterShape::kRocky, rng.next()), pose, options);
+        if (!result.done()) continue;
+        world = result.world;
+        ++done;
+        if (done % 50 > 0 && done < craters) continue;
+        const Count after(world);
+        EXPECT_GE(after.rooms, before.rooms);
+        EXPECT_GE(after.portals, before.portals);
+        EXPECT_LE(after.portals, before.portals + done);
+    }
+    test::expect_sound_world(world);
+    EXPECT_EQ(reference::unclosed_room(world), "");
 }
 
 TEST(CarveRooms, ManyCutsInBuildings) {

@@ -68,6 +68,19 @@ TEST(Chunks, ABridgeShotAtBothEnds) {
     EXPECT_FALSE(check_solid(chunk.solid));
 }
 
+/// A cutter of two parts, one at each end: what hangs between them is one piece, whichever end leads to it.
+TEST(Chunks, ShotAtBothEndsAtOnce) {
+    const World world = with_anchors(hall_with_bridge());
+    test::TriangleMesh mesh = test::box_mesh({1, 4, 3}, {2, 7, 5});
+    mesh.add(test::box_mesh({17, 4, 3}, {18, 7, 5}));
+    const CarveResult cut = carve(world, mesh.cutter().value(), {}, with_chunks());
+    ASSERT_TRUE(cut.done());
+    ASSERT_EQ(cut.chunks.size(), 1u);
+    EXPECT_EQ(cut.chunks[0].mass.volume, 15 * 0.5);
+    EXPECT_EQ(cut.report.chunk_volume, 7.5);
+    test::expect_sound_world(cut.world);
+}
+
 TEST(Chunks, AreLeftHangingUnlessAskedFor) {
     const World world = with_anchors(hall_with_bridge());
     CarveResult result;
@@ -434,6 +447,14 @@ TEST(Chunks, AsAFloodOfEverythingFinds) {
     }
     EXPECT_GT(done, std::size_t(test::sample(300)));
     EXPECT_GT(loose, std::size_t(test::sample(60)));
+}
+
+/// Its cut 76 cuts a beam at two places that do not know of each other, and each leads to the piece between them.
+/// (tests/full/full_chunks.cpp, seed 1)
+TEST(Chunks, APieceIsFoundOnce) {
+    const reference::ChunkHallVerdict verdict = reference::judge_chunk_hall((std::uint64_t(1) << 32) + 101, 77);
+    EXPECT_EQ(verdict.fault, "");
+    EXPECT_GT(verdict.loose, 20u);
 }
 
 }  // namespace

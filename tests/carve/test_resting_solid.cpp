@@ -2,13 +2,16 @@
 // What has come loose becomes ground again where it rests.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "carve/mend_mesh.h"
+#include "firma/brush_world.h"
 #include "firma/chunk.h"
 #include "geometry/grid_orient.h"
 #include "scenes/rng.h"
+#include "tests/brush/depot_level.h"
 #include "tests/carve/cutters.h"
 #include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
@@ -85,6 +88,36 @@ TEST(RestingSolid, MendsWhatSnappingFolds) {
     }
     EXPECT_GT(mended, test::sample(5));
     EXPECT_LE(refused, tried / 20);
+}
+
+/// The depot's bridge with its rails: long edges with many corners in a row.
+TEST(RestingSolid, TheDepotsBridge) {
+    World world = with_anchors(make_world(test::depot_level()).value());
+    CarveOptions options;
+    options.chunks = ChunkOptions{};
+    const Cutter rocky = make_crater(CutterShape::kRocky, 3);
+    world = carve(world, rocky, test::pose_at(14, 2, 3.75, 2.2), options).world;
+    const CarveResult shot = carve(world, rocky, test::pose_at(14, 12, 3.75, 2.2), options);
+    ASSERT_FALSE(shot.chunks.empty());
+    const Solid& bridge = std::max_element(shot.chunks.begin(), shot.chunks.end(), [](const Chunk& a, const Chunk& b) {
+                              return a.mass.volume < b.mass.volume;
+                          })->solid;
+    ASSERT_GT(bridge.face_count(), 300u);
+    int refused = 0;
+    const int turns = int(test::sample(10));
+    for (int k = 0; k < 2 * turns; ++k) {
+        const double half = 0.3 * (k + 1);
+        Pose pose{{14, 6.5, 1.25}, random_turn(std::uint64_t(k)), 1};
+        if (k < turns) pose.rotation = {0, 0, std::sin(half), std::cos(half)};
+        const Result<RestingSolid> resting = resting_solid(bridge, pose);
+        refused += !resting;
+        if (!resting) continue;
+        EXPECT_LT(std::fabs(resting.value().volume_change), 0.005);
+        const SolidResult placed = unite(Solid(), resting.value().cutter, resting.value().pose);
+        ASSERT_TRUE(placed.done());
+        EXPECT_FALSE(check_solid(placed.solid));
+    }
+    EXPECT_LE(refused, turns / 4) << "of " << 2 * turns;
 }
 
 TEST(RestingSolid, BecomesGround) {
