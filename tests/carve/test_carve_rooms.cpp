@@ -334,7 +334,7 @@ TEST(CarveRooms, AFilledPortalGoes) {
         const std::optional<World> turned = set_portal_open(filled.world, {0}, !open);
         ASSERT_TRUE(turned);
         EXPECT_EQ(&turned->data(), &filled.world.data()) << "nobody can open or shut what is gone";
-        EXPECT_EQ(apply(filled.world, door_command(9, 0, !open)).status, CarveStatus::kNothing);
+        EXPECT_EQ(apply(filled.world, door_command(9, {0}, !open)).status, CarveStatus::kNothing);
         const CarveResult again = cut(filled.world, CutterShape::kRocky, {4, 2, 2}, 4);
         ASSERT_TRUE(again.done());
         test::expect_sound_world(again.world);
