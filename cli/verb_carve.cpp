@@ -20,6 +20,7 @@
 #include "cli/glb_parts.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
+#include "cli/merge_option.h"
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/read_blasts.h"
@@ -35,7 +36,7 @@ namespace {
 struct CarveArguments : LevelOutput {
     LevelArguments level;
     AnchorArguments anchors;
-    std::string blasts, report, log, material, slices, min_volume, density, chunk_report;
+    std::string blasts, report, log, material, slices, merge_share, min_volume, density, chunk_report;
     bool chunks = false, json = false;
 };
 
@@ -93,6 +94,10 @@ to none: a piece left hanging is not looked for later. --chunk-report writes a r
 (of that blast, from 0), volume (cubic metres), mass (kilograms, by matter or --density), x,y,z (its centre of mass,
 metres, where it was), ixx,iyy,izz,ixy,ixz,iyz (the tensor of inertia about that, kg m2, 17 significant digits).
 
+--merge-share X makes two rooms one once the open portals that blasts made between them are together larger than X times
+the walls of the one that has less of them; never where a closed portal lies between them. The higher id then leads to the
+other room. A .firma file keeps the share, and one that it has goes on to count unless it is given anew.
+
 The level written goes by the ending of AFTER. A .firma file holds all of it, its exact solid, tree and counters
 too: blasts go on from it as if there had been no file between. A .glb is binary glTF 2.0, for viewers and engines: the
 faces that casts meet as triangles with normals, rounded to 32-bit floats (exact within 64 m of the origin, at most
@@ -113,12 +118,13 @@ cutter.
 holds, to the bit. Each blast is quantised before it is fired, its place to 1/4096 m and its radius to 1/4096, and is
 given a number, from which the ids of its faces follow: so the hashes differ from those of a run without --log. A
 checkpoint, the world's hash, stands after every 100 blasts and at the end. With --chunks it says so of every blast: then
-replay needs the same --anchors and --no-hanging; the brushes of firma_anchor it takes from LEVEL.
+replay needs the same --anchors and --no-hanging; the brushes of firma_anchor it takes from LEVEL. It needs the same
+--merge-share, too.
 
 --json: level, blasts, done, nothing, nothing_castable_only (of these: met only faces that stay), refused,
 faces_before, faces_after, castable_only (of all faces), median_ms, p99_ms, longest_ms, longest_slice_ms, retries,
 volume, chunks, chunk_volume, chunk_mass, crumbs, crumb_volume, anchors {materials, sources, edits, hanging, volumes} (how
-many of each hold; all six null without --chunks), hash, read_seconds, build_seconds, out, report, chunk_report, log.
+many of each hold; all six null without --chunks), merge_share (0: rooms stay apart), hash, read_seconds, build_seconds, out, report, chunk_report, log.
 
 For instance, a crater and a drill hole in our level:
   printf 'x,y,z,radius,shape,seed\n35,29,0.2,1.6,rocky,1\n30,25,0,0.5,drill,2\n' > blasts.csv
@@ -300,6 +306,7 @@ Json json_of(const CarveArguments& arguments, const LoadedLevel& loaded, Tally& 
     json["crumbs"] = of_chunks(tally.crumbs);
     json["crumb_volume"] = of_chunks(tally.crumb_volume);
     json["anchors"] = of_chunks(anchors_json(world));
+    json["merge_share"] = merge_share_of(world);
     json["hash"] = hash_text(world);
     json["read_seconds"] = loaded.read_seconds;
     json["build_seconds"] = loaded.build_seconds;
@@ -406,6 +413,7 @@ int run(const CarveArguments& arguments) {
     if (!arguments.slices.empty()) options.slice = number_option("--slices", arguments.slices, 0, 1e12);
     judge_outputs(arguments);
     LoadedLevel loaded = load_level(arguments.level);
+    loaded.world = with_merge_share(loaded.world, arguments.merge_share);
     if (arguments.chunks) loaded.world = anchored(loaded, arguments.anchors);
     const std::vector<Blast> blasts = read_blasts(arguments.blasts);
     // Blasts mostly add faces: what is too large already should not take hours to be so.
@@ -464,6 +472,7 @@ Verb add_carve(CLI::App& app) {
     command.add_option(
         "--slices", arguments->slices, "US",
         "run each edit in slices of so many microseconds, 0: as short as they can be; the result is the same");
+    add_merge_option(command, arguments->merge_share);
     command.add_flag("--chunks", arguments->chunks, "pieces that blasts leave loose leave the level; see below");
     command.add_option("--min-volume", arguments->min_volume, "V",
                        "smaller pieces are crumbs, cubic metres (default 0.001)");

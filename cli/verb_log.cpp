@@ -16,6 +16,7 @@
 #include "cli/failure.h"
 #include "cli/json.h"
 #include "cli/load_level.h"
+#include "cli/merge_option.h"
 #include "cli/numbers.h"
 #include "cli/progress.h"
 #include "cli/write_level.h"
@@ -29,7 +30,7 @@ struct LogArguments : LevelOutput {
     std::string what, log;
     LevelArguments level;  ///< none: an empty path
     AnchorArguments anchors;
-    std::string until;
+    std::string until, merge_share;
     bool json = false;
 };
 
@@ -37,7 +38,7 @@ constexpr const char* kLogFooter =
     R"(A log says what edits were made of a level, in order, as `firma carve --log` and games write it: the level and its log
 give the same world on every machine, to the bit. LEVEL must be the one that the log begins from, read with the same
 options (--scale, --surfaces, --rooms, --matter), or the same saved as .firma; its hash is compared. Pieces that come loose leave
-again where the commands say so; --anchors and --no-hanging must be those that `firma carve` was given. The brushes of
+again where the commands say so; --anchors, --no-hanging and --merge-share must be those that `firma carve` was given. The brushes of
 firma_anchor of LEVEL hold pieces where the log was made so, as `firma carve --chunks` makes it.
 
   firma log show LOG                     what is in it: a line a command
@@ -152,10 +153,17 @@ void tell(const LogArguments& arguments, const Replayed& replayed) {
     print(arguments.json ? json_text(replay_json(arguments, replayed)) : replay_text(arguments, replayed));
 }
 
+/// The level with the rule that the options give.
+LoadedLevel level_of(const LogArguments& arguments) {
+    LoadedLevel level = load_level(arguments.level);
+    level.world = with_merge_share(level.world, arguments.merge_share);
+    return level;
+}
+
 int verify(const LogArguments& arguments) {
     const LoadedLog loaded = read_edit_log(arguments.log);
     const Replayed replayed =
-        replay_log(anchored_for(loaded.log, load_level(arguments.level), arguments.anchors), loaded.log, arguments);
+        replay_log(anchored_for(loaded.log, level_of(arguments), arguments.anchors), loaded.log, arguments);
     tell(arguments, replayed);
     return replayed.result.ok() ? 0 : 1;
 }
@@ -167,7 +175,7 @@ int replay_and_write(const LogArguments& arguments) {
     refuse_overwriting(arguments.out, arguments.level.path);
     refuse_other_endings(arguments.out);
     const LoadedLog loaded = read_edit_log(arguments.log);
-    const LoadedLevel level = load_level(arguments.level);
+    const LoadedLevel level = level_of(arguments);
     AtomicFile out(arguments.out);
     const Replayed replayed = replay_log(anchored_for(loaded.log, level, arguments.anchors), loaded.log, arguments);
     if (replayed.result.error) throw Failure(arguments.log, replayed.result.error->text());
@@ -185,7 +193,7 @@ int compact(const LogArguments& arguments) {
     refuse_overwriting(arguments.out, arguments.log);
     refuse_overwriting(arguments.out, arguments.level.path);
     const LoadedLog loaded = read_edit_log(arguments.log);
-    const LoadedLevel level = load_level(arguments.level);
+    const LoadedLevel level = level_of(arguments);
     AtomicFile out(arguments.out);
     const auto start = std::chrono::steady_clock::now();
     const Result<EditLog> made =
@@ -217,6 +225,7 @@ int run(const LogArguments& arguments) {
         if (arguments.anchors.given())
             throw Failure(arguments.anchors.materials.empty() ? "--no-hanging" : "--anchors",
                           "is for verify, replay and compact");
+        if (!arguments.merge_share.empty()) throw Failure("--merge-share", "is for verify, replay and compact");
     } else if (arguments.level.path.empty()) {
         throw Failure("log", "LEVEL is required: firma log " + arguments.what + " LOG LEVEL");
     }
@@ -239,6 +248,7 @@ Verb add_log(CLI::App& app) {
     add_rooms_option(command, arguments->level);
     add_matter_option(command, arguments->level);
     add_anchor_options(command, arguments->anchors);
+    add_merge_option(command, arguments->merge_share);
     command.add_option("--until", arguments->until, "N",
                        "leave out commands with numbers above this one; of compact: they stay commands");
     add_level_output(command, *arguments,

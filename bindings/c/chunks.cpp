@@ -34,7 +34,8 @@ firma_code read_anchors(const firma_anchors& from, AnchorRules& rules, const cha
     firma_anchors given{};
     take_sized(&from, given);
     if (given.no_hanging > 1) return fail(FIRMA_ERROR_INVALID, function, "no_hanging must be 0 or 1");
-    if ((given.material_count && !given.materials) || (given.source_count && !given.sources))
+    if ((given.material_count && !given.materials) || (given.source_count && !given.sources) ||
+        (given.volume_count && !given.volumes))
         return bad_call(function, "a count without its array");
     rules.hanging = given.no_hanging == 0;
     for (std::size_t k = 0; k < given.material_count; ++k) {
@@ -42,6 +43,8 @@ firma_code read_anchors(const firma_anchors& from, AnchorRules& rules, const cha
         rules.materials.emplace_back(given.materials[k]);
     }
     if (given.source_count) rules.sources.assign(given.sources, given.sources + given.source_count);
+    for (std::size_t k = 0; k < given.volume_count; ++k)
+        rules.volumes.push_back({vec(given.volumes[k].low), vec(given.volumes[k].high)});
     return FIRMA_OK;
 }
 

@@ -20,6 +20,7 @@ struct LevelObject final : Object {
     std::vector<std::vector<const char*>> keys, values;
     std::vector<const char*> notes;
     std::vector<firma_omission> omissions;
+    std::vector<firma_box> anchors;
 
     explicit LevelObject(BrushLevel from) : level(std::move(from)) {
         keys.resize(level.entities.size());
@@ -29,6 +30,11 @@ struct LevelObject final : Object {
         for (const std::string& note : level.notes) notes.push_back(note.c_str());
         for (const auto* list : {&level.omissions, &level.surfaces.omissions})
             for (const Omission& one : *list) omissions.push_back({one.what.c_str(), one.first.c_str(), one.count});
+        for (const Box& volume : anchor_volumes(level)) {
+            firma_box& box = anchors.emplace_back();
+            put(volume.low, box.low);
+            put(volume.high, box.high);
+        }
     }
 
 private:
@@ -118,7 +124,8 @@ firma_code firma_level_get_view(firma_level level, firma_level_view* view) {
         const LevelObject* object = find<LevelObject>(level.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         put_sized({0, object->entities.data(), object->entities.size(), object->notes.data(), object->notes.size(),
-                   object->omissions.data(), object->omissions.size(), object->level.metres_a_unit},
+                   object->omissions.data(), object->omissions.size(), object->level.metres_a_unit,
+                   object->anchors.data(), object->anchors.size()},
                   view);
         return FIRMA_OK;
     });

@@ -132,9 +132,11 @@ firma_code firma_replay_get_facts(firma_replay replay, firma_replay_facts* out) 
     return guarded(__func__, [&, function = __func__] {
         if (!out) return bad_call(function, kNull);
         if (!sized(out)) return bad_call(function, kWrongSize);
-        const ReplayObject* object = find<ReplayObject>(replay.id, function);
+        ReplayObject* object = find<ReplayObject>(replay.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         const ReplayResult result = object->replay.result();
+        // Once: what was given stays where it is.
+        if (result.error && object->error.empty()) object->error = result.error->text();
         firma_replay_facts facts{};
         facts.finished = object->replay.finished();
         facts.commands_behind = object->replay.commands_behind();
@@ -144,6 +146,7 @@ firma_code firma_replay_get_facts(firma_replay replay, firma_replay_facts* out) 
         facts.nothing = result.nothing;
         facts.refused = result.refused;
         facts.checkpoints = result.checkpoints;
+        facts.error = object->error.c_str();
         put_sized(facts, out);
         return FIRMA_OK;
     });

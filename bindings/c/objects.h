@@ -118,6 +118,7 @@ struct ReplayObject final : Object {
     static constexpr const char* kNoun = "replay";
     explicit ReplayObject(LogReplay r) : replay(std::move(r)) {}
     LogReplay replay;
+    std::string error;  ///< why it ended early, once that was asked for
 };
 
 }  // namespace firma::c

@@ -85,7 +85,8 @@ firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* fu
     if (!sized(&from)) return bad_call(function, kWrongSize);
     firma_rules given{};
     take_sized(&from, given);
-    if (given.reserved != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
+    if (given.reserved != 0 || given.reserved2 != 0) return fail(FIRMA_ERROR_INVALID, function, "reserved must be 0");
+    if (given.no_open_faces > 1) return fail(FIRMA_ERROR_INVALID, function, "no_open_faces must be 0 or 1");
     if ((given.zone_count && !given.zones) || (given.hardness_count && !given.hardness))
         return bad_call(function, "a count without its array");
     for (std::size_t k = 0; k < given.zone_count; ++k) {
@@ -101,6 +102,7 @@ firma_code read_rules(const firma_rules& from, CarveRules& rules, const char* fu
     rules.max_corners = or_default(given.max_corners, rules.max_corners);
     if (given.max_cutter_size != 0) rules.max_cutter_size = given.max_cutter_size;
     rules.merge_share = given.merge_share;
+    rules.open_faces = given.no_open_faces == 0;
     return FIRMA_OK;
 }
 

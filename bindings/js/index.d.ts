@@ -314,6 +314,8 @@ export interface Level extends Handle {
     notes(): string[];
     /** What the file holds and casts will not meet. */
     omissions(): Omission[];
+    /** Boxes around the brushes of its entities `firma_anchor`, metres: for World.withAnchors(). */
+    anchorVolumes(): { low: Vector3; high: Vector3 }[];
     /** For numbers in the entities' values. */
     readonly metresPerUnit: number;
 }
@@ -952,6 +954,11 @@ export interface Anchors {
     materials?: readonly string[];
     /** Faces that come from these of the level's file hold; of brushes, from these sides. */
     sources?: Words;
+    /**
+     * Solid that reaches into one of these is held: of a level of brushes, those of Level.anchorVolumes(). One that is
+     * empty, or not finite, holds nothing.
+     */
+    volumes?: readonly { low: Vector; high: Vector }[];
 }
 
 export interface Rest {
@@ -1069,6 +1076,8 @@ export interface ReplayFacts {
     refused: number;
     /** That were compared and hold. */
     checkpoints: number;
+    /** Why it ended early, "place: reason", null where it did not; result() throws that, with a code. */
+    error: string | null;
 }
 
 /** `world` is always a handle of its own, to be released; of the world before when nothing was done. */
@@ -1131,6 +1140,11 @@ export interface Rules {
      * one that has less; never across a closed portal. 0: they stay apart.
      */
     mergeShare?: number;
+    /**
+     * Whether a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies in the
+     * cutter; true unless given. Liquids stay, and what else stops neither walkers nor shots nor sight.
+     */
+    openFaces?: boolean;
 }
 
 export interface RegionHash {
@@ -1336,8 +1350,8 @@ export interface World extends Handle {
     /** Costs copying its polygons. */
     portal(portal: number): Portal;
     /**
-     * The same world with a door opened or closed, one version on; another handle to this one when it is so already.
-     * Costs a few small copies, however many portals and faces there are, and the corners of this portal.
+     * The same world with a door opened or closed, one version on; another handle to this one when it is so already or
+     * has no polygons. Costs a few small copies, however many portals and faces there are, and the corners of this portal.
      */
     setPortalOpen(portal: number, open: boolean): World;
     /**
@@ -1365,8 +1379,9 @@ export interface World extends Handle {
     edit(): Edit;
     /**
      * As carve(), for any command. The report of a group adds up its parts', with the smallest scale and the chunks of
-     * all. Refused, too, where its number is not above that of the last edit, for a portal that is not there, and for
-     * what no command may be. Costs what its edits cost.
+     * all. Refused, too, where it carves or fills and its number is not above that of the last edit, for a portal that
+     * is not there, and for what no command may be. Numbers of doors do not matter here: put them in order first. Costs
+     * what its edits cost.
      */
     apply(command: Command): CarveResult;
     /** The same in slices of time. Makes the crater of a seed; all else is left to the job. */

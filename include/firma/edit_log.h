@@ -135,8 +135,9 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Applies a command. It is refused, and the world stays, where its number is not above that of the last edit
-/// (Solid::edits()), for a portal that is not there, and as carve(). Costs what its edits cost.
+/// Applies a command. It is refused, and the world stays, where it carves or fills and its number is not above that of
+/// the last edit (Solid::edits()), for a portal that is not there, and as carve(). Of doors the number is not looked
+/// at: whoever receives them puts them in order. Costs what its edits cost.
 FIRMA_EXPORT CommandResult apply(const World& world, const EditCommand& command);
 
 /// What pack_log() writes and unpack_log() reads; logs of older versions stay readable.

@@ -341,6 +341,11 @@ typedef struct firma_omission {
     uint64_t count;
 } firma_omission;
 
+/* Metres; along each axis from `low` to `high`. */
+typedef struct firma_box {
+    double low[3], high[3];
+} firma_box;
+
 typedef struct firma_level_view {
     uint32_t size;                /* sizeof(firma_level_view) */
     const firma_entity* entities; /* the first is the world */
@@ -349,7 +354,9 @@ typedef struct firma_level_view {
     size_t note_count;
     const firma_omission* omissions; /* what the file holds and casts will not meet */
     size_t omission_count;
-    double metres_a_unit; /* for numbers in the entities' values */
+    double metres_a_unit;     /* for numbers in the entities' values */
+    const firma_box* anchors; /* around each brush of its entities firma_anchor: `volumes` of firma_anchors */
+    size_t anchor_count;
 } firma_level_view;
 
 /* Views are good until the handle is released. Made with the level. */
@@ -431,11 +438,15 @@ typedef struct firma_rules {
     double max_cutter_size; /* metres */
     double merge_share;     /* rooms become one where open portals that carvings made between them are larger than this
                                share of the walls of the one that has less; never across a closed portal. 0: they stay */
+    /* 0: a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies in the cutter;
+     * liquids stay, and what else stops neither walkers nor shots nor sight. 1: all of them stay. */
+    uint32_t no_open_faces;
+    uint32_t reserved2; /* must be 0 */
 } firma_rules;
 
 /* The same world under other rules for carving, which are copied; shares all else. FIRMA_ERROR_INVALID for a hardness
- * that is not within 0..1, a box that is empty or not of numbers, a max_cutter_size that is no length. Costs the zones
- * and hardnesses. */
+ * that is not within 0..1, a box that is empty or not of numbers, a max_cutter_size that is no length, a no_open_faces
+ * that is not 0 or 1. Costs the zones and hardnesses. */
 FIRMA_API firma_code firma_world_with_rules(firma_world world, const firma_rules* rules, firma_world* with_rules);
 
 /* ---- faces ------------------------------------------------------------------------------------------------------ */
@@ -730,8 +741,8 @@ FIRMA_API firma_code firma_world_portal(firma_world world, uint32_t portal, firm
 /* Its polygons as a list of faces: convex, counter-clockwise seen from rooms[0]; `source` is the portal, `id`
  * FIRMA_NO_FACE. Costs copying them. */
 FIRMA_API firma_code firma_world_portal_polygons(firma_world world, uint32_t portal, firma_faces* polygons);
-/* Opens (1) or closes (0) it: one version on, or, when it is so already, another handle to the same world. Costs a few
- * small copies, however many portals and faces there are, and the corners of this portal. */
+/* Opens (1) or closes (0) it: one version on, or, when it is so already or has no polygons, another handle to the same
+ * world. Costs a few small copies, however many portals and faces there are, and the corners of this portal. */
 FIRMA_API firma_code firma_world_set_portal_open(firma_world world, uint32_t portal, uint32_t open, firma_world* after);
 
 /* The rooms that portals, open or closed, join to a room, ascending. `count` gets how many; the first `capacity` of
@@ -1028,6 +1039,9 @@ typedef struct firma_anchors {
     size_t material_count;
     const uint32_t* sources; /* faces that come from these of the level's file hold; of brushes, from these sides */
     size_t source_count;
+    const firma_box* volumes; /* solid that reaches into one is held: those of a level, `anchors` of firma_level_view,
+                                 say. One that is empty, or not finite, holds nothing */
+    size_t volume_count;
 } firma_anchors;
 
 /* The same world with what holds its pieces said anew, of the same version. Edits and files keep it, no hash sees it. A
@@ -1230,8 +1244,9 @@ FIRMA_API firma_code firma_command_part(firma_command command, size_t part, firm
 FIRMA_API firma_code firma_command_release(firma_command command);
 
 /* As firma_carve(), for any command. The report of a group adds up its parts', with the smallest scale and the chunks
- * of all; of a door it says only the status. It is refused, too, where its number is not above that of the last edit,
- * for a portal that is not there, and for what no command may be. Costs what its edits cost. */
+ * of all; of a door it says only the status. It is refused, too, where it carves or fills and its number is not above
+ * that of the last edit, for a portal that is not there, and for what no command may be. Numbers of doors do not matter
+ * here: put them in order first. Costs what its edits cost. */
 FIRMA_API firma_code firma_command_apply(firma_world world, firma_command command, firma_world* after,
                                          firma_carve_report* report);
 /* The same in slices, by firma_job_run() and firma_job_result(). Makes the crater of a seed; all else is left to them.
@@ -1277,6 +1292,8 @@ typedef struct firma_replay_facts {
     uint64_t applied; /* commands: of these */
     uint64_t done, nothing, refused;
     uint64_t checkpoints; /* that were compared and hold */
+    const char* error; /* why it ended early, "place: reason"; "" where it did not. Good until the handle is released.
+                          firma_replay_result() gives the code */
 } firma_replay_facts;
 
 /* A log applied to the level it begins from, in slices. Commands with numbers above `last_number` are left out

@@ -115,8 +115,8 @@ enum class Doors : std::uint8_t {
 
 /// Opens or closes a portal. While closed it is a two-sided wall for what its mask stops.
 ///
-/// @return the world with this one change, one version on, sharing all else; the same world when nothing changes;
-///         nothing for a portal that is not there.
+/// @return the world with this one change, one version on, sharing all else; the same world when nothing changes, and
+///         for a portal without polygons, which leads nowhere; nothing for a portal that is not there.
 /// Costs a few small copies, however many portals and faces there are, and the corners of this portal.
 [[nodiscard]] FIRMA_EXPORT std::optional<World> set_portal_open(const World& world, PortalId portal, bool open);
 

@@ -12,9 +12,9 @@ export function levelName(search) {
     return name;
 }
 
-/** The same, with what hangs free now held: said once, here, rather than by the first shot. */
-function held(world) {
-    const made = world.withAnchors();
+/** The same, with what hangs free now held, and what reaches into volumes: said once, here, rather than by the first shot. */
+function held(world, volumes = []) {
+    const made = world.withAnchors({ volumes });
     world.release();
     return made;
 }
@@ -22,7 +22,7 @@ function held(world) {
 /** Of a level of brushes. */
 function ofBrushes(level) {
     try {
-        return { world: held(level.world()), start: startOf(level.entities()) };
+        return { world: held(level.world(), level.anchorVolumes()), start: startOf(level.entities()) };
     } finally {
         level.release();
     }

@@ -67,7 +67,7 @@ struct CommandJob::State {
         if (!portal) {
             note(CarveStatus::kRefused,
                  {ErrorCode::kInvalid, "portal " + std::to_string(edit.portal.value), "the world has no such portal"});
-        } else if (portal->open == edit.open) {
+        } else if (portal->open == edit.open || portal->polygons == 0) {
             note(CarveStatus::kNothing, {});
         } else {
             made.world = *set_portal_open(made.world, edit.portal, edit.open);

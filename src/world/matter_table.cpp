@@ -30,6 +30,9 @@ MatterTable make_default() {
         {"rock", 2600, 8, FractureStyle::kChunks, {"*rock*", "*stone*", "*granite*", "*cliff*"}},
     };
     MatterTable table;
+    // Before all others: what lies in this folder is glass to the readers of brushes, whatever its name says.
+    const std::uint32_t kGlass = 5;
+    table.patterns = {{"glass/*", kGlass}, {"*/glass/*", kGlass}};
     for (const BuiltIn& it : kBuiltIn) {
         Matter matter;
         matter.name = it.name;

@@ -156,6 +156,7 @@ std::optional<World> set_portal_open(const World& world, PortalId portal, bool o
     const WorldData& data = world.data();
     if (!is_portal(data, portal)) return {};
     if (is_open(data, portal.value) == open) return world;
+    if (data.cells.portal(portal.value).polygons().empty()) return world;  // removed: it leads nowhere
     auto next = next_version(data);
     next->cells.set_portal(portal.value, data.cells.portals()[portal.value].portal, !open);
     return World(std::move(next));

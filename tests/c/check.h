@@ -54,7 +54,7 @@ void test_carving(void);
 void test_chunks(void);
 void test_commands(void);
 void test_matters(void);
-void test_logs(void);
+void test_logs(const char* sources);
 void test_patches(void);
 void test_stores(void);
 void test_files(const char* folder);

@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     test_chunks();
     test_matters();
     test_commands();
-    test_logs();
+    test_logs(argc > 2 ? argv[2] : ".");
     test_patches();
     test_stores();
     test_files(argc > 1 ? argv[1] : ".");

@@ -131,6 +131,27 @@ static void test_castable_only(firma_cutter cutter) {
     CHECK(report.faces_removed == 1 && report.faces_added > 3);
     CHECK(hash_of(after) != hash_of(sheet));
     CHECK_OK(firma_world_release(after));
+    /* By rules that let such faces be. */
+    firma_rules rules = {.size = sizeof rules, .no_open_faces = 1};
+    firma_world kept = {0};
+    CHECK_OK(firma_world_with_rules(sheet, &rules, &kept));
+    CHECK_OK(firma_carve(kept, cutter, &kInFloor, NULL, &after, &report));
+    CHECK(report.status == FIRMA_CARVE_NOTHING && report.faces_castable_only == 1 && hash_of(after) == hash_of(kept));
+    CHECK_OK(firma_world_release(after));
+    CHECK_OK(firma_world_release(kept));
+    rules.no_open_faces = 2;
+    CHECK_FAILS(firma_world_with_rules(sheet, &rules, &kept), FIRMA_ERROR_INVALID, "no_open_faces");
+    rules.no_open_faces = 0;
+    rules.reserved2 = 1;
+    CHECK_FAILS(firma_world_with_rules(sheet, &rules, &kept), FIRMA_ERROR_INVALID, "reserved");
+    rules.reserved2 = 0;
+    rules.size = offsetof(firma_rules, no_open_faces); /* a program of before */
+    rules.no_open_faces = 1;
+    CHECK_OK(firma_world_with_rules(sheet, &rules, &kept));
+    CHECK_OK(firma_carve(kept, cutter, &kInFloor, NULL, &after, &report));
+    CHECK(report.status == FIRMA_CARVE_DONE && report.open_trimmed == 1);
+    CHECK_OK(firma_world_release(after));
+    CHECK_OK(firma_world_release(kept));
     const firma_carve_options fills = {.size = sizeof fills, .fill = 1};
     CHECK_OK(firma_carve(sheet, cutter, &kInFloor, &fills, &after, &report));
     CHECK(report.faces_castable_only == 1 && report.open_trimmed == 0);

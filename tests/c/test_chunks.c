@@ -237,6 +237,22 @@ static void test_anchors(firma_world cut, firma_cutter blade) {
     CHECK_OK(firma_chunks_release(report.loose));
     CHECK_OK(firma_world_release(after));
     CHECK_OK(firma_world_release(held));
+    const firma_box volumes[] = {{{0, 0, 80}, {1, 1, 81}}, {{-99, -99, -99}, {99, 99, 99}}};
+    anchors = (firma_anchors){.size = sizeof anchors, .volumes = volumes};
+    for (anchors.volume_count = 1; anchors.volume_count <= 2; ++anchors.volume_count) {
+        CHECK_OK(firma_world_with_anchors(cut, &anchors, &held));
+        CHECK_OK(firma_carve(held, blade, &kHere, &options, &after, &report));
+        CHECK(report.chunks == 2 - anchors.volume_count);
+        CHECK_OK(firma_chunks_release(report.loose));
+        CHECK_OK(firma_world_release(after));
+        CHECK_OK(firma_world_release(held));
+    }
+    anchors.volumes = NULL;
+    CHECK_FAILS(firma_world_with_anchors(cut, &anchors, &held), FIRMA_ERROR_BAD_CALL, "array");
+    anchors = (firma_anchors){.size = offsetof(firma_anchors, volumes), .volumes = NULL, .volume_count = 1};
+    CHECK_OK(firma_world_with_anchors(cut, &anchors, &held)); /* a program of before */
+    CHECK_OK(firma_world_release(held));
+    anchors = (firma_anchors){.size = sizeof anchors};
     anchors.no_hanging = 2;
     CHECK_FAILS(firma_world_with_anchors(cut, &anchors, &held), FIRMA_ERROR_INVALID, "no_hanging");
     anchors.no_hanging = 1;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Logs: kept beside a game, packed, replayed elsewhere, compacted. */
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "tests/c/check.h"
@@ -96,6 +97,7 @@ static void test_replay(firma_world room, firma_log log, firma_world now) {
     CHECK(replayed(room, log, UINT32_MAX, &facts) == hash_of(now));
     CHECK(facts.finished == 1 && facts.applied == 4 && facts.done == 4 && facts.refused == 0 && facts.nothing == 0);
     CHECK(facts.checkpoints == 2 && facts.commands_in_all == 4);
+    CHECK(facts.error && !*facts.error);
     CHECK(replayed(room, log, 25, &facts) != hash_of(now));
     CHECK(facts.applied == 2 && facts.checkpoints == 1);
     firma_replay replay = {0};
@@ -104,7 +106,12 @@ static void test_replay(firma_world room, firma_log log, firma_world now) {
     CHECK_OK(firma_replay_start(now, log, UINT32_MAX, &replay)); /* not its level */
     CHECK_OK(firma_replay_run(replay, 1e9, &finished));
     CHECK(finished == 1);
-    CHECK_FAILS(firma_replay_result(replay, &after), FIRMA_ERROR_INVALID, "");
+    CHECK_OK(firma_replay_get_facts(replay, &facts));
+    CHECK(facts.finished == 1 && facts.applied == 0 && strstr(facts.error, "another world"));
+    const char* const error = facts.error;
+    CHECK_OK(firma_replay_get_facts(replay, &facts));
+    CHECK(facts.error == error);
+    CHECK_FAILS(firma_replay_result(replay, &after), FIRMA_ERROR_INVALID, "another world");
     CHECK_OK(firma_replay_release(replay));
 }
 
@@ -142,7 +149,62 @@ static void test_compact(firma_world room, firma_log log, firma_world now) {
     CHECK_OK(firma_log_release(shorter));
 }
 
-void test_logs(void) {
+/* A file of the repository, its length in `length`. */
+static unsigned char* bytes_of_file(const char* sources, const char* name, size_t* length) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", sources, name);
+    FILE* const file = fopen(path, "rb");
+    CHECK(file != NULL);
+    if (!file) exit(1);
+    fseek(file, 0, SEEK_END);
+    *length = (size_t)ftell(file);
+    rewind(file);
+    unsigned char* const bytes = malloc(*length);
+    CHECK(fread(bytes, 1, *length, file) == *length);
+    fclose(file);
+    return bytes;
+}
+
+/* What `firma carve --chunks --log` wrote of the depot (tests/cli/test_log.py): its brushes of firma_anchor hold. */
+static void test_log_of_command_line(const char* sources) {
+    size_t length = 0, log_length = 0;
+    unsigned char* const text = bytes_of_file(sources, "levels/depot.map", &length);
+    unsigned char* const bytes = bytes_of_file(sources, "tests/data/depot_bridge.firmalog", &log_length);
+    firma_level level = {0};
+    firma_level_view view = {.size = sizeof view};
+    firma_world depot = {0}, held = {0}, none = {0};
+    firma_log log = {0};
+    CHECK_OK(firma_level_from_map((const char*)text, length, "depot.map", 0, &level));
+    CHECK_OK(firma_level_get_view(level, &view));
+    CHECK(view.anchor_count == 4);
+    for (size_t k = 0; k < view.anchor_count; ++k)
+        for (int axis = 0; axis < 3; ++axis) CHECK(view.anchors[k].low[axis] < view.anchors[k].high[axis]);
+    CHECK_OK(firma_world_from_level(level, NULL, &depot));
+    CHECK_OK(firma_log_unpack(bytes, log_length, "depot_bridge", &log));
+    const firma_anchors anchors = {.size = sizeof anchors, .volumes = view.anchors, .volume_count = view.anchor_count};
+    CHECK_OK(firma_world_with_anchors(depot, &anchors, &held));
+    firma_replay_facts facts = {.size = sizeof facts};
+    CHECK(replayed(held, log, UINT32_MAX, &facts) == 0xe1f4b967d5727f35);
+    CHECK(facts.done == 3 && facts.checkpoints == 1 && !*facts.error);
+    CHECK_OK(firma_world_release(held));
+    /* Without the volumes it is refused. */
+    firma_replay replay = {0};
+    CHECK_OK(firma_world_with_anchors(depot, NULL, &held));
+    CHECK_OK(firma_replay_start(held, log, UINT32_MAX, &replay));
+    CHECK_OK(firma_replay_get_facts(replay, &facts));
+    CHECK(facts.finished == 1 && facts.applied == 0 && strstr(facts.error, "other anchors"));
+    CHECK_FAILS(firma_replay_result(replay, &none), FIRMA_ERROR_INVALID, "other anchors");
+    CHECK_OK(firma_replay_release(replay));
+    CHECK_OK(firma_log_release(log));
+    CHECK_OK(firma_world_release(held));
+    CHECK_OK(firma_world_release(depot));
+    CHECK_OK(firma_level_release(level));
+    free(bytes);
+    free(text);
+}
+
+void test_logs(const char* sources) {
+    test_log_of_command_line(sources);
     const firma_world room = make_room();
     firma_log log = {0};
     CHECK_OK(firma_log_begin(room, &log));

@@ -10,6 +10,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/edit_log.h"
 #include "firma/memory.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
@@ -330,6 +331,10 @@ TEST(CarveRooms, AFilledPortalGoes) {
         EXPECT_EQ(locate(filled.world, {0.5, 2, 2}), in_room(0));
         EXPECT_EQ(locate(filled.world, {7.5, 2, 2}), in_room(1));
         EXPECT_FALSE(find_path(filled.world, {0}, {1}, Doors::kAllOpen));
+        const std::optional<World> turned = set_portal_open(filled.world, {0}, !open);
+        ASSERT_TRUE(turned);
+        EXPECT_EQ(&turned->data(), &filled.world.data()) << "nobody can open or shut what is gone";
+        EXPECT_EQ(apply(filled.world, door_command(9, {0}, !open)).status, CarveStatus::kNothing);
         const CarveResult again = cut(filled.world, CutterShape::kRocky, {4, 2, 2}, 4);
         ASSERT_TRUE(again.done());
         test::expect_sound_world(again.world);

@@ -51,6 +51,48 @@ class Log(CliTest):
         # A rocky crater and its material, with all else that a log has.
         self.assertLess(len(self.read('a.firmalog')), 48 * carved['done'])
 
+    def test_log_of_the_depot_that_other_languages_replay(self):
+        """tests/data/depot_bridge.firmalog is what is written; the tests of C and JavaScript compare this hash."""
+        data = os.path.join(ROOT, 'tests', 'data', 'depot_bridge')
+        carved = self.firma_json('carve', DEPOT, '--blasts', data + '.csv', '-o', 'd.firma', '--log', 'd.firmalog', '--chunks')
+        self.assertEqual((carved['done'], carved['chunks'], carved['anchors']['volumes']), (3, 3, 4))
+        self.assertEqual(carved['hash'], 'e1f4b967d5727f35')
+        with open(data + '.firmalog', 'rb') as file:
+            self.assertEqual(self.read('d.firmalog'), file.read())
+
+    def test_rooms_become_one_by_a_share(self):
+        """A crater through the thin wall between two offices of the depot; the share is a rule that a log is made under."""
+        self.write('b.csv', HEADER + '6.25,18,1.5,1.4,rocky,2\n')
+
+        def carve(level, *more):
+            return self.firma_json('carve', level, '--blasts', 'b.csv', '-o', 'a.firma', '--log', 'a.firmalog', *more)
+
+        def empty_rooms():
+            rooms = self.firma_json('info', 'a.firma')['rooms']
+            self.assertEqual(len(rooms), 23)
+            return [room['name'] for room in rooms if room['faces'] == 0]
+        apart = carve(DEPOT)
+        self.assertEqual((apart['merge_share'], empty_rooms()), (0, []))
+        for share, same in [('0', True), ('0.5', True), ('0.01', False)]:
+            carved = carve(DEPOT, '--merge-share', share)
+            self.assertEqual((carved['merge_share'], carved['hash'] == apart['hash']), (float(share), same))
+            self.assertEqual(empty_rooms(), [] if same else ['office_middle'])
+            call = ['log', 'verify', 'a.firmalog', DEPOT]
+            self.assertEqual(self.firma_json(*call, '--merge-share', share)['hash'], carved['hash'])
+        self.refuse(*call, says='other rules')
+        self.refuse(*call, '--merge-share', '0.02', says='other rules')
+        self.firma('log', 'replay', *call[2:], '-o', 'r.firma', '--merge-share', '0.01')
+        self.assertEqual(self.read('r.firma'), self.read('a.firma'))
+        self.firma('log', 'compact', *call[2:], '-o', 'c.firmalog', '--merge-share', '0.01')
+        self.assertEqual(self.firma_json('log', 'verify', 'c.firmalog', DEPOT, '--merge-share', '0.01')['hash'], carved['hash'])
+        # The file has it, until it is said anew.
+        self.assertEqual(carve('r.firma')['merge_share'], 0.01)
+        self.assertEqual(carve('r.firma', '--merge-share', '0')['merge_share'], 0)
+        for bad in ['-1', 'x', 'nan', 'inf']:
+            self.refuse('carve', DEPOT, '--blasts', 'b.csv', '-o', 'x.firma', '--merge-share', bad, says='--merge-share: ')
+            self.refuse(*call, '--merge-share', bad, says='--merge-share: ')
+        self.refuse('log', 'show', 'a.firmalog', '--merge-share', '1', says='--merge-share: is for verify')
+
     def test_show(self):
         self.write('b.csv', HEADER + '4,4,0,0.7,rocky,12345678901234567890\n4,4,4,0.1,box,1\n0,4,4.1,0.5,drill,3\n')
         self.carve('--material', 'crater')

@@ -25,6 +25,11 @@ TEST(Matters, TheBuiltInTableKnowsUsualNames) {
     EXPECT_EQ(of("textures\\base\\Metal4"), "steel");
     EXPECT_EQ(of("depot/wood_panel"), "wood");
     EXPECT_EQ(of("glass"), "glass");
+    EXPECT_EQ(of("glass/clear"), "glass");
+    EXPECT_EQ(of("Glass\\brick_frame"), "glass");
+    EXPECT_EQ(of("textures/glass/clear"), "glass");
+    EXPECT_EQ(of("hourglass/clear"), "");
+    EXPECT_EQ(of("glasses/clear"), "");
     EXPECT_EQ(of("mossy_rocks"), "rock");
     EXPECT_EQ(of("brick/door"), "");  // a folder does not say it
     EXPECT_EQ(of(""), "");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Loose chunks: what holds pieces, the pieces as bodies and as worlds, and how they become ground again.
-import { flag, number, object, text, word, words } from './arguments.js';
+import { flag, number, object, text, vector, word, words } from './arguments.js';
 import { Cutter, getPose, putPose } from './carving.js';
 import { badCall } from './errors.js';
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
-import { ANCHORS, CHUNK, MASS, MATTER_VOLUME, REST } from './layout.js';
+import { ANCHORS, BOX, CHUNK, MASS, MATTER_VOLUME, REST } from './layout.js';
 import { World } from './world.js';
 import { putName } from './world_options.js';
 
@@ -69,11 +69,25 @@ export function getPieces(world, density = 2000) {
     return new Chunks(core, makeHandle(core, 'firma_world_pieces', world[ID], density));
 }
 
+function putVolumes(core, lent, volumes, place) {
+    if (!Array.isArray(volumes)) throw badCall(place, 'volumes must be an array');
+    const at = lent.take(volumes.length * BOX.sizeof);
+    volumes.forEach((volume, k) => {
+        const what = `${place}: volume ${k}`;
+        object(volume ?? null, what, 'the volume', ['low', 'high']);
+        const low = vector(volume.low, 3, what, 'low');
+        const high = vector(volume.high, 3, what, 'high');
+        core.setVector(at + k * BOX.sizeof + BOX.low, low);
+        core.setVector(at + k * BOX.sizeof + BOX.high, high);
+    });
+    return at;
+}
+
 /** @returns the address of the struct */
 export function putAnchors(core, lent, anchors) {
     const place = 'withAnchors';
-    const given = object(anchors, place, 'the anchors', ['hanging', 'materials', 'sources']);
-    const { hanging = true, materials = [], sources = [] } = given;
+    const given = object(anchors, place, 'the anchors', ['hanging', 'materials', 'sources', 'volumes']);
+    const { hanging = true, materials = [], sources = [], volumes = [] } = given;
     flag(hanging, place, 'hanging');
     if (!Array.isArray(materials)) throw badCall(place, 'materials must be an array');
     for (const name of materials)
@@ -81,6 +95,7 @@ export function putAnchors(core, lent, anchors) {
     words(sources, undefined, place, 'sources');
     const names = lent.words(materials.map((name) => lent.text(text(name, place, 'a material'))));
     const numbers = lent.words(sources);
+    const boxes = putVolumes(core, lent, volumes, place);
     const at = core.at.anchors;
     core.setU32(at + ANCHORS.size, ANCHORS.sizeof);
     core.setU32(at + ANCHORS.noHanging, hanging ? 0 : 1);
@@ -88,6 +103,8 @@ export function putAnchors(core, lent, anchors) {
     core.setU32(at + ANCHORS.materialCount, materials.length);
     core.setU32(at + ANCHORS.sources, numbers);
     core.setU32(at + ANCHORS.sourceCount, sources.length);
+    core.setU32(at + ANCHORS.volumes, boxes);
+    core.setU32(at + ANCHORS.volumeCount, volumes.length);
     return at;
 }
 

@@ -200,9 +200,16 @@ export const OMISSION = Object.freeze({
     count: 8,
 });
 
+/** firma_box */
+export const BOX = Object.freeze({
+    sizeof: 48,
+    low: 0,
+    high: 24,
+});
+
 /** firma_level_view */
 export const LEVEL_VIEW = Object.freeze({
-    sizeof: 40,
+    sizeof: 48,
     size: 0,
     entities: 4,
     entityCount: 8,
@@ -211,6 +218,8 @@ export const LEVEL_VIEW = Object.freeze({
     omissions: 20,
     omissionCount: 24,
     metresAUnit: 32,
+    anchors: 40,
+    anchorCount: 44,
 });
 
 /** firma_world_facts */
@@ -249,7 +258,7 @@ export const ZONE = Object.freeze({
 
 /** firma_rules */
 export const RULES = Object.freeze({
-    sizeof: 88,
+    sizeof: 96,
     size: 0,
     reserved: 4,
     zones: 8,
@@ -264,6 +273,8 @@ export const RULES = Object.freeze({
     maxCorners: 64,
     maxCutterSize: 72,
     mergeShare: 80,
+    noOpenFaces: 88,
+    reserved2: 92,
 });
 
 /** firma_face */
@@ -614,13 +625,15 @@ export const CARVE_REPORT = Object.freeze({
 
 /** firma_anchors */
 export const ANCHORS = Object.freeze({
-    sizeof: 24,
+    sizeof: 32,
     size: 0,
     noHanging: 4,
     materials: 8,
     materialCount: 12,
     sources: 16,
     sourceCount: 20,
+    volumes: 24,
+    volumeCount: 28,
 });
 
 /** firma_mass */
@@ -743,7 +756,7 @@ export const LOG_FACTS = Object.freeze({
 
 /** firma_replay_facts */
 export const REPLAY_FACTS = Object.freeze({
-    sizeof: 64,
+    sizeof: 72,
     size: 0,
     finished: 4,
     commandsBehind: 8,
@@ -753,4 +766,5 @@ export const REPLAY_FACTS = Object.freeze({
     nothing: 40,
     refused: 48,
     checkpoints: 56,
+    error: 64,
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Levels of brushes: their entities, and worlds of them.
 import { CORE, Handle, ID } from './handle.js';
-import { ENTITY, LEVEL_VIEW, OMISSION } from './layout.js';
+import { BOX, ENTITY, LEVEL_VIEW, OMISSION } from './layout.js';
 
 export class Level extends Handle {
     #world;
@@ -42,6 +42,16 @@ export class Level extends Handle {
                 count: core.getCount(one + OMISSION.count),
                 first: core.text(core.getU32(one + OMISSION.first)),
             };
+        });
+    }
+
+    anchorVolumes() {
+        const core = this[CORE];
+        const at = this.#view();
+        const first = core.getU32(at + LEVEL_VIEW.anchors);
+        return Array.from({ length: core.getU32(at + LEVEL_VIEW.anchorCount) }, (_, k) => {
+            const one = first + k * BOX.sizeof;
+            return { low: core.getVector(one + BOX.low), high: core.getVector(one + BOX.high) };
         });
     }
 

@@ -90,6 +90,7 @@ export class Replay extends Handle {
         const facts = { finished: core.getU32(at + REPLAY_FACTS.finished) !== 0 };
         const counts = ['commandsBehind', 'commandsInAll', 'applied', 'done', 'nothing', 'refused', 'checkpoints'];
         for (const name of counts) facts[name] = core.getCount(at + REPLAY_FACTS[name]);
+        facts.error = core.text(core.getU32(at + REPLAY_FACTS.error)) || null;
         return facts;
     }
 

@@ -2,12 +2,12 @@
 // Rules for carving, as the module takes them.
 import { badCall } from './errors.js';
 import { RULES, ZONE } from './layout.js';
-import { doubles, longWord, number, object, text, vector } from './arguments.js';
+import { doubles, flag, longWord, number, object, text, vector } from './arguments.js';
 
 const PLACE = 'withRules';
 const ZONE_NAMES = ['name', 'low', 'high', 'hardness'];
 const LIMITS = ['maxFaces', 'maxCandidateFaces', 'maxNewFaces', 'maxCutterTriangles', 'maxPairs', 'maxCorners'];
-const NAMES = ['zones', 'hardness', ...LIMITS, 'maxCutterSize', 'mergeShare'];
+const NAMES = ['zones', 'hardness', ...LIMITS, 'maxCutterSize', 'mergeShare', 'openFaces'];
 
 function putZones(core, lent, zones) {
     const at = lent.take(zones.length * ZONE.sizeof);
@@ -30,12 +30,13 @@ function putZones(core, lent, zones) {
 /** @returns the address of the struct */
 export function putRules(core, lent, rules) {
     const given = object(rules, PLACE, 'the rules', NAMES);
-    const { zones = [], hardness = [], maxCutterSize = 0, mergeShare = 0 } = given;
+    const { zones = [], hardness = [], maxCutterSize = 0, mergeShare = 0, openFaces = true } = given;
     if (!Array.isArray(zones)) throw badCall(PLACE, 'zones must be an array');
     doubles(hardness, 1, PLACE, 'hardness');
     const limits = LIMITS.map((name) => longWord(given[name] === undefined ? 0 : given[name], PLACE, name));
     number(maxCutterSize, PLACE, 'maxCutterSize');
     number(mergeShare, PLACE, 'mergeShare');
+    flag(openFaces, PLACE, 'openFaces');
     const zonesAt = putZones(core, lent, zones);
     const hardnessAt = lent.doubles(hardness);
     const at = core.at.rules;
@@ -48,5 +49,7 @@ export function putRules(core, lent, rules) {
     LIMITS.forEach((name, k) => core.setU64(at + RULES[name], limits[k]));
     core.setF64(at + RULES.maxCutterSize, maxCutterSize);
     core.setF64(at + RULES.mergeShare, mergeShare);
+    core.setU32(at + RULES.noOpenFaces, openFaces ? 0 : 1);
+    core.setU32(at + RULES.reserved2, 0);
     return at;
 }

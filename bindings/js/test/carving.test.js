@@ -199,6 +199,13 @@ test('rules refuse cuts, and their order does not matter to the world', () => {
         keep(cut.world);
         assert.equal(cut.report.status, 'done', cut.report.reason);
         keep(world.withRules({}));
+        const sheet = keep(readers.worldFromObj('v 0 0 0\nv 8 0 0\nv 8 8 0\nv 0 8 0\nf 1 2 3 4\n'));
+        for (const [openFaces, status, stays] of [[undefined, 'done', 0], [true, 'done', 0], [false, 'nothing', 1]]) {
+            const cut = keep(sheet.withRules({ openFaces })).carve(cutter, { position: [4, 4, 0] });
+            keep(cut.world);
+            assert.deepEqual([cut.report.status, cut.report.facesCastableOnly], [status, stays]);
+        }
+        throwsCode('BAD_CALL', () => world.withRules({ openFaces: 1 }), /openFaces/);
         throwsCode('INVALID', () => world.withRules({ zones: [{ ...zone, hardness: 2 }] }), /zone 0/);
         throwsCode('INVALID', () => world.withRules({ zones: [zone, { ...zone, low: [10, 0, 0] }] }), /zone 1/);
         throwsCode('INVALID', () => world.withRules({ zones: [{ ...zone, low: [NaN, 0, 0] }] }));

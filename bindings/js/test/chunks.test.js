@@ -146,9 +146,16 @@ test('anchors hold', () => {
         assert.equal(loose(), 1);
         assert.equal(loose({ hanging: false, materials: ['no such material'], sources: [77] }), 1);
         assert.equal(loose({ materials: ['plaster'] }), 0);
+        const everywhere = { low: [-99, -99, -99], high: [99, 99, 99] };
+        assert.equal(loose({ volumes: [{ low: [0, 0, 80], high: [1, 1, 81] }, everywhere] }), 0);
+        assert.equal(loose({ volumes: [{ low: [0, 0, 80], high: [1, 1, 81] }, { low: [NaN, 0, 0], high: [1, 1, 1] }] }), 1);
         throwsCode('BAD_CALL', () => world.withAnchors({ material: 'plaster' }), /there is no material/);
         throwsCode('BAD_CALL', () => world.withAnchors({ materials: [5] }), /materials/);
         throwsCode('BAD_CALL', () => world.withAnchors({ sources: [-1] }), /sources/);
         throwsCode('BAD_CALL', () => world.withAnchors({ hanging: 0 }), /hanging/);
+        throwsCode('BAD_CALL', () => world.withAnchors({ volumes: everywhere }), /volumes must be an array/);
+        throwsCode('BAD_CALL', () => world.withAnchors({ volumes: [everywhere, undefined] }), /volume 1: the volume must be an object/);
+        throwsCode('BAD_CALL', () => world.withAnchors({ volumes: [{ low: [0, 0], high: [1, 1, 1] }] }), /volume 0: low/);
+        throwsCode('BAD_CALL', () => world.withAnchors({ volumes: [{ ...everywhere, hardness: 1 }] }), /there is no hardness/);
     });
 });

@@ -2,7 +2,8 @@
 // Edits as bytes: commands, logs and their replays, patches between peers.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { boxMesh, firma, releasing, throwsCode, withLevel } from './helpers.js';
+import { readFileSync } from 'node:fs';
+import { boxMesh, firma, readers, releasing, throwsCode, withLevel } from './helpers.js';
 
 /** work(world, release later) in a box of air. */
 const playing = (work) =>
@@ -152,17 +153,47 @@ test('a log gives the same world in any slices', () => {
         assert.equal(keep(replay.result()).hash(), now.hash());
         const { commandsBehind, commandsInAll, ...counts } = replay.facts();
         assert.deepEqual([commandsBehind, commandsInAll], [4, 4]);
-        assert.deepEqual(counts, { finished: true, applied: 4, done: 4, nothing: 0, refused: 0, checkpoints: 2 });
+        assert.deepEqual(counts, { finished: true, applied: 4, done: 4, nothing: 0, refused: 0, checkpoints: 2, error: null });
         const half = keep(read.replay(world, 25));
         half.run(Infinity);
         assert.deepEqual([half.facts().applied, half.facts().checkpoints], [2, 1]);
         const other = keep(read.replay(now));
-        other.run(Infinity);
-        throwsCode('INVALID', () => other.result());
+        assert.ok(other.run(Infinity));
+        const { finished, applied, error } = other.facts();
+        assert.deepEqual([finished, applied], [true, 0]);
+        assert.match(error, /another world/);
+        throwsCode('INVALID', () => other.result(), /another world/);
+        const held = keep(world.withAnchors({ materials: ['plaster'] }));
+        assert.match(keep(read.replay(held)).facts().error, /other anchors/);
         throwsCode('INVALID', () => replay.run(-1), /time/);
         const damaged = bytes.slice();
         damaged[damaged.length >> 1] ^= 1;
         throwsCode('MALFORMED', () => firma.unpackLog(damaged, 'game'), /game/);
+    });
+});
+
+test('a log that the command line wrote of the depot, whose brushes of firma_anchor hold', () => {
+    const read = (name) => readFileSync(new URL(`../../../${name}`, import.meta.url));
+    const kept = [readers.levelFromMap(read('levels/depot.map'), { name: 'depot.map' })];
+    const keep = (object) => (kept.push(object), object);
+    releasing(kept, (level) => {
+        const volumes = level.anchorVolumes();
+        assert.equal(volumes.length, 4);
+        assert.ok(volumes.every(({ low, high }) => low.every((x, axis) => x < high[axis])));
+        const world = keep(level.world());
+        // What `firma carve levels/depot.map --chunks --log` writes: see tests/cli/test_log.py.
+        const log = keep(firma.unpackLog(read('tests/data/depot_bridge.firmalog'), 'depot_bridge'));
+        const replay = keep(log.replay(keep(world.withAnchors({ volumes }))));
+        replay.run(Infinity);
+        const { done, checkpoints, error } = replay.facts();
+        assert.deepEqual([done, checkpoints, error], [3, 1, null]);
+        assert.equal(keep(replay.result()).hash(), 0xe1f4b967d5727f35n);
+        for (const anchors of [undefined, { volumes: volumes.slice(1) }]) {
+            const other = keep(log.replay(keep(world.withAnchors(anchors))));
+            assert.ok(other.run(Infinity));
+            assert.match(other.facts().error, /other anchors/);
+            throwsCode('INVALID', () => other.result(), /other anchors/);
+        }
     });
 });
 

@@ -209,7 +209,7 @@ job.result().world.release();
 const edit = world.edit();
 edit.carve(cutter, { position: [1, 2, 3] }).reason.length;
 edit.finish().release();
-const held: World = world.withAnchors({ hanging: false, materials: ['a'], sources: Uint32Array.of(1) });
+const held: World = world.withAnchors({ hanging: false, materials: ['a'], sources: Uint32Array.of(1), volumes: level.anchorVolumes() });
 const loose: Chunks | null = held.carve(cutter, { position: [1, 2, 3] }, { chunks: { minVolume: 1 }, edit: 7 }).report.loose;
 const chunk: Chunk | undefined = loose?.list()[0];
 const woods: MatterVolume[] = chunk?.matters ?? [];
