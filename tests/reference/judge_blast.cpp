@@ -406,15 +406,19 @@ private:
 
     /// All pockets went to one room: of the walls that were taken no other one had more.
     void judge_choice(std::uint32_t room) {
+        for (const FacetPlace& place : change_.come)  // a pocket may be smaller than what rounding makes
+            if (place.record().solid && place.record().edit == after_.data().edits() &&
+                cells_after().current_room(place.block->part) != room)
+                return;
         constexpr double kSure = 1e-3;  // square metres: more than rounding of corners makes
-        const WallArea own = wall_area(room);
+        const double own = taken_of_walls(room);
         bool several = false;
         for (std::uint32_t other = 0; other < before_.room_count(); ++other) {
             if (room_info(before_, {other})->merged_into != RoomId{other} || other == room) continue;
             if (room_info(after_, {other})->merged_into != RoomId{other}) return;  // swallowed: the last choice
-            const WallArea walls = wall_area(other);
-            several |= walls.was - walls.is > kSure;
-            if (walls.was - walls.is > own.was - own.is + kSure)
+            const double taken = taken_of_walls(other);
+            several |= taken > kSure;
+            if (taken > own + kSure)
                 fail("what was opened went to " + room_words({room}) + ", and more of the walls of " +
                      room_words({other}) + " was taken");
         }
@@ -424,15 +428,21 @@ private:
     struct WallArea {
         double was = 0, is = 0;  ///< square metres, of the facets that changed
     };
-    /// Faces that bound no solid are no walls.
-    WallArea wall_area(std::uint32_t room) const {
+    /// Square metres of a room's walls that were taken: by faces, as one that the cutter's face beside it became part
+    /// of makes up for no other. Faces that bound no solid are no walls.
+    double taken_of_walls(std::uint32_t room) const {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, WallArea> faces;  // by edit and source
+        const auto of_face = [&](const FacetPlace& place) -> WallArea& {
+            return faces[{place.record().edit, place.record().source}];
+        };
         const auto area_of = [](const FacetPlace& place) { return length(area_vector(facet_corners(place))) / 2; };
-        WallArea sum;
         for (const FacetPlace& place : change_.gone)
-            if (was_wall(place, room)) sum.was += area_of(place);
+            if (was_wall(place, room)) of_face(place).was += area_of(place);
         for (const FacetPlace& place : change_.come)
-            if (is_old_wall(place, room)) sum.is += area_of(place);
-        return sum;
+            if (is_old_wall(place, room)) of_face(place).is += area_of(place);
+        double taken = 0;
+        for (const auto& [key, walls] : faces) taken += std::fmax(0, walls.was - walls.is);
+        return taken;
     }
     bool was_wall(const FacetPlace& place, std::uint32_t room) const {
         return place.record().solid && cells_before().current_room(place.block->part) == room;
