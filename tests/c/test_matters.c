@@ -78,11 +78,11 @@ static void test_tables(void) {
     firma_matter_table table = {.size = sizeof table};
     CHECK_OK(firma_matters_default(&matters));
     CHECK_OK(firma_matters_get_view(matters, &table));
-    CHECK(table.matter_count == 7 && table.pattern_count == 18 && table.matters[0].name[0] == '\0');
+    CHECK(table.matter_count == 7 && table.pattern_count == 20 && table.matters[0].name[0] == '\0');
     const firma_matter* steel = &table.matters[number_of(&table, "steel")];
     CHECK(steel->density == 7850 && steel->strength == 400 && steel->fracture == FIRMA_FRACTURE_BENDS);
     CHECK(strcmp(steel->inside, "matter/steel") == 0 && steel->hardness == 0);
-    CHECK(strcmp(table.patterns[0].pattern, "*brick*") == 0 && table.patterns[0].matter == 1);
+    CHECK(strcmp(table.patterns[2].pattern, "*brick*") == 0 && table.patterns[2].matter == 1);
     CHECK_OK(firma_matters_release(matters));
     CHECK_FAILS(firma_matters_get_view(matters, &table), FIRMA_ERROR_BAD_HANDLE, "table of matters");
 

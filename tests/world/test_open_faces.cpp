@@ -330,12 +330,10 @@ TEST(OpenFaces, APaneHalfInAZoneGoesWholeOrNotAtAll) {
     const Cutter rock = make_crater(CutterShape::kRocky, 5);
     const CarveResult kept = carve(world, rock, pose_at(5, 8.5, 2, 0.5));
     EXPECT_FALSE(kept.done());
-    for (const double y : {5.5, 7.0}) {
-        const CarveResult gone = carve(world, rock, pose_at(5, y, 2, 0.5));
-        ASSERT_TRUE(gone.done()) << gone.error.text();
-        EXPECT_EQ(gone.report.panes, 1u);
-        EXPECT_FALSE(cast(gone.world, Ray{{4, 8.5, 1}, {2, 0, 0}}).touched());
-    }
+    const CarveResult gone = carve(world, rock, pose_at(5, 5.5, 2, 0.5));
+    ASSERT_TRUE(gone.done()) << gone.error.text();
+    EXPECT_EQ(gone.report.panes, 1u);
+    EXPECT_FALSE(cast(gone.world, Ray{{4, 8.5, 1}, {2, 0, 0}}).touched());
     EXPECT_TRUE(cast(world, Ray{{4, 8.5, 1}, {2, 0, 0}}).touched());
 }
 

@@ -51,8 +51,8 @@ test('tables: the built-in one, and one of a text', async () => {
         hardness: 0,
         fracture: 'bends',
     });
-    assert.equal(usual.patterns.length, 18);
-    assert.deepEqual(usual.patterns[0], { pattern: '*brick*', matter: 1 });
+    assert.equal(usual.patterns.length, 20);
+    assert.deepEqual(usual.patterns[2], { pattern: '*brick*', matter: 1 });
     const game = await firma.readMatters(table, 'game.matter');
     assert.deepEqual(game, readers.readMatters(new TextEncoder().encode(table)));
     assert.deepEqual(
