@@ -37,7 +37,8 @@ FirstSeen::FirstSeen(const Sweep& sweep)
       boxes_(sweep),
       window_(kThin / (kGrazingSine * sweep.direction_length)),
       latest_(sweep.end),
-      first_side_{INFINITY, INFINITY} {}
+      first_side_{INFINITY, INFINITY},
+      first_polygon_(INFINITY) {}
 
 void FirstSeen::keep(const Contact& contact) {
     best_ = contact;
@@ -64,6 +65,7 @@ bool FirstSeen::facets(const IndexedFacets& facets, std::uint32_t first, std::ui
 void FirstSeen::look_at(const PolygonShape& polygon, std::uint32_t number) {
     const Contact contact = cast_sweep_polygon(sweep_, polygon, Sides::kBoth, latest_, nullptr);
     if (!contact.touched()) return;
+    first_polygon_ = std::min(first_polygon_, contact.t);
     const bool tie = best_.touched() && contact.t == best_.t;
     if (best_.touched() && contact.t >= best_.t && !(tie && !block_ && number < number_)) return;
     keep(contact);
@@ -74,6 +76,9 @@ void FirstSeen::look_at(const PolygonShape& polygon, std::uint32_t number) {
 
 Seen FirstSeen::judge() const {
     if (!best_.touched()) return {.kind = Seen::Kind::kNothing};
+    // Air that is so thin between a face and a polygon may be on either side of both.
+    const double first_face = std::min(first_side_[0], first_side_[1]);
+    if (best_.status == Status::kHit && std::fabs(first_face - first_polygon_) < window_) return {};
     if (!block_) {
         const bool touching = best_.status == Status::kInitialOverlap;
         const int side = touching ? 1 : side_met(sweep_, *polygon_, best_, kRim);

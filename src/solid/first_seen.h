@@ -66,6 +66,7 @@ private:
     const double window_;  ///< after the first face: others that rounding may have put behind it
     double latest_;
     double first_side_[2];  ///< when a face was met first from its front, and from behind
+    double first_polygon_;  ///< when a polygon was
     Contact best_;
     const Block* block_ = nullptr;  ///< null: a polygon, where anything was met
     std::uint32_t slot_ = 0;

@@ -23,6 +23,7 @@
 
 #include "firma/brush_world.h"
 #include "firma/carve.h"
+#include "firma/rooms.h"
 #include "scenes/blast_worlds.h"
 #include "scenes/blasts.h"
 #include "tests/carve/cutters.h"
@@ -97,6 +98,28 @@ TEST(Blasts, AFillWithAWallBetweenItAndAPortal) {
 /// it.
 TEST(Blasts, AWallThatGrowsMakesUpForNone) {
     judge_again(scenes::BlastWorld::kHub, 115, 5, 9);
+}
+
+/// Where the air between a portal and a wall is thinner than corners are rounded by, a ray from a point in room 21 met
+/// the wall first, which looks into the thin air of room 20. (full_blasts, in_rock, seed 121, case 7)
+TEST(Blasts, ThinAirBehindAPortalTellsNoRoom) {
+    World world = scenes::blast_world(scenes::BlastWorld::kInRock, 121ull * 1'000'003 + 7);
+    scenes::Rng rng(121ull * 0x9E3779B97F4A7C15ull ^ 8 * 0xD1B54A32D192ED03ull);
+    world = scenes::with_closed_doors(world, 1.0 / 3, rng);
+    const auto blasts = scenes::room_blasts(scenes::blast_places(world), 12, rng);
+    for (std::size_t k = 0; k < 7; ++k) {
+        const scenes::CutOrder& cut = blasts[k].cut;
+        CarveOptions options;
+        options.from = blasts[k].from;
+        const CarveResult result = cut.kind == CarveKind::kFill ? fill(world, cut.cutter, cut.pose, options)
+                                                                : carve(world, cut.cutter, cut.pose, options);
+        if (result.done()) world = result.world;
+    }
+    const Vec3 point{6.5340180590884387, 3.001, 6.3541182236788014};
+    const Location in_front = locate(world, point), behind = locate(world, point - Vec3{0, 0.002, 0});
+    EXPECT_EQ(in_front.where, Where::kAir);
+    EXPECT_EQ(in_front.room, RoomId{21});
+    EXPECT_EQ(behind.room, RoomId{20}) << "portal 25 is between";
 }
 
 /// What hangs free stays, and what a fill joins to it is no such thing: shot off, it is a chunk, and the judge says so.
