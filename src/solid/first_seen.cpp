@@ -76,22 +76,24 @@ void FirstSeen::look_at(const PolygonShape& polygon, std::uint32_t number) {
 
 Seen FirstSeen::judge() const {
     if (!best_.touched()) return {.kind = Seen::Kind::kNothing};
+    const auto is_thin = [&](const PolygonShape& seen, double a, double b) {
+        return std::fabs(a - b) * std::fabs(dot(sweep_.direction, seen.unit_normal())) < kThin;
+    };
     // Air that is so thin between a face and a polygon may be on either side of both.
     const double first_face = std::min(first_side_[0], first_side_[1]);
-    if (best_.status == Status::kHit && std::fabs(first_face - first_polygon_) < window_) return {};
     if (!block_) {
         const bool touching = best_.status == Status::kInitialOverlap;
         const int side = touching ? 1 : side_met(sweep_, *polygon_, best_, kRim);
-        if (side == 0) return {};
+        if (side == 0 || (!touching && is_thin(*polygon_, first_face, first_polygon_))) return {};
         return {.kind = Seen::Kind::kPolygon, .number = number_, .front = side > 0};
     }
     if (best_.status != Status::kHit) return {};
     const FaceRecord& record = block_->faces[slot_];
     const FaceShape shape(*block_, record);
     const int side = side_met(sweep_, shape.polygon, best_, kRim);
-    if (side == 0) return {};
-    const double across = std::fabs(dot(sweep_.direction, shape.polygon.unit_normal()));
-    if (std::fabs(first_side_[0] - first_side_[1]) * across < kThin) return {};
+    if (side == 0 || is_thin(shape.polygon, first_side_[0], first_side_[1]) ||
+        is_thin(shape.polygon, first_face, first_polygon_))
+        return {};
     // A sliver's own plane may look anywhere: it must agree with the exact one.
     const FaceOwner* owner = block_->owner_of(record);
     if (owner && dot(owner->normal, shape.polygon.unit_normal()) < 0.9) return {};
