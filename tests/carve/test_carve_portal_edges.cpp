@@ -2,7 +2,6 @@
 // Cuts at an edge where a room has portals only, no face: the room does not lie in the way, but its portals change.
 #include <gtest/gtest.h>
 
-#include <initializer_list>
 #include <vector>
 
 #include "firma/carve.h"
@@ -14,6 +13,7 @@
 #include "scenes/rng.h"
 #include "tests/carve/cutters.h"
 #include "tests/reference/judge_logs.h"
+#include "tests/world/hand_made_rooms.h"
 #include "world/assemble_world.h"
 #include "world/world_data.h"
 
@@ -25,51 +25,26 @@ constexpr int kStrips = 9, kStripLength = 2;  ///< along y; metres
 /// A hall 8 m wide and 4 m high. Room 2 is what lies above two slopes that come up from the middle of the floor; below
 /// these lie room 0, at -x, and room 1. A portal for each slope and strip.
 WorldParts valley_parts() {
-    WorldParts parts;
-    parts.materials = {""};
-    parts.rock_outside = true;
-    parts.options.rules.merge_share = 0;
-    parts.rooms.resize(3);
-    std::uint32_t id = 0;
-    const auto at = [](int x, int y, int z) {
-        const int step = int(kSurfaceSteps);
-        return GridPoint{x * step, y * step, z * step};
-    };
-    const auto add = [&](int room, std::initializer_list<GridPoint> corners) {
-        FaceSet& set = parts.rooms[std::size_t(room)].faces;
-        set.faces.push_back({.id = {id++},
-                             .first_corner = std::uint32_t(set.corners.size()),
-                             .corner_count = std::uint32_t(corners.size()),
-                             .solid = true});
-        for (const GridPoint& corner : corners) {
-            set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.vertices.push_back(corner);
-        }
-    };
-    const auto add_portal = [&](std::uint32_t below, std::vector<GridPoint> corners) {
-        PortalPart portal;
-        portal.rooms = {RoomId{below}, RoomId{2}};
-        portal.polygons = {std::move(corners)};
-        parts.portals.push_back(std::move(portal));
-    };
+    const auto at = test::at_metres;
+    test::HandMadeRooms rooms(3);
     for (int strip = 0; strip < kStrips; ++strip) {
         const int a = strip * kStripLength, b = a + kStripLength;
-        add(0, {at(-4, a, 0), at(0, a, 0), at(0, b, 0), at(-4, b, 0)});
-        add(0, {at(-4, a, 0), at(-4, b, 0), at(-4, b, 4), at(-4, a, 4)});
-        add(1, {at(0, a, 0), at(4, a, 0), at(4, b, 0), at(0, b, 0)});
-        add(1, {at(4, a, 0), at(4, a, 4), at(4, b, 4), at(4, b, 0)});
-        add(2, {at(-4, a, 4), at(-4, b, 4), at(4, b, 4), at(4, a, 4)});
-        add_portal(0, {at(0, a, 0), at(-4, a, 4), at(-4, b, 4), at(0, b, 0)});
-        add_portal(1, {at(0, a, 0), at(0, b, 0), at(4, b, 4), at(4, a, 4)});
+        rooms.add(0, {at(-4, a, 0), at(0, a, 0), at(0, b, 0), at(-4, b, 0)});
+        rooms.add(0, {at(-4, a, 0), at(-4, b, 0), at(-4, b, 4), at(-4, a, 4)});
+        rooms.add(1, {at(0, a, 0), at(4, a, 0), at(4, b, 0), at(0, b, 0)});
+        rooms.add(1, {at(4, a, 0), at(4, a, 4), at(4, b, 4), at(4, b, 0)});
+        rooms.add(2, {at(-4, a, 4), at(-4, b, 4), at(4, b, 4), at(4, a, 4)});
+        rooms.add_portal(0, 2, {{at(0, a, 0), at(-4, a, 4), at(-4, b, 4), at(0, b, 0)}});
+        rooms.add_portal(1, 2, {{at(0, a, 0), at(0, b, 0), at(4, b, 4), at(4, a, 4)}});
     }
     const int end = kStrips * kStripLength;
-    add(0, {at(0, 0, 0), at(-4, 0, 0), at(-4, 0, 4)});
-    add(1, {at(0, 0, 0), at(4, 0, 4), at(4, 0, 0)});
-    add(2, {at(0, 0, 0), at(-4, 0, 4), at(4, 0, 4)});
-    add(0, {at(0, end, 0), at(-4, end, 4), at(-4, end, 0)});
-    add(1, {at(0, end, 0), at(4, end, 0), at(4, end, 4)});
-    add(2, {at(0, end, 0), at(4, end, 4), at(-4, end, 4)});
-    return parts;
+    rooms.add(0, {at(0, 0, 0), at(-4, 0, 0), at(-4, 0, 4)});
+    rooms.add(1, {at(0, 0, 0), at(4, 0, 4), at(4, 0, 0)});
+    rooms.add(2, {at(0, 0, 0), at(-4, 0, 4), at(4, 0, 4)});
+    rooms.add(0, {at(0, end, 0), at(-4, end, 4), at(-4, end, 0)});
+    rooms.add(1, {at(0, end, 0), at(4, end, 0), at(4, end, 4)});
+    rooms.add(2, {at(0, end, 0), at(4, end, 4), at(-4, end, 4)});
+    return rooms.parts;
 }
 
 /// More portals than a room lists: it has an index over them, which each cut must keep up.

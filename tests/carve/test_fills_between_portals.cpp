@@ -2,13 +2,11 @@
 // Fills where portals touch each other, and not along an edge that both have: rooms stay apart.
 #include <gtest/gtest.h>
 
-#include <initializer_list>
-#include <vector>
-
 #include "firma/carve.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "tests/carve/cutters.h"
+#include "tests/world/hand_made_rooms.h"
 #include "world/assemble_world.h"
 #include "world/world_data.h"
 
@@ -19,51 +17,28 @@ namespace {
 /// middle of its ceiling, room 1; room 2 lies above these. The slopes touch the inside of the portal between rooms 0
 /// and 1.
 WorldParts wedge_parts() {
-    WorldParts parts;
-    parts.materials = {""};
-    parts.rock_outside = true;
-    parts.options.rules.merge_share = 0;
-    parts.rooms.resize(3);
-    std::uint32_t id = 0;
-    const auto at = [](int x, int y, int z) {
-        const int step = int(kSurfaceSteps);
-        return GridPoint{x * step, y * step, z * step};
-    };
-    const auto add = [&](int room, std::initializer_list<GridPoint> corners) {
-        FaceSet& set = parts.rooms[std::size_t(room)].faces;
-        set.faces.push_back({.id = {id++},
-                             .first_corner = std::uint32_t(set.corners.size()),
-                             .corner_count = std::uint32_t(corners.size()),
-                             .solid = true});
-        for (const GridPoint& corner : corners) {
-            set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.vertices.push_back(corner);
-        }
-    };
+    const auto at = test::at_metres;
+    test::HandMadeRooms rooms(3);
     const GridPoint south = at(0, -1, 0), north = at(0, 7, 0);
-    add(0, {at(-4, 0, -4), at(0, -1, -4), at(4, 0, -4), at(4, 6, -4), at(0, 7, -4), at(-4, 6, -4)});
-    add(0, {at(-4, 0, -4), at(-4, 6, -4), at(-4, 6, 0), at(-4, 0, 0)});
-    add(0, {at(4, 0, -4), at(4, 0, 0), at(4, 6, 0), at(4, 6, -4)});
-    add(0, {at(4, 0, -4), at(0, -1, -4), south, at(4, 0, 0)});
-    add(0, {at(0, -1, -4), at(-4, 0, -4), at(-4, 0, 0), south});
-    add(0, {at(-4, 6, -4), at(0, 7, -4), north, at(-4, 6, 0)});
-    add(0, {at(0, 7, -4), at(4, 6, -4), at(4, 6, 0), north});
-    add(1, {at(-4, 0, 0), at(-4, 6, 0), at(-4, 6, 4), at(-4, 0, 4)});
-    add(1, {at(4, 0, 0), at(4, 0, 4), at(4, 6, 4), at(4, 6, 0)});
-    add(1, {south, at(-4, 0, 0), at(-4, 0, 4)});
-    add(1, {south, at(4, 0, 4), at(4, 0, 0)});
-    add(1, {north, at(-4, 6, 4), at(-4, 6, 0)});
-    add(1, {north, at(4, 6, 0), at(4, 6, 4)});
-    add(2, {at(-4, 0, 4), at(-4, 6, 4), at(4, 6, 4), at(4, 0, 4)});
-    add(2, {south, at(-4, 0, 4), at(4, 0, 4)});
-    add(2, {north, at(4, 6, 4), at(-4, 6, 4)});
-    PortalPart level, slopes;
-    level.rooms = {RoomId{1}, RoomId{0}};
-    level.polygons = {{at(-4, 0, 0), south, at(4, 0, 0), at(4, 6, 0), north, at(-4, 6, 0)}};
-    slopes.rooms = {RoomId{1}, RoomId{2}};
-    slopes.polygons = {{south, at(-4, 0, 4), at(-4, 6, 4), north}, {south, north, at(4, 6, 4), at(4, 0, 4)}};
-    parts.portals = {level, slopes};
-    return parts;
+    rooms.add(0, {at(-4, 0, -4), at(0, -1, -4), at(4, 0, -4), at(4, 6, -4), at(0, 7, -4), at(-4, 6, -4)});
+    rooms.add(0, {at(-4, 0, -4), at(-4, 6, -4), at(-4, 6, 0), at(-4, 0, 0)});
+    rooms.add(0, {at(4, 0, -4), at(4, 0, 0), at(4, 6, 0), at(4, 6, -4)});
+    rooms.add(0, {at(4, 0, -4), at(0, -1, -4), south, at(4, 0, 0)});
+    rooms.add(0, {at(0, -1, -4), at(-4, 0, -4), at(-4, 0, 0), south});
+    rooms.add(0, {at(-4, 6, -4), at(0, 7, -4), north, at(-4, 6, 0)});
+    rooms.add(0, {at(0, 7, -4), at(4, 6, -4), at(4, 6, 0), north});
+    rooms.add(1, {at(-4, 0, 0), at(-4, 6, 0), at(-4, 6, 4), at(-4, 0, 4)});
+    rooms.add(1, {at(4, 0, 0), at(4, 0, 4), at(4, 6, 4), at(4, 6, 0)});
+    rooms.add(1, {south, at(-4, 0, 0), at(-4, 0, 4)});
+    rooms.add(1, {south, at(4, 0, 4), at(4, 0, 0)});
+    rooms.add(1, {north, at(-4, 6, 4), at(-4, 6, 0)});
+    rooms.add(1, {north, at(4, 6, 0), at(4, 6, 4)});
+    rooms.add(2, {at(-4, 0, 4), at(-4, 6, 4), at(4, 6, 4), at(4, 0, 4)});
+    rooms.add(2, {south, at(-4, 0, 4), at(4, 0, 4)});
+    rooms.add(2, {north, at(4, 6, 4), at(-4, 6, 4)});
+    rooms.add_portal(1, 0, {{at(-4, 0, 0), south, at(4, 0, 0), at(4, 6, 0), north, at(-4, 6, 0)}});
+    rooms.add_portal(1, 2, {{south, at(-4, 0, 4), at(-4, 6, 4), north}, {south, north, at(4, 6, 4), at(4, 0, 4)}});
+    return rooms.parts;
 }
 
 TEST(FillsBetweenPortals, OneThatTouchesTheInsideOfAnotherDoesNotDivideIt) {
