@@ -16,6 +16,8 @@ function(unite_folders target)
     get_filename_component(folder ${folder} NAME)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
   endforeach()
+  # Compiled by itself several times over, for one kind of processor each.
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/src/world/sweep_lanes.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # g++ takes a source that another includes for a header, whose types might be another's.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

@@ -53,6 +53,7 @@ Ref<const Node> NodeJoiner::join(std::span<const NodeItem> items, std::uint32_t 
         return true;
     });
     made->bins.assign(bins_.begin(), bins_.end());
+    if (!made->children[0]->wide.empty()) widen_node(*made, widener_);
     return Ref<const Node>(made.get());
 }
 

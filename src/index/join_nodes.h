@@ -11,6 +11,7 @@
 #include "index/divide_bins.h"
 #include "index/node.h"
 #include "index/rounded_box.h"
+#include "index/widen.h"
 
 namespace firma {
 
@@ -55,6 +56,7 @@ private:
     BinTree tree_;
     std::vector<std::uint32_t> sums_;
     std::vector<Bin> bins_;
+    BinWidener widener_;
 };
 
 /// One node over all of these, or the only one; null for none. The nodes between them hold up to 64 each.

@@ -13,6 +13,7 @@
 #include "base/pool.h"
 #include "base/ref.h"
 #include "index/bin.h"
+#include "index/wide_node.h"
 
 namespace firma {
 
@@ -44,6 +45,7 @@ public:
     std::uint16_t depth = 0;         ///< bins above the deepest leaf bin, from bins[0] on down through children
 
     PoolVector<Bin> bins;                  ///< bins[0] is the root; never empty
+    PoolVector<WideNode> wide;             ///< the bins as casts read them; wide[0] is the root. Empty: not over faces
     PoolVector<Ref<const Node>> children;  ///< items that are nodes; then there are no facets here
     Ref<const IndexedFacets> facets;       ///< items that are facets; null where they are nodes
 

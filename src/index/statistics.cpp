@@ -63,7 +63,7 @@ private:
 }  // namespace
 
 std::size_t bytes_of(const Node& node) {
-    return pool_size(sizeof(Node)) + pool_size_of(node.bins) + pool_size_of(node.children);
+    return pool_size(sizeof(Node)) + pool_size_of(node.bins) + pool_size_of(node.wide) + pool_size_of(node.children);
 }
 
 TreeStatistics tree_statistics(const Node& root) {

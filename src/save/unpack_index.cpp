@@ -108,12 +108,17 @@ private:
             below += made_[number]->facets_below;
         }
         if (block != kNoEntry) {
+            if (!made_blocks_[block]->lanes.empty()) return fault("names a block that another one holds");
             node->facets = Ref<const IndexedFacets>(made_blocks_[block].get());
             below = made_blocks_[block]->faces.size();
         }
         if (below > faces_.faces.size()) return fault("holds more faces than there are");
         node->facets_below = std::uint32_t(below);
         if (!read_bins(*node, bins, children > 0 ? children : std::uint32_t(below), entry)) return false;
+        if (block != kNoEntry)
+            layout_.make(*node, *made_blocks_[block]);
+        else
+            widen_node(*node, widener_);
         made_.emplace_back(node.get());
         return true;
     }
@@ -166,10 +171,12 @@ private:
     const FaceSet& faces_;
     Damage& damage_;
     Entries blocks_, block_faces_, nodes_, bins_, children_, roots_;
-    std::vector<Ref<const Block>> made_blocks_;
+    std::vector<Ref<Block>> made_blocks_;
     std::vector<Ref<const Node>> made_;
     std::vector<std::uint32_t> numbers_;
     VertexTable scratch_;
+    FaceLayout layout_;
+    BinWidener widener_;
     std::uint32_t next_item_ = 0;
 };
 

@@ -16,6 +16,7 @@
 #include "firma/hit.h"
 #include "geometry/grid_box.h"
 #include "index/node.h"
+#include "solid/face_lanes.h"
 
 namespace firma {
 
@@ -57,7 +58,7 @@ public:
     }
     std::size_t bytes() const override {
         return pool_size(sizeof(Block)) + pool_size_of(faces) + pool_size_of(vertices) + pool_size_of(corner_vertices) +
-               pool_size_of(owners);
+               pool_size_of(owners) + pool_size_of(lanes);
     }
 
     /// Faces of different parts never share a block. What a part is, says whoever holds the faces: to a world, a room.
@@ -66,6 +67,7 @@ public:
     PoolVector<GridPoint> vertices;             ///< each once
     PoolVector<std::uint16_t> corner_vertices;  ///< of all faces in a row
     PoolVector<Ref<const FaceOwner>> owners;    ///< each once
+    PoolVector<FaceLanes> lanes;                ///< the same facets, as casts read them
 
     std::span<const std::uint16_t> corners_of(const FaceRecord& face) const {
         return {corner_vertices.data() + face.first_corner, face.corner_count};

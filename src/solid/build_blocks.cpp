@@ -108,11 +108,13 @@ Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
     leaf->facets_below = node.count;
     numbers_.clear();
     for (const BuildItem& item : tree_.items_of(node)) numbers_.push_back(item.face);
-    leaf->facets = Ref<const IndexedFacets>(make_block(*faces_, numbers_, vertices_).get());
+    const Ref<Block> block = make_block(*faces_, numbers_, vertices_);
+    layout_.make(*leaf, *block);
+    leaf->facets = Ref<const IndexedFacets>(block.get());
     return Ref<const Node>(leaf.get());
 }
 
-Ref<const Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch) {
+Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch) {
     Ref<Block> block(new Block);
     std::size_t corners = 0;
     for (const std::uint32_t number : numbers) corners += faces.faces[number].corner_count;
@@ -123,7 +125,7 @@ Ref<const Block> make_block(const FaceSet& faces, std::span<const std::uint32_t>
     for (const std::uint32_t number : numbers) add_face(*block, faces, faces.faces[number], scratch);
     block->vertices.assign(scratch.vertices.begin(), scratch.vertices.end());
     block->owners.shrink_to_fit();
-    return Ref<const Block>(block.get());
+    return block;
 }
 
 Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
@@ -139,6 +141,7 @@ Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
         return true;
     });
     made->bins.assign(bins_.begin(), bins_.end());
+    widen_node(*made, widener_);
     made->facets_below = tree_.nodes[top].count;
     made->children.reserve(chosen.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {

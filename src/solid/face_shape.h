@@ -29,4 +29,22 @@ private:
     } corners_;
 };
 
+/// Of a facet all of whose corners are in one lane, exactly (FaceLanes::whole). The normal then is the exact one.
+class LaneShape {
+public:
+    LaneShape(const FaceLanes& lanes, std::uint32_t lane) {
+        for (std::uint32_t k = 0; k < 3; ++k) corners_[k] = lanes.corner_at(k, lane);
+        polygon.corners = corners_;
+        polygon.normal = cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);
+        polygon.normal_length = length(polygon.normal);
+    }
+    LaneShape(const LaneShape&) = delete;
+    LaneShape& operator=(const LaneShape&) = delete;
+
+    PolygonShape polygon;
+
+private:
+    Vec3 corners_[3];
+};
+
 }  // namespace firma

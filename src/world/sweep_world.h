@@ -18,6 +18,7 @@
 #include "world/block_faces.h"
 #include "world/reach_portal.h"
 #include "world/rooms_on_the_way.h"
+#include "world/sweep_lanes.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -134,7 +135,7 @@ template <class Found>
 class WorldSweep {
 public:
     WorldSweep(const WorldData& data, const Sweep& sweep, const CastOptions& options, Found& found)
-        : data_(data), sweep_(sweep), boxes_(sweep), options_(options), found_(found) {}
+        : data_(data), sweep_(sweep), lanes_(sweep), boxes_(sweep), options_(options), found_(found) {}
 
     /// Through all rooms at once.
     void ask_all() {
@@ -170,6 +171,7 @@ private:
     }
 
     void look_into(const Node& index) {
+        if (lanes_.usable) return look_at_lanes(index);
         SweepVisitor<Found> visitor(sweep_, boxes_, options_, found_);
         traverse(index, visitor);
         ended_ = visitor.ended;
@@ -179,6 +181,35 @@ private:
             options_.counts->faces += visitor.counts.faces;
             options_.counts->precise += visitor.counts.precise;
         }
+    }
+
+    void look_at_lanes(const Node& index) {
+        LaneQuery query{lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet, {}};
+        ended_ = sweep_lanes(index, query);
+        if (!options_.counts) return;
+        options_.counts->nodes += query.counts.nodes;
+        options_.counts->boxes += query.counts.boxes;
+        options_.counts->faces += query.counts.faces;
+        options_.counts->precise += query.counts.precise;
+    }
+
+    static bool look_at_facet(LaneQuery& query, const Block& block, const FaceLanes& lanes, std::uint32_t lane) {
+        WorldSweep& it = *static_cast<WorldSweep*>(query.whose);
+        const std::uint32_t slot = lanes.slot[lane];
+        const FaceRecord& face = block.faces[slot];
+        if (!(face.mask & it.options_.mask)) return false;
+        ++query.counts.faces;
+        const bool ends = lanes.whole >> lane & 1 ? it.meet(query, LaneShape(lanes, lane).polygon, block, slot)
+                                                  : it.meet(query, FaceShape(block, face).polygon, block, slot);
+        query.latest = it.found_.latest;
+        return ends;
+    }
+
+    bool meet(LaneQuery& query, const PolygonShape& polygon, const Block& block, std::uint32_t slot) {
+        if (!polygon.has_area()) return false;
+        const Sides sides = block.faces[slot].two_sided ? Sides::kBoth : options_.sides;
+        const Contact contact = cast_sweep_polygon(sweep_, polygon, sides, found_.latest, &query.counts);
+        return contact.touched() && found_({contact, &block, slot});
     }
 
     /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
@@ -266,6 +297,7 @@ private:
 
     const WorldData& data_;
     const Sweep& sweep_;
+    const LaneSweep lanes_;
     const SweepBox boxes_;
     const CastOptions& options_;
     Found& found_;

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// A sweep through an index, eight at a time: compiled once for each kind of processor, of which the best is taken.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "world/sweep_lanes.cpp"
+#include "world/sweep_lanes.h"
+
+#include <cmath>
+
+#include "base/assert.h"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+#include "solid/lay_out_faces.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace firma::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::uint32_t kLanes = 8;
+constexpr float kRoundoff = 0x1p-24f;
+constexpr float kLess = 1 - 16 * kRoundoff, kMore = 1 + 16 * kRoundoff;
+
+const hn::CappedTag<float, kLanes> kFloats;
+using Floats = hn::Vec<decltype(kFloats)>;
+const hn::Rebind<std::uint8_t, decltype(kFloats)> kBytes;
+const hn::Rebind<std::int32_t, decltype(kFloats)> kInts;
+constexpr std::uint32_t kAtOnce = std::uint32_t(hn::MaxLanes(kFloats));
+
+HWY_INLINE Floats all(float x) { return hn::Set(kFloats, x); }
+HWY_INLINE Floats dot(const Floats* a, const Floats* b) {
+    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+}
+HWY_INLINE void cross(const Floats* a, const Floats* b, Floats* c) {
+    c[0] = hn::NegMulAdd(a[2], b[1], hn::Mul(a[1], b[2]));
+    c[1] = hn::NegMulAdd(a[0], b[2], hn::Mul(a[2], b[0]));
+    c[2] = hn::NegMulAdd(a[1], b[0], hn::Mul(a[0], b[1]));
+}
+HWY_INLINE unsigned bits(hn::Mask<decltype(kFloats)> mask) {
+    std::uint8_t bytes[8];
+    hn::StoreMaskBits(kFloats, mask, bytes);
+    return bytes[0];
+}
+
+/// Times at which the sphere is in a node's boxes, by `latest`; a bit for each that it is in.
+HWY_INLINE unsigned enter(const WideNode& node, const LaneSweep& sweep, float latest, float* times) {
+    unsigned met = 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+        Floats in = hn::Zero(kFloats), out = all(latest);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto side = [&](std::uint32_t which) HWY_ATTR {
+                const auto steps = hn::PromoteTo(kInts, hn::LoadU(kBytes, node.side[which][axis] + part));
+                return hn::MulAdd(hn::ConvertTo(kFloats, steps), all(node.scale[axis]), all(node.base[axis]));
+            };
+            const Floats slope = all(sweep.inverse[axis]);
+            const std::uint32_t turned = sweep.turned[axis];
+            in = hn::Max(in, hn::Mul(hn::Sub(side(turned), all(sweep.ahead[axis])), slope));
+            out = hn::Min(out, hn::Mul(hn::Sub(side(1 - turned), all(sweep.behind[axis])), slope));
+        }
+        in = hn::Mul(in, all(kLess));
+        hn::StoreU(in, kFloats, times + part);
+        met |= bits(hn::Le(in, hn::Mul(out, all(kMore)))) << part;
+    }
+    return met & ((1u << node.count) - 1);
+}
+
+/// Narrows [in, out] to the times t with b t <= w.
+HWY_INLINE void clip(Floats b, Floats w, Floats& in, Floats& out) {
+    constexpr float kLevel = 0x1p-120f;
+    b = hn::IfThenElse(hn::Lt(hn::Abs(b), all(kLevel)), all(kLevel), b);
+    const Floats t = hn::Div(w, b);
+    const auto falls = hn::Lt(b, hn::Zero(kFloats));
+    in = hn::IfThenElse(falls, hn::Max(in, t), in);
+    out = hn::IfThenElse(falls, out, hn::Min(out, t));
+}
+
+/// Lower bounds for when triangles are met, from the time `enter` on, a bit for each that may be by `latest`.
+HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest, float* times) {
+    const LaneSweep& sweep = query.sweep;
+    float o[3], size = lanes.size + sweep.radius;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
+        o[axis] = float(from + double(enter) * sweep.direction[axis]);
+        size += std::fabs(o[axis]);
+    }
+    const float reach = (sweep.radius + lanes.uneven + sweep.margin + 8 * kRoundoff * size) * kMore;
+    const float error = 32 * kRoundoff * size;
+    unsigned met = 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+        Floats p[3][3];  // corners seen from there
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis)
+                p[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[c][axis] + part), all(o[axis]));
+        Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), all(reach));
+            const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), all(reach));
+            const Floats slope = all(sweep.inverse[axis]);
+            in = hn::Max(in, hn::Mul(sweep.turned[axis] ? high : low, slope));
+            out = hn::Min(out, hn::Mul(sweep.turned[axis] ? low : high, slope));
+        }
+        unsigned left = bits(hn::Le(hn::Mul(in, all(kLess)), hn::Mul(out, all(kMore))));
+        if ((left << part & lanes.used) == 0) continue;
+        Floats e[3][3], n[3];
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis)
+                e[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[(c + 1) % 3][axis] + part),
+                                     hn::LoadU(kFloats, lanes.corner[c][axis] + part));
+        cross(e[0], e[1], n);
+        const Floats squares[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
+        const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
+        const Floats g = hn::MulAdd(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach), hn::Mul(longest, all(error)));
+        const Floats d[3] = {all(sweep.along[0]), all(sweep.along[1]), all(sweep.along[2])};
+        const Floats height = dot(n, p[0]), rise = dot(n, d);
+        // -height + rise t lies between -g and g.
+        clip(rise, hn::Add(g, height), in, out);
+        clip(hn::Neg(rise), hn::Sub(g, height), in, out);
+        for (int c = 0; c < 3; ++c) {
+            Floats m[3];
+            cross(e[c], n, m);
+            const Floats room = hn::MulAdd(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g, dot(m, p[c]));
+            clip(dot(m, d), room, in, out);
+        }
+        in = hn::Mul(in, all(kLess));
+        left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
+        if (query.front_only) {
+            const unsigned away = bits(hn::Gt(rise, hn::Mul(longest, all(128 * kRoundoff))));
+            left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
+        }
+        hn::StoreU(in, kFloats, times + part);
+        met |= left << part;
+    }
+    return met & lanes.used;
+}
+
+/// Rounded up.
+HWY_INLINE float to_float(double latest) { return float(latest) * (1 + 4 * kRoundoff); }
+
+HWY_INLINE std::uint32_t first_bit(unsigned bits) { return std::uint32_t(__builtin_ctz(bits)); }
+
+bool sweep_lanes(const Node& root, LaneQuery& query) {
+    struct Waiting {
+        const Node* node;
+        std::uint32_t id;
+        float time;
+    };
+    constexpr std::size_t kMost = (kDeepestTree + 1) * (kLanes - 1) + 1;
+    Waiting waiting[kMost];
+    std::size_t count = 0;
+    Waiting now{&root, 0, 0};
+    float latest = to_float(query.latest);
+    alignas(64) float times[kLanes];
+    for (;;) {
+        if (!(now.id & WideNode::kItem)) {
+            const WideNode& node = now.node->wide[now.id];
+            query.counts.nodes += node.count;
+            unsigned met = enter(node, query.sweep, latest, times);
+            if (met) {
+                std::uint32_t lane = first_bit(met);
+                Waiting next{now.node, node.child[lane], times[lane]};
+                const std::size_t base = count;
+                // The nearest goes on, the others wait, the farthest deepest.
+                for (met &= met - 1; met; met &= met - 1) {
+                    lane = first_bit(met);
+                    Waiting other{now.node, node.child[lane], times[lane]};
+                    if (other.time < next.time) std::swap(other, next);
+                    FIRMA_ASSERT(count < kMost, "an index is deeper than any that is built");
+                    std::size_t k = count++;
+                    for (; k > base && waiting[k - 1].time < other.time; --k) waiting[k] = waiting[k - 1];
+                    waiting[k] = other;
+                }
+                now = next;
+                continue;
+            }
+        } else if (!now.node->is_leaf()) {
+            now = {now.node->children[now.id & ~WideNode::kItem].get(), 0, now.time};
+            continue;
+        } else {
+            const Block& block = block_of(*now.node);
+            const std::uint32_t item = now.id & ~WideNode::kItem;
+            const std::uint32_t first = item & ((1u << FaceLayout::kFirstBits) - 1);
+            std::uint64_t looked_at = 0;  // facets: one may be in several lanes
+            for (std::uint32_t k = first; k < first + (item >> FaceLayout::kFirstBits); ++k) {
+                const FaceLanes& lanes = block.lanes[k];
+                query.counts.boxes += std::uint32_t(__builtin_popcount(lanes.used));
+                unsigned met = look(lanes, query, now.time, latest, times);
+                while (met) {  // by rising bound
+                    std::uint32_t lane = first_bit(met);
+                    for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
+                        if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
+                    met &= ~(1u << lane);
+                    if (now.time + times[lane] > latest) break;
+                    const std::uint64_t bit = std::uint64_t(1) << lanes.slot[lane];
+                    if (looked_at & bit) continue;
+                    looked_at |= bit;
+                    if (query.look(query, block, lanes, lane)) return true;
+                    latest = to_float(query.latest);
+                }
+            }
+        }
+        do {
+            if (count == 0) return false;
+            now = waiting[--count];
+        } while (now.time > latest);
+    }
+}
+
+}  // namespace firma::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace firma {
+namespace {
+
+using SweepLanes = bool (*)(const Node&, LaneQuery&);
+
+SweepLanes best_for_this_processor() {
+#if HWY_TARGETS & HWY_AVX3
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd"))
+        return N_AVX3::sweep_lanes;
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+        return N_AVX2::sweep_lanes;
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    if (__builtin_cpu_supports("sse4.1")) return N_SSE4::sweep_lanes;
+#endif
+    return HWY_STATIC_DISPATCH(sweep_lanes);
+}
+
+}  // namespace
+
+LaneSweep::LaneSweep(const Sweep& sweep) {
+    constexpr double kFarthest = 0x1p+20;
+    constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
+    const double rounding_error = 0x1p-44 * (max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim);
+    usable = max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
+    if (!usable) return;
+    radius = float(sweep.radius);
+    margin = float(rounding_error) + radius * 0x1p-22f;
+    for (int axis = 0; axis < 3; ++axis) {
+        start[axis] = sweep.start[axis];
+        direction[axis] = sweep.direction[axis];
+        along[axis] = float(sweep.direction[axis]);
+        inverse[axis] = std::fabs(along[axis]) * kSteepest > 1 ? 1 / along[axis] : kSteepest;
+        turned[axis] = inverse[axis] < 0;
+        // Floats of the sides are exact; their distance from the start is off by a roundoff of its own, and by those of
+        // the start.
+        const double grown = sweep.radius + rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(sweep.start[axis]) + sweep.radius);
+        ahead[axis] = float(sweep.start[axis] + (turned[axis] ? -grown : grown));
+        behind[axis] = float(sweep.start[axis] - (turned[axis] ? -grown : grown));
+    }
+}
+
+bool sweep_lanes(const Node& root, LaneQuery& query) {
+    static const SweepLanes best = best_for_this_processor();
+    return best(root, query);
+}
+
+}  // namespace firma
+#endif
