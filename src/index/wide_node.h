@@ -12,16 +12,16 @@
 
 namespace firma {
 
-/// A child is another wide node of the same Node, by number, or an item: whatever its maker says.
+/// What a child leads to is kept alive by the Node that holds this one.
 struct WideNode {
     static constexpr std::uint32_t kLanes = 8;
-    static constexpr std::uint32_t kItem = 1u << 31;  ///< bit of `child`
 
     /// Box k holds the points from base + scale * side[0][axis][k] to base + scale * side[1][axis][k].
     std::uint8_t side[2][3][kLanes];
     float base[3], scale[3];
-    std::uint32_t child[kLanes];
-    std::uint32_t count = 0;
+    std::uint32_t count = 0;       ///< lanes in use, from the first on
+    std::uint16_t facets[kLanes];  ///< 0: the child is a wide node; else so many FaceLanes in a row
+    const void* child[kLanes];
 
     /// A side as every reader computes it.
     float at(int which, int axis, std::uint32_t lane) const {
@@ -29,7 +29,7 @@ struct WideNode {
     }
 };
 
-/// Puts boxes around the given ones into a node; lanes beyond are empty. Children are left open.
+/// Puts boxes around the given ones into a node; lanes beyond are empty. Children are left to the caller.
 /// @param boxes  1 to 8
 void set_boxes(WideNode& node, std::span<const BoxF> boxes);
 

@@ -15,23 +15,45 @@ namespace firma {
 /// Keeps its scratch memory from call to call.
 class BinWidener {
 public:
-    /// Each wide node takes the bins below one of them: the largest is opened until there are eight or all are items.
-    /// @param bins  of one node; bins[0] is the root
-    /// @param item  (index of bin) returns the number of an item that stands for all of it, below 2^31; or ~0 for an
-    ///              inner bin that is to be divided further. Asked once for each bin that it is not asked above
-    /// @return nodes[0] is the root; good until the next call
-    template <class Item>
-    std::span<const WideNode> widen(std::span<const Bin> bins, const Item& item) {
+    /// Fills Node::wide. Each wide node takes the bins below one of them: the largest is opened until there are eight
+    /// or all are items.
+    /// @param node  with its bins
+    /// @param item  (index of bin) returns the number of an item that stands for all of it, or kNone for an inner bin
+    ///              that is to be divided further. Asked of no bin below an item
+    /// @param lead  (number of item, wide node, lane) puts the item there, once all have been asked for
+    template <class Item, class Lead>
+    void widen(Node& node, const Item& item, const Lead& lead) {
         nodes_.clear();
-        put(bins, 0, item(0), item);
-        return nodes_;
+        children_.clear();
+        put(node.bins, 0, item(0), item);
+        node.wide.assign(nodes_.begin(), nodes_.end());
+        for (const Child& it : children_) {
+            WideNode& above = node.wide[it.above];
+            above.facets[it.lane] = 0;
+            if (it.item != kNone)
+                lead(it.item, above, it.lane);
+            else
+                above.child[it.lane] = &node.wide[it.number];
+        }
+    }
+    /// Of a node over nodes, all of which are widened.
+    void widen(Node& node) {
+        widen(
+            node, [&](std::uint32_t bin) { return node.bins[bin].is_leaf() ? node.bins[bin].first : kNone; },
+            [&](std::uint32_t child, WideNode& above, std::uint32_t lane) {
+                above.child[lane] = node.children[child]->wide.data();
+            });
     }
 
-private:
     static constexpr std::uint32_t kNone = ~0u;
+
+private:
     struct Top {
         std::uint32_t bin, item;
-        double half_area;
+        double size;
+    };
+    struct Child {
+        std::uint32_t above, lane, item, number;
     };
 
     /// Half the surface.
@@ -48,7 +70,7 @@ private:
         while (count < WideNode::kLanes) {
             Top* largest = nullptr;
             for (std::uint32_t k = 0; k < count; ++k)
-                if (tops[k].item == kNone && (!largest || tops[k].half_area > largest->half_area)) largest = &tops[k];
+                if (tops[k].item == kNone && (!largest || tops[k].size > largest->size)) largest = &tops[k];
             if (!largest) break;
             const std::uint32_t left = largest->bin + 1, right = bins[largest->bin].first;
             // In order: the right one stands after the left one.
@@ -63,22 +85,14 @@ private:
         for (std::uint32_t k = 0; k < count; ++k) boxes[k] = bins[tops[k].bin].box;
         set_boxes(nodes_[number], {boxes, count});
         for (std::uint32_t k = 0; k < count; ++k) {
-            const std::uint32_t child =
-                tops[k].item != kNone ? tops[k].item | WideNode::kItem : put(bins, tops[k].bin, kNone, item);
-            nodes_[number].child[k] = child;
+            const std::uint32_t below = tops[k].item == kNone ? put(bins, tops[k].bin, kNone, item) : kNone;
+            children_.push_back({number, k, tops[k].item, below});
         }
         return number;
     }
 
     std::vector<WideNode> nodes_;
+    std::vector<Child> children_;
 };
-
-/// Of a node over nodes, whose bins are known: an item is the number of a child.
-inline void widen_node(Node& node, BinWidener& widener) {
-    const auto wide = widener.widen(node.bins, [&](std::uint32_t bin) {
-        return node.bins[bin].is_leaf() ? node.bins[bin].first : ~0u;
-    });
-    node.wide.assign(wide.begin(), wide.end());
-}
 
 }  // namespace firma

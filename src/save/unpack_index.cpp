@@ -118,7 +118,7 @@ private:
         if (block != kNoEntry)
             layout_.make(*node, *made_blocks_[block]);
         else
-            widen_node(*node, widener_);
+            widener_.widen(*node);
         made_.emplace_back(node.get());
         return true;
     }

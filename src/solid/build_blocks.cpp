@@ -141,13 +141,13 @@ Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
         return true;
     });
     made->bins.assign(bins_.begin(), bins_.end());
-    widen_node(*made, widener_);
     made->facets_below = tree_.nodes[top].count;
     made->children.reserve(chosen.size());
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         made->children.push_back(pack(chosen[k]));
         made->depth = std::uint16_t(std::max<int>(made->depth, depths[k] + made->children[k]->depth));
     }
+    widener_.widen(*made);
     return Ref<const Node>(made.get());
 }
 

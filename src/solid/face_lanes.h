@@ -10,19 +10,22 @@
 
 namespace firma {
 
+class Block;
+
 /// Facets of one block. One of more than three corners is a fan of triangles, side by side, maybe in several of these.
 struct FaceLanes {
     static constexpr std::uint32_t kLanes = 8;
 
-    float corner[3][3][kLanes];         ///< by corner and axis: metres from the origin
+    const Block* block = nullptr;
+    float corner[3][3][kLanes];  ///< by corner and axis: metres from the origin
     GridPoint origin;
-    float size = 0;                     ///< no corner is farther from the origin, by the sum of its coordinates
-    float uneven = 0;                   ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
-    std::uint8_t used = 0;              ///< lanes that hold a triangle, a bit each; the others repeat the last one
-    std::uint8_t whole = 0;             ///< lanes whose corners are all that the facet has, and exact
+    float size = 0;          ///< no corner is farther from the origin, by the sum of its coordinates
+    float uneven = 0;        ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
+    std::uint8_t used = 0;   ///< lanes that hold a triangle, a bit each; the others repeat the last one
+    std::uint8_t whole = 0;  ///< lanes whose corners are all that the facet has, and exact
     std::uint8_t two_sided = 0;
-    std::uint8_t slot[kLanes];          ///< in the block
-    std::uint32_t mask_of_all = 0;      ///< bits that all facets have
+    std::uint8_t slot[kLanes];      ///< in the block
+    std::uint32_t mask_of_all = 0;  ///< bits that all facets have
 
     /// A corner of a whole lane, metres, exact.
     Vec3 corner_at(std::uint32_t k, std::uint32_t lane) const {

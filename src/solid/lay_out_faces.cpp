@@ -45,6 +45,7 @@ public:
         for (std::uint32_t k = 2; k < face.corner_count; ++k) {
             if (lane_ == FaceLanes::kLanes) {
                 lanes_.emplace_back();
+                lanes_.back().block = &block_;
                 lanes_.back().origin = origin_;
                 lanes_.back().mask_of_all = ~0u;
                 lane_ = 0;
@@ -109,11 +110,11 @@ std::uint32_t FaceLayout::put(const Node& leaf, std::uint32_t bin) {
     std::uint32_t at = bin;
     while (!leaf.bins[at].is_leaf()) ++at;
     const std::uint32_t first = leaf.bins[at].first, end = last_[bin];
-    const auto number = std::uint32_t(lanes_.size());
+    first_.push_back(std::uint32_t(lanes_.size()));
     LaneWriter writer(*block_, middle_of(*block_, first, end), lanes_);
     for (std::uint32_t slot = first; slot < end; ++slot) writer.add(slot);
     writer.finish();
-    return number | (std::uint32_t(lanes_.size()) - number) << kFirstBits;
+    return std::uint32_t(first_.size()) - 1;
 }
 
 void FaceLayout::make(Node& leaf, Block& block) {
@@ -124,12 +125,19 @@ void FaceLayout::make(Node& leaf, Block& block) {
     for (std::size_t k = leaf.bins.size(); k-- > 0;)
         last_[k] = leaf.bins[k].is_leaf() ? leaf.bins[k].first + leaf.bins[k].count : last_[leaf.bins[k].first];
     lanes_.clear();
-    const auto wide = widener_.widen(leaf.bins, [&](std::uint32_t bin) {
-        const bool ends = leaf.bins[bin].is_leaf() || lanes_below(leaf, bin) <= FaceLanes::kLanes;
-        return ends ? put(leaf, bin) : ~0u;
-    });
-    leaf.wide.assign(wide.begin(), wide.end());
-    block.lanes.assign(lanes_.begin(), lanes_.end());
+    first_.clear();
+    widener_.widen(
+        leaf,
+        [&](std::uint32_t bin) {
+            const bool ends = leaf.bins[bin].is_leaf() || lanes_below(leaf, bin) <= FaceLanes::kLanes;
+            return ends ? put(leaf, bin) : BinWidener::kNone;
+        },
+        [&](std::uint32_t item, WideNode& above, std::uint32_t lane) {
+            if (block.lanes.empty()) block.lanes.assign(lanes_.begin(), lanes_.end());
+            const std::uint32_t end = item + 1 < first_.size() ? first_[item + 1] : std::uint32_t(lanes_.size());
+            above.child[lane] = &block.lanes[first_[item]];
+            above.facets[lane] = std::uint16_t(end - first_[item]);
+        });
 }
 
 }  // namespace firma

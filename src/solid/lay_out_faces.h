@@ -13,12 +13,9 @@ namespace firma {
 /// Keeps its scratch memory from call to call.
 class FaceLayout {
 public:
-    /// Fills Block::lanes and Node::wide. An item of a wide node: the number of the first lanes, and above
-    /// FaceLayout::kFirstBits how many of them.
+    /// Fills Block::lanes and Node::wide.
     /// @param leaf  with its bins, over this block
     void make(Node& leaf, Block& block);
-
-    static constexpr std::uint32_t kFirstBits = 16;
 
 private:
     std::uint32_t lanes_below(const Node& leaf, std::uint32_t bin) const;
@@ -28,6 +25,7 @@ private:
     std::vector<std::uint32_t> before_;  ///< triangles of facets before each one
     std::vector<std::uint32_t> last_;    ///< of each bin: the facet after its last one
     std::vector<FaceLanes> lanes_;
+    std::vector<std::uint32_t> first_;  ///< of lanes_, by item
     const Block* block_ = nullptr;
 };
 

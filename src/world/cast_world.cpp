@@ -71,7 +71,10 @@ Hit hit_of(const World& world, const Sweep& sweep, const CastOptions& options, c
             sweep, hit, options.contact_offset >= 0 ? options.contact_offset : world.tolerance().contact_offset);
     };
     if (found.block) {
-        make(FaceShape(*found.block, found.face()).polygon);
+        if (found.whole)
+            make(LaneShape(*found.whole, found.lane).polygon);
+        else
+            make(FaceShape(*found.block, found.face()).polygon);
         put_face(found, hit);
     } else {
         const Portal& portal = world.data().cells.portal(found.portal);

@@ -26,7 +26,9 @@ const hn::Rebind<std::uint8_t, decltype(kFloats)> kBytes;
 const hn::Rebind<std::int32_t, decltype(kFloats)> kInts;
 constexpr std::uint32_t kAtOnce = std::uint32_t(hn::MaxLanes(kFloats));
 
-HWY_INLINE Floats all(float x) { return hn::Set(kFloats, x); }
+HWY_INLINE Floats all(float x) {
+    return hn::Set(kFloats, x);
+}
 HWY_INLINE Floats dot(const Floats* a, const Floats* b) {
     return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
 }
@@ -133,35 +135,71 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
 }
 
 /// Rounded up.
-HWY_INLINE float to_float(double latest) { return float(latest) * (1 + 4 * kRoundoff); }
+HWY_INLINE float to_float(double latest) {
+    return float(latest) * (1 + 4 * kRoundoff);
+}
 
-HWY_INLINE std::uint32_t first_bit(unsigned bits) { return std::uint32_t(__builtin_ctz(bits)); }
+HWY_INLINE std::uint32_t first_bit(unsigned bits) {
+    return std::uint32_t(__builtin_ctz(bits));
+}
+
+/// The first lines of what will be looked at.
+HWY_INLINE void fetch(const void* memory, std::uint32_t bytes) {
+    for (std::uint32_t k = 0; k < bytes; k += 64) __builtin_prefetch(static_cast<const char*>(memory) + k);
+}
+
+/// Looks at facets side by side; true when that ends the sweep.
+HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter, LaneQuery& query, float& latest) {
+    std::uint64_t looked_at = 0;  // facets of the block: one may be in several lanes
+    alignas(64) float times[kLanes];
+    for (const FaceLanes* lanes = first; lanes != first + count; ++lanes) {
+        query.counts.boxes += std::uint32_t(__builtin_popcount(lanes->used));
+        unsigned met = look(*lanes, query, enter, latest, times);
+        while (met) {  // by rising bound
+            std::uint32_t lane = first_bit(met);
+            for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
+                if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
+            met &= ~(1u << lane);
+            if (enter + times[lane] > latest) break;
+            const std::uint64_t bit = std::uint64_t(1) << lanes->slot[lane];
+            if (looked_at & bit) continue;
+            looked_at |= bit;
+            if (query.look(query, *lanes, lane)) return true;
+            latest = to_float(query.latest);
+        }
+    }
+    return false;
+}
 
 bool sweep_lanes(const Node& root, LaneQuery& query) {
     struct Waiting {
-        const Node* node;
-        std::uint32_t id;
+        const void* child;
+        std::uint32_t facets;
         float time;
     };
     constexpr std::size_t kMost = (kDeepestTree + 1) * (kLanes - 1) + 1;
     Waiting waiting[kMost];
     std::size_t count = 0;
-    Waiting now{&root, 0, 0};
+    Waiting now{root.wide.data(), 0, 0};
     float latest = to_float(query.latest);
     alignas(64) float times[kLanes];
     for (;;) {
-        if (!(now.id & WideNode::kItem)) {
-            const WideNode& node = now.node->wide[now.id];
+        if (now.facets) {
+            const auto* const lanes = static_cast<const FaceLanes*>(now.child);
+            if (look_at(lanes, now.facets, now.time, query, latest)) return true;
+        } else {
+            const WideNode& node = *static_cast<const WideNode*>(now.child);
             query.counts.nodes += node.count;
             unsigned met = enter(node, query.sweep, latest, times);
             if (met) {
                 std::uint32_t lane = first_bit(met);
-                Waiting next{now.node, node.child[lane], times[lane]};
+                Waiting next{node.child[lane], node.facets[lane], times[lane]};
                 const std::size_t base = count;
                 // The nearest goes on, the others wait, the farthest deepest.
                 for (met &= met - 1; met; met &= met - 1) {
                     lane = first_bit(met);
-                    Waiting other{now.node, node.child[lane], times[lane]};
+                    Waiting other{node.child[lane], node.facets[lane], times[lane]};
+                    fetch(other.child, other.facets ? sizeof(FaceLanes) : sizeof(WideNode));
                     if (other.time < next.time) std::swap(other, next);
                     FIRMA_ASSERT(count < kMost, "an index is deeper than any that is built");
                     std::size_t k = count++;
@@ -170,31 +208,6 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
                 }
                 now = next;
                 continue;
-            }
-        } else if (!now.node->is_leaf()) {
-            now = {now.node->children[now.id & ~WideNode::kItem].get(), 0, now.time};
-            continue;
-        } else {
-            const Block& block = block_of(*now.node);
-            const std::uint32_t item = now.id & ~WideNode::kItem;
-            const std::uint32_t first = item & ((1u << FaceLayout::kFirstBits) - 1);
-            std::uint64_t looked_at = 0;  // facets: one may be in several lanes
-            for (std::uint32_t k = first; k < first + (item >> FaceLayout::kFirstBits); ++k) {
-                const FaceLanes& lanes = block.lanes[k];
-                query.counts.boxes += std::uint32_t(__builtin_popcount(lanes.used));
-                unsigned met = look(lanes, query, now.time, latest, times);
-                while (met) {  // by rising bound
-                    std::uint32_t lane = first_bit(met);
-                    for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
-                        if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
-                    met &= ~(1u << lane);
-                    if (now.time + times[lane] > latest) break;
-                    const std::uint64_t bit = std::uint64_t(1) << lanes.slot[lane];
-                    if (looked_at & bit) continue;
-                    looked_at |= bit;
-                    if (query.look(query, block, lanes, lane)) return true;
-                    latest = to_float(query.latest);
-                }
             }
         }
         do {
@@ -247,7 +260,8 @@ LaneSweep::LaneSweep(const Sweep& sweep) {
         turned[axis] = inverse[axis] < 0;
         // Floats of the sides are exact; their distance from the start is off by a roundoff of its own, and by those of
         // the start.
-        const double grown = sweep.radius + rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(sweep.start[axis]) + sweep.radius);
+        const double grown =
+            sweep.radius + rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(sweep.start[axis]) + sweep.radius);
         ahead[axis] = float(sweep.start[axis] + (turned[axis] ? -grown : grown));
         behind[axis] = float(sweep.start[axis] - (turned[axis] ? -grown : grown));
     }

@@ -4,13 +4,14 @@
 //
 // Lower bounds. Seen from a point near the triangles (`start` + the time at which their box is entered, less their
 // origin; formed in double and rounded once) every length that matters is below S, the sum of the coordinates of that
-// point, of the farthest corner, and of the radius. With u = 2^-24: a corner as seen from there is off by 2 u S at most,
-// and so is the way along the direction until the sphere has met anything. So where a sphere touches the triangle, one
-// that is larger by 8 u S touches the triangle that the floats say; that is the sphere, and the triangle, of all that
-// follows. Its centre then is within a reach R of the triangle's plane and, along each side's normal in that plane, of
-// the side; and in the triangle's box grown by R. Each says of a time t: a + b t <= g. By n = e1 x e2, which is off by
-// 6 u E^2 where E is the longest side, and m = e x n, a plane's a + b t is off by 16 u E^2 S, a side's by as much times
-// its length: twice that is in g. Quotients are off by less than the 16 u by which times are lowered and raised.
+// point, of the farthest corner, and of the radius. With u = 2^-24: a corner as seen from there is off by 2 u S at
+// most, and so is the way along the direction until the sphere has met anything. So where a sphere touches the
+// triangle, one that is larger by 8 u S touches the triangle that the floats say; that is the sphere, and the triangle,
+// of all that follows. Its centre then is within a reach R of the triangle's plane and, along each side's normal in
+// that plane, of the side; and in the triangle's box grown by R. Each says of a time t: a + b t <= g. By n = e1 x e2,
+// which is off by 6 u E^2 where E is the longest side, and m = e x n, a plane's a + b t is off by 16 u E^2 S, a side's
+// by as much times its length: twice that is in g. Quotients are off by less than the 16 u by which times are lowered
+// and raised.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +30,9 @@ struct LaneSweep {
     /// Whether floats are good for it: else it starts, or leads, far beyond the world.
     bool usable = false;
     double start[3], direction[3];
-    float along[3];                        ///< the direction
+    float along[3];                         ///< the direction
     float inverse[3], ahead[3], behind[3];  ///< of the boxes' sides
-    std::uint32_t turned[3];               ///< 1 where the path runs down an axis
+    std::uint32_t turned[3];                ///< 1 where the path runs down an axis
     float radius = 0;
     float margin = 0;  ///< more than the rounding of doubles on the way, metres
 };
@@ -43,7 +44,7 @@ struct LaneQuery {
     double latest = 0;       ///< nothing after it is wanted; `look` may bring it forward
     void* whose = nullptr;
     /// Looks at a facet that may be met; true ends the sweep.
-    bool (*look)(LaneQuery& query, const Block& block, const FaceLanes& lanes, std::uint32_t lane) = nullptr;
+    bool (*look)(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) = nullptr;
     CastCounts counts;
 };
 

@@ -29,6 +29,8 @@ struct SweepContact {
     const Block* block = nullptr;  ///< null: a portal
     std::uint32_t slot = 0;        ///< of a portal: which of its polygons
     std::uint32_t portal = ~0u;
+    const FaceLanes* whole = nullptr;  ///< lanes one of which has all that the facet's shape is, or null
+    std::uint32_t lane = 0;
 
     const FaceRecord& face() const { return block->faces[slot]; }
     /// In the order of faces by id, then portals.
@@ -115,7 +117,7 @@ public:
             if (!shape.polygon.has_area()) continue;
             const Sides sides = face.two_sided ? Sides::kBoth : options_.sides;
             const Contact contact = cast_sweep_polygon(sweep_, shape.polygon, sides, found_.latest, &counts);
-            if (contact.touched() && found_({contact, &block, slot})) return ended = true;
+            if (contact.touched() && found_({contact, &block, slot, ~0u, nullptr, 0})) return ended = true;
         }
         return false;
     }
@@ -193,23 +195,28 @@ private:
         options_.counts->precise += query.counts.precise;
     }
 
-    static bool look_at_facet(LaneQuery& query, const Block& block, const FaceLanes& lanes, std::uint32_t lane) {
+    static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
         WorldSweep& it = *static_cast<WorldSweep*>(query.whose);
-        const std::uint32_t slot = lanes.slot[lane];
-        const FaceRecord& face = block.faces[slot];
-        if (!(face.mask & it.options_.mask)) return false;
+        SweepContact met{{}, lanes.block, lanes.slot[lane]};
+        if (!(lanes.mask_of_all & it.options_.mask) && !(met.face().mask & it.options_.mask)) return false;
         ++query.counts.faces;
-        const bool ends = lanes.whole >> lane & 1 ? it.meet(query, LaneShape(lanes, lane).polygon, block, slot)
-                                                  : it.meet(query, FaceShape(block, face).polygon, block, slot);
+        const Sides sides = lanes.two_sided >> lane & 1 ? Sides::kBoth : it.options_.sides;
+        bool ends = false;
+        if (lanes.whole >> lane & 1) {
+            met.whole = &lanes;
+            met.lane = lane;
+            ends = it.meet(query, LaneShape(lanes, lane).polygon, sides, met);
+        } else {
+            ends = it.meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);
+        }
         query.latest = it.found_.latest;
         return ends;
     }
 
-    bool meet(LaneQuery& query, const PolygonShape& polygon, const Block& block, std::uint32_t slot) {
+    bool meet(LaneQuery& query, const PolygonShape& polygon, Sides sides, SweepContact& met) {
         if (!polygon.has_area()) return false;
-        const Sides sides = block.faces[slot].two_sided ? Sides::kBoth : options_.sides;
-        const Contact contact = cast_sweep_polygon(sweep_, polygon, sides, found_.latest, &query.counts);
-        return contact.touched() && found_({contact, &block, slot});
+        met.contact = cast_sweep_polygon(sweep_, polygon, sides, found_.latest, &query.counts);
+        return met.contact.touched() && found_(met);
     }
 
     /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
