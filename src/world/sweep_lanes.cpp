@@ -4,7 +4,10 @@
 #define HWY_TARGET_INCLUDE "world/sweep_lanes.cpp"
 #include "world/sweep_lanes.h"
 
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "base/assert.h"
 #include "hwy/foreach_target.h"
@@ -224,23 +227,35 @@ HWY_AFTER_NAMESPACE();
 namespace firma {
 namespace {
 
-using SweepLanes = bool (*)(const Node&, LaneQuery&);
+/// The best first.
+struct Kernels {
+    std::array<LaneKernel, 4> all;
+    std::size_t count = 0;
 
-SweepLanes best_for_this_processor() {
+    Kernels() {
 #if HWY_TARGETS & HWY_AVX3
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd"))
-        return N_AVX3::sweep_lanes;
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+            __builtin_cpu_supports("avx512cd"))
+            all[count++] = {"AVX-512", N_AVX3::sweep_lanes};
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
-        return N_AVX2::sweep_lanes;
+        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
+            all[count++] = {"AVX2", N_AVX2::sweep_lanes};
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    if (__builtin_cpu_supports("sse4.1")) return N_SSE4::sweep_lanes;
+        if (__builtin_cpu_supports("sse4.1")) all[count++] = {"SSE4", N_SSE4::sweep_lanes};
 #endif
-    return HWY_STATIC_DISPATCH(sweep_lanes);
+        all[count++] = {"built for", HWY_STATIC_DISPATCH(sweep_lanes)};
+    }
+};
+
+const Kernels& kernels() {
+    static const Kernels known;
+    return known;
 }
+
+std::atomic<bool (*)(const Node&, LaneQuery&)> taken{nullptr};
 
 }  // namespace
 
@@ -267,9 +282,18 @@ LaneSweep::LaneSweep(const Sweep& sweep) {
     }
 }
 
+std::span<const LaneKernel> lane_kernels() {
+    return {kernels().all.data(), kernels().count};
+}
+
+void take_lane_kernel(const LaneKernel& kernel) {
+    taken.store(kernel.sweep, std::memory_order_relaxed);
+}
+
 bool sweep_lanes(const Node& root, LaneQuery& query) {
-    static const SweepLanes best = best_for_this_processor();
-    return best(root, query);
+    auto sweep = taken.load(std::memory_order_relaxed);
+    if (!sweep) taken.store(sweep = lane_kernels()[0].sweep, std::memory_order_relaxed);
+    return sweep(root, query);
 }
 
 }  // namespace firma

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "cast/sweep.h"
 #include "firma/hit.h"
@@ -51,5 +52,15 @@ struct LaneQuery {
 /// @param root  of an index over faces; the sweep must be usable
 /// @return whether `look` ended it
 bool sweep_lanes(const Node& root, LaneQuery& query);
+
+/// The same compiled for one kind of processor. What is looked at may differ, what is met does not.
+struct LaneKernel {
+    const char* name;
+    bool (*sweep)(const Node& root, LaneQuery& query);
+};
+/// Those that this processor runs, the one that sweep_lanes() takes first.
+std::span<const LaneKernel> lane_kernels();
+/// For tests: sweep_lanes() takes this one from now on.
+void take_lane_kernel(const LaneKernel& kernel);
 
 }  // namespace firma
