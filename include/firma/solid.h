@@ -214,7 +214,8 @@ struct CarveRules {
     double merge_share = 0;
 
     /// Of a world: whether a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies
-    /// in the cutter. Liquids stay, and what else stops neither walkers nor shots nor sight. Off: all of them stay.
+    /// in the cutter, and what lies in a piece that comes loose or is held by it alone. Liquids stay, and what else
+    /// stops neither walkers nor shots nor sight. Off: all of them stay.
     bool open_faces = true;
 };
 
@@ -237,7 +238,7 @@ struct CarveReport {
     /// solid where CarveRules::open_faces says so, and by fills.
     std::size_t faces_castable_only = 0;
     // Of a world, of faces that bound no solid (`faces_removed` and `faces_added` count these, too):
-    std::size_t open_trimmed = 0;  ///< of which the cutter took a part
+    std::size_t open_trimmed = 0;  ///< of which the cutter, or a piece that came loose, took a part
     std::size_t open_removed = 0;  ///< that went whole, those of panes too
     std::size_t panes = 0;         ///< panes that went whole, each with all its faces
     std::size_t clips = 0;         ///< of those trimmed and removed: that stop walkers alone, or shots alone

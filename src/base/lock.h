@@ -17,7 +17,7 @@ using ShortLock = Lock;
 #else
 using Lock = std::mutex;
 
-/// For a few instructions: inline, so that taking it costs a tenth of a mutex's call. Whoever finds it taken sleeps.
+/// For a few instructions: inline, no call as a mutex has. Whoever finds it taken sleeps.
 class ShortLock {
 public:
     void lock() {

@@ -36,6 +36,7 @@ public:
         add_faces();
         add_sheets();
         arrange();
+        know_walls();
         if (!label_sheets()) return {};
         cell_air_.assign(cells().cells.size(), ClippedSheets::kNoAir);
         if (!label_faces()) return {};
@@ -178,12 +179,20 @@ private:
     bool label_sheets() {
         if (failed_) return false;
         place_.assign(cells().cells.size(), SheetPlace::kOut);
+        std::vector<std::uint32_t> thin;
         for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
             if (!is_sheet(cells().cells[cell].face)) continue;
             place_[cell] = place_of(cells().cells[cell]);
-            if (place_[cell] == SheetPlace::kUnknown) return false;
+            if (place_[cell] == SheetPlace::kUnknown) thin.push_back(cell);
         }
-        return true;
+        // One may be told by another.
+        for (std::size_t left = thin.size() + 1; !thin.empty() && thin.size() < left;) {
+            left = thin.size();
+            std::erase_if(thin, [&](std::uint32_t cell) {
+                return (place_[cell] = place_by_edges(cell)) != SheetPlace::kUnknown;
+            });
+        }
+        return thin.empty();
     }
 
     std::uint32_t start_of(const PieceUse& use) const {
@@ -202,6 +211,51 @@ private:
         return side > 0 ? SheetPlace::kIn : side < 0 ? SheetPlace::kOut : SheetPlace::kOn;
     }
 
+    /// Of a piece that is too thin for a point within it: by what stands around its edges.
+    SheetPlace place_by_edges(std::uint32_t cell) {
+        for (const PieceUse& use : cells().uses(cells().cells[cell]))
+            if (const SheetPlace place = place_around(use.piece, cell); place != SheetPlace::kUnknown) return place;
+        return SheetPlace::kUnknown;
+    }
+
+    SheetPlace place_around(std::uint32_t piece, std::uint32_t cell) {
+        SheetPlace beside = SheetPlace::kUnknown;
+        bool any_face = false;
+        spokes_.clear();
+        CellSpoke own;
+        for (const std::uint32_t use : users_.at(piece)) {
+            const CellSpoke spoke = spoke_of(use);
+            if (spoke.cell == cell)
+                own = spoke;
+            else if (spoke.operand == 1)
+                beside = place_[spoke.cell];
+            else
+                any_face = true;
+            if (spoke.operand == 0 || spoke.cell == cell) spokes_.push_back(spoke);
+        }
+        if (!any_face) return beside;  // the edge lies off the cutter's faces, so all that have it lie alike
+        if (lines_.piece(piece).line == Piece::kNoLine) return SheetPlace::kUnknown;
+        add_wall_spokes(piece);
+        sort_around(overlay_.lines, lines_.piece(piece).line, spokes_);
+        for (const CellSpoke& spoke : spokes_)
+            if (spoke.operand == 0 && spoke.half == own.half) return SheetPlace::kOn;
+        const auto at = std::size_t(
+            std::find_if(spokes_.begin(), spokes_.end(), [&](const CellSpoke& spoke) { return spoke.operand == 1; }) -
+            spokes_.begin());
+        const CellSpoke& before = spokes_[(at + spokes_.size() - 1) % spokes_.size()];
+        if (before.operand == 0) return before.air_after ? SheetPlace::kOut : SheetPlace::kIn;
+        const CellSpoke& after = spokes_[(at + 1) % spokes_.size()];
+        if (after.operand == 0) return after.air_after ? SheetPlace::kIn : SheetPlace::kOut;
+        return SheetPlace::kUnknown;
+    }
+
+    CellSpoke spoke_of(std::uint32_t use) const {
+        const std::uint32_t cell = users_.cell_of(use);
+        const OverlayFace& face = overlay_.faces[cells().cells[cell].face];
+        const bool forward = cells().all_uses[use].forward;
+        return {use, cell, forward ? face.plane : from_behind(face.plane), forward, face.operand, 0};
+    }
+
     bool is_kept(std::uint32_t cell) const {
         return !is_sheet(cells().cells[cell].face) || place_[cell] == SheetPlace::kOut;
     }
@@ -216,7 +270,6 @@ private:
         DisjointSets sets(cells().cells.size());
         std::vector<std::uint32_t> air(cells().cells.size(), ClippedSheets::kNoAir);
         std::vector<std::pair<std::uint32_t, std::uint32_t>> told;  // cell, air
-        know_walls();
         for (std::uint32_t piece = 0; piece < lines_.size(); ++piece) look_around(piece, sets, told);
         tell_by_walls(told);
         for (const auto& [cell, which] : told) {
@@ -260,11 +313,9 @@ private:
                 at_wall |= number_of_use(use) != kNoNumber;
                 continue;
             }
-            const OverlayFace& face = overlay_.faces[cells().cells[cell].face];
-            const bool forward = cells().all_uses[use].forward;
-            any_sheet |= face.operand == 1;
-            if (face.operand == 0) faces_at_.push_back(use);
-            spokes_.push_back({use, cell, forward ? face.plane : from_behind(face.plane), forward, face.operand, 0});
+            spokes_.push_back(spoke_of(use));
+            any_sheet |= spokes_.back().operand == 1;
+            if (spokes_.back().operand == 0) faces_at_.push_back(use);
         }
         const auto meet = [&](std::uint32_t a, std::uint32_t b) {
             if (at_wall && number_of_use(a) == kNoNumber) return;

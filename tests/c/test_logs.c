@@ -69,7 +69,7 @@ static void check_facts(firma_log log, firma_world room) {
     CHECK_FAILS(firma_log_command(log, 4, &command), FIRMA_ERROR_OUT_OF_RANGE, "no such command");
 }
 
-/* In slices of one piece of work; the hash of what came of it. */
+/* In slices of one piece of work; the hash of what came of it. The reason in `facts`, of the replay, goes with it. */
 static uint64_t replayed(firma_world room, firma_log log, uint32_t last_number, firma_replay_facts* facts) {
     firma_replay replay = {0};
     firma_world after = {0};
@@ -87,6 +87,8 @@ static uint64_t replayed(firma_world room, firma_log log, uint32_t last_number, 
     }
     CHECK_OK(firma_replay_result(replay, &after));
     const uint64_t hash = hash_of(after);
+    CHECK(facts->error && !*facts->error);
+    facts->error = NULL;
     CHECK_OK(firma_world_release(after));
     CHECK_OK(firma_replay_release(replay));
     return hash;
@@ -97,7 +99,6 @@ static void test_replay(firma_world room, firma_log log, firma_world now) {
     CHECK(replayed(room, log, UINT32_MAX, &facts) == hash_of(now));
     CHECK(facts.finished == 1 && facts.applied == 4 && facts.done == 4 && facts.refused == 0 && facts.nothing == 0);
     CHECK(facts.checkpoints == 2 && facts.commands_in_all == 4);
-    CHECK(facts.error && !*facts.error);
     CHECK(replayed(room, log, 25, &facts) != hash_of(now));
     CHECK(facts.applied == 2 && facts.checkpoints == 1);
     firma_replay replay = {0};
@@ -185,7 +186,7 @@ static void test_log_of_command_line(const char* sources) {
     CHECK_OK(firma_world_with_anchors(depot, &anchors, &held));
     firma_replay_facts facts = {.size = sizeof facts};
     CHECK(replayed(held, log, UINT32_MAX, &facts) == 0xe1f4b967d5727f35);
-    CHECK(facts.done == 3 && facts.checkpoints == 1 && !*facts.error);
+    CHECK(facts.done == 3 && facts.checkpoints == 1);
     CHECK_OK(firma_world_release(held));
     /* Without the volumes it is refused. */
     firma_replay replay = {0};

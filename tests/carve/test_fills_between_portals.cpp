@@ -74,5 +74,27 @@ TEST(FillsBetweenPortals, OneThatTouchesTheInsideOfAnotherDoesNotDivideIt) {
         }
 }
 
+/// What a fill leaves of a portal may be thinner than rounding: a strip 1/4,000 of a step wide along another body.
+TEST(FillsBetweenPortals, OneThatLeavesAStripThinnerThanRounding) {
+    World world = assemble_world(wedge_parts()).value();
+    const auto put = [&](const test::TriangleMesh& mesh) {
+        const CarveResult result = fill(world, mesh.cutter().value(), {});
+        ASSERT_TRUE(result.done());
+        world = result.world;
+        test::expect_sound_world(world);
+    };
+    put(test::box_mesh({1, 1, -0.5}, {3, 2, 0.5}));
+    put(test::box_mesh({1, 1.5, -0.5}, {1.5, 3, 0.5}));
+    put(test::box_mesh({2.5, 1.5, -0.5}, {3, 3, 0.5}));
+    // Between these three, its lower side turned so that it lies 1/4095 of a step above y = 2 where z = 0.
+    constexpr double kStep = 1 / kInputSteps;
+    test::TriangleMesh turned = test::box_mesh({1.25, 2, -0.5}, {2.75, 2.75, 0.5 - kStep});
+    for (Vec3& vertex : turned.vertices)
+        if (vertex.y == 2) vertex.y += vertex.z < 0 ? -kStep : kStep;
+    put(turned);
+    for (std::uint32_t room = 0; room < 3; ++room) EXPECT_EQ(room_info(world, {room})->merged_into, RoomId{room});
+    EXPECT_EQ(portal_count(world), 2u);
+}
+
 }  // namespace
 }  // namespace firma
