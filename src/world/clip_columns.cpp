@@ -66,10 +66,8 @@ std::int32_t to_steps(double metres) {
     return std::int32_t(std::clamp(std::floor(metres * kSurfaceSteps + 0.5), double(INT32_MIN), double(INT32_MAX)));
 }
 
-/// Of a set, and of what lies straight out from it.
-GridBox reach_over(const FaceSet& set, const Vec3& way) {
-    GridBox box;
-    for (const FaceSet::Entry& face : set.faces) box.add(set.box_of(face));
+/// A box, and what lies straight out from it.
+GridBox reach_over(GridBox box, const Vec3& way) {
     GridPoint low, high;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] = to_steps(box.low[axis] / kSurfaceSteps + way[axis]);
@@ -147,6 +145,8 @@ void ClipColumns::find_walls() {
 
 ClipColumns::Phase ClipColumns::start_section() {
     Wall& wall = walls_[next_wall_++];
+    find_clips_on(wall);
+    if (wall.clips.size() == 0) return Phase::kNextWall;
     FaceSet section = section_of_box(wall.plane, cutter_.box);
     section_faces_ = section.faces.size();
     if (section_faces_ == 0) return Phase::kNextWall;
@@ -174,9 +174,14 @@ void ClipColumns::find_columns() {
             taken = true;
     }
     if (!taken || hole.faces.empty()) return;
-    const GridBox box = reach_over(hole, wall.plane.normal * kReach);
+    for (Cutter& column : columns_over(hole, wall.plane, wall.height + 8 / kInputSteps))
+        columns_.push_back({number, std::move(column)});
+}
+
+/// Of the clips that stand on it: those that may stand over the hole, by boxes.
+void ClipColumns::find_clips_on(Wall& wall) {
+    const GridBox box = reach_over(cutter_.box, wall.plane.normal * kReach);
     FlatMap seen;
-    double height = 0;
     for (const FacetPlace& seed : near_) {
         if (!boxes_meet(box, seed.block->box_of(seed.record())) || dot(facing_of(seed), wall.plane.normal) <= 0)
             continue;
@@ -187,11 +192,8 @@ void ClipColumns::find_columns() {
             seen.at(facet.record().id.value) = 0;
             if (high > 0 && may_lose(facet)) wall.clips.at(facet.record().id.value) = 0;
         }
-        height = std::max(height, high);
+        wall.height = std::max(wall.height, high);
     }
-    if (wall.clips.size() == 0) return;
-    for (Cutter& column : columns_over(hole, wall.plane, height + 8 / kInputSteps))
-        columns_.push_back({number, std::move(column)});
 }
 
 bool ClipColumns::ClipPlane::valid() const {

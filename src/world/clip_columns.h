@@ -69,7 +69,8 @@ private:
     struct Wall {
         WallPlane plane;
         std::vector<FacetPlace> facets;
-        FlatMap clips;  ///< ids of faces
+        FlatMap clips;      ///< ids of faces
+        double height = 0;  ///< metres, of the highest of these
     };
     /// Of the clip at hand: a plane that it lies behind.
     struct ClipPlane {
@@ -84,6 +85,7 @@ private:
     void find_walls();
     Phase start_section();
     void find_columns();
+    void find_clips_on(Wall& wall);
     ClipPlane plane_of(const FacetPlace& facet);
     void grow(const FacetPlace& seed);
     bool take_in(const FacetPlace& facet);
