@@ -11,6 +11,7 @@
 #include "carve/check_crossing.h"
 #include "carve/place_cutter.h"
 #include "geometry/exact_plane.h"
+#include "solid/append_faces.h"
 
 namespace firma {
 namespace {
@@ -144,15 +145,7 @@ ColumnPrism grown_prism(const FaceSet& polygons, const FaceSet::Entry& face, con
 }
 
 void add_loop(FaceSet& set, std::span<const GridPoint> corners) {
-    FaceSet::Entry face;
-    face.id = {std::uint32_t(set.faces.size())};
-    face.first_corner = std::uint32_t(set.corners.size());
-    face.corner_count = std::uint32_t(corners.size());
-    for (const GridPoint& corner : corners) {
-        set.corners.push_back(std::uint32_t(set.vertices.size()));
-        set.vertices.push_back(corner);
-    }
-    set.faces.push_back(face);
+    add_facet(set, corners, {.id = {std::uint32_t(set.faces.size())}});
 }
 
 }  // namespace
