@@ -85,6 +85,10 @@ def casts(seed, count):
     return [f'{BUILD}/full_casts', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def casts_by(kernel):
+    return lambda seed, count: casts(seed, count) + ['--kernel', kernel]
+
+
 def watertight(seed, count):
     return [f'{BUILD}/full_watertight', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
@@ -184,6 +188,12 @@ def store(seed, count):
 CLAIMS = [
     Claim('casts_vs_twin', 'casts judged by the exact oracle, no miss, false hit or penetration', 1_000_000, 50_000, 'casts',
           CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts, 'full_casts'),
+    Claim('casts_avx2', 'the same by lanes of AVX2', 1_000_000, 50_000, 'casts',
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('AVX2'), 'full_casts'),
+    Claim('casts_sse4', 'the same by lanes of SSE4', 1_000_000, 50_000, 'casts',
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('SSE4'), 'full_casts'),
+    Claim('casts_one_by_one', 'the same without lanes', 1_000_000, 50_000, 'casts',
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('none'), 'full_casts'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',

@@ -30,7 +30,7 @@ need() {
 
 # What it takes to build the library and the command line.
 need_build() {
-    need g++ cmake ninja-build libcli11-dev libfmt-dev libtbb-dev libfast-float-dev libboost-dev libtinygltf-dev nlohmann-json3-dev \
+    need g++ cmake ninja-build libcli11-dev libfmt-dev libtbb-dev libfast-float-dev libboost-dev libhwy-dev libtinygltf-dev nlohmann-json3-dev \
         libcpp-httplib-dev libpng-dev
 }
 

@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
-need g++ cmake ninja-build clang-19 libfast-float-dev libboost-dev binutils
+need g++ cmake ninja-build clang-19 libfast-float-dev libboost-dev libhwy-dev binutils
 
 root=$PWD
 log=$root/build/test_added.log
@@ -55,21 +55,34 @@ echo "without a build type: compiled with -O3, as C++20, position independent, h
 
 # ---- headers that are not there are told, with the package they are in
 
-for missing in "fast_float/fast_float.h libfast-float-dev FAST_FLOAT" "boost/multiprecision/cpp_int.hpp libboost-dev BOOST"; do
+# configure_without NAME OPTION...: those of Boost, fast_float and Highway, but for this one.
+configure_without() {
+    local missing=$1 name there=()
+    shift
+    for name in BOOST FAST_FLOAT HWY; do
+        [ "$name" = "$missing" ] || there+=("-DFIRMA_${name}_INCLUDE_DIR=/usr/include")
+    done
+    cmake -S tests/added -B "no_$missing" -G Ninja -DFIRMA_FOLDER="$root" -DCMAKE_IGNORE_PATH="/usr/include;/usr/local/include" \
+        "${there[@]}" "$@" >"$log" 2>&1
+}
+said() { tr '\n' ' ' <"$log" | tr -s ' ' | grep -qF "$1" || { cat "$log" >&2; fail "not said: $1"; }; }
+
+for missing in "fast_float/fast_float.h libfast-float-dev FAST_FLOAT" "boost/multiprecision/cpp_int.hpp libboost-dev BOOST" \
+    "hwy/highway.h libhwy-dev HWY"; do
     read -r header package name <<<"$missing"
-    other=$([ "$name" = BOOST ] && echo FAST_FLOAT || echo BOOST)
-    ! cmake -S tests/added -B "no_$name" -G Ninja -DFIRMA_FOLDER="$root" -DCMAKE_IGNORE_PATH="/usr/include;/usr/local/include" \
-        "-DFIRMA_${other}_INCLUDE_DIR=/usr/include" >"$log" 2>&1 || fail "configured without $header"
-    tr '\n' ' ' <"$log" | tr -s ' ' | grep -q "Firma needs $header to be compiled: Debian's package $package" || { cat "$log" >&2; fail "$header: not said"; }
+    ! configure_without "$name" -DFIRMA_SIMD=ON || fail "configured without $header"
+    said "Firma needs $header to be compiled: Debian's package $package"
 done
-echo "without the headers of Boost or fast_float: told which, and Debian's package"
+configure_without HWY -DFIRMA_SIMD=AUTO || { cat "$log" >&2; fail "not configured without Highway"; }
+said "Firma: no hwy/highway.h (Debian's package libhwy-dev, or -DFIRMA_HWY_INCLUDE_DIR=the folder it is in), so casts test one triangle at a time"
+echo "without the headers of Boost, fast_float, Highway: told which, and Debian's package; without the last it is built all the same"
 
 # ---- results
 
-configure unity -DCMAKE_UNITY_BUILD=ON
+configure unity -DCMAKE_UNITY_BUILD=ON -DFIRMA_SIMD=OFF
 quietly cmake --build unity
-must_print "add_subdirectory, unity build, C++" unity/crater_cpp first.obj saved.firma
-must_print "add_subdirectory, unity build, C" unity/crater_c first.obj saved.firma
+must_print "add_subdirectory, unity build, no SIMD, C++" unity/crater_cpp first.obj saved.firma
+must_print "add_subdirectory, unity build, no SIMD, C" unity/crater_c first.obj saved.firma
 [ -f unity/libplugin.so ] || fail "no library could be made over the static one"
 
 configure fetched -DFETCH=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Release \

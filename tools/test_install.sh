@@ -54,7 +54,7 @@ cp -r tests/install "$work/tests"
 diff <(cd include/firma && ls) <(cd "$prefix/include/firma" && find . -type f -printf '%P\n' | sort) || fail "other headers installed than include/firma"
 [ -f "$prefix/share/doc/firma/LICENSE" ] || fail "no licence installed"
 libraries=$(dirname "$(find "$prefix" -name libfirma.a)")
-! grep -riE 'boost|fast_float|tinygltf|nlohmann|/work/|'"$root" "$libraries/cmake" "$libraries/pkgconfig" || fail "the installed files name what only building needs"
+! grep -riE 'boost|fast_float|hwy|highway|tinygltf|nlohmann|/work/|'"$root" "$libraries/cmake" "$libraries/pkgconfig" || fail "the installed files name what only building needs"
 
 # ---- shared libraries export public functions, nothing else
 

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
-need cmake ninja-build g++-mingw-w64-x86-64-posix wine wine64 libfast-float-dev libboost-dev libgtest-dev python3
+need cmake ninja-build g++-mingw-w64-x86-64-posix wine wine64 libfast-float-dev libboost-dev libhwy-dev libgtest-dev python3
 
 log=$PWD/build/test_windows.log
 work=$(mktemp -d)

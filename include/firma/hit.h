@@ -94,9 +94,10 @@ struct Hit : PolygonHit {
 
 /// What casts tested. Add up over casts; a cast only ever adds.
 struct CastCounts {
-    std::uint64_t nodes = 0;    ///< boxes of the tree's nodes tested
-    std::uint64_t boxes = 0;    ///< boxes of faces and of portals' polygons tested
-    std::uint64_t faces = 0;    ///< candidate faces: those whose geometry was tested
+    std::uint64_t nodes = 0;  ///< boxes of the tree's nodes tested, eight at a time
+    std::uint64_t boxes = 0;  ///< triangles of faces tested eight at a time; boxes of portals' polygons. Built without
+                              ///< SIMD (FIRMA_SIMD), boxes are tested one by one, and of faces boxes as well
+    std::uint64_t faces = 0;  ///< candidate faces: those whose geometry was tested exactly
     std::uint64_t precise = 0;  ///< questions that double left open and more digits decided
 };
 

@@ -53,7 +53,7 @@ Ref<const Node> NodeJoiner::join(std::span<const NodeItem> items, std::uint32_t 
         return true;
     });
     made->bins.assign(bins_.begin(), bins_.end());
-    if (!made->children[0]->wide.empty()) widener_.widen(*made);
+    widener_.widen(*made);
     return Ref<const Node>(made.get());
 }
 

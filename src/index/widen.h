@@ -36,14 +36,8 @@ public:
                 above.child[it.lane] = &node.wide[it.number];
         }
     }
-    /// Of a node over nodes, all of which are widened.
-    void widen(Node& node) {
-        widen(
-            node, [&](std::uint32_t bin) { return node.bins[bin].is_leaf() ? node.bins[bin].first : kNone; },
-            [&](std::uint32_t child, WideNode& above, std::uint32_t lane) {
-                above.child[lane] = node.children[child]->wide.data();
-            });
-    }
+    /// Of a node over nodes, where these are widened; else it stays without.
+    void widen(Node& node);
 
     static constexpr std::uint32_t kNone = ~0u;
 

@@ -19,9 +19,11 @@ struct FaceLanes {
     const Block* block = nullptr;
     float corner[3][3][kLanes];  ///< by corner and axis: metres from the origin
     GridPoint origin;
-    float size = 0;          ///< no corner is farther from the origin, by the sum of its coordinates
-    float uneven = 0;        ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
-    std::uint8_t used = 0;   ///< lanes that hold a triangle, a bit each; the others repeat the last one
+    float size = 0;         ///< no corner is farther from the origin, by the sum of its coordinates
+    float uneven = 0;       ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
+    float shifted = 0;      ///< nor from where the facet has it, in its plane, by more: not 0 where floats, or rounding
+                            ///< in polygons, turn a triangle's normal away from its facet's, metres
+    std::uint8_t used = 0;  ///< lanes that hold a triangle, a bit each; the others repeat the last one
     std::uint8_t whole = 0;  ///< lanes whose corners are all that the facet has, and exact
     std::uint8_t two_sided = 0;
     std::uint8_t slot[kLanes];      ///< in the block

@@ -35,7 +35,8 @@ public:
     LaneShape(const FaceLanes& lanes, std::uint32_t lane) {
         for (std::uint32_t k = 0; k < 3; ++k) corners_[k] = lanes.corner_at(k, lane);
         polygon.corners = corners_;
-        polygon.normal = cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);
+        // Added to zero as make_shape() does, so that no zero is negative.
+        polygon.normal = Vec3{} + cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);
         polygon.normal_length = length(polygon.normal);
     }
     LaneShape(const LaneShape&) = delete;

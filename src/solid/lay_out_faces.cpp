@@ -52,6 +52,8 @@ public:
             }
             FaceLanes& it = lanes_.back();
             it.uneven = std::max(it.uneven, float(uneven) * kUp);
+            // Outlines of more corners are convex but for the rounding to the grid.
+            if (face.corner_count > 3) it.shifted = std::max(it.shifted, float(1 / kSurfaceSteps));
             it.mask_of_all &= face.mask;
             it.slot[lane_] = std::uint8_t(slot);
             it.used |= std::uint8_t(1u << lane_);
@@ -75,9 +77,9 @@ public:
     }
 
 private:
-    /// @return whether it is exact
+    /// @return whether a corner is exact
     bool put(FaceLanes& it, std::uint32_t c, const GridPoint& point) const {
-        double sum = 0;
+        double sum = 0, off = 0;
         bool exact = true;
         for (int axis = 0; axis < 3; ++axis) {
             const double from = double(std::int64_t(point[axis]) - origin_[axis]) / kSurfaceSteps;
@@ -86,8 +88,10 @@ private:
             // Up to 2^23 steps differences of corners, and what is made of their products, have no rounding either.
             exact = exact && double(rounded) == from && std::fabs(from) <= 32;
             sum += std::fabs(from);
+            off += std::fabs(from - double(rounded));
         }
         it.size = std::max(it.size, float(sum) * kUp);
+        if (off > 0) it.shifted = std::max(it.shifted, float(off + 1 / kSurfaceSteps) * kUp);
         return exact;
     }
 
@@ -117,7 +121,8 @@ std::uint32_t FaceLayout::put(const Node& leaf, std::uint32_t bin) {
     return std::uint32_t(first_.size()) - 1;
 }
 
-void FaceLayout::make(Node& leaf, Block& block) {
+void FaceLayout::make([[maybe_unused]] Node& leaf, [[maybe_unused]] Block& block) {
+#ifdef FIRMA_SIMD
     block_ = &block;
     before_.assign(1, 0);
     for (const FaceRecord& face : block.faces) before_.push_back(before_.back() + face.corner_count - 2);
@@ -138,6 +143,7 @@ void FaceLayout::make(Node& leaf, Block& block) {
             above.child[lane] = &block.lanes[first_[item]];
             above.facets[lane] = std::uint16_t(end - first_[item]);
         });
+#endif
 }
 
 }  // namespace firma

@@ -13,7 +13,7 @@ namespace firma {
 /// Keeps its scratch memory from call to call.
 class FaceLayout {
 public:
-    /// Fills Block::lanes and Node::wide.
+    /// Fills Block::lanes and Node::wide; where Firma is compiled without lanes (FIRMA_SIMD), nothing.
     /// @param leaf  with its bins, over this block
     void make(Node& leaf, Block& block);
 

@@ -12,6 +12,7 @@
 #include "solid/hash_facet.h"
 #include "world/block_faces.h"
 #include "world/check_exchange.h"
+#include "world/check_lanes.h"
 #include "world/check_rooms.h"
 #include "world/world_data.h"
 
@@ -124,12 +125,15 @@ private:
         if (node.depth > kDeepestTree) report("an index is deeper than traversals can go", {});
         for (const int times : held)
             if (times != 1) report("an item is not in exactly one leaf", {});
-        if (!fault_ && node.is_leaf()) check_block(block_of(node));
+        // A leaf that is in a room is one that is in a store.
+        if (!fault_ && (in_store_ || !node.is_leaf())) fault_ = fault_of_lanes(node);
+        if (!fault_ && node.is_leaf()) check_leaf(node);
     }
 
-    void check_block(const Block& block) {
-        if (in_store_) return blocks_.push_back(&block);
-        in_rooms_.push_back(&block);
+    void check_leaf(const Node& leaf) {
+        if (in_store_) return leaves_.push_back(&leaf);
+        in_rooms_.push_back(&leaf);
+        const Block& block = block_of(leaf);
         faces_ += block.faces.size();
         for (const FaceRecord& face : block.faces) hash_ += hash_facet(block, face);
         parts_.push_back({block.part, room_});
@@ -204,9 +208,9 @@ private:
         for (const auto& [part, room] : parts_)
             if (part >= data.cells.room_count() || data.cells.current_room(part) != room)
                 return report("a block lies in a room that its faces are not part of", {});
-        sort_range(blocks_, std::less<const Block*>());
-        sort_range(in_rooms_, std::less<const Block*>());
-        if (blocks_ != in_rooms_) report("a block lies in no room, or in several", {});
+        sort_range(leaves_, std::less<const Node*>());
+        sort_range(in_rooms_, std::less<const Node*>());
+        if (leaves_ != in_rooms_) report("a block lies in no room, in several, or in another leaf there", {});
     }
 
     /// By region, those that are zero left out.
@@ -247,7 +251,7 @@ private:
 
     std::optional<WorldFault> fault_;
     std::vector<std::uint32_t> ids_;
-    std::vector<const Block*> blocks_, in_rooms_;                 ///< of the stores, and of all rooms
+    std::vector<const Node*> leaves_, in_rooms_;                  ///< of the stores, and of all rooms
     std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_;  ///< of each block in a room, and the room
     bool in_store_ = false, solid_ = false;
     std::size_t faces_ = 0;

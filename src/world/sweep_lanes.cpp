@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A sweep through an index, eight at a time: compiled once for each kind of processor, of which the best is taken.
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "world/sweep_lanes.cpp"
+//
+// No products and sums are fused: each kind of processor computes the same bits, so that it looks at the same boxes and
+// faces, in the same order.
 #include "world/sweep_lanes.h"
 
 #include <array>
@@ -10,9 +11,30 @@
 #include <utility>
 
 #include "base/assert.h"
-#include "hwy/foreach_target.h"
-#include "hwy/highway.h"
 #include "solid/lay_out_faces.h"
+
+#ifdef FIRMA_SIMD
+
+// Those that are worth it, and whose vectors have a size that the compiler knows. A name that this version of Highway
+// does not have counts as 0 where these are chosen, and is given that value for what follows.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS                                                                                \
+    (HWY_SSE2 | HWY_SSSE3 | HWY_AVX3_DL | HWY_AVX3_ZEN4 | HWY_AVX3_SPR | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
+     HWY_SVE2_128 | HWY_RVV)
+#include <hwy/detect_targets.h>
+#ifndef HWY_SSE2
+#define HWY_SSE2 0LL
+#endif
+#ifndef HWY_AVX3_ZEN4
+#define HWY_AVX3_ZEN4 0LL
+#endif
+#ifndef HWY_AVX3_SPR
+#define HWY_AVX3_SPR 0LL
+#endif
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "world/sweep_lanes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace firma::HWY_NAMESPACE {
@@ -32,13 +54,16 @@ constexpr std::uint32_t kAtOnce = std::uint32_t(hn::MaxLanes(kFloats));
 HWY_INLINE Floats all(float x) {
     return hn::Set(kFloats, x);
 }
+HWY_INLINE Floats add(Floats a, Floats b) {
+    return hn::Add(a, b);
+}
 HWY_INLINE Floats dot(const Floats* a, const Floats* b) {
-    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+    return add(add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
 }
 HWY_INLINE void cross(const Floats* a, const Floats* b, Floats* c) {
-    c[0] = hn::NegMulAdd(a[2], b[1], hn::Mul(a[1], b[2]));
-    c[1] = hn::NegMulAdd(a[0], b[2], hn::Mul(a[2], b[0]));
-    c[2] = hn::NegMulAdd(a[1], b[0], hn::Mul(a[0], b[1]));
+    c[0] = hn::Sub(hn::Mul(a[1], b[2]), hn::Mul(a[2], b[1]));
+    c[1] = hn::Sub(hn::Mul(a[2], b[0]), hn::Mul(a[0], b[2]));
+    c[2] = hn::Sub(hn::Mul(a[0], b[1]), hn::Mul(a[1], b[0]));
 }
 HWY_INLINE unsigned bits(hn::Mask<decltype(kFloats)> mask) {
     std::uint8_t bytes[8];
@@ -54,7 +79,7 @@ HWY_INLINE unsigned enter(const WideNode& node, const LaneSweep& sweep, float la
         for (int axis = 0; axis < 3; ++axis) {
             const auto side = [&](std::uint32_t which) HWY_ATTR {
                 const auto steps = hn::PromoteTo(kInts, hn::LoadU(kBytes, node.side[which][axis] + part));
-                return hn::MulAdd(hn::ConvertTo(kFloats, steps), all(node.scale[axis]), all(node.base[axis]));
+                return add(hn::Mul(hn::ConvertTo(kFloats, steps), all(node.scale[axis])), all(node.base[axis]));
             };
             const Floats slope = all(sweep.inverse[axis]);
             const std::uint32_t turned = sweep.turned[axis];
@@ -113,7 +138,8 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         cross(e[0], e[1], n);
         const Floats squares[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
         const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
-        const Floats g = hn::MulAdd(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach), hn::Mul(longest, all(error)));
+        const Floats g =
+            add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
         const Floats d[3] = {all(sweep.along[0]), all(sweep.along[1]), all(sweep.along[2])};
         const Floats height = dot(n, p[0]), rise = dot(n, d);
         // -height + rise t lies between -g and g.
@@ -122,13 +148,16 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         for (int c = 0; c < 3; ++c) {
             Floats m[3];
             cross(e[c], n, m);
-            const Floats room = hn::MulAdd(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g, dot(m, p[c]));
+            const Floats room = add(hn::Mul(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g), dot(m, p[c]));
             clip(dot(m, d), room, in, out);
         }
         in = hn::Mul(in, all(kLess));
         left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
         if (query.front_only) {
-            const unsigned away = bits(hn::Gt(rise, hn::Mul(longest, all(128 * kRoundoff))));
+            Floats doubt = hn::Mul(longest, all(128 * kRoundoff));
+            if (const float tilted = lanes.uneven + lanes.shifted; tilted > 0)
+                doubt = add(doubt, hn::Mul(hn::Sqrt(longest), all(32 * tilted)));
+            const unsigned away = bits(hn::Gt(rise, doubt));
             left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
         }
         hn::StoreU(in, kFloats, times + part);
@@ -236,18 +265,26 @@ struct Kernels {
 #if HWY_TARGETS & HWY_AVX3
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-            __builtin_cpu_supports("avx512cd"))
+            __builtin_cpu_supports("avx512cd") && has_avx2())
             all[count++] = {"AVX-512", N_AVX3::sweep_lanes};
 #endif
 #if HWY_TARGETS & HWY_AVX2
-        if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
-            all[count++] = {"AVX2", N_AVX2::sweep_lanes};
+        if (has_avx2()) all[count++] = {"AVX2", N_AVX2::sweep_lanes};
 #endif
 #if HWY_TARGETS & HWY_SSE4
-        if (__builtin_cpu_supports("sse4.1")) all[count++] = {"SSE4", N_SSE4::sweep_lanes};
+        if (has_sse4()) all[count++] = {"SSE4", N_SSE4::sweep_lanes};
 #endif
-        all[count++] = {"built for", HWY_STATIC_DISPATCH(sweep_lanes)};
+        all[count++] = {"compiled", HWY_STATIC_DISPATCH(sweep_lanes)};
     }
+
+private:
+#if HWY_ARCH_X86
+    static bool has_sse4() { return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"); }
+    static bool has_avx2() {
+        return has_sse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+               __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+    }
+#endif
 };
 
 const Kernels& kernels() {
@@ -255,13 +292,21 @@ const Kernels& kernels() {
     return known;
 }
 
-std::atomic<bool (*)(const Node&, LaneQuery&)> taken{nullptr};
+bool sweep_by_best(const Node& root, LaneQuery& query);
+std::atomic<LaneFunction> taken{sweep_by_best};
+
+bool sweep_by_best(const Node& root, LaneQuery& query) {
+    const LaneFunction best = kernels().all[0].sweep;
+    taken.store(best, std::memory_order_relaxed);
+    return best(root, query);
+}
 
 }  // namespace
 
 LaneSweep::LaneSweep(const Sweep& sweep) {
     constexpr double kFarthest = 0x1p+20;
     constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
+    if (!taken.load(std::memory_order_relaxed)) return;
     const double rounding_error = 0x1p-44 * (max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim);
     usable = max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
     if (!usable) return;
@@ -286,15 +331,34 @@ std::span<const LaneKernel> lane_kernels() {
     return {kernels().all.data(), kernels().count};
 }
 
-void take_lane_kernel(const LaneKernel& kernel) {
-    taken.store(kernel.sweep, std::memory_order_relaxed);
+void take_lane_kernel(const LaneKernel* kernel) {
+    taken.store(kernel ? kernel->sweep : nullptr, std::memory_order_relaxed);
 }
 
 bool sweep_lanes(const Node& root, LaneQuery& query) {
-    auto sweep = taken.load(std::memory_order_relaxed);
-    if (!sweep) taken.store(sweep = lane_kernels()[0].sweep, std::memory_order_relaxed);
-    return sweep(root, query);
+    return taken.load(std::memory_order_relaxed)(root, query);
 }
 
 }  // namespace firma
+#endif
+
+#else  // FIRMA_SIMD
+
+namespace firma {
+
+LaneSweep::LaneSweep(const Sweep&) {}
+
+std::span<const LaneKernel> lane_kernels() {
+    return {};
+}
+
+void take_lane_kernel(const LaneKernel*) {}
+
+bool sweep_lanes(const Node&, LaneQuery&) {
+    FIRMA_ASSERT(false, "no sweep is usable by lanes");
+    return false;
+}
+
+}  // namespace firma
+
 #endif

@@ -12,6 +12,10 @@
 // which is off by 6 u E^2 where E is the longest side, and m = e x n, a plane's a + b t is off by 16 u E^2 S, a side's
 // by as much times its length: twice that is in g. Quotients are off by less than the 16 u by which times are lowered
 // and raised.
+//
+// A one-sided facet is met by paths alone that run against its normal. Where a triangle's corners are off by up to h,
+// out of the facet's plane or in it, n is off from a multiple of that normal, 0 or more, by 4 h E + 4 h^2: times the
+// direction's length, below 3.5, that is less than 32 h E where E is above 9 h, and where it is below no n is as long.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +32,7 @@ namespace firma {
 struct LaneSweep {
     explicit LaneSweep(const Sweep& sweep);
 
-    /// Whether floats are good for it: else it starts, or leads, far beyond the world.
+    /// Whether floats are good for it: else it starts, or leads, far beyond the world, or there are no lanes.
     bool usable = false;
     double start[3], direction[3];
     float along[3];                         ///< the direction
@@ -53,14 +57,17 @@ struct LaneQuery {
 /// @return whether `look` ended it
 bool sweep_lanes(const Node& root, LaneQuery& query);
 
-/// The same compiled for one kind of processor. What is looked at may differ, what is met does not.
+/// The same compiled for one kind of processor. All look at the same boxes and facets, in the same order.
+using LaneFunction = bool (*)(const Node& root, LaneQuery& query);
 struct LaneKernel {
     const char* name;
-    bool (*sweep)(const Node& root, LaneQuery& query);
+    LaneFunction sweep;
 };
-/// Those that this processor runs, the one that sweep_lanes() takes first.
+/// Those that this processor runs, the one that sweep_lanes() takes first. None where Firma is compiled without lanes
+/// (FIRMA_SIMD).
 std::span<const LaneKernel> lane_kernels();
-/// For tests: sweep_lanes() takes this one from now on.
-void take_lane_kernel(const LaneKernel& kernel);
+/// For tests: sweep_lanes() takes this one from now on; null makes no sweep usable, so that all go triangle by
+/// triangle.
+void take_lane_kernel(const LaneKernel* kernel);
 
 }  // namespace firma

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firma/polygon.h"
+#include "tests/every_kernel.h"
 #include "tests/reference/judge_scene.h"
 
 namespace {
@@ -22,6 +23,16 @@ TEST_P(OracleSample, EveryAnswerIsRight) {
     for (const std::string& failure : total.failures) ADD_FAILURE() << failure;
     EXPECT_EQ(total.errors(), 0u);
     EXPECT_GT(total.touched, 40u) << "the family no longer meets anything";
+}
+
+TEST_P(OracleSample, EveryAnswerIsRightByEveryKernel) {
+    const scenes::CastFamily& family = scenes::cast_families()[GetParam()];
+    test::with_every_kernel([&](const char* kernel) {
+        Tally total;
+        for (std::uint64_t index = 0; total.casts < 500; ++index) total.add(judge_family(family, 21, index));
+        for (const std::string& failure : total.failures) ADD_FAILURE() << kernel << ": " << failure;
+        EXPECT_EQ(total.errors(), 0u) << kernel;
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, OracleSample, testing::Range(std::size_t(0), scenes::cast_families().size()),

@@ -2,6 +2,10 @@
 // A million casts and more of every family against the exact oracle. Prints a claim a family and one in total.
 //
 //   full_casts --count 1000000 --seed 1 [--threads 2] [--from 0] [--to N] [--family NAME] [--show 3 (of each family)]
+//              [--kernel NAME]
+//
+// --kernel: casts by this one of the lanes' kernels (AVX-512, AVX2, SSE4, compiled), or one by one (none); else by the
+// best. It must be one that this processor runs.
 //
 // The work is a list of chunks, (scene, family) in that order, each seeded by itself: chunk k is the same whatever ran
 // before it. --from and --to name chunks, to go on after an interruption; a progress line says up to where all are
@@ -20,6 +24,7 @@
 
 #include "tests/full/options.h"
 #include "tests/reference/judge_scene.h"
+#include "world/sweep_lanes.h"
 
 namespace {
 
@@ -29,8 +34,17 @@ using reference::Tally;
 
 struct Options : full::Options {
     std::uint64_t from = 0, to = ~0ull;
-    std::string family;
+    std::string family, kernel;
 };
+
+/// @return false where there is no such kernel
+bool take_kernel(const std::string& name) {
+    if (name.empty()) return true;
+    if (name == "none") return take_lane_kernel(nullptr), true;
+    for (const LaneKernel& kernel : lane_kernels())
+        if (name == kernel.name) return take_lane_kernel(&kernel), true;
+    return false;
+}
 
 /// Hands out chunks until enough casts have been judged, and adds up.
 class Run {
@@ -123,12 +137,18 @@ private:
 int main(int count, char** words) {
     Options options;
     options.count = 1000000;
-    if (!full::read_options(
-            count, words, options,
-            {{"--from", &options.from}, {"--to", &options.to}, {"--family", nullptr, &options.family}})) {
-        std::fprintf(
-            stderr,
-            "full_casts [--count N] [--seed N] [--threads N] [--from CHUNK] [--to CHUNK] [--family NAME] [--show N]\n");
+    if (!full::read_options(count, words, options,
+                            {{"--from", &options.from},
+                             {"--to", &options.to},
+                             {"--family", nullptr, &options.family},
+                             {"--kernel", nullptr, &options.kernel}})) {
+        std::fprintf(stderr,
+                     "full_casts [--count N] [--seed N] [--threads N] [--from CHUNK] [--to CHUNK] [--family NAME] "
+                     "[--show N] [--kernel NAME]\n");
+        return 2;
+    }
+    if (!take_kernel(options.kernel)) {
+        std::fprintf(stderr, "full_casts: this processor runs no kernel of that name\n");
         return 2;
     }
     Run run(options);

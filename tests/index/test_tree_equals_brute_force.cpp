@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Through any tree the answer is the one of all faces in turn, to the bit: trees only leave out.
+// Through any tree the answer is the one of all faces in turn, to the bit: trees only leave out, and so do lanes, on
+// every kind of processor.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -11,6 +12,7 @@
 #include "firma/world.h"
 #include "scenes/cast_families.h"
 #include "scenes/closed_meshes.h"
+#include "tests/every_kernel.h"
 #include "tests/source_of.h"
 
 namespace {
@@ -72,12 +74,16 @@ void compare(const scenes::CastScene& scene, const std::string& name) {
         for (std::size_t w = 0; w < worlds.size(); ++w) {
             CastOptions options;
             options.sides = sides;
-            const Hit hit = cast(worlds[w], scene.casts[k].sphere, scene.casts[k].path, options);
-            ASSERT_TRUE(same(hit, expected)) << name << ", cast " << k << ", options " << w << ": fraction "
-                                             << hit.fraction << ", all faces " << expected.fraction;
-            if (hit.touched()) {
-                ASSERT_EQ(source_of(worlds[w], hit), face) << name << ", cast " << k << ", options " << w;
-            }
+            test::with_every_kernel([&](const char* kernel) {
+                const Hit hit = cast(worlds[w], scene.casts[k].sphere, scene.casts[k].path, options);
+                ASSERT_TRUE(same(hit, expected))
+                    << name << ", cast " << k << ", options " << w << ", " << kernel << ": fraction " << hit.fraction
+                    << ", all faces " << expected.fraction;
+                if (hit.touched()) {
+                    ASSERT_EQ(source_of(worlds[w], hit), face) << name << ", cast " << k << ", options " << w;
+                }
+            });
+            if (testing::Test::HasFatalFailure()) return;
         }
     }
 }

@@ -1,37 +1,79 @@
 // SPDX-License-Identifier: MIT
-// What check_world() finds wrong with indices: a box that is too small hides faces from casts.
+// What check_world() finds wrong with indices: a box that is too small hides faces from casts, and so does all else
+// that casts read in its place.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "firma/carve.h"
 #include "firma/level.h"
+#include "firma/queries.h"
 #include "firma/save.h"
+#include "scenes/grid_polygons.h"
 #include "scenes/hub.h"
+#include "world/sweep_lanes.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
 
-/// The same nodes over the same blocks, each box `change`d.
-template <class Change>
-Ref<const Node> with_boxes(const Node& node, const Change& change) {
-    Ref<Node> made(new Node);
-    made->facets_below = node.facets_below;
-    made->depth = node.depth;
-    made->facets = node.facets;
-    made->bins = node.bins;
-    for (Bin& bin : made->bins) change(bin.box);
-    for (const Ref<const Node>& child : node.children) made->children.push_back(with_boxes(*child, change));
-    return Ref<const Node>(made.get());
-}
+/// The nodes of indices once more, over the same blocks, each `change`d. One that several lead to stays one.
+class ChangedNodes {
+public:
+    explicit ChangedNodes(std::function<void(Node&)> change) : change_(std::move(change)) {}
 
-/// A room given an index of its own over its faces.
-template <class Change>
-World with_index(const World& world, std::uint32_t room, const Change& change) {
+    Ref<const Node> of(const Ref<const Node>& node) {
+        if (!node) return node;
+        Ref<const Node>& made = made_[node.get()];
+        if (!made) made = make(*node);
+        return made;
+    }
+
+private:
+    Ref<const Node> make(const Node& node) {
+        Ref<Node> made(new Node);
+        made->facets_below = node.facets_below;
+        made->depth = node.depth;
+        made->facets = node.facets;
+        made->bins = node.bins;
+        made->wide = node.wide;
+        for (const Ref<const Node>& child : node.children) made->children.push_back(of(child));
+        for (WideNode& wide : made->wide)
+            for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+                for (std::size_t k = 0; k < node.wide.size(); ++k)
+                    if (wide.child[lane] == &node.wide[k]) wide.child[lane] = &made->wide[k];
+                for (std::size_t k = 0; k < node.children.size(); ++k)
+                    if (wide.child[lane] == node.children[k]->wide.data())
+                        wide.child[lane] = made->children[k]->wide.data();
+            }
+        change_(*made);
+        return Ref<const Node>(made.get());
+    }
+
+    std::function<void(Node&)> change_;
+    std::map<const Node*, Ref<const Node>> made_;
+};
+
+/// The world with changed nodes in all of its indices, or in those of rooms alone.
+World with_nodes(const World& world, const std::function<void(Node&)>& change, bool of_rooms_alone = false) {
+    ChangedNodes changed(change);
     auto data = std::make_shared<WorldData>(world.data());
-    Ref<RoomFaces> faces(new RoomFaces);
-    faces->count = data->faces_of(room).count;
-    faces->hash = data->faces_of(room).hash;
-    faces->tree = with_boxes(*data->faces_of(room).tree, change);
-    data->set_room(room, data->cells.record(room), Ref<const RoomFaces>(faces.get()));
+    if (!of_rooms_alone) {
+        auto solid = std::make_shared<SolidData>(data->solid.data());
+        solid->faces.root = changed.of(solid->faces.root);
+        data->solid = Solid(std::move(solid));
+        data->castable.root = changed.of(data->castable.root);
+    }
+    for (std::uint32_t room = 0; room < world.room_count(); ++room) {
+        Ref<RoomFaces> faces(new RoomFaces);
+        faces->count = data->faces_of(room).count;
+        faces->hash = data->faces_of(room).hash;
+        faces->tree = changed.of(data->faces_of(room).tree);
+        data->set_room(room, data->cells.record(room), Ref<const RoomFaces>(faces.get()));
+    }
     return World(std::move(data));
 }
 
@@ -44,23 +86,303 @@ void expect_found_and_refused(const World& world, const std::string& what) {
     EXPECT_NE(read.error().text().find(what), std::string::npos) << read.error().text();
 }
 
-TEST(CheckIndex, BoxesOfARoomHoldItsFaces) {
-    for (const World& world : {assemble_world(scenes::hub_parts({8, true})).value(),
-                               make_world(read_level(FIRMA_ROOT "/levels/first.obj").value()).value()}) {
-        for (std::uint32_t room = 0; room < world.room_count(); ++room) {
-            ASSERT_TRUE(world.data().faces_of(room).tree);
-            EXPECT_FALSE(check_world(with_index(world, room, [](BoxF&) {})));
-            const auto points = [](BoxF& box) {
-                for (int axis = 0; axis < 3; ++axis) box.high[axis] = box.low[axis] = 0;
-            };
-            expect_found_and_refused(with_index(world, room, points), "a face reaches out of its leaf");
-            const auto higher = [](BoxF& box) {
-                box.low[2] += 1;
-                box.high[2] += 1;
-            };
-            expect_found_and_refused(with_index(world, room, higher), "a face reaches out of its leaf");
-        }
+/// Faces of twelve corners: ten triangles each.
+World rounded_faces() {
+    std::vector<scenes::GridPolygon> faces;
+    for (std::int64_t k = 0; k < 24; ++k) {
+        std::vector<GridPoint>& face = faces.emplace_back();
+        for (std::int64_t x = 0; x < 12; ++x)
+            face.push_back(scenes::in_world({x * scenes::kMetre, x * x * scenes::kMetre / 4, k * scenes::kMetre}));
     }
+    return make_world(scenes::level_of(faces)).value();
+}
+
+std::vector<World> worlds_to_spoil() {
+    const World first = make_world(read_level(FIRMA_ROOT "/levels/first.obj").value()).value();
+    const Cutter crater = make_crater(CutterShape::kRocky, 1);
+    return {assemble_world(scenes::hub_parts({8, true})).value(), first, rounded_faces(),
+            carve(first, crater, {.position = cast(first, {{35, 29, 2}, 0.5}, {0, 0, 10}).point, .scale = 0.5}).world};
+}
+
+TEST(CheckIndex, BoxesHoldTheirFaces) {
+    const auto change_boxes = [](const auto& change) {
+        return [change](Node& node) {
+            for (Bin& bin : node.bins) change(bin.box);
+        };
+    };
+    for (const World& world : worlds_to_spoil()) {
+        for (std::uint32_t room = 0; room < world.room_count(); ++room)
+            ASSERT_TRUE(world.data().faces_of(room).tree) << room;
+        EXPECT_FALSE(check_world(with_nodes(world, [](Node&) {})));
+        const auto points = [](BoxF& box) {
+            for (int axis = 0; axis < 3; ++axis) box.high[axis] = box.low[axis] = 0;
+        };
+        expect_found_and_refused(with_nodes(world, change_boxes(points)), "a face reaches out of its leaf");
+        const auto higher = [](BoxF& box) {
+            box.low[2] += 1;
+            box.high[2] += 1;
+        };
+        expect_found_and_refused(with_nodes(world, change_boxes(higher)), "a face reaches out of its leaf");
+    }
+}
+
+TEST(CheckIndex, RoomsHaveTheLeavesOfTheStores) {
+    for (const World& world : worlds_to_spoil()) {
+        const World spoiled = with_nodes(world, [](Node&) {}, true);
+        const std::optional<WorldFault> fault = check_world(spoiled);
+        ASSERT_TRUE(fault);
+        EXPECT_EQ(fault->what, "a block lies in no room, in several, or in another leaf there");
+        const Result<World> read = unpack_world(pack_world(spoiled), "a.firma");
+        ASSERT_FALSE(read.ok());
+    }
+}
+
+/// A leaf gets a block of its own to be changed, the same but for its lanes.
+Block& own_block(Node& leaf) {
+    const Block& from = block_of(leaf);
+    Ref<Block> made(new Block);
+    made->part = from.part;
+    made->faces = from.faces;
+    made->vertices = from.vertices;
+    made->corner_vertices = from.corner_vertices;
+    made->owners = from.owners;
+    made->lanes = from.lanes;
+    for (FaceLanes& lanes : made->lanes) lanes.block = made.get();
+    for (WideNode& wide : leaf.wide)
+        for (std::uint32_t lane = 0; lane < wide.count; ++lane)
+            if (wide.facets[lane] > 0)
+                wide.child[lane] =
+                    made->lanes.data() + (static_cast<const FaceLanes*>(wide.child[lane]) - from.lanes.data());
+    leaf.facets = Ref<const IndexedFacets>(made.get());
+    return *made;
+}
+
+class CheckLanes : public testing::Test {
+protected:
+    void SetUp() override {
+        if (lane_kernels().empty()) GTEST_SKIP() << "compiled without lanes";
+    }
+
+    /// Changes the first node that `change` says yes to; expects that this is found.
+    /// @param of_a_face  whether the fault names a face
+    void expect_found(const std::string& what, bool of_a_face, const std::function<bool(Node&)>& change) {
+        std::size_t changed = 0;
+        for (const World& world : worlds_) {
+            bool done = false;
+            const World spoiled = with_nodes(world, [&](Node& node) { done = done || change(node); });
+            changed += done;
+            const std::optional<WorldFault> fault = check_world(spoiled);
+            ASSERT_EQ(fault.has_value(), done) << what << (fault ? ": " + fault->what : "");
+            if (!fault) continue;
+            EXPECT_EQ(fault->what, what);
+            EXPECT_EQ(fault->face.valid(), of_a_face) << what;
+            // No file has lanes: they are made anew.
+            if (lanes_alone_) {
+                EXPECT_TRUE(unpack_world(pack_world(spoiled), "a.firma").ok()) << what;
+            }
+        }
+        EXPECT_GT(changed, 0u) << what;
+    }
+    void expect_wide(const std::string& what, const std::function<bool(Node&, WideNode&)>& change) {
+        expect_found(what, false, [&](Node& node) {
+            for (WideNode& wide : node.wide)
+                if (change(node, wide)) return true;
+            return false;
+        });
+    }
+    /// The same, of the lanes of a leaf.
+    void expect_lanes(const std::string& what, bool of_a_face,
+                      const std::function<bool(Node&, Block&, FaceLanes&)>& change) {
+        expect_found(what, of_a_face, [&](Node& node) {
+            if (!node.is_leaf()) return false;
+            Block& block = own_block(node);
+            for (FaceLanes& lanes : block.lanes)
+                if (change(node, block, lanes)) return true;
+            return false;
+        });
+    }
+
+    const std::vector<World> worlds_ = worlds_to_spoil();
+    bool lanes_alone_ = true;  ///< what is changed
+};
+
+TEST_F(CheckLanes, FindsFaultsOfWideNodes) {
+    expect_found("an index block is not laid out for casts", false, [](Node& node) {
+        node.wide.clear();
+        return true;
+    });
+    expect_wide("a wide node does not hold 1 to 8 boxes", [](Node&, WideNode& wide) {
+        wide.count = 9;
+        return true;
+    });
+    expect_wide("a wide node does not hold 1 to 8 boxes", [](Node&, WideNode& wide) {
+        wide.count = 0;
+        return true;
+    });
+    expect_wide("a wide node's scale is not a power of two", [](Node&, WideNode& wide) {
+        wide.scale[1] = 0.3f;
+        return true;
+    });
+    expect_wide("a wide node's scale is not a power of two", [](Node&, WideNode& wide) {
+        wide.scale[2] = NAN;
+        return true;
+    });
+    expect_wide("a wide node leads backward", [](Node& node, WideNode& wide) {
+        if (wide.facets[0] > 0) return false;
+        wide.child[0] = &wide;
+        return node.wide.size() > 0;
+    });
+    expect_wide("a wide node leads to nothing of its index block", [](Node& node, WideNode& wide) {
+        if (wide.facets[0] > 0 || node.is_leaf()) return false;
+        wide.child[0] = &node;
+        return true;
+    });
+    expect_wide("a wide node leads to faces from above index blocks", [](Node& node, WideNode& wide) {
+        if (node.is_leaf()) return false;
+        wide.facets[0] = 1;
+        return true;
+    });
+    expect_wide("a wide node leads out of its lanes", [](Node&, WideNode& wide) {
+        if (wide.facets[0] == 0) return false;
+        wide.facets[0] = 1000;
+        return true;
+    });
+    expect_wide("a wide node leads out of its lanes", [](Node&, WideNode& wide) {
+        if (wide.facets[0] == 0) return false;
+        wide.child[0] = static_cast<const std::byte*>(wide.child[0]) + 8;
+        return true;
+    });
+    expect_wide("an item is not in exactly one wide node", [](Node&, WideNode& wide) {
+        if (wide.count < 2 || wide.facets[wide.count - 1] == 0) return false;
+        --wide.count;
+        return true;
+    });
+    expect_wide("an index block reaches out of its wide node", [](Node& node, WideNode& wide) {
+        if (node.is_leaf() || wide.child[0] != node.children[0]->wide.data()) return false;
+        wide.side[1][0][0] = wide.side[0][0][0];
+        return true;
+    });
+    expect_wide("a wide node is not led to exactly once", [](Node& node, WideNode& wide) {
+        for (std::uint32_t lane = 0; lane + 1 < wide.count; ++lane)
+            for (const WideNode& below : node.wide)
+                if (wide.child[lane] == &below && wide.facets[lane + 1] == 0) {
+                    wide.child[lane + 1] = &below;
+                    return true;
+                }
+        return false;
+    });
+}
+
+/// Also where the box is that of a wide node above the one that leads to the face.
+TEST_F(CheckLanes, FindsFaultsOfBoxesAroundFaces) {
+    expect_found("a face reaches out of its wide node", true, [](Node& node) {
+        for (WideNode& wide : node.wide)
+            for (std::uint32_t lane = 0; lane < wide.count; ++lane)
+                if (node.is_leaf() && wide.facets[lane] == 0) {
+                    wide.side[0][2][lane] = 255;
+                    wide.side[1][2][lane] = 0;
+                    return true;
+                }
+        return false;
+    });
+    for (int which = 0; which < 2; ++which)
+        for (int axis = 0; axis < 3; ++axis)
+            expect_found("a face reaches out of its wide node", true, [&](Node& node) {
+                for (WideNode& wide : node.wide)
+                    for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+                        if (wide.facets[lane] == 0 || wide.side[0][axis][lane] == wide.side[1][axis][lane]) continue;
+                        wide.side[which][axis][lane] = wide.side[1 - which][axis][lane];
+                        return true;
+                    }
+                return false;
+            });
+}
+
+TEST_F(CheckLanes, FindsFaultsOfLanes) {
+    expect_lanes("lanes name another block than theirs", false, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.block = nullptr;
+        return true;
+    });
+    expect_lanes("lanes are not in use from the first on", false, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.used = 0;
+        return true;
+    });
+    expect_lanes("lanes are not in use from the first on", false, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.used = 2;
+        return true;
+    });
+    expect_lanes("a lane names a face that is not there", false, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.slot[0] = 200;
+        return true;
+    });
+    expect_lanes("lanes hold fewer triangles than their face", true, [](Node&, Block& block, FaceLanes& lanes) {
+        if (&lanes != &block.lanes.back()) return false;
+        lanes.used >>= 1;
+        return lanes.used != 0;
+    });
+    expect_lanes("lanes hold more triangles than their face", true, [](Node&, Block& block, FaceLanes& lanes) {
+        // The next face of the same number of corners is taken for the first one once more.
+        if (lanes.used < 3 || lanes.slot[0] == lanes.slot[1] || block.faces[lanes.slot[0]].corner_count != 3)
+            return false;
+        lanes.slot[1] = lanes.slot[0];
+        return true;
+    });
+    expect_lanes("a lane has another triangle than its face", true, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.corner[2][1][0] += 0.25f;
+        return true;
+    });
+    expect_lanes("a lane has another triangle than its face", true, [](Node&, Block&, FaceLanes& lanes) {
+        ++lanes.origin.y;
+        return true;
+    });
+    expect_lanes("a lane's corner is farther than its lanes say", true, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.size = 0;
+        return true;
+    });
+    expect_lanes("a lane's corner is shifted more than its lanes say", true, [](Node&, Block& block, FaceLanes& lanes) {
+        if (block.faces[lanes.slot[0]].corner_count == 3) return false;
+        lanes.shifted = 0;
+        return true;
+    });
+    expect_lanes("a face is less even than its lanes say", true, [](Node&, Block& block, FaceLanes& lanes) {
+        if (block.faces[lanes.slot[0]].corner_count == 3) return false;
+        lanes.uneven = -1;
+        return true;
+    });
+    expect_lanes("a lane says it is exact and is not", true, [](Node&, Block& block, FaceLanes& lanes) {
+        if (block.faces[lanes.slot[0]].corner_count == 3) return false;
+        lanes.whole |= 1;
+        return true;
+    });
+    expect_lanes("a lane says which sides its face has, and is wrong", true, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.two_sided ^= 1;
+        return true;
+    });
+    expect_lanes("a face's lanes are not all together", true, [](Node& node, Block& block, FaceLanes& lanes) {
+        // Two groups next to each other become one and a part of the other.
+        for (WideNode& wide : node.wide)
+            for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+                if (wide.child[lane] != &lanes || wide.facets[lane] < 2) continue;
+                const FaceLanes& second = (&lanes)[wide.facets[lane] - 1];
+                if (second.slot[0] != (&second)[-1].slot[7]) continue;
+                static_cast<void>(block);
+                --wide.facets[lane];
+                for (WideNode& other : node.wide)
+                    for (std::uint32_t k = 0; k < other.count; ++k)
+                        if (other.child[k] == &second + 1) {
+                            other.child[k] = &second;
+                            ++other.facets[k];
+                            return true;
+                        }
+                ++wide.facets[lane];
+            }
+        return false;
+    });
+    lanes_alone_ = false;
+    expect_lanes("lanes have bits in their mask that a face has not", true, [](Node&, Block& block, FaceLanes& lanes) {
+        block.faces[lanes.slot[0]].mask = 1;
+        return true;
+    });
 }
 
 }  // namespace

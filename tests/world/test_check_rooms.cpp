@@ -127,7 +127,7 @@ TEST(CheckRooms, KeptHashesAndCounts) {
                   r.count = 0;
                   r.hash = 0;
               }),
-              "a block lies in no room, or in several");
+              "a block lies in no room, in several, or in another leaf there");
     const auto with_solid = [](const std::function<void(SolidData&)>& change) {
         return fault_with([&](WorldData& data) {
             auto solid = std::make_shared<SolidData>(data.solid.data());

@@ -7,6 +7,7 @@
 #include "firma/level.h"
 #include "firma/memory.h"
 #include "scenes/room_grid.h"
+#include "world/sweep_lanes.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -35,7 +36,8 @@ TEST(MemoryUsed, CountsSharedBlocksOnce) {
 
 TEST(MemoryUsed, AFaceTakesLittle) {
     const World world = make_world(scenes::room_grid({4, 4, 2})).value();
-    EXPECT_LT(double(memory_used(world)) / double(world.face_count()), 90);
+    // Squares: two triangles each in lanes, which are most of it.
+    EXPECT_LT(double(memory_used(world)) / double(world.face_count()), lane_kernels().empty() ? 90 : 150);
 }
 
 }  // namespace

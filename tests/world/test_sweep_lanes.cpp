@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Casts eight triangles at a time leave out nothing that is met: every kernel that this processor runs, asked for all up
-// to the very time at which a facet is touched, looks at this facet.
+// Casts eight triangles at a time: every kernel that this processor runs looks at each facet that is met, in one order,
+// and the answers are those of casts one by one.
 #include <gtest/gtest.h>
 
-#include <set>
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cast/cast_sphere_polygon.h"
+#include "firma/brush_world.h"
+#include "firma/carve.h"
+#include "firma/level.h"
 #include "firma/queries.h"
+#include "firma/rooms.h"
 #include "scenes/cast_families.h"
+#include "scenes/rng.h"
+#include "scenes/room_grid.h"
 #include "solid/face_shape.h"
+#include "tests/every_kernel.h"
 #include "tests/sample.h"
 #include "world/sweep_lanes.h"
 #include "world/world_data.h"
@@ -16,63 +27,75 @@
 namespace firma {
 namespace {
 
-struct Seen {
-    std::set<std::pair<const Block*, std::uint32_t>> facets;
+/// What a kernel looks at: how often, and whether it is at one facet.
+struct FacetsSeen {
+    const Block* block = nullptr;
+    std::uint32_t slot = 0;
+    std::size_t count = 0;
+    bool found = false;
 
     static bool look(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
-        static_cast<Seen*>(query.whose)->facets.emplace(lanes.block, lanes.slot[lane]);
+        auto& seen = *static_cast<FacetsSeen*>(query.whose);
+        ++seen.count;
+        seen.found = seen.found || (lanes.block == seen.block && lanes.slot[lane] == seen.slot);
         return false;
     }
 };
 
-/// What a kernel looks at that is reached by `latest`.
-Seen seen_by(const LaneKernel& kernel, const World& world, const LaneSweep& lanes, bool front_only, double latest) {
-    Seen seen;
+/// What is reached by `latest`.
+void look_by(const LaneKernel& kernel, const World& world, const LaneSweep& lanes, bool front_only, double latest,
+             FacetsSeen& seen) {
     for (const Node* root : indices_of(world.data())) {
         if (!root) continue;
-        LaneQuery query{lanes, front_only, latest, &seen, Seen::look, {}};
+        LaneQuery query{lanes, front_only, latest, &seen, FacetsSeen::look, {}};
         EXPECT_FALSE(kernel.sweep(*root, query));
     }
-    return seen;
 }
 
 class SweepLanes : public testing::TestWithParam<std::size_t> {};
 
+/// Asked for all up to the very time at which a facet is touched.
 TEST_P(SweepLanes, LookAtAllThatIsMet) {
+    if (lane_kernels().empty()) GTEST_SKIP() << "compiled without lanes";
     const scenes::CastFamily& family = scenes::cast_families()[GetParam()];
+    const std::size_t enough = std::size_t(test::sample(1000));
     std::size_t touched = 0, looked_at = 0, asked = 0;
-    for (std::uint64_t index = 0; touched < test::sample(1000) && index < 2000; ++index) {
+    for (std::uint64_t index = 0; touched < enough && index < 30; ++index) {
         const scenes::CastScene scene = scenes::make_cast_scene(family, 31, index);
         const World world = make_world(scenes::level_of(scene.polygons, scene.two_sided)).value();
-        for (const scenes::CastQuery& query : scene.casts) {
+        // A few of each scene's casts.
+        for (std::size_t k = index % 3; k < scene.casts.size(); k += 3) {
+            const scenes::CastQuery& query = scene.casts[k];
             Sweep sweep;
             if (make_sweep(query.sphere, query.path, sweep) != Status::kHit) continue;
             const LaneSweep lanes(sweep);
             if (!lanes.usable) continue;
-            for (const Sides sides : {Sides::kFront, Sides::kBoth}) {
-                const bool front_only = sides == Sides::kFront;
-                const auto check = [&](const Block& block) {
-                    for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) {
-                        const FaceShape shape(block, block.faces[slot]);
-                        if (!shape.polygon.has_area()) continue;
-                        const Sides of_face = block.faces[slot].two_sided ? Sides::kBoth : sides;
-                        const Contact contact = cast_sweep_polygon(sweep, shape.polygon, of_face, sweep.end);
-                        if (!contact.touched()) continue;
-                        ++touched;
-                        for (const LaneKernel& kernel : lane_kernels()) {
-                            const Seen seen = seen_by(kernel, world, lanes, front_only, contact.t);
-                            ASSERT_TRUE(seen.facets.count({&block, slot}))
-                                << kernel.name << " " << family.name << " scene " << index << " slot " << slot << " at "
-                                << contact.t << " of " << sweep.end << " radius " << sweep.radius;
-                        }
+            const Sides sides = k % 2 ? Sides::kFront : Sides::kBoth;
+            const bool front_only = sides == Sides::kFront;
+            const auto check = [&](const Block& block) {
+                for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) {
+                    const FaceShape shape(block, block.faces[slot]);
+                    if (!shape.polygon.has_area()) continue;
+                    const Sides of_face = block.faces[slot].two_sided ? Sides::kBoth : sides;
+                    const Contact contact = cast_sweep_polygon(sweep, shape.polygon, of_face, sweep.end);
+                    if (!contact.touched()) continue;
+                    ++touched;
+                    for (const LaneKernel& kernel : lane_kernels()) {
+                        FacetsSeen seen{&block, slot};
+                        look_by(kernel, world, lanes, front_only, contact.t, seen);
+                        ASSERT_TRUE(seen.found)
+                            << kernel.name << " " << family.name << " scene " << index << " slot " << slot << " at "
+                            << contact.t << " of " << sweep.end << " radius " << sweep.radius;
                     }
-                };
-                for (const Node* root : indices_of(world.data()))
-                    if (root) for_each_block(*root, check);
-                looked_at += seen_by(lane_kernels()[0], world, lanes, front_only, sweep.end).facets.size();
-                asked += world.face_count();
-            }
+                }
+            };
+            for (const Node* root : indices_of(world.data()))
+                if (root) for_each_block(*root, check);
             if (HasFatalFailure()) return;
+            FacetsSeen all;
+            look_by(lane_kernels()[0], world, lanes, front_only, sweep.end, all);
+            looked_at += all.count;
+            asked += world.face_count();
         }
     }
     EXPECT_GT(touched, 0u);
@@ -81,6 +104,125 @@ TEST_P(SweepLanes, LookAtAllThatIsMet) {
 
 INSTANTIATE_TEST_SUITE_P(Families, SweepLanes, testing::Range(std::size_t(0), scenes::cast_families().size()),
                          [](const auto& of) { return std::string(scenes::cast_families()[of.param].name); });
+
+struct AnyCast {
+    Sphere sphere;
+    Vec3 path;
+    CastOptions options;
+};
+
+std::vector<AnyCast> casts_in(const World& world, int count, std::uint64_t seed) {
+    scenes::Rng rng(seed);
+    const Box bounds = world.bounds();
+    std::vector<AnyCast> casts;
+    for (int k = 0; k < count; ++k) {
+        AnyCast it;
+        for (int axis = 0; axis < 3; ++axis)
+            it.sphere.centre[axis] = rng.uniform(bounds.low[axis] - 1, bounds.high[axis] + 1);
+        it.sphere.radius = rng.chance(0.4) ? 0 : rng.uniform(0.001, 0.8);
+        const Vec3 direction = rng.direction();
+        it.path = direction * (rng.chance(0.5) ? rng.uniform(0.01, 1) : rng.uniform(1, 60));
+        if (rng.chance(0.2)) it.path[int(rng.below(3))] = 0;
+        it.options.sides = rng.chance(0.5) ? Sides::kFront : Sides::kBoth;
+        it.options.room = world.room_count() > 1 && rng.chance(0.6) ? kLocateRoom : kAnyRoom;
+        casts.push_back(it);
+    }
+    return casts;
+}
+
+void add_bits(std::vector<std::uint64_t>& bits, const Hit& hit) {
+    bits.push_back(std::uint64_t(hit.status) | std::uint64_t(hit.feature) << 8 |
+                   std::uint64_t(hit.feature_index) << 16);
+    bits.push_back(hit.face.id.value | std::uint64_t(hit.material) << 32);
+    bits.push_back(hit.portal.value);
+    for (const double number : {hit.fraction, hit.safe_fraction}) bits.push_back(std::bit_cast<std::uint64_t>(number));
+    for (const Vec3& v : {hit.centre, hit.point, hit.normal, hit.face_normal})
+        for (int axis = 0; axis < 3; ++axis) bits.push_back(std::bit_cast<std::uint64_t>(v[axis]));
+}
+
+/// Two kinds of answers: what every way of casting gives alike, and what only the lanes do, as it follows from the
+/// order in which they look.
+struct KernelAnswers {
+    std::vector<std::uint64_t> hits, of_order;
+    CastCounts counts;
+};
+
+KernelAnswers answers_of(const World& world, const std::vector<AnyCast>& casts) {
+    KernelAnswers answers;
+    std::vector<Hit> all;
+    for (const AnyCast& it : casts) {
+        RoomId rooms[8];
+        RoomTrail trail{.rooms = rooms};
+        CastOptions options = it.options;
+        options.counts = &answers.counts;
+        options.trail = &trail;
+        add_bits(answers.hits, cast(world, it.sphere, it.path, options));
+        answers.hits.push_back(trail.count);
+        cast_all(world, it.sphere, it.path, all, options);
+        answers.hits.push_back(all.size());
+        for (const Hit& hit : all) add_bits(answers.hits, hit);
+        const Status any = cast_any(world, it.sphere, it.path, options);
+        answers.hits.push_back(any == Status::kMiss);
+        answers.of_order.push_back(std::uint64_t(any));
+        const auto visit = [&](const Hit& hit) {
+            add_bits(answers.of_order, hit);
+            return hit.fraction;
+        };
+        cast_each(world, it.sphere, it.path, visit, options);
+    }
+    return answers;
+}
+
+void expect_one_answer(const World& world, const std::string& name, int count) {
+    const std::vector<AnyCast> casts = casts_in(world, count, 5);
+    std::vector<std::pair<std::string, KernelAnswers>> all;
+    test::with_every_kernel([&](const char* kernel) { all.emplace_back(kernel, answers_of(world, casts)); });
+    const KernelAnswers& first = all[0].second;
+    for (const auto& [kernel, answers] : all) {
+        EXPECT_EQ(answers.hits, first.hits) << name << ": " << kernel << " and " << all[0].first;
+        if (&answers == &all.back().second) continue;  // one by one
+        EXPECT_EQ(answers.of_order, first.of_order) << name << ": " << kernel << " and " << all[0].first;
+        EXPECT_EQ(answers.counts.nodes, first.counts.nodes) << name << ": " << kernel;
+        EXPECT_EQ(answers.counts.boxes, first.counts.boxes) << name << ": " << kernel;
+        EXPECT_EQ(answers.counts.faces, first.counts.faces) << name << ": " << kernel;
+        EXPECT_EQ(answers.counts.precise, first.counts.precise) << name << ": " << kernel;
+    }
+    if (all.size() > 1) {
+        EXPECT_NE(all.back().second.counts.nodes, first.counts.nodes) << name << ": no lanes were in use";
+    }
+}
+
+TEST(LaneKernels, GiveTheAnswersOfCastsOneByOne) {
+    const World hall = make_world(read_level(FIRMA_ROOT "/levels/first.obj").value()).value();
+    expect_one_answer(hall, "first.obj", test::sample(3000));
+    expect_one_answer(make_world(scenes::room_grid({4, 3, 2})).value(), "rooms", test::sample(2000));
+    World carved = hall;
+    scenes::Rng rng(3);
+    const Box bounds = hall.bounds();
+    for (int k = 0; k < 12; ++k) {
+        Vec3 at;
+        for (int axis = 0; axis < 3; ++axis) at[axis] = rng.uniform(bounds.low[axis], bounds.high[axis]);
+        const Cutter crater = make_crater(CutterShape::kRocky, std::uint64_t(k));
+        carved = carve(carved, crater, {.position = at, .scale = rng.uniform(0.5, 2)}).world;
+    }
+    EXPECT_GT(carved.face_count(), hall.face_count());
+    expect_one_answer(carved, "first.obj, carved", test::sample(3000));
+}
+
+TEST(LaneKernels, GiveTheAnswersOfCastsOneByOneInEveryFamily) {
+    for (const scenes::CastFamily& family : scenes::cast_families()) {
+        const scenes::CastScene scene = scenes::make_cast_scene(family, 32, 1);
+        const World world = make_world(scenes::level_of(scene.polygons, scene.two_sided)).value();
+        std::vector<std::vector<std::uint64_t>> all;
+        test::with_every_kernel([&](const char*) {
+            std::vector<std::uint64_t>& bits = all.emplace_back();
+            for (const scenes::CastQuery& query : scene.casts)
+                for (const Sides sides : {Sides::kFront, Sides::kBoth})
+                    add_bits(bits, cast(world, query.sphere, query.path, {.sides = sides}));
+        });
+        for (const auto& bits : all) EXPECT_EQ(bits, all[0]) << family.name;
+    }
+}
 
 }  // namespace
 }  // namespace firma

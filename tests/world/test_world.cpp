@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "firma/level.h"
+#include "solid/lay_out_faces.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -235,6 +236,7 @@ TEST(World, CheckFindsWhatIsBroken) {
         Ref<RoomFaces> room(new RoomFaces);
         room->count = data->faces_of(0).count;
         room->hash = data->faces_of(0).hash;
+        FaceLayout().make(*node, *block);
         Spoilt spoilt{*node, *block, *solid, *room};
         change(spoilt);
         solid->faces.root = Ref<const Node>(node.get());

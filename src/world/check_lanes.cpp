@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Wide nodes and lanes against the bins and the block that they are made of, one by one.
+#include "world/check_lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "solid/block.h"
+#include "solid/face_shape.h"
+#include "world/sweep_lanes.h"
+
+namespace firma {
+namespace {
+
+/// Where something stands in an array, or none.
+template <class T>
+std::size_t place_in(const PoolVector<T>& array, const void* at) {
+    const auto* const first = reinterpret_cast<const std::byte*>(array.data());
+    const auto* const last = first + array.size() * sizeof(T);
+    const auto* const it = static_cast<const std::byte*>(at);
+    const std::less<const std::byte*> before;
+    if (array.empty() || before(it, first) || !before(it, last) || std::size_t(it - first) % sizeof(T) != 0)
+        return array.size();
+    return std::size_t(it - first) / sizeof(T);
+}
+
+class LanesChecker {
+public:
+    explicit LanesChecker(const Node& node) : node_(node) {}
+
+    std::optional<WorldFault> check() {
+        if (lane_kernels().empty()) {
+            if (!node_.wide.empty()) report("an index block is laid out for casts that there are not");
+            return fault_;
+        }
+        if (node_.wide.empty()) {
+            report("an index block is not laid out for casts");
+            return fault_;
+        }
+        led_to_.assign(node_.wide.size(), 0);
+        led_to_[0] = 1;
+        items_.assign(node_.is_leaf() ? block_of(node_).lanes.size() : node_.children.size(), 0);
+        if (node_.is_leaf()) {
+            triangles_.fill(0);
+            group_of_.fill(0);
+        }
+        check_wide(0, node_.bins[0].box);
+        if (fault_) return fault_;
+        for (const int times : led_to_)
+            if (times != 1) report("a wide node is not led to exactly once");
+        for (const int times : items_)
+            if (times != 1) report("an item is not in exactly one wide node");
+        if (node_.is_leaf()) check_all_there();
+        return fault_;
+    }
+
+private:
+    void report(const char* what, FaceId face = {}) {
+        if (!fault_) fault_ = WorldFault{what, face};
+    }
+
+    /// @param around  what everything below must lie in; boxes of wide nodes themselves may reach out, as they are
+    /// rounded
+    ///                outward at each level
+    void check_wide(std::size_t index, const BoxF& around) {
+        const WideNode& wide = node_.wide[index];
+        if (wide.count == 0 || wide.count > WideNode::kLanes) return report("a wide node does not hold 1 to 8 boxes");
+        for (const float scale : wide.scale) {
+            int exponent;
+            // So a side is rounded once at most, on every processor.
+            if (!(std::frexp(scale, &exponent) == 0.5f)) return report("a wide node's scale is not a power of two");
+        }
+        for (std::uint32_t lane = 0; lane < wide.count && !fault_; ++lane) {
+            BoxF box;
+            for (int axis = 0; axis < 3; ++axis) {
+                box.low[axis] = std::max(around.low[axis], wide.at(0, axis, lane));
+                box.high[axis] = std::min(around.high[axis], wide.at(1, axis, lane));
+            }
+            check_lane(index, wide, lane, box);
+        }
+    }
+
+    void check_lane(std::size_t index, const WideNode& wide, std::uint32_t lane, const BoxF& box) {
+        if (wide.facets[lane] > 0) return check_group(wide, lane, box);
+        if (const std::size_t below = place_in(node_.wide, wide.child[lane]); below < node_.wide.size()) {
+            if (below <= index) return report("a wide node leads backward");
+            if (++led_to_[below] > 1) return report("a wide node is not led to exactly once");
+            return check_wide(below, box);
+        }
+        const auto leads = [&](const Ref<const Node>& child) { return child->wide.data() == wide.child[lane]; };
+        const auto child = std::find_if(node_.children.begin(), node_.children.end(), leads);
+        if (child == node_.children.end()) return report("a wide node leads to nothing of its index block");
+        ++items_[std::size_t(child - node_.children.begin())];
+        const BoxF& below = (*child)->bins[0].box;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(below.low[axis] >= box.low[axis] && below.high[axis] <= box.high[axis]))
+                return report("an index block reaches out of its wide node");
+    }
+
+    /// Lanes that a wide node leads to.
+    void check_group(const WideNode& wide, std::uint32_t lane, const BoxF& box) {
+        if (!node_.is_leaf()) return report("a wide node leads to faces from above index blocks");
+        const Block& block = block_of(node_);
+        const std::size_t first = place_in(block.lanes, wide.child[lane]);
+        if (first + wide.facets[lane] > block.lanes.size()) return report("a wide node leads out of its lanes");
+        for (std::size_t k = first; k < first + wide.facets[lane] && !fault_; ++k) {
+            ++items_[k];
+            check_lanes(block, block.lanes[k], first + 1, box);
+        }
+    }
+
+    /// @param group  whose lanes they are: a number that others do not have
+    /// @param box    what their faces must lie in
+    void check_lanes(const Block& block, const FaceLanes& it, std::size_t group, const BoxF& box) {
+        if (it.block != &block) return report("lanes name another block than theirs");
+        if (it.used == 0 || (it.used & (it.used + 1)) != 0) return report("lanes are not in use from the first on");
+        for (std::uint32_t lane = 0; lane < std::uint32_t(std::popcount(it.used)) && !fault_; ++lane) {
+            const std::uint32_t slot = it.slot[lane];
+            if (slot >= block.faces.size()) return report("a lane names a face that is not there");
+            const FaceRecord& face = block.faces[slot];
+            if (group_of_[slot] == 0) {
+                group_of_[slot] = group;
+                check_box(block, face, box);
+            }
+            if (lane == 0 || it.slot[lane - 1] != slot) check_plane(block, it, face);
+            if (group_of_[slot] != group) return report("a face's lanes are not all together", face.id);
+            const std::uint32_t k = triangles_[slot]++;
+            if (k + 2 >= face.corner_count) return report("lanes hold more triangles than their face", face.id);
+            check_triangle(block, it, lane, face, k);
+        }
+    }
+
+    void check_box(const Block& block, const FaceRecord& face, const BoxF& box) {
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const Vec3 corner = to_metres(block.corner(face, k));
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(corner[axis] >= double(box.low[axis]) && corner[axis] <= double(box.high[axis])))
+                    return report("a face reaches out of its wide node", face.id);
+        }
+    }
+
+    void check_plane(const Block& block, const FaceLanes& it, const FaceRecord& face) {
+        if (face.corner_count == 3) return;
+        const FaceShape shape(block, face);
+        if (!shape.polygon.has_area()) return;
+        const Vec3 normal = shape.polygon.unit_normal();
+        for (const Vec3& corner : shape.polygon.corners)
+            if (!(std::fabs(dot(corner - shape.polygon.corners[0], normal)) <= double(it.uneven)))
+                return report("a face is less even than its lanes say", face.id);
+    }
+
+    /// Triangle k of a face's fan.
+    void check_triangle(const Block& block, const FaceLanes& it, std::uint32_t lane, const FaceRecord& face,
+                        std::uint32_t k) {
+        bool exact = face.corner_count == 3;
+        double off = face.corner_count > 3 ? 1 / kSurfaceSteps : 0;
+        const std::uint32_t corners[3] = {0, k + 1, k + 2};
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            const GridPoint& point = block.corner(face, corners[c]);
+            double size = 0, shift = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double from = double(std::int64_t(point[axis]) - it.origin[axis]) / kSurfaceSteps;
+                if (it.corner[c][axis][lane] != float(from))
+                    return report("a lane has another triangle than its face", face.id);
+                size += std::fabs(from);
+                shift += std::fabs(from - double(float(from)));
+                exact = exact && std::fabs(from) <= 32;
+            }
+            if (!(size <= double(it.size))) return report("a lane's corner is farther than its lanes say", face.id);
+            off = std::max(off, shift);
+        }
+        if (!(off <= double(it.shifted))) return report("a lane's corner is shifted more than its lanes say", face.id);
+        if ((it.whole >> lane & 1) && (off != 0 || !exact))
+            return report("a lane says it is exact and is not", face.id);
+        if ((it.two_sided >> lane & 1) != face.two_sided)
+            return report("a lane says which sides its face has, and is wrong", face.id);
+        if (it.mask_of_all & ~face.mask) report("lanes have bits in their mask that a face has not", face.id);
+    }
+
+    void check_all_there() {
+        const Block& block = block_of(node_);
+        for (std::size_t slot = 0; slot < block.faces.size(); ++slot)
+            if (triangles_[slot] + 2u != block.faces[slot].corner_count)
+                report("lanes hold fewer triangles than their face", block.faces[slot].id);
+    }
+
+    const Node& node_;
+    std::optional<WorldFault> fault_;
+    std::vector<int> led_to_, items_;  ///< how often, of wide nodes and of items
+    std::array<std::uint32_t, kNodeItems> triangles_;
+    std::array<std::size_t, kNodeItems> group_of_;  ///< 0: not seen yet
+};
+
+}  // namespace
+
+std::optional<WorldFault> fault_of_lanes(const Node& node) {
+    return LanesChecker(node).check();
+}
+
+}  // namespace firma
