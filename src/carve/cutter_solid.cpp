@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "carve/gather.h"
-
 namespace firma {
 namespace {
 

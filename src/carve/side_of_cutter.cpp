@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/sort.h"
 #include "carve/cutter_solid.h"
@@ -102,7 +103,7 @@ int side_along_axes(const CutterSolid& cutter, const ExactPoint& point, bool& on
         const std::int64_t down = std::int64_t(p[axis]) - cutter.box.low[axis];
         ways[std::size_t(axis)] = {std::min(up, down), axis, up <= down};
     }
-    sort_range(ways,
+    sort_range(std::span<Way>(ways),
                [](const Way& a, const Way& b) { return a.length != b.length ? a.length < b.length : a.axis < b.axis; });
     for (const Way& way : ways) {
         const AxisRay ray(point, way.axis, way.forward);
