@@ -97,6 +97,7 @@ LooseSearch::Phase LooseSearch::next_family() {
 
 /// Every turn is one face of one group.
 LooseSearch::Phase LooseSearch::flood() {
+    groups_.look_behind(growing_[looks_++ % growing_.size()]);
     for (int left = kFacesSearchedAStep; left > 0; --left) {
         if (turn_ == growing_.size()) {
             std::vector<std::uint32_t> unfinished;
@@ -126,6 +127,7 @@ LooseSearch::Phase LooseSearch::judge(const std::vector<std::uint32_t>& unfinish
 }
 
 LooseSearch::Phase LooseSearch::look_at_rest() {
+    groups_.look_behind(rest_);
     for (int left = kFacesSearchedAStep; left > 0; --left) {
         if (groups_.is_held(rest_)) return next_family();
         if (groups_.grow(rest_)) continue;
