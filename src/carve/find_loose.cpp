@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/flat_map.h"
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
 #include "solid/append_faces.h"
@@ -170,15 +171,27 @@ double LooseSearch::volume_of(const std::vector<LiveFace>& faces) {
     GridBox box;
     for (const LiveFace& face : faces) box.add(face.box());
     MomentSum sum(middle_of(box));
+    FlatMap known;
+    std::vector<PointArm> arms;
+    const auto arm_of_vertex = [&](const SolidVertex& vertex) {
+        std::uint32_t& number = known.at(reinterpret_cast<std::uintptr_t>(&vertex));
+        if (number == FlatMap::kNone) {
+            number = std::uint32_t(arms.size());
+            arms.push_back(arm_of(vertex.point, sum.apex()));
+        }
+        return arms[number];
+    };
     for (const LiveFace& face : faces) {
+        if (face.stored) {
+            const auto arm = [&](std::uint32_t k) { return arm_of_vertex(face.stored->uses[k].from()); };
+            sum.add_volume(face.stored->plane->plane, face.stored->loop_ends(), arm);
+            continue;
+        }
         corners_.clear();
         append_corners(face, corners_);
-        const auto corner = [&](std::uint32_t k) -> const ExactPoint& { return corners_[k]; };
+        const auto arm = [&](std::uint32_t k) { return arm_of(corners_[k], sum.apex()); };
         const auto all = std::uint32_t(corners_.size());
-        if (face.stored)
-            sum.add_face(face.stored->plane->plane, face.stored->loop_ends(), corner);
-        else
-            sum.add_face(plane_of(corners_), std::span(&all, 1), corner);
+        sum.add_volume(plane_of(corners_), std::span(&all, 1), arm);
     }
     return rounded(sum.sums().volume) / (kInputSteps * kInputSteps * kInputSteps);
 }
