@@ -17,10 +17,15 @@
 
 // Those that are worth it, and whose vectors have a size that the compiler knows. A name that this version of Highway
 // does not have counts as 0 where these are chosen, and is given that value for what follows.
+#if defined(_WIN32)  // GCC does not align what it keeps of wider vectors on the stack there (its bug 54412)
+#define FIRMA_TOO_WIDE (HWY_AVX2 | HWY_AVX3)
+#else
+#define FIRMA_TOO_WIDE 0
+#endif
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS                                                                                \
     (HWY_SSE2 | HWY_SSSE3 | HWY_AVX3_DL | HWY_AVX3_ZEN4 | HWY_AVX3_SPR | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-     HWY_SVE2_128 | HWY_RVV)
+     HWY_SVE2_128 | HWY_RVV | FIRMA_TOO_WIDE)
 #include <hwy/detect_targets.h>
 #ifndef HWY_SSE2
 #define HWY_SSE2 0LL
@@ -166,6 +171,63 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
     return met & lanes.used;
 }
 
+/// The same for a particle: triangles seen along its path, as in Sweep's projection. Times are those of boxes.
+HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
+                               float* times) {
+    const LaneSweep& sweep = query.sweep;
+    float o[3], size = lanes.size;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
+        o[axis] = float(from + double(enter) * sweep.direction[axis]);
+        size += std::fabs(o[axis]);
+    }
+    const float reach = (lanes.uneven + sweep.margin + 8 * kRoundoff * size) * kMore;
+    const float bent = 1024 * lanes.uneven;
+    unsigned met = 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+        Floats p[3][3];  // corners seen from there
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis)
+                p[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[c][axis] + part), all(o[axis]));
+        Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore), extent = hn::Zero(kFloats);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Floats low = hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]);
+            const Floats high = hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]);
+            extent = add(extent, hn::Sub(high, low));
+            const Floats from = hn::Sub(low, all(reach)), to = add(high, all(reach));
+            const Floats slope = all(sweep.inverse[axis]);
+            in = hn::Max(in, hn::Mul(sweep.turned[axis] ? to : from, slope));
+            out = hn::Min(out, hn::Mul(sweep.turned[axis] ? from : to, slope));
+        }
+        in = hn::Sub(hn::Mul(in, all(kLess)), all(bent));
+        unsigned left = bits(hn::Le(in, add(hn::Mul(out, all(kMore)), all(bent))));
+        if ((left << part & lanes.used) == 0) continue;
+        Floats flat[3][2];
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 2; ++axis)
+                flat[c][axis] = hn::Sub(p[c][sweep.aside[axis]], hn::Mul(all(sweep.shear[axis]), p[c][sweep.longest]));
+        Floats turns[3];  // twice the area with the path, by side
+        for (int c = 0; c < 3; ++c) {
+            const Floats *a = flat[c], *b = flat[(c + 1) % 3];
+            turns[c] = hn::Sub(hn::Mul(a[0], hn::Sub(b[1], a[1])), hn::Mul(a[1], hn::Sub(b[0], a[0])));
+        }
+        const Floats rounding = hn::Mul(extent, all(64 * kRoundoff));
+        const Floats g = hn::Mul(extent, add(all(8 * reach), rounding));
+        const Floats least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
+        const Floats most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
+        left &= ~bits(hn::And(hn::Lt(least, hn::Neg(g)), hn::Gt(most, g)));
+        if (query.front_only) {
+            const Floats area = add(add(turns[0], turns[1]), turns[2]);
+            const float tilted = reach + lanes.uneven + lanes.shifted;
+            const unsigned away = bits(hn::Gt(area, hn::Mul(extent, add(all(32 * tilted), rounding))));
+            left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
+        }
+        hn::StoreU(in, kFloats, times + part);
+        met |= left << part;
+    }
+    return met & lanes.used;
+}
+
 /// Rounded up.
 HWY_INLINE float to_float(double latest) {
     return float(latest) * (1 + 4 * kRoundoff);
@@ -186,7 +248,8 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
     alignas(64) float times[kLanes];
     for (const FaceLanes* lanes = first; lanes != first + count; ++lanes) {
         query.counts.boxes += std::uint32_t(__builtin_popcount(lanes->used));
-        unsigned met = look(*lanes, query, enter, latest, times);
+        unsigned met = query.sweep.radius > 0 ? look(*lanes, query, enter, latest, times)
+                                              : look_along(*lanes, query, enter, latest, times);
         while (met) {  // by rising bound
             std::uint32_t lane = first_bit(met);
             for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
@@ -279,8 +342,10 @@ struct Kernels {
 
 private:
 #if HWY_ARCH_X86
-    static bool has_sse4() { return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"); }
-    static bool has_avx2() {
+    [[maybe_unused]] static bool has_sse4() {
+        return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+    }
+    [[maybe_unused]] static bool has_avx2() {
         return has_sse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     }
@@ -312,6 +377,11 @@ LaneSweep::LaneSweep(const Sweep& sweep) {
     if (!usable) return;
     radius = float(sweep.radius);
     margin = float(rounding_error) + radius * 0x1p-22f;
+    longest = sweep.axis_k;
+    aside[0] = sweep.axis_u;
+    aside[1] = sweep.axis_v;
+    shear[0] = float(sweep.shear_u);
+    shear[1] = float(sweep.shear_v);
     for (int axis = 0; axis < 3; ++axis) {
         start[axis] = sweep.start[axis];
         direction[axis] = sweep.direction[axis];

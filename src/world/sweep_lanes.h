@@ -16,6 +16,14 @@
 // A one-sided facet is met by paths alone that run against its normal. Where a triangle's corners are off by up to h,
 // out of the facet's plane or in it, n is off from a multiple of that normal, 0 or more, by 4 h E + 4 h^2: times the
 // direction's length, below 3.5, that is less than 32 h E where E is above 9 h, and where it is below no n is as long.
+//
+// A particle needs no normal: seen along its path, corners p and q have twice the area p x q with it, a positive factor
+// of d.n in sum. With the projection a corner is off by 17 u S and by twice what else is in R, which is below 2.2 R.
+// With L the sum of the triangle's extents, no side is longer than 2 L there, and an area is off by 24 u L^2 and the
+// like: so where the particle meets the triangle, the three areas are not below -g or none is above g, with g = L (8 R
+// + 64 u L). Where a facet is bent, the point met lies before or behind its triangles by as much over the sine of the
+// path's angle: times are widened by 1,024 times that. (A box around all corners, as casts one by one ask, is not
+// widened so.)
 #pragma once
 
 #include <cstdint>
@@ -38,6 +46,8 @@ struct LaneSweep {
     float along[3];                         ///< the direction
     float inverse[3], ahead[3], behind[3];  ///< of the boxes' sides
     std::uint32_t turned[3];                ///< 1 where the path runs down an axis
+    int longest = 0, aside[2];              ///< axes of the projection along the path, and its shear: as in Sweep
+    float shear[2];
     float radius = 0;
     float margin = 0;  ///< more than the rounding of doubles on the way, metres
 };
