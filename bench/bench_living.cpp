@@ -2,6 +2,9 @@
 // A whole edit of a living world: a crater of 180 triangles with rooms, portals, matter, loose pieces and both hashes,
 // one after the other in the depot, in rooms, and in maps; CARVING.md section 7 has the targets.
 //
+// The machine's speed changes from minute to minute: in turn with each, a plain crater in the rooms of ten thousand
+// triangles that bench_carve measures, and all times beside its median.
+//
 // bench_living [--csv FOLDER]; of OpenArena's maps where FIRMA_OPENARENA names their folder.
 #include <algorithm>
 #include <cstdio>
@@ -50,11 +53,13 @@ double median_of(const std::vector<double>& all, std::size_t first, std::size_t 
     return median({all.begin() + std::ptrdiff_t(first), all.begin() + std::ptrdiff_t(first + count)});
 }
 
-/// The same craters in turn in a world without the rest and in one with all of it.
+constexpr int kPlainRooms = 2;
+
+/// The same craters in turn in a world without the rest and in one with all of it, and a plain one in rooms.
 template <class PoseOf>
 void measure_level(const std::string& name, const World& level, std::size_t cuts, const PoseOf& pose_of, Table& table) {
-    World plain = level, whole = with_anchors(level);
-    Row without, with;
+    World plain = level, whole = with_anchors(level), rooms = carvable_world(crater_level(kPlainRooms));
+    Row without, with, in_rooms;
     const Cutter cutter = crater();
     const std::size_t portals = portal_count(level);
     for (std::size_t k = 0; k < cuts; ++k) {
@@ -62,14 +67,17 @@ void measure_level(const std::string& name, const World& level, std::size_t cuts
         if (k % 2) crater_on(plain, cutter, pose, false, without);
         crater_on(whole, cutter, pose, true, with);
         if (k % 2 == 0) crater_on(plain, cutter, pose, false, without);
+        crater_on(rooms, cutter, crater_pose(kPlainRooms, CraterPlaces::kSpread, k), false, in_rooms);
     }
+    const double yard = median(in_rooms.milliseconds);
     const std::vector<double>& all = with.milliseconds;
     const std::size_t part = std::min<std::size_t>(100, all.size() / 4);
     const double first = median_of(all, 0, part), last = median_of(all, all.size() - part, part);
     table.add({name, count(level.face_count()), count(all.size()), count(with.nothing), count(with.refused),
                number(median(without.milliseconds)), number(median(all)), number(quantile(without.milliseconds, 0.99)),
-               number(quantile(all, 0.99)), number(quantile(all, 1)), number(with.slowest_search), number(first),
-               number(last), times(last / first), count(with.chunks), count(portal_count(whole) - portals)});
+               number(quantile(all, 0.99)), number(yard), times(median(all) / yard), times(quantile(all, 0.99) / yard),
+               number(quantile(all, 1)), number(with.slowest_search), number(first), number(last), times(last / first),
+               count(with.chunks), count(portal_count(whole) - portals)});
 }
 
 /// Craters of 0.4 to 1.6 m on the walls of rooms.
@@ -85,9 +93,10 @@ auto on_walls(const World& world) {
 }
 
 int measure(const Settings& settings) {
-    Table table("living", {"level", "faces", "cuts", "nothing", "refused", "cut alone ms", "whole ms",
-                           "cut alone p99 ms", "whole p99 ms", "worst ms", "worst search ms", "first 100 ms",
-                           "last 100 ms", "last to first", "chunks", "portals more"});
+    Table table("living",
+                {"level", "faces", "cuts", "nothing", "refused", "cut alone ms", "whole ms", "cut alone p99 ms",
+                 "whole p99 ms", "plain crater in rooms ms", "whole to plain", "whole p99 to plain", "worst ms",
+                 "worst search ms", "first 100 ms", "last 100 ms", "last to first", "chunks", "portals more"});
     const std::size_t cuts = settings.quick ? 20 : 1000;
     std::vector<int> sizes{2, 20};
     if (settings.quick) sizes = {1};

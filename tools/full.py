@@ -257,7 +257,7 @@ CLAIMS = [
           2_000, 'commands', LOG_SOURCES, 'test', logs('replay'), 'full_logs'),
     Claim('disjoint_edits', 'edits apart from each other in the depot, a map and buildings, in four orders: one solid', 10_000, 2_000, 'commands', LOG_SOURCES,
           'test', logs('disjoint'), 'full_logs'),
-    Claim('log_sequences', 'commands of every kind in the depot, a map and buildings, check_world() and check_solid() after each', 30_000, 2_000, 'commands',
+    Claim('log_sequences', 'commands of every kind in the depot, a map and buildings, check_world() and check_solid() after each', 100_000, 2_000, 'commands',
           LOG_SOURCES, 'test', logs('sequences'), 'full_logs'),
     # A share of the programs each chunk: the seed says which.
     Claim('sanitized', 'test programs under the address and undefined behaviour sanitizers: tests of a second or more, those with Boost, of glTF, of pictures, of the command line, of threads; none fails',

@@ -3,6 +3,7 @@
 #include "carve/clip_sheets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "arrange/label_cells.h"
 #include "base/disjoint_sets.h"
@@ -38,7 +39,7 @@ public:
         arrange();
         know_walls();
         if (!label_sheets()) return {};
-        cell_air_.assign(cells().cells.size(), ClippedSheets::kNoAir);
+        cell_air_.assign(cells().cells.size(), {});
         if (!label_faces()) return {};
         divide_edges();
         write_faces();
@@ -277,8 +278,32 @@ private:
             if (known == ClippedSheets::kNoAir) known = which;
             if (known != which) return false;
         }
-        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) cell_air_[cell] = air[sets.find(cell)];
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) cell_air_[cell].air = air[sets.find(cell)];
+        find_places(sets);
         return true;
+    }
+
+    /// Of cells whose air is not told: they meet sheets in points at most, such as a corner that lies on one.
+    void find_places(DisjointSets& sets) {
+        std::vector<double> farthest(cells().cells.size(), -1);
+        std::vector<GridPoint> at(cells().cells.size());
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) {
+            if (is_sheet(cells().cells[cell].face) || cell_air_[cell].air != ClippedSheets::kNoAir) continue;
+            const std::uint32_t set = sets.find(cell);
+            for (const PieceUse& use : cells().uses(cells().cells[cell])) {
+                const ExactPoint& corner = overlay_.point(start_of(use));
+                double nearest = INFINITY;
+                for (const CutSheet& sheet : sheets_) nearest = std::min(nearest, distance(*sheet.plane, corner));
+                if (nearest <= farthest[set]) continue;
+                farthest[set] = nearest;
+                at[set] = corner.rounded();
+            }
+        }
+        for (std::uint32_t cell = 0; cell < cells().cells.size(); ++cell) cell_air_[cell].place = at[sets.find(cell)];
+    }
+    static double distance(const SolidPlane& sheet, const ExactPoint& corner) {
+        const Plane& plane = sheet.plane;
+        return std::fabs(dot(plane.direction(), corner.approximate()) + plane.d) / length(plane.direction());
     }
 
     /// Faces that the fill left, and pieces of those that it cut, by the edges that they use.
@@ -581,7 +606,7 @@ private:
         made.use_count = std::uint32_t(all.size()) - made.first_use;
         made.loop_count = std::uint32_t(ends.size());
         made_.loops.faces.push_back(std::move(made));
-        made_.air.push_back(ClippedSheets::kNoAir);
+        made_.air.push_back({});
     }
 
     void write_face(std::uint32_t index, const NewFace& like) {
@@ -686,7 +711,7 @@ private:
     CellFinder cell_finder_{overlay_, spans_, lines_};
     PieceUsers users_;
     std::vector<SheetPlace> place_;                ///< of cells
-    std::vector<std::uint32_t> cell_air_;          ///< likewise
+    std::vector<FaceAir> cell_air_;                ///< likewise
     std::vector<std::vector<PatchUse>> parts_of_;  ///< of edges by number: what takes their place. Empty: of none
     std::vector<WallSide> walls_;
     std::vector<std::uint32_t> first_wall_;  ///< in walls_, of edges by number

@@ -36,13 +36,20 @@ struct SheetRest {
     std::vector<std::uint32_t> ends;
 };
 
+/// The air that a face of a fill bounds.
+struct FaceAir {
+    std::uint32_t air = ~0u;  ///< ClippedSheets::kNoAir where neither a sheet nor a wall tells
+    /// Then: a corner of the faces that hang together with it, the one farthest from the sheets' planes. All of them
+    /// bound the air that it lies in.
+    GridPoint place;
+};
+
 struct ClippedSheets {
     static constexpr std::uint32_t kNoAir = ~0u;
     Crossings crossings;  ///< those of the fill, and points that sheets make
     NewLoops loops;       ///< those of the fill, its own faces divided
-    /// Of each of its faces: the air that it bounds; kNoAir for pieces of old faces, and for what touches neither
-    /// sheets nor walls.
-    std::vector<std::uint32_t> air;
+    /// Of each of its faces; kNoAir, and no place, for pieces of old faces.
+    std::vector<FaceAir> air;
     std::vector<std::uint8_t> changed;          ///< of each sheet: `rest` has what is left of it, if anything
     std::vector<SheetRest> rest;                ///< in order of sheets
     std::vector<Ref<const SolidPlane>> planes;  ///< that the new crossings and edges look at

@@ -10,7 +10,6 @@
 
 #include "base/sort.h"
 #include "carve/check_crossing.h"
-#include "carve/place_cutter.h"
 
 namespace firma {
 namespace {
@@ -45,7 +44,7 @@ Vec3 to_input_grid(const Vec3& p) {
     return at;
 }
 
-Cutter ColumnPrism::raise(const Vec3& under, const Vec3& over) const {
+std::optional<PlacedCutter> ColumnPrism::raise(const Vec3& under, const Vec3& over) const {
     const auto count = std::uint32_t(base.size());
     std::vector<Vec3> points;
     for (const Vec3& p : base) points.push_back(p + under);
@@ -59,11 +58,11 @@ Cutter ColumnPrism::raise(const Vec3& under, const Vec3& over) const {
         mesh.push_back({a, b, b + count});
         mesh.push_back({a, b + count, a + count});
     }
-    Result<Cutter> cutter = make_cutter(points, mesh, "column");
+    const Result<Cutter> cutter = make_cutter(points, mesh, "column");
     if (!cutter) return {};
-    const Result<PlacedCutter> placed = place_cutter(cutter.value(), {});
+    Result<PlacedCutter> placed = place_cutter(cutter.value(), {});
     if (!placed || find_crossing(placed.value())) return {};
-    return std::move(cutter.value());
+    return std::move(placed).value();
 }
 
 ColumnPrism grown_prism(std::span<const Vec3> corners, const Vec3& normal) {

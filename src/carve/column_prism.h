@@ -2,9 +2,11 @@
 // Prisms on the input grid: over triangles side by side, or over one convex part of a hole and a little more.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "carve/place_cutter.h"
 #include "firma/cutter.h"
 #include "firma/grid.h"
 #include "firma/vec.h"
@@ -23,8 +25,8 @@ struct ColumnPrism {
     std::vector<CutterTriangle> triangles;  ///< by index, counter-clockwise seen from above
 
     /// @param under, over  added to the corners give the lower end, the upper end
-    /// @return not valid() where it is no sound cutter in the world
-    Cutter raise(const Vec3& under, const Vec3& over) const;
+    /// @return nothing where it is no sound cutter in the world
+    std::optional<PlacedCutter> raise(const Vec3& under, const Vec3& over) const;
 };
 
 /// Over the hull of squares around corners, two input steps wide, seen along the axis nearest to a normal.

@@ -713,7 +713,7 @@ CutJob::Phase CutJob::make_change() {
     if (opens_ || (terms_.air_of && !pieces_.empty())) make_opening();
     if (clipped_)
         for (const std::uint32_t from : made_from_)
-            air_of_added_.push_back(from == Pockets::kNone ? ClippedSheets::kNoAir : clipped_->air[from]);
+            air_of_added_.push_back(from == Pockets::kNone ? FaceAir() : clipped_->air[from]);
     if (terms_.air_of) note_divisions();
     status_ = CarveStatus::kDone;
     return Phase::kEnd;

@@ -87,8 +87,8 @@ public:
     CutOpening take_opening() { return std::move(opening_); }
     /// Whether a fill met sheets and it is known what it does to them. With kDone, as the next two.
     bool clipped() const { return clipped_.has_value(); }
-    /// Of each of SolidChange::added.faces: the air that it bounds; ClippedSheets::kNoAir: see there.
-    const std::vector<std::uint32_t>& air_of_added() const { return air_of_added_; }
+    /// Of each of SolidChange::added.faces; no air and no place for pieces of old ones.
+    const std::vector<FaceAir>& air_of_added() const { return air_of_added_; }
     /// The sheets that are left, in order of portals.
     /// @param changed  gets the portals of those that are not what they were
     std::vector<CutSheet> sheets_left(std::vector<std::uint32_t>& changed);
@@ -244,7 +244,7 @@ private:
     CutOpening opening_;
     std::vector<CutSheet> sheets_;  ///< of a fill
     std::optional<ClippedSheets> clipped_;
-    std::vector<std::uint32_t> air_of_added_;
+    std::vector<FaceAir> air_of_added_;
     std::vector<std::uint32_t> made_from_;         ///< of each of SolidChange::added.faces: NewLoops::faces, or ~0
     std::vector<std::uint32_t> taken_from_;        ///< of each of CutOpening::taken.faces: NewLoops::taken
     std::vector<std::uint32_t> division_of_edge_;  ///< of the patch: NewLoops::divisions; ~0: none. Empty: none at all

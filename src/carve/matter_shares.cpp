@@ -89,10 +89,16 @@ bool MatterShares::step() {
         return true;
     }
     if (next_ < order_.size() && left_.face_count() > 0) {
-        start(pieces_.pieces[order_[next_]]);
+        const MatterPiece& piece = pieces_.pieces[order_[next_]];
+        if (taken_ && *taken_ != piece.matter) {
+            settle();
+            return true;
+        }
+        start(piece);
         if (!job_) ++next_;
         return true;
     }
+    settle();
     add(last_, moments_left_);
     moments_left_ = {};
     return false;
@@ -123,12 +129,19 @@ void MatterShares::take_share() {
     while (edit.step()) {
     }
     left_ = edit.result();
+    taken_ = pieces_.pieces[order_[next_]].matter;
+}
+
+/// Gives a matter what its pieces took. Those of one matter mostly follow one another: that is integrated once.
+void MatterShares::settle() {
+    if (!taken_) return;
     const Boundary boundary = take_boundary(left_.data().faces.root.get());
     const Moments now = moments_of(boundary.patch, apex_);
     Moments share = moments_left_;
     add_moments(share, now, -1);
-    add(pieces_.pieces[order_[next_]].matter, share);
+    add(*taken_, share);
     moments_left_ = now;
+    taken_.reset();
 }
 
 void MatterShares::add(std::uint32_t matter, const Moments& moments) {

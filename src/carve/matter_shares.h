@@ -48,6 +48,7 @@ private:
     void list_pieces(const GridBox& box, const CarveRules* rules, const SolidPatch& patch);
     void start(const MatterPiece& piece);
     void take_share();
+    void settle();
     void add(std::uint32_t matter, const Moments& moments);
     /// Whether a closed mesh holds all of the whole body (true) or none of it (false); nothing where it holds some.
     std::optional<bool> holds_all(const Solid& mesh) const;
@@ -60,6 +61,7 @@ private:
     std::uint32_t last_ = 0;            ///< the matter of what is left then
     std::size_t next_ = 0;              ///< in order_
     Solid left_;
+    std::optional<std::uint32_t> taken_;  ///< the matter of what was cut out of it since `moments_left_`
     Moments total_, moments_left_;
     std::unique_ptr<CutJob> job_;  ///< with order_[next_]
     std::vector<Share> shares_;

@@ -239,7 +239,7 @@ bool WallHole::may_be_over(std::span<const Vec3> polygon) const {
     return gap(other, own) < kNear && gap(box, other) < kNear;
 }
 
-Cutter WallHole::raise_whole(const Vec3& under, const Vec3& over) const {
+std::optional<PlacedCutter> WallHole::raise_whole(const Vec3& under, const Vec3& over) const {
     const auto before = [](const Vec3& a, const Vec3& b) {
         return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
     };
@@ -255,21 +255,21 @@ Cutter WallHole::raise_whole(const Vec3& under, const Vec3& over) const {
     return prism.raise(under, over);
 }
 
-Cutter WallHole::raise_part(const Part& part, const Vec3& under, const Vec3& over) const {
+std::optional<PlacedCutter> WallHole::raise_part(const Part& part, const Vec3& under, const Vec3& over) const {
     return grown_prism(std::span(corners_).subspan(part.first, part.count), wall_.normal).raise(under, over);
 }
 
-std::vector<Cutter> WallHole::raise(double height) const {
+std::vector<PlacedCutter> WallHole::raise(double height) const {
     const Vec3 under = to_input_grid(wall_.normal * -(wall_.axis >= 0 ? kUnderSquare : kUnderSlanted));
     const Vec3 over = to_input_grid(wall_.normal * height);
-    std::vector<Cutter> columns;
+    std::vector<PlacedCutter> columns;
     if (whole_)
-        if (Cutter column = raise_whole(under, over); column.valid()) {
-            columns.push_back(std::move(column));
+        if (std::optional<PlacedCutter> column = raise_whole(under, over)) {
+            columns.push_back(*std::move(column));
             return columns;
         }
     for (const Part& part : parts_)
-        if (Cutter column = raise_part(part, under, over); column.valid()) columns.push_back(std::move(column));
+        if (std::optional<PlacedCutter> column = raise_part(part, under, over)) columns.push_back(*std::move(column));
     return columns;
 }
 

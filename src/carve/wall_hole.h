@@ -3,17 +3,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "carve/place_cutter.h"
 #include "carve/wall_section.h"
-#include "firma/cutter.h"
 #include "firma/vec.h"
 
 namespace firma {
 
-/// What an outline encloses, with its corners on the input grid: of corners within 1.5 input steps of a line between
+/// What an outline encloses, with its corners on the input grid: of corners within an input step of a line between
 /// others that line is left. Divided into triangles; where so small an outline meets itself, into trapezoids, which
 /// cover it whatever it does.
 class WallHole {
@@ -23,17 +24,17 @@ public:
     WallHole(const WallOutlines& outlines, const WallPlane& wall);
 
     bool empty() const { return parts_.empty(); }
-    /// Whether it takes of a convex polygon in the wall's plane more than a strip an input step wide.
+    /// Whether it takes of a convex polygon in the wall's plane more than a strip a quarter of an input step wide.
     bool takes_of(std::span<const Vec3> polygon) const;
-    /// Whether any of a convex polygon may stand straight over it: false only where it is at least an input step
-    /// beside it, or behind the wall's plane.
+    /// Whether any of a convex polygon may stand straight over it: false only where it is at least 4 input steps
+    /// beside it, or wholly behind the prisms' lower ends.
     bool may_be_over(std::span<const Vec3> polygon) const;
     /// Prisms that reach from a little under the wall (2 mm; 8 mm of a slanted one) straight out: one, or of an outline
     /// that meets itself one over each trapezoid, an input step wider on all sides. None of what would reach out of the
     /// world.
     ///
     /// @param height  metres
-    std::vector<Cutter> raise(double height) const;
+    std::vector<PlacedCutter> raise(double height) const;
 
 private:
     /// In the plane, seen along the axis that is nearest to its normal; metres.
@@ -51,8 +52,8 @@ private:
     bool add_outline(std::size_t outer, std::span<const std::size_t> holes);
     void divide_into_trapezoids();
     void add_part(std::span<const Vec3> corners);
-    Cutter raise_whole(const Vec3& under, const Vec3& over) const;
-    Cutter raise_part(const Part& part, const Vec3& under, const Vec3& over) const;
+    std::optional<PlacedCutter> raise_whole(const Vec3& under, const Vec3& over) const;
+    std::optional<PlacedCutter> raise_part(const Part& part, const Vec3& under, const Vec3& over) const;
     static double gap(std::span<const Flat> a, std::span<const Flat> b);
 
     WallPlane wall_;

@@ -280,17 +280,17 @@ private:
         for (std::size_t k = 0; k < added.faces.size(); ++k) {
             FaceSet::Entry& face = added.faces[k];
             if (face.part != kUnsetPart) continue;
-            const std::uint32_t air = cut_.air_of_added()[k];
-            face.part = air != ClippedSheets::kNoAir ? air : room_at(added, face);
+            const FaceAir& found = cut_.air_of_added()[k];
+            face.part = found.air != ClippedSheets::kNoAir ? found.air : room_at(found.place, added, face);
             rooms_.add_to(face.part);
         }
     }
-    std::uint32_t room_at(const FaceSet& added, const FaceSet::Entry& face) const {
-        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
-            const Location found = locate(world_, to_metres(added.corner(face, k)));
-            if (found.where == Where::kAir) return found.room.value;
-        }
-        return 0;
+    /// @param place  it may touch a wall there
+    std::uint32_t room_at(const GridPoint& place, const FaceSet& added, const FaceSet::Entry& face) const {
+        Location found = locate(world_, to_metres(place));
+        for (std::uint32_t k = 0; k < face.corner_count && found.where != Where::kAir; ++k)
+            found = locate(world_, to_metres(added.corner(face, k)));
+        return found.where == Where::kAir ? found.room.value : 0;
     }
 
     /// The room of what comes of the cutter, once it is known which faces go: the one that they are of. A carving that

@@ -96,8 +96,7 @@ ClipColumns::ClipColumns(const FaceStore& open, const FaceStore& solid, const Ca
       near_box_(grown(cutter.box, std::int32_t(kReach * kSurfaceSteps))),
       may_go_(std::move(may_go)) {}
 
-PolygonTrimmer::End ClipColumns::step() {
-    using End = PolygonTrimmer::End;
+bool ClipColumns::step() {
     switch (phase_) {
         case Phase::kClips:
             find_clips();
@@ -114,9 +113,9 @@ PolygonTrimmer::End ClipColumns::step() {
                 phase_ = Phase::kEnd;
             break;
         case Phase::kEnd:
-            return End::kDone;
+            break;
     }
-    return phase_ == Phase::kEnd ? End::kDone : End::kGoesOn;
+    return phase_ != Phase::kEnd;
 }
 
 void ClipColumns::find_clips() {
@@ -163,7 +162,7 @@ void ClipColumns::find_columns(std::uint32_t number) {
     std::erase_if(over, [&](const FacetPlace& facet) { return !may_be_over(number, facet); });
     find_clips_on(wall, over);
     if (wall.clips.size() == 0) return;
-    for (Cutter& column : wall.hole.raise(wall.height + 8 / kInputSteps))
+    for (PlacedCutter& column : wall.hole.raise(wall.height + 8 / kInputSteps))
         columns_.push_back({number, std::move(column)});
 }
 

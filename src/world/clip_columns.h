@@ -9,7 +9,6 @@
 
 #include "base/flat_map.h"
 #include "carve/cutter_solid.h"
-#include "carve/trim_polygons.h"
 #include "carve/wall_hole.h"
 #include "carve/wall_section.h"
 #include "firma/level.h"
@@ -28,7 +27,7 @@ inline bool is_clip(const FaceRecord& record) {
 /// Takes away what of the clips that stand on one wall lies in it.
 struct ClipColumn {
     std::uint32_t wall = 0;
-    Cutter cutter;
+    PlacedCutter cutter;
 };
 
 /// Faces do not say which brush they are of. A clip is told by its shape: clip faces that hang together by corners,
@@ -55,7 +54,8 @@ public:
                 const CutterSolid& cutter, std::function<bool(const FaceRecord&)> may_go);
 
     /// Does one piece of work.
-    PolygonTrimmer::End step();
+    /// @return whether there is more
+    bool step();
 
     // Once it is done:
     /// In an order that is the same everywhere.

@@ -119,9 +119,7 @@ OpenFaceEdit::Phase OpenFaceEdit::start_trimmer() {
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::find_columns() {
-    const PolygonTrimmer::End end = columns_ ? columns_->step() : PolygonTrimmer::End::kDone;
-    if (end == PolygonTrimmer::End::kGoesOn) return Phase::kColumns;
-    return end == PolygonTrimmer::End::kDone ? start_trimmer() : refuse(end);
+    return columns_ && columns_->step() ? Phase::kColumns : start_trimmer();
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::place_next() {
@@ -150,8 +148,7 @@ void OpenFaceEdit::gather_near(const GridBox& box, const Takes& takes) {
 
 /// Of the clips that stand on one wall, what stands straight over its hole.
 OpenFaceEdit::Phase OpenFaceEdit::place_column(const ClipColumn& column) {
-    if (std::optional<Error> fault = place_any_cutter(column.cutter, {}, piece_))
-        return refuse(fault->code, std::move(fault->reason));
+    make_cutter_solid(column.cutter, piece_);
     gather_near(grown(piece_.box, 1), [&](const FacetPlace& facet, std::uint32_t face) {
         return columns_->stands_on(column.wall, face) && columns_->may_be_over(column.wall, facet);
     });

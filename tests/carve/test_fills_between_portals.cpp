@@ -96,5 +96,28 @@ TEST(FillsBetweenPortals, OneThatLeavesAStripThinnerThanRounding) {
     EXPECT_EQ(portal_count(world), 2u);
 }
 
+/// A body in one room of which a corner lies on a portal: each of its faces bounds that room.
+TEST(FillsBetweenPortals, OneThatTouchesAPortalInAPoint) {
+    const World hall = assemble_world(wedge_parts()).value();
+    const auto tip = [](double x, double height) {
+        test::TriangleMesh mesh;
+        mesh.vertices = {{x, 2, 0}, {x - 0.25, 2.25, height}, {x + 0.25, 2.25, height}, {x, 1.5, height}};
+        mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+        if (height < 0) mesh.turn_over();
+        return mesh.cutter().value();
+    };
+    for (const bool below : {false, true}) {
+        World world = hall;
+        for (const double x : {2.0, -2.0}) {
+            const CarveResult result = fill(world, tip(x, below ? -0.5 : 0.5), {});
+            ASSERT_TRUE(result.done());
+            world = result.world;
+            test::expect_sound_world(world);
+        }
+        EXPECT_EQ(room_info(world, {below ? 0u : 1u})->faces, room_info(hall, {below ? 0u : 1u})->faces + 8);
+        EXPECT_EQ(room_info(world, {below ? 1u : 0u})->faces, room_info(hall, {below ? 1u : 0u})->faces);
+    }
+}
+
 }  // namespace
 }  // namespace firma

@@ -36,9 +36,9 @@ std::vector<Vec3> reversed(std::vector<Vec3> loop) {
     return {loop.rbegin(), loop.rend()};
 }
 
-bool hold(const std::vector<Cutter>& columns, const Vec3& p) {
-    for (const Cutter& column : columns)
-        if (test::winding(column, {}, p) > 0.5) return true;
+bool hold(const std::vector<PlacedCutter>& columns, const Vec3& p) {
+    for (const PlacedCutter& column : columns)
+        if (test::PlacedWinding(column).holds(p)) return true;
     return false;
 }
 
@@ -80,10 +80,10 @@ CutterSolid placed(const Cutter& cutter, const Pose& pose) {
 const WallPlane kFloor = wall_plane({0, 0, 1}, {0, 0, 0});
 
 TEST(WallHole, OneColumnStraightOut) {
-    const std::vector<Cutter> columns =
+    const std::vector<PlacedCutter> columns =
         WallHole(outlines_of({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}}), kFloor).raise(2);
     ASSERT_EQ(columns.size(), 1u);
-    EXPECT_EQ(columns[0].triangles().size(), 12u) << "the corner in the middle of a side is left out";
+    EXPECT_EQ(columns[0].triangles.size(), 12u) << "the corner in the middle of a side is left out";
     for (const double x : {kStep / 2, 0.5, 1.0, 1.5, 2 - kStep / 2}) {
         EXPECT_TRUE(hold(columns, {x, 0.5, 1})) << x;
         EXPECT_TRUE(hold(columns, {x, 0.5, -4 * kStep})) << x;
@@ -95,7 +95,7 @@ TEST(WallHole, OneColumnStraightOut) {
 }
 
 TEST(WallHole, OutlinesWithinOutlines) {
-    const std::vector<Cutter> columns =
+    const std::vector<PlacedCutter> columns =
         WallHole(outlines_of({square(0, 0, 8), reversed(square(1, 1, 6)), square(2, 2, 4), reversed(square(3, 3, 1)),
                               square(10, 0, 1)}),
                  kFloor)
@@ -113,7 +113,7 @@ TEST(WallHole, AnOutlineThatMeetsItselfGivesColumnsThatOverlap) {
         std::vector<std::vector<Vec3>> squares = {square(0, 0, 1), square(1, 1, 1)};
         if (way < 0)
             for (std::vector<Vec3>& loop : squares) loop = reversed(loop);
-        const std::vector<Cutter> touching = WallHole(outlines_of(squares), wall).raise(2);
+        const std::vector<PlacedCutter> touching = WallHole(outlines_of(squares), wall).raise(2);
         ASSERT_EQ(touching.size(), 2u);
         for (const Vec3& p : {Vec3{0.5, 0.5, way}, {1.5, 1.5, way}, {1, 1, way}, {-kStep / 2, 0.5, way}, {1, 0.5, way}})
             EXPECT_TRUE(hold(touching, p)) << p.x;
@@ -122,7 +122,7 @@ TEST(WallHole, AnOutlineThatMeetsItselfGivesColumnsThatOverlap) {
     const WallHole spike(
         outlines_of({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.01, 2, 0}, {1, -2 * kStep, 0}, {0.99, 2, 0}, {0, 2, 0}}}),
         kFloor);
-    const std::vector<Cutter> crossed = spike.raise(2);
+    const std::vector<PlacedCutter> crossed = spike.raise(2);
     EXPECT_GT(crossed.size(), 1u);
     for (const Vec3& p : {Vec3{0.3, 0.3, 1}, {1.7, 0.3, 1}, {0.3, 1.7, 1}, {1.7, 1.7, 1}})
         EXPECT_TRUE(hold(crossed, p)) << p.x;
@@ -162,15 +162,15 @@ TEST(WallSection, ABoxLeavesExactlyItsOutline) {
     for (const double way : {-1.0, 1.0})
         for (const double level : {2.5, 2.7, 3.0, 3.5}) {
             const WallPlane wall = wall_plane({0, 0, way}, {0, 0, std::int32_t(std::lround(level * kSurfaceSteps))});
-            const std::vector<Cutter> columns = WallHole(section_of(box, wall), wall).raise(1);
+            const std::vector<PlacedCutter> columns = WallHole(section_of(box, wall), wall).raise(1);
             // Its bottom and its top take of walls that look the same way.
             const bool flush = (level == 2.5 && way > 0) || (level == 3.5 && way < 0);
             ASSERT_EQ(columns.size(), flush ? 0u : 1u) << level;
             if (flush) continue;
-            EXPECT_EQ(columns[0].vertices().size(), 8u);
-            for (const Vec3& p : columns[0].vertices()) {
-                EXPECT_EQ(std::fabs(p.x - 1), 0.5);
-                EXPECT_EQ(std::fabs(p.y - 2), 0.5);
+            EXPECT_EQ(columns[0].vertices.size(), 8u);
+            for (const InputPoint& p : columns[0].vertices) {
+                EXPECT_EQ(std::fabs(p.x * kStep - 1), 0.5);
+                EXPECT_EQ(std::fabs(p.y * kStep - 2), 0.5);
             }
         }
     const WallPlane beside = wall_plane({0, 0, 1}, {0, 0, std::int32_t(3.5 * kSurfaceSteps) + 1});
@@ -201,7 +201,7 @@ TEST(WallSection, AgreesWithTheCutter) {
             at[axis] = std::int32_t((pose.position[axis] + pose.scale * rng.uniform(-0.6, 0.6)) * kSurfaceSteps);
         const WallPlane wall = wall_plane(normal, at);
         const WallOutlines section = section_of(solid, wall);
-        const std::vector<Cutter> columns = WallHole(section, wall).raise(2);
+        const std::vector<PlacedCutter> columns = WallHole(section, wall).raise(2);
         const test::PlacedWinding winding(cutter, pose);
         columns_made += columns.size();
         const Vec3 side = [&] {

@@ -39,8 +39,8 @@ inline double winding(const Cutter& cutter, const Pose& pose, const Vec3& point)
 /// As a cut places it.
 class PlacedWinding {
 public:
-    PlacedWinding(const Cutter& cutter, const Pose& pose) {
-        const PlacedCutter placed = place_cutter(cutter, pose).value();
+    PlacedWinding(const Cutter& cutter, const Pose& pose) : PlacedWinding(place_cutter(cutter, pose).value()) {}
+    explicit PlacedWinding(const PlacedCutter& placed) {
         for (const InputPoint& p : placed.vertices) vertices_.push_back(to_metres(to_surface(p)));
         triangles_ = placed.triangles;
     }
