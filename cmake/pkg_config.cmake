@@ -17,6 +17,10 @@ function(write_pc FIRMA_PC_NAME FIRMA_PC_DESCRIPTION FIRMA_PC_REQUIRES FIRMA_PC_
   install(FILES ${PROJECT_BINARY_DIR}/${FIRMA_PC_NAME}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
+set(FIRMA_PC_FLAGS "-ffp-contract=off")
+if(WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # see the library's options
+  string(APPEND FIRMA_PC_FLAGS " -fno-ipa-ra")
+endif()
 set(runtime "-lstdc++ -lm")
 if(CMAKE_THREAD_LIBS_INIT)
   string(APPEND runtime " ${CMAKE_THREAD_LIBS_INIT}")

@@ -149,6 +149,23 @@ TEST(ChunkMatters, InOverlapsTheLowerNumberWinsAndWhatIsProtectedBefore) {
                    {{"brick", 16}, {"wood", 64 - shared}, {"steel", 6 * 2 * 6}});
 }
 
+TEST(ChunkMatters, OfPiecesOfOneMatterInARowAndAgain) {
+    // Two of wood, one of steel that overlaps the second, wood again, a fill at the end.
+    const std::string map = map_text::box({-4, 0, 0}, {0, 4, 4}, "old_brick") +
+                            map_text::box({0, 0, 0}, {2, 4, 4}, "wood") + map_text::box({2, 0, 0}, {5, 4, 4}, "wood") +
+                            map_text::box({4, 0, 0}, {8, 2, 4}, "steel") + map_text::box({4, 2, 0}, {8, 4, 4}, "wood");
+    const World before = held_by(test::brush_world(map), "old_brick");
+    const CarveResult filled = fill(before, test::box_mesh({7, 1, 1}, {10, 3, 2}).cutter().value(), {});
+    ASSERT_TRUE(filled.done()) << filled.error.reason;
+    const Chunk chunk = cut_loose(filled.world, {-1, -1, -1}, {1, 5, 5});
+    expect_volumes(filled.world, chunk, {{"", 2 * 2}, {"wood", 4 * 16 + 3 * 2 * 4}, {"steel", 3 * 2 * 4}});
+    const std::vector<BoxOf> boxes{{{8, 1, 1}, {10, 3, 2}, 2400},
+                                   {{1, 0, 0}, {5, 4, 4}, 600},
+                                   {{5, 2, 0}, {8, 4, 4}, 600},
+                                   {{5, 0, 0}, {8, 2, 4}, 7850}};
+    expect_mass(chunk.mass, closed_form(boxes, chunk.origin));
+}
+
 TEST(ChunkMatters, WhatWasFilledInIsOfTheRest) {
     const World before = held_by(test::brush_world(test::three_matters()), "old_brick");
     const CarveResult filled = fill(before, test::box_mesh({11, 1, 1}, {14, 2, 2}).cutter().value(), {});
