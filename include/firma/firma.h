@@ -11,6 +11,7 @@
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
+#include "firma/hull.h"
 #include "firma/level.h"
 #include "firma/mass.h"
 #include "firma/matter.h"
