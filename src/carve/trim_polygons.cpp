@@ -47,9 +47,11 @@ GridPoint point_at(GridPoint a, GridPoint b, int axis, std::int32_t at) {
 
 }  // namespace
 
-PolygonTrimmer::PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs)
+PolygonTrimmer::PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs,
+                               Leaves leaves)
     : cutter_(cutter),
       facets_(std::move(facets)),
+      leaves_inside_(leaves == Leaves::kInside),
       budget_(max_pairs),
       fate_(facets_.size(), Fate::kStays),
       loses_(facets_.size(), 0) {}
@@ -141,7 +143,11 @@ std::uint32_t PolygonTrimmer::point(const GridPoint& p) {
 void PolygonTrimmer::divide(std::uint32_t facet, const std::vector<GridPoint>& corners) {
     GridBox box;
     for (const GridPoint& corner : corners) box.add(corner);
-    if (!boxes_meet(box, cutter_.box)) return add_left(facet, corners);
+    if (!boxes_meet(box, cutter_.box)) {
+        loses_[facet] |= leaves_inside_;
+        if (!leaves_inside_) add_left(facet, corners);
+        return;
+    }
     const int axis = box.longest_axis();
     const auto at = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) / 2);
     const FlatView view = view_of(corners);
@@ -194,7 +200,7 @@ void PolygonTrimmer::place_cells(std::uint32_t face) {
     const CellSet& set = cells_.cells();
     const std::uint32_t first = set.first_of_face[face], end = set.first_of_face[face + 1];
     kept_.clear();
-    for (std::uint32_t cell = first; cell < end; ++cell) kept_.push_back(!lies_in(set.cells[cell]));
+    for (std::uint32_t cell = first; cell < end; ++cell) kept_.push_back(lies_in(set.cells[cell]) == leaves_inside_);
     if (std::find(kept_.begin(), kept_.end(), 0) != kept_.end()) {
         loses_[facet_of_[face]] = 1;
         return write_cells(face);

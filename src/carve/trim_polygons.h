@@ -34,9 +34,12 @@ public:
         kBroken,    ///< the cutter crosses itself
     };
     enum class Fate : std::uint8_t { kStays, kTrimmed, kGoes };
+    enum class Leaves : std::uint8_t { kOutside, kInside };
 
     /// @param facets  kept alive by the caller, as is the cutter
-    PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs);
+    /// @param leaves  of each what lies outside of the cutter, or the rest: what lies in it
+    PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs,
+                   Leaves leaves = Leaves::kOutside);
 
     /// Does one piece of work.
     End step();
@@ -44,8 +47,8 @@ public:
     // Once it is done:
     const std::vector<FacetPlace>& facets() const { return facets_; }
     Fate fate(std::size_t facet) const { return fate_[facet]; }
-    /// Puts what is left of a facet at the end of a set: convex polygons, exactly planar, ids left open. Of one that is
-    /// trimmed.
+    /// Puts what is left of a facet at the end of a set: convex polygons, exactly planar, ids left open. Of one that
+    /// does not go; of one that stays, all of it.
     void append_left(std::size_t facet, FaceSet& set) const;
 
 private:
@@ -81,6 +84,7 @@ private:
 
     const CutterSolid& cutter_;
     const std::vector<FacetPlace> facets_;
+    const bool leaves_inside_;
     PairBudget budget_;
     Phase phase_ = Phase::kPolygons;
     std::uint32_t next_ = 0;  ///< in the loop of the phase

@@ -16,12 +16,6 @@
 namespace firma {
 namespace {
 
-/// Stops walkers or shots alone, and nothing else: a brush that is there for that.
-bool is_clip(const FaceRecord& record) {
-    const std::uint32_t stops = record.mask & kStopsSolid;
-    return stops == kStopsWalk || stops == kStopsShots;
-}
-
 std::uint64_t key_of(const FacetPlace& facet) {
     return facet.record().id.value;
 }
@@ -45,7 +39,11 @@ OpenFaceEdit::OpenFaceEdit(const WorldData& before, const CutterSolid& cutter, b
 OpenFaceEdit::~OpenFaceEdit() = default;
 
 void OpenFaceEdit::take_along(std::span<const CutPiece> pieces, const SolidChange& change) {
-    if (!carves_ || pieces.empty()) return;
+    if (!carves_) return;
+    columns_ = std::make_unique<ClipColumns>(
+        before_.castable, before_.solid.data().faces, rules_, change, cutter_,
+        [this](const FaceRecord& record) { return may_be_carved(record) && !pane_matter(record); });
+    if (pieces.empty()) return;
     pieces_ = pieces;
     carried_ = std::make_unique<CarriedFaces>(before_.castable, before_.solid, change, pieces,
                                               [this](const FaceRecord& record) { return may_be_carved(record); });
@@ -94,10 +92,13 @@ bool OpenFaceEdit::step() {
                 }
             std::erase_if(trimmed_, [&](const FacetPlace& facet) { return is_taken(facet); });
             of_world_ = trimmed_.size();
-            phase_ = start_trimmer();
+            phase_ = Phase::kColumns;
+            break;
+        case Phase::kColumns:
+            phase_ = find_columns();
             break;
         case Phase::kNear:
-            phase_ = place_next_piece();
+            phase_ = place_next();
             break;
         case Phase::kTrim:
             phase_ = trim_on();
@@ -117,19 +118,49 @@ OpenFaceEdit::Phase OpenFaceEdit::start_trimmer() {
     return Phase::kTrim;
 }
 
-/// Where it meets faces: as a cutter, where it lies.
-OpenFaceEdit::Phase OpenFaceEdit::place_next_piece() {
-    if (next_piece_ == pieces_.size()) return end();
-    const CutPiece& piece = pieces_[next_piece_++];
-    const GridBox box = grown(piece.box, 1);
+OpenFaceEdit::Phase OpenFaceEdit::find_columns() {
+    const PolygonTrimmer::End end = columns_ ? columns_->step() : PolygonTrimmer::End::kDone;
+    if (end == PolygonTrimmer::End::kGoesOn) return Phase::kColumns;
+    return end == PolygonTrimmer::End::kDone ? start_trimmer() : refuse(end);
+}
+
+OpenFaceEdit::Phase OpenFaceEdit::place_next() {
+    if (columns_ && next_column_ < columns_->columns().size()) return place_column(columns_->columns()[next_column_++]);
+    return next_piece_ < pieces_.size() ? place_piece(pieces_[next_piece_++]) : end();
+}
+
+/// What is left of faces that meet a box.
+/// @param takes  of a face of the world, and its id
+template <class Takes>
+void OpenFaceEdit::gather_near(const GridBox& box, const Takes& takes) {
     trimmed_.clear();
     gather_facets(before_.castable.root.get(), box, trimmed_);
-    std::erase_if(trimmed_, [&](const FacetPlace& facet) { return is_taken(facet) || !may_be_carved(facet.record()); });
+    std::erase_if(trimmed_, [&](const FacetPlace& facet) {
+        return is_taken(facet) || !may_be_carved(facet.record()) || !takes(facet.record().id.value);
+    });
     of_world_ = trimmed_.size();
     FaceSet left = added_;
     for (std::uint32_t k = 0; k < left.faces.size(); ++k) left.faces[k].id = {k};
     left_ = left.faces.empty() ? FaceStore() : build_store(left, before_.tree_options).store;
-    gather_facets(left_.root.get(), box, trimmed_);
+    std::vector<FacetPlace> near_left;
+    gather_facets(left_.root.get(), box, near_left);
+    for (const FacetPlace& facet : near_left)
+        if (takes(from_[facet.record().id.value])) trimmed_.push_back(facet);
+}
+
+/// Of the clips that stand on one wall, what stands straight over its hole.
+OpenFaceEdit::Phase OpenFaceEdit::place_column(const ClipColumn& column) {
+    if (std::optional<Error> fault = place_any_cutter(column.cutter, {}, piece_))
+        return refuse(fault->code, std::move(fault->reason));
+    gather_near(grown(piece_.box, 1), [&](std::uint32_t face) { return columns_->stands_on(column.wall, face); });
+    if (trimmed_.empty()) return Phase::kNear;
+    takes_ = &piece_;
+    return start_trimmer();
+}
+
+/// Where it meets faces: as a cutter, where it lies.
+OpenFaceEdit::Phase OpenFaceEdit::place_piece(const CutPiece& piece) {
+    gather_near(grown(piece.box, 1), [](std::uint32_t) { return true; });
     if (trimmed_.empty()) return Phase::kNear;
     const Result<Cutter> cutter = cutter_from_solid(solid_of_cut_piece(piece, before_.solid));
     if (!cutter) return refuse(cutter.error().code, cutter.error().reason);
@@ -145,19 +176,18 @@ OpenFaceEdit::Phase OpenFaceEdit::refuse(ErrorCode code, std::string reason) {
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::trim_on() {
-    switch (trimmer_->step()) {
-        case PolygonTrimmer::End::kGoesOn:
-            return Phase::kTrim;
-        case PolygonTrimmer::End::kDone:
-            return Phase::kTake;
-        case PolygonTrimmer::End::kPairs:
-            return refuse(ErrorCode::kTooLarge, "it and castable-only faces are more than the " +
-                                                    std::to_string(rules_.max_pairs) + " pairs that the world allows");
-        case PolygonTrimmer::End::kTooLarge:
-            return refuse(ErrorCode::kTooLarge, "it and castable-only faces lie in more than 2 million planes");
-        case PolygonTrimmer::End::kBroken:
-            break;
-    }
+    const PolygonTrimmer::End end = trimmer_->step();
+    if (end == PolygonTrimmer::End::kGoesOn) return Phase::kTrim;
+    return end == PolygonTrimmer::End::kDone ? Phase::kTake : refuse(end);
+}
+
+/// @param end  not kGoesOn, not kDone
+OpenFaceEdit::Phase OpenFaceEdit::refuse(PolygonTrimmer::End end) {
+    if (end == PolygonTrimmer::End::kPairs)
+        return refuse(ErrorCode::kTooLarge, "it and castable-only faces are more than the " +
+                                                std::to_string(rules_.max_pairs) + " pairs that the world allows");
+    if (end == PolygonTrimmer::End::kTooLarge)
+        return refuse(ErrorCode::kTooLarge, "it and castable-only faces lie in more than 2 million planes");
     return refuse(ErrorCode::kInvalid, "it crosses itself where it meets castable-only faces");
 }
 

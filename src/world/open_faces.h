@@ -16,6 +16,7 @@
 #include "solid/face_ids.h"
 #include "solid/face_store.h"
 #include "world/carried_faces.h"
+#include "world/clip_columns.h"
 #include "world/count_reaching.h"
 #include "world/world_data.h"
 
@@ -28,8 +29,9 @@ public:
     OpenFaceEdit(const WorldData& before, const CutterSolid& cutter, bool carves);
     ~OpenFaceEdit();
 
-    /// Pieces that leave: what stands on them alone goes with them, and of the rest what lies in them, as if each were
-    /// a cutter. Before the first step().
+    /// What the cut takes of the solid: clips that stand on walls go where the cutter takes these. And pieces that
+    /// leave: what stands on them alone goes with them, and of the rest what lies in them, as if each were a cutter.
+    /// Before the first step().
     /// @param change  what the cut makes of the solid, pieces gone; kept alive by the caller, as are the pieces
     void take_along(std::span<const CutPiece> pieces, const SolidChange& change);
 
@@ -52,14 +54,20 @@ public:
     StoreEdit& store() { return *store_; }
 
 private:
-    enum class Phase : std::uint8_t { kCount, kCarried, kNear, kTrim, kTake, kEnd };
+    enum class Phase : std::uint8_t { kCount, kCarried, kColumns, kNear, kTrim, kTake, kEnd };
 
     void sort_out();
     bool may_be_carved(const FaceRecord& record) const;
     std::optional<std::uint32_t> pane_matter(const FaceRecord& record) const;
-    Phase place_next_piece();
+    Phase find_columns();
+    Phase place_next();
+    Phase place_column(const ClipColumn& column);
+    Phase place_piece(const CutPiece& piece);
+    template <class Takes>
+    void gather_near(const GridBox& box, const Takes& takes);
     Phase start_trimmer();
     Phase trim_on();
+    Phase refuse(PolygonTrimmer::End end);
     Phase take_trimmed();
     Phase refuse(ErrorCode code, std::string reason);
     Phase end();
@@ -78,9 +86,11 @@ private:
 
     std::span<const CutPiece> pieces_;
     std::unique_ptr<CarriedFaces> carried_;
+    std::unique_ptr<ClipColumns> columns_;
+    std::size_t next_column_ = 0;
     std::size_t next_piece_ = 0;
     CutterSolid piece_;                ///< the one at hand
-    const CutterSolid* takes_;         ///< the cutter, then one piece after the other
+    const CutterSolid* takes_;         ///< the cutter, then one column or piece after the other
     std::vector<FacetPlace> trimmed_;  ///< near it, and may be: faces of the world, then `left_`
     std::size_t of_world_ = 0;         ///< of these
     FaceStore left_;                   ///< `added_`, for the next to take from; ids are their numbers

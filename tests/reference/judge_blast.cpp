@@ -713,10 +713,17 @@ private:
             }
         }
         if (fills_ || !portal.made || !is_changed(number) || closest(before_, sides[0], step / 4) ||
-            closest(before_, sides[1], step / 4))
+            closest(before_, sides[1], step / 4) || crosses_several(before_, sides[0], sides[1]))
             return true;
         ++tally_.portal_sides;
         return judge_was_wall(number, sides, rooms);
+    }
+
+    /// Whether faces stand between two points one behind the other, as around air that is thinner than the way.
+    static bool crosses_several(const World& world, const Vec3& from, const Vec3& to) {
+        std::vector<Hit> hits;
+        cast_all(world, {from, 0}, to - from, hits, {.sides = Sides::kBoth, .room = kAnyRoom});
+        return !hits.empty() && hits.back().fraction > hits.front().fraction + 0.01;
     }
 
     /// A point of a portal that edits made, on one side of which there was solid: on the other there was the air of a
