@@ -214,8 +214,9 @@ struct CarveRules {
     double merge_share = 0;
 
     /// Of a world: whether a carving also takes, of faces that bound no solid (sheets, decals, clips, glass), what lies
-    /// in the cutter, and what lies in a piece that comes loose or is held by it alone. Liquids stay, and what else
-    /// stops neither walkers nor shots nor sight. Off: all of them stay.
+    /// in the cutter, of clips what stands straight over the hole in a wall, and what lies in a piece that comes loose
+    /// or is held by it alone. Liquids stay, and what else stops neither walkers nor shots nor sight. Off: all of them
+    /// stay.
     bool open_faces = true;
 };
 

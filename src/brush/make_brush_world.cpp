@@ -11,6 +11,7 @@
 #include "join/join_brushes.h"
 #include "level/judge_level.h"
 #include "level/message.h"
+#include "solid/append_faces.h"
 #include "world/assemble_world.h"
 #include "world/judge_options.h"
 

@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "carve/gather.h"
-#include "carve/side_of_solid.h"
-
 namespace firma {
 namespace {
 
@@ -99,61 +96,6 @@ void make_cutter_solid(PlacedCutter placed, CutterSolid& cutter) {
         cutter.edges.push_back(edge_of_planes(cutter, edges[k], flat[k] != 0));
     cutter.turned.reset();
     index_triangles(cutter);
-}
-
-namespace {
-
-/// A direction that rises less along an axis may, exactly, fall.
-constexpr double kLevel = 0x1p-40;
-
-/// The part of a ray that lies beyond the point in the cutter's box.
-GridBox way_out(const GridBox& box, const ExactPoint& from, const Vec3& direction) {
-    GridBox way;
-    way.add(from.rounded());
-    for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] > -kLevel) way.high[axis] = std::max(way.high[axis], box.high[axis]);
-        if (direction[axis] < kLevel) way.low[axis] = std::min(way.low[axis], box.low[axis]);
-    }
-    return way;
-}
-
-void append_edges(const CutterSolid& cutter, std::uint32_t t, std::vector<ExactRay::Edge>& edges) {
-    const auto& corners = cutter.triangle(t);
-    for (int k = 0; k < 3; ++k) {
-        const CutterSolid::Edge& edge = cutter.edges[cutter.edge_of(t, k)];
-        edges.push_back({&cutter.points[corners[std::size_t(k)]],
-                         &cutter.points[corners[std::size_t(k < 2 ? k + 1 : 0)]], &cutter.across(edge, t).plane});
-    }
-}
-
-}  // namespace
-
-int side_of_cutter(const CutterSolid& cutter, const ExactPoint& point) {
-    std::vector<ExactRay::Edge> edges;
-    std::vector<std::uint32_t> asked(cutter.turned ? cutter.turned->boundary.faces.size() : 0, ~0u);
-    for (int way = 0; way < ExactRay::kWays; ++way) {
-        const ExactRay ray(point, way);
-        CrossingCount crossings;
-        const auto meet = [&](const Plane& plane) { return !crossings.add(ray.meet(plane, edges, INFINITY)); };
-        // The point lies within a step of its rounded one; a Solid's facets lie near its faces.
-        const std::int32_t steps = cutter.turned ? 1 + kFacetReach : 1;
-        cutter.tree.for_each_meeting(grown(way_out(cutter.box, point, ray.direction()), steps), [&](std::uint32_t t) {
-            edges.clear();
-            if (!cutter.turned) {
-                append_edges(cutter, t, edges);
-                return meet(cutter.planes[t]->plane);
-            }
-            const SolidPatch& boundary = cutter.turned->boundary;
-            const std::uint32_t face = cutter.turned->face_of[t];
-            if (asked[face] == std::uint32_t(way)) return false;
-            asked[face] = std::uint32_t(way);
-            append_edges(boundary, boundary.faces[face], edges);
-            return meet(boundary.faces[face].plane->plane);
-        });
-        if (crossings.begins_on_one()) return 0;
-        if (crossings.sure()) return crossings.odd() ? 1 : -1;
-    }
-    return 0;
 }
 
 }  // namespace firma

@@ -3,6 +3,7 @@
 #include "carve/exact_ray.h"
 
 #include <cmath>
+#include <utility>
 
 namespace firma {
 namespace {
@@ -34,6 +35,20 @@ ExactRay::ExactRay(const ExactPoint& from, int way) : from_(from) {
     }
     const Vec3 along = cross(planes_[0]->unit_normal(), planes_[1]->unit_normal());
     direction_ = along * (double(sign_) / length(along));
+}
+
+/// Whether both planes may pass between the corners, by the filter of exact_side() at the box's farthest ones.
+bool ExactRay::may_meet(const Vec3& low, const Vec3& high) const {
+    for (int k = 0; k < 2; ++k) {
+        const Plane& plane = *planes_[k];
+        const Vec3 n = plane.direction();
+        Vec3 back = low, front = high;
+        for (int axis = 0; axis < 3; ++axis)
+            if (n[axis] < 0) std::swap(back[axis], front[axis]);
+        const double error = kSideError * plane.size;
+        if (dot(n, front) + plane.d < -error || dot(n, back) + plane.d > error) return false;
+    }
+    return true;
 }
 
 ExactRay::Crossing ExactRay::meet(const Plane& face, std::span<const Edge> loops, double until) const {

@@ -24,6 +24,9 @@ public:
     /// Of length 1, but for rounding.
     const Vec3& direction() const { return direction_; }
 
+    /// False only where the ray's line surely stays away from a face whose corners' approximate() lie in a box.
+    bool may_meet(const Vec3& low, const Vec3& high) const;
+
     struct Edge {
         const ExactPoint* from = nullptr;
         const ExactPoint* to = nullptr;

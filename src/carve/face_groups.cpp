@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "carve/gather.h"
+#include "carve/held_behind.h"
 #include "carve/polygon_reaches.h"
 #include "index/box_tree.h"
 #include "solid/append_faces.h"
@@ -258,6 +259,12 @@ bool FaceGroups::grow(std::uint32_t node) {
     edge.open = false;
     if (facet.block && patch_.find(facet) == SolidPatch::kNone) add_face(node, facet);
     return true;
+}
+
+void FaceGroups::look_behind(std::uint32_t node) {
+    State& own = state(node);
+    if (own.held || own.found.empty()) return;
+    own.held = is_held_behind(*root_, own.found.back(), cut_.view.cutter().box, *anchors_);
 }
 
 std::uint32_t FaceGroups::add(const FacetPlace& facet) {

@@ -76,6 +76,9 @@ public:
 
     bool is_closed(std::uint32_t node);
     bool is_held(std::uint32_t node) { return state(node).held; }
+    /// Looks, by the face that it found last, for a quick proof that a group is of a shell that is held or looks
+    /// inward; it counts as held then.
+    void look_behind(std::uint32_t node);
     /// Around all its faces that are known.
     const GridBox& box(std::uint32_t node) { return state(node).box; }
     /// In order: what the cut made, the patch's, the others as they were found. Costs the patch, and the group.

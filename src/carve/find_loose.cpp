@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/flat_map.h"
 #include "carve/gather.h"
 #include "carve/side_of_solid.h"
 #include "solid/append_faces.h"
@@ -97,6 +98,7 @@ LooseSearch::Phase LooseSearch::next_family() {
 
 /// Every turn is one face of one group.
 LooseSearch::Phase LooseSearch::flood() {
+    groups_.look_behind(growing_[looks_++ % growing_.size()]);
     for (int left = kFacesSearchedAStep; left > 0; --left) {
         if (turn_ == growing_.size()) {
             std::vector<std::uint32_t> unfinished;
@@ -126,6 +128,7 @@ LooseSearch::Phase LooseSearch::judge(const std::vector<std::uint32_t>& unfinish
 }
 
 LooseSearch::Phase LooseSearch::look_at_rest() {
+    groups_.look_behind(rest_);
     for (int left = kFacesSearchedAStep; left > 0; --left) {
         if (groups_.is_held(rest_)) return next_family();
         if (groups_.grow(rest_)) continue;
@@ -168,15 +171,27 @@ double LooseSearch::volume_of(const std::vector<LiveFace>& faces) {
     GridBox box;
     for (const LiveFace& face : faces) box.add(face.box());
     MomentSum sum(middle_of(box));
+    FlatMap known;
+    std::vector<PointArm> arms;
+    const auto arm_of_vertex = [&](const SolidVertex& vertex) {
+        std::uint32_t& number = known.at(reinterpret_cast<std::uintptr_t>(&vertex));
+        if (number == FlatMap::kNone) {
+            number = std::uint32_t(arms.size());
+            arms.push_back(arm_of(vertex.point, sum.apex()));
+        }
+        return arms[number];
+    };
     for (const LiveFace& face : faces) {
+        if (face.stored) {
+            const auto arm = [&](std::uint32_t k) { return arm_of_vertex(face.stored->uses[k].from()); };
+            sum.add_volume(face.stored->plane->plane, face.stored->loop_ends(), arm);
+            continue;
+        }
         corners_.clear();
         append_corners(face, corners_);
-        const auto corner = [&](std::uint32_t k) -> const ExactPoint& { return corners_[k]; };
+        const auto arm = [&](std::uint32_t k) { return arm_of(corners_[k], sum.apex()); };
         const auto all = std::uint32_t(corners_.size());
-        if (face.stored)
-            sum.add_face(face.stored->plane->plane, face.stored->loop_ends(), corner);
-        else
-            sum.add_face(plane_of(corners_), std::span(&all, 1), corner);
+        sum.add_volume(plane_of(corners_), std::span(&all, 1), arm);
     }
     return rounded(sum.sums().volume) / (kInputSteps * kInputSteps * kInputSteps);
 }

@@ -67,6 +67,7 @@ private:
     std::size_t family_ = 0;
     std::vector<std::uint32_t> growing_;  ///< groups of the family at hand
     std::size_t turn_ = 0;
+    std::size_t looks_ = 0;            ///< for a quick proof, at one of them after the other
     bool may_hold_elsewhere_ = false;  ///< what held the family may be in a group that is whole
     std::uint32_t rest_ = 0;
     struct Loose {

@@ -2,7 +2,10 @@
 // What a cut opens, piece by connected piece.
 #include "carve/find_pockets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "base/disjoint_sets.h"
 #include "carve/exact_ray.h"
@@ -24,10 +27,22 @@ public:
     }
 
 private:
+    /// A box around corners' approximate().
+    struct Corners {
+        Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+
+        void add(const Vec3& p) {
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], p[axis]);
+                high[axis] = std::max(high[axis], p[axis]);
+            }
+        }
+    };
     struct Shell {
         double volume = 0;  ///< cubic input steps, of the pocket: below zero where it lies around the shell
         GridBox box;
         std::vector<std::uint32_t> faces;
+        std::vector<Corners> corners;  ///< of each
     };
 
     std::size_t count() const { return loops_.faces.size() + loops_.taken.size(); }
@@ -97,6 +112,7 @@ private:
     void add_face(std::uint32_t k, const Vec3& middle, Shell& shell) const {
         shell.faces.push_back(k);
         const NewFace& it = face(k);
+        Corners& corners = shell.corners.emplace_back();
         Vec3 area{0, 0, 0};
         std::uint32_t first = 0;
         const auto uses = loops_.uses(it);
@@ -106,6 +122,7 @@ private:
                 const Vec3 b = view_.point(view_.to(uses[c])).approximate() - middle;
                 area = area + cross(a, b);
                 shell.box.add(view_.point(view_.from(uses[c])).rounded());
+                corners.add(view_.point(view_.from(uses[c])).approximate());
             }
             first = end;
         }
@@ -148,7 +165,9 @@ private:
         for (int way = 0; way < ExactRay::kWays; ++way) {
             const ExactRay ray(point, way);
             CrossingCount crossings;
-            for (const std::uint32_t k : shell.faces) {
+            for (std::size_t at = 0; at < shell.faces.size(); ++at) {
+                if (!ray.may_meet(shell.corners[at].low, shell.corners[at].high)) continue;
+                const std::uint32_t k = shell.faces[at];
                 edges.clear();
                 append_edges(face(k), edges);
                 if (!crossings.add(ray.meet(face(k).plane->plane, edges, kFar))) break;

@@ -173,10 +173,16 @@ bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& beve
 void gather_face(const Node* root, const FacetPlace& face, std::vector<FacetPlace>& facets) {
     const FaceOwner* owner = face.block->owner_of(face.record());
     if (!owner) return facets.push_back(face);
-    std::vector<FacetPlace> near;
-    gather_facets(root, owner->box, near);
-    for (const FacetPlace& place : near)
-        if (place.block->owner_of(place.record()) == owner) facets.push_back(place);
+    const std::size_t first = facets.size();
+    const auto take_those_of = [&](const Block& block) {
+        for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot)
+            if (block.owner_of(block.faces[slot]) == owner) facets.push_back({&block, slot});
+        return facets.size() - first == owner->facets;
+    };
+    if (!take_those_of(*face.block))
+        for (const Node* leaf : leaves_near(root, Bounds(owner->box)))
+            if (const Block& block = block_of(*leaf); &block != face.block && take_those_of(block)) break;
+    sort_by_id(facets, first);
 }
 
 GridBox grown(const GridBox& box, std::int32_t steps) {

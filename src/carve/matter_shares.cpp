@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "solid/shells.h"
+#include "solid/boundary.h"
 
 namespace firma {
 namespace {
@@ -25,12 +25,6 @@ GridBox padded(GridBox box) {
         box.high[axis] = std::int32_t(std::min(box.high[axis] + kPad, kHigh));
     }
     return box;
-}
-
-MomentSum sum_of(const SolidPatch& patch, const InputPoint& apex) {
-    MomentSum sum(apex);
-    for (const PatchFace& face : patch.faces) add_face(patch, face, sum);
-    return sum;
 }
 
 /// Less of a body than this share of its volume is as good as none of it: a tenth of what masses are held to.
@@ -48,7 +42,7 @@ MatterShares::MatterShares(Solid solid, const GridBox& box, const InputPoint& ap
                            const CarveRules* rules, std::function<std::optional<Solid>(const MatterPiece&)> solid_of)
     : whole_(std::move(solid)), apex_(apex), pieces_(pieces), solid_of_(std::move(solid_of)), left_(whole_) {
     const Boundary boundary = take_boundary(whole_.data().faces.root.get());
-    total_ = moments_left_ = sum_of(boundary.patch, apex_).sums();
+    total_ = moments_left_ = moments_of(boundary.patch, apex_);
     list_pieces(box, rules, boundary.patch);
 }
 
@@ -130,7 +124,7 @@ void MatterShares::take_share() {
     }
     left_ = edit.result();
     const Boundary boundary = take_boundary(left_.data().faces.root.get());
-    const Moments now = sum_of(boundary.patch, apex_).sums();
+    const Moments now = moments_of(boundary.patch, apex_);
     Moments share = moments_left_;
     add_moments(share, now, -1);
     add(pieces_.pieces[order_[next_]].matter, share);

@@ -47,11 +47,9 @@ GridPoint point_at(GridPoint a, GridPoint b, int axis, std::int32_t at) {
 
 }  // namespace
 
-PolygonTrimmer::PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs,
-                               Leaves leaves)
+PolygonTrimmer::PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs)
     : cutter_(cutter),
       facets_(std::move(facets)),
-      leaves_inside_(leaves == Leaves::kInside),
       budget_(max_pairs),
       fate_(facets_.size(), Fate::kStays),
       loses_(facets_.size(), 0) {}
@@ -144,8 +142,7 @@ void PolygonTrimmer::divide(std::uint32_t facet, const std::vector<GridPoint>& c
     GridBox box;
     for (const GridPoint& corner : corners) box.add(corner);
     if (!boxes_meet(box, cutter_.box)) {
-        loses_[facet] |= leaves_inside_;
-        if (!leaves_inside_) add_left(facet, corners);
+        add_left(facet, corners);
         return;
     }
     const int axis = box.longest_axis();
@@ -200,7 +197,7 @@ void PolygonTrimmer::place_cells(std::uint32_t face) {
     const CellSet& set = cells_.cells();
     const std::uint32_t first = set.first_of_face[face], end = set.first_of_face[face + 1];
     kept_.clear();
-    for (std::uint32_t cell = first; cell < end; ++cell) kept_.push_back(lies_in(set.cells[cell]) == leaves_inside_);
+    for (std::uint32_t cell = first; cell < end; ++cell) kept_.push_back(!lies_in(set.cells[cell]));
     if (std::find(kept_.begin(), kept_.end(), 0) != kept_.end()) {
         loses_[facet_of_[face]] = 1;
         return write_cells(face);

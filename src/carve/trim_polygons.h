@@ -34,12 +34,9 @@ public:
         kBroken,    ///< the cutter crosses itself
     };
     enum class Fate : std::uint8_t { kStays, kTrimmed, kGoes };
-    enum class Leaves : std::uint8_t { kOutside, kInside };
 
     /// @param facets  kept alive by the caller, as is the cutter
-    /// @param leaves  of each what lies outside of the cutter, or the rest: what lies in it
-    PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs,
-                   Leaves leaves = Leaves::kOutside);
+    PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs);
 
     /// Does one piece of work.
     End step();
@@ -84,7 +81,6 @@ private:
 
     const CutterSolid& cutter_;
     const std::vector<FacetPlace> facets_;
-    const bool leaves_inside_;
     PairBudget budget_;
     Phase phase_ = Phase::kPolygons;
     std::uint32_t next_ = 0;  ///< in the loop of the phase

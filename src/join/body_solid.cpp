@@ -8,6 +8,7 @@
 
 #include "join/brush_shape.h"
 #include "join/join_facets.h"
+#include "solid/append_faces.h"
 #include "solid/face_store.h"
 #include "solid/make_facets.h"
 #include "solid/solid_data.h"

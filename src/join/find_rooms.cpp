@@ -12,6 +12,7 @@
 #include "geometry/polygon_shape.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
+#include "solid/append_faces.h"
 #include "solid/build_blocks.h"
 
 namespace firma {

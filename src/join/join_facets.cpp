@@ -38,16 +38,6 @@ JoinFacets make_join_facets(const ExactTables& tables, std::span<const PlaneId> 
     return made;
 }
 
-void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry face) {
-    face.first_corner = std::uint32_t(set.corners.size());
-    face.corner_count = std::uint32_t(corners.size());
-    for (const GridPoint& corner : corners) {
-        set.corners.push_back(std::uint32_t(set.vertices.size()));
-        set.vertices.push_back(corner);
-    }
-    set.faces.push_back(face);
-}
-
 JoinFaceMaker::JoinFaceMaker(const ExactTables& tables, std::span<const JoinPiece> faces,
                              const Arrangement& arrangement, const JoinFacets& facets)
     : tables_(tables), faces_(faces), arrangement_(arrangement), facets_(facets) {

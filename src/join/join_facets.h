@@ -50,9 +50,6 @@ struct JoinFacets {
 /// @param planes       of each polygon of the arrangement
 JoinFacets make_join_facets(const ExactTables& tables, std::span<const PlaneId> planes, const Arrangement& arrangement);
 
-/// Puts a facet into a set: a face like `face`, with corners of its own.
-void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry face);
-
 /// Makes the exact faces of a joined solid: vertices, edges and planes are shared objects, each made once.
 class JoinFaceMaker {
 public:

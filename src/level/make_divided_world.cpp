@@ -15,6 +15,7 @@
 #include "level/divide_mesh.h"
 #include "level/level_matters.h"
 #include "level/level_textures.h"
+#include "solid/append_faces.h"
 #include "world/assemble_world.h"
 
 namespace firma {

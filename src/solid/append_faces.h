@@ -2,6 +2,8 @@
 // Faces out of blocks, back into a plain set.
 #pragma once
 
+#include <span>
+
 #include "base/fetch_ahead.h"
 #include "solid/block.h"
 #include "solid/face_set.h"
@@ -25,6 +27,17 @@ inline void append_face(const FaceSet& from, const FaceSet::Entry& face, FaceSet
         to.vertices.push_back(from.corner(face, c));
     }
     to.faces.push_back(entry);
+}
+
+/// Puts a face like `face` at the end of a set, with corners of its own.
+inline void add_facet(FaceSet& set, std::span<const GridPoint> corners, FaceSet::Entry face) {
+    face.first_corner = std::uint32_t(set.corners.size());
+    face.corner_count = std::uint32_t(corners.size());
+    for (const GridPoint& corner : corners) {
+        set.corners.push_back(std::uint32_t(set.vertices.size()));
+        set.vertices.push_back(corner);
+    }
+    set.faces.push_back(face);
 }
 
 /// What a face of a block is, on its way into another one; its corners still to be set.

@@ -67,7 +67,9 @@ DoubleDouble to_double_double(const Int256& value) {
     const Int256 magnitude = negative ? -value : value;
     DoubleDouble sum;
     double scale = 0x1p224;
-    for (int k = 3; k >= 0; --k)
+    int k = 3;
+    for (; k > 0 && magnitude.word[k] == 0; --k) scale *= 0x1p-64;
+    for (; k >= 0; --k)
         for (const std::uint64_t half : {magnitude.word[k] >> 32, magnitude.word[k] & 0xFFFFFFFFu}) {
             sum = sum + DoubleDouble(double(half) * scale);
             scale *= 0x1p-32;

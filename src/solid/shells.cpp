@@ -4,6 +4,7 @@
 
 #include "base/disjoint_sets.h"
 #include "solid/measure_boundary.h"
+#include "solid/moment_sum.h"
 
 namespace firma {
 
@@ -27,7 +28,14 @@ BoundaryShells find_shells(const Boundary& boundary) {
     }
     for (std::size_t shell = 0; shell < shells.faces.size(); ++shell) {
         MomentSum sum(middle_of(shells.boxes[shell]));
-        for (const std::uint32_t face : shells.faces[shell]) add_face(patch, patch.faces[face], sum);
+        for (const std::uint32_t number : shells.faces[shell]) {
+            const PatchFace& face = patch.faces[number];
+            const auto uses = patch.uses(face);
+            const auto arm = [&](std::uint32_t k) {
+                return arm_of(patch.vertices[patch.from(uses[k])].point, sum.apex());
+            };
+            sum.add_volume(face.plane->plane, patch.ends(face), arm);
+        }
         shells.volumes.push_back(sum.sums().volume);
     }
     return shells;

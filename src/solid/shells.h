@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/double_double.h"
 #include "solid/boundary.h"
-#include "solid/moment_sum.h"
 
 namespace firma {
 
@@ -20,12 +20,5 @@ struct BoundaryShells {
 
 /// Costs all faces and their edges.
 BoundaryShells find_shells(const Boundary& boundary);
-
-/// Adds a face of a patch to a sum.
-inline void add_face(const SolidPatch& patch, const PatchFace& face, MomentSum& sum) {
-    const auto uses = patch.uses(face);
-    sum.add_face(face.plane->plane, patch.ends(face),
-                 [&](std::uint32_t k) -> const ExactPoint& { return patch.vertices[patch.from(uses[k])].point; });
-}
 
 }  // namespace firma

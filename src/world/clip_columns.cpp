@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "base/sort.h"
 #include "carve/gather.h"
-#include "firma/tree_options.h"
 #include "world/share_corner.h"
 
 namespace firma {
@@ -24,6 +23,12 @@ constexpr double kNarrowest = 16 / kSurfaceSteps;
 
 Vec3 corner_of(const FacetPlace& facet, std::uint32_t k) {
     return to_metres(facet.block->corner(facet.record(), k));
+}
+
+std::vector<Vec3> corners_of(const FacetPlace& facet) {
+    std::vector<Vec3> corners;
+    for (std::uint32_t k = 0; k < facet.record().corner_count; ++k) corners.push_back(corner_of(facet, k));
+    return corners;
 }
 
 Vec3 facing_of(const FacetPlace& facet) {
@@ -66,10 +71,8 @@ std::int32_t to_steps(double metres) {
     return std::int32_t(std::clamp(std::floor(metres * kSurfaceSteps + 0.5), double(INT32_MIN), double(INT32_MAX)));
 }
 
-/// Of a set, and of what lies straight out from it.
-GridBox reach_over(const FaceSet& set, const Vec3& way) {
-    GridBox box;
-    for (const FaceSet::Entry& face : set.faces) box.add(set.box_of(face));
+/// A box, and what lies straight out from it.
+GridBox reach_over(GridBox box, const Vec3& way) {
     GridPoint low, high;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] = to_steps(box.low[axis] / kSurfaceSteps + way[axis]);
@@ -85,7 +88,13 @@ GridBox reach_over(const FaceSet& set, const Vec3& way) {
 ClipColumns::ClipColumns(const FaceStore& open, const FaceStore& solid, const CarveRules& rules,
                          const SolidChange& change, const CutterSolid& cutter,
                          std::function<bool(const FaceRecord&)> may_go)
-    : open_(open), solid_(solid), rules_(rules), change_(change), cutter_(cutter), may_go_(std::move(may_go)) {}
+    : open_(open),
+      solid_(solid),
+      rules_(rules),
+      change_(change),
+      cutter_(cutter),
+      near_box_(grown(cutter.box, std::int32_t(kReach * kSurfaceSteps))),
+      may_go_(std::move(may_go)) {}
 
 PolygonTrimmer::End ClipColumns::step() {
     using End = PolygonTrimmer::End;
@@ -99,16 +108,11 @@ PolygonTrimmer::End ClipColumns::step() {
             phase_ = Phase::kNextWall;
             break;
         case Phase::kNextWall:
-            phase_ = next_wall_ < walls_.size() ? start_section() : Phase::kEnd;
+            if (next_wall_ < walls_.size())
+                find_columns(next_wall_++);
+            else
+                phase_ = Phase::kEnd;
             break;
-        case Phase::kSection: {
-            const End end = trimmer_->step();
-            if (end == End::kGoesOn) break;
-            if (end != End::kDone) return end;
-            find_columns();
-            phase_ = Phase::kNextWall;
-            break;
-        }
         case Phase::kEnd:
             return End::kDone;
     }
@@ -116,7 +120,7 @@ PolygonTrimmer::End ClipColumns::step() {
 }
 
 void ClipColumns::find_clips() {
-    gather_facets(open_.root.get(), grown(cutter_.box, std::int32_t(kReach * kSurfaceSteps)), near_);
+    gather_facets(open_.root.get(), near_box_, near_);
     std::erase_if(near_, [&](const FacetPlace& facet) { return !is_clip(facet.record()) || !may_go_(facet.record()); });
 }
 
@@ -145,53 +149,46 @@ void ClipColumns::find_walls() {
     }
 }
 
-ClipColumns::Phase ClipColumns::start_section() {
-    Wall& wall = walls_[next_wall_++];
-    FaceSet section = section_of_box(wall.plane, cutter_.box);
-    section_faces_ = section.faces.size();
-    if (section_faces_ == 0) return Phase::kNextWall;
-    section_ = build_store(section, {}).store;
-    std::vector<FacetPlace> facets;
-    gather_facets(section_.root.get(), cutter_.box, facets);
-    section_faces_ = facets.size();
-    facets.insert(facets.end(), wall.facets.begin(), wall.facets.end());
-    trimmer_ =
-        std::make_unique<PolygonTrimmer>(cutter_, std::move(facets), rules_.max_pairs, PolygonTrimmer::Leaves::kInside);
-    return Phase::kSection;
+/// Where clips stand on a wall and the cutter takes any of it.
+void ClipColumns::find_columns(std::uint32_t number) {
+    Wall& wall = walls_[number];
+    const GridBox box = reach_over(cutter_.box, wall.plane.normal * kReach);
+    std::vector<FacetPlace> over;
+    for (const FacetPlace& facet : near_)
+        if (boxes_meet(box, facet.block->box_of(facet.record())) && dot(facing_of(facet), wall.plane.normal) > 0)
+            over.push_back(facet);
+    if (over.empty()) return;
+    wall.hole = WallHole(section_of(cutter_, wall.plane), wall.plane);
+    if (!takes_of(wall.hole, wall)) return;
+    std::erase_if(over, [&](const FacetPlace& facet) { return !may_be_over(number, facet); });
+    find_clips_on(wall, over);
+    if (wall.clips.size() == 0) return;
+    for (Cutter& column : wall.hole.raise(wall.height + 8 / kInputSteps))
+        columns_.push_back({number, std::move(column)});
 }
 
-/// Of the wall at hand, where the cutter takes any of it.
-void ClipColumns::find_columns() {
-    const std::uint32_t number = next_wall_ - 1;
-    Wall& wall = walls_[number];
-    FaceSet hole;
-    bool taken = false;
-    for (std::size_t k = 0; k < trimmer_->facets().size(); ++k) {
-        if (trimmer_->fate(k) == PolygonTrimmer::Fate::kGoes) continue;
-        if (k < section_faces_)
-            trimmer_->append_left(k, hole);
-        else
-            taken = true;
-    }
-    if (!taken || hole.faces.empty()) return;
-    const GridBox box = reach_over(hole, wall.plane.normal * kReach);
+bool ClipColumns::takes_of(const WallHole& hole, const Wall& wall) {
+    return !hole.empty() && std::any_of(wall.facets.begin(), wall.facets.end(),
+                                        [&](const FacetPlace& facet) { return hole.takes_of(corners_of(facet)); });
+}
+
+bool ClipColumns::may_be_over(std::uint32_t wall, const FacetPlace& facet) const {
+    return walls_[wall].hole.may_be_over(corners_of(facet));
+}
+
+/// @param over  their far sides, over the hole
+void ClipColumns::find_clips_on(Wall& wall, std::span<const FacetPlace> over) {
     FlatMap seen;
-    double height = 0;
-    for (const FacetPlace& seed : near_) {
-        if (!boxes_meet(box, seed.block->box_of(seed.record())) || dot(facing_of(seed), wall.plane.normal) <= 0)
-            continue;
+    for (const FacetPlace& seed : over) {
         if (seen.find(seed.record().id.value) != FlatMap::kNone) continue;
-        grow(seed);
-        const double high = height_over(wall.plane);
-        for (const FacetPlace& facet : clip_) {
+        const Clip& clip = clip_from(seed);
+        const double high = height_over(clip, wall.plane);
+        for (const FacetPlace& facet : clip.faces) {
             seen.at(facet.record().id.value) = 0;
             if (high > 0 && may_lose(facet)) wall.clips.at(facet.record().id.value) = 0;
         }
-        height = std::max(height, high);
+        wall.height = std::max(wall.height, high);
     }
-    if (wall.clips.size() == 0) return;
-    for (Cutter& column : columns_over(hole, wall.plane, height + 8 / kInputSteps))
-        columns_.push_back({number, std::move(column)});
 }
 
 bool ClipColumns::ClipPlane::valid() const {
@@ -222,25 +219,39 @@ ClipColumns::ClipPlane ClipColumns::plane_of(const FacetPlace& facet) {
     return plane;
 }
 
-/// The clip that a face is part of: `clip_`, from it on face by face, neighbours in order of ids.
-void ClipColumns::grow(const FacetPlace& seed) {
-    clip_.clear();
+/// The clip that a face is part of; another may find a little more of it or less.
+const ClipColumns::Clip& ClipColumns::clip_from(const FacetPlace& seed) {
+    std::uint32_t& number = clip_from_.at(seed.record().id.value);
+    if (number == FlatMap::kNone) {
+        number = std::uint32_t(clips_.size());
+        grow(seed, clips_.emplace_back());
+    }
+    return clips_[number];
+}
+
+/// Face by face, neighbours in order of ids. Of a clip that cuts divided there may be hundreds of faces: far ones, as
+/// they come, up to a number.
+void ClipColumns::grow(const FacetPlace& seed, Clip& clip) {
     in_clip_.clear();
     planes_.clear();
-    corners_.clear();
-    if (!take_in(seed)) return;
-    for (std::size_t next = 0; next < clip_.size(); ++next) {
-        const FacetPlace facet = clip_[next];
+    if (!take_in(seed, clip)) return;
+    std::size_t far = 0;
+    for (std::size_t next = 0; next < clip.faces.size(); ++next) {
+        const FacetPlace facet = clip.faces[next];
         beside_.clear();
         gather_facets(open_.root.get(), facet.block->box_of(facet.record()), beside_);
-        for (const FacetPlace& other : beside_)
-            if (is_clip(other.record()) && may_go_(other.record()) && share_a_corner(facet, other)) take_in(other);
+        for (const FacetPlace& other : beside_) {
+            if (in_clip_.find(other.record().id.value) != FlatMap::kNone) continue;
+            if (!is_clip(other.record()) || !may_go_(other.record())) continue;
+            const bool is_far = !boxes_meet(near_box_, other.block->box_of(other.record()));
+            if (is_far && far == kMostFar) continue;
+            if (share_a_corner(facet, other) && take_in(other, clip)) far += is_far;
+        }
     }
 }
 
 /// Where it is not yet, and lies behind all others and they behind it.
-bool ClipColumns::take_in(const FacetPlace& facet) {
-    if (in_clip_.find(facet.record().id.value) != FlatMap::kNone) return false;
+bool ClipColumns::take_in(const FacetPlace& facet, Clip& clip) {
     const ClipPlane own = plane_of(facet);
     bool known = false;
     for (ClipPlane& plane : planes_) {
@@ -254,22 +265,23 @@ bool ClipColumns::take_in(const FacetPlace& facet) {
         if (flush && own.width > plane.width) plane = own;
     }
     if (!known && own.valid()) {
-        for (const Vec3& corner : corners_)
+        for (const Vec3& corner : clip.corners)
             if (own.height(corner) > own.slack(corner)) return false;
         planes_.push_back(own);
     }
     in_clip_.at(facet.record().id.value) = 0;
-    clip_.push_back(facet);
-    corners_.insert(corners_.end(), loop_.begin(), loop_.end());
+    clip.faces.push_back(facet);
+    clip.corners.insert(clip.corners.end(), loop_.begin(), loop_.end());
     return true;
 }
 
-/// Metres, of the clip at hand; 0: it does not stand on it.
-double ClipColumns::height_over(const WallPlane& wall) {
+/// Metres; 0: the clip does not stand on the wall.
+double ClipColumns::height_over(const Clip& clip, const WallPlane& wall) {
     double highest = kCornerSlack;
-    for (const Vec3& corner : corners_) highest = std::max(highest, wall.height(corner));
+    for (const Vec3& corner : clip.corners) highest = std::max(highest, wall.height(corner));
     if (highest <= kCornerSlack) return 0;
-    return std::any_of(clip_.begin(), clip_.end(), [&](const FacetPlace& facet) { return touches(facet, wall); })
+    return std::any_of(clip.faces.begin(), clip.faces.end(),
+                       [&](const FacetPlace& facet) { return touches(facet, wall); })
                ? highest
                : 0;
 }

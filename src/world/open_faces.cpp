@@ -130,13 +130,13 @@ OpenFaceEdit::Phase OpenFaceEdit::place_next() {
 }
 
 /// What is left of faces that meet a box.
-/// @param takes  of a face of the world, and its id
+/// @param takes  of a facet, and the id of the face of the world that it is, or is left of
 template <class Takes>
 void OpenFaceEdit::gather_near(const GridBox& box, const Takes& takes) {
     trimmed_.clear();
     gather_facets(before_.castable.root.get(), box, trimmed_);
     std::erase_if(trimmed_, [&](const FacetPlace& facet) {
-        return is_taken(facet) || !may_be_carved(facet.record()) || !takes(facet.record().id.value);
+        return is_taken(facet) || !may_be_carved(facet.record()) || !takes(facet, facet.record().id.value);
     });
     of_world_ = trimmed_.size();
     FaceSet left = added_;
@@ -145,14 +145,16 @@ void OpenFaceEdit::gather_near(const GridBox& box, const Takes& takes) {
     std::vector<FacetPlace> near_left;
     gather_facets(left_.root.get(), box, near_left);
     for (const FacetPlace& facet : near_left)
-        if (takes(from_[facet.record().id.value])) trimmed_.push_back(facet);
+        if (takes(facet, from_[facet.record().id.value])) trimmed_.push_back(facet);
 }
 
 /// Of the clips that stand on one wall, what stands straight over its hole.
 OpenFaceEdit::Phase OpenFaceEdit::place_column(const ClipColumn& column) {
     if (std::optional<Error> fault = place_any_cutter(column.cutter, {}, piece_))
         return refuse(fault->code, std::move(fault->reason));
-    gather_near(grown(piece_.box, 1), [&](std::uint32_t face) { return columns_->stands_on(column.wall, face); });
+    gather_near(grown(piece_.box, 1), [&](const FacetPlace& facet, std::uint32_t face) {
+        return columns_->stands_on(column.wall, face) && columns_->may_be_over(column.wall, facet);
+    });
     if (trimmed_.empty()) return Phase::kNear;
     takes_ = &piece_;
     return start_trimmer();
@@ -160,7 +162,7 @@ OpenFaceEdit::Phase OpenFaceEdit::place_column(const ClipColumn& column) {
 
 /// Where it meets faces: as a cutter, where it lies.
 OpenFaceEdit::Phase OpenFaceEdit::place_piece(const CutPiece& piece) {
-    gather_near(grown(piece.box, 1), [](std::uint32_t) { return true; });
+    gather_near(grown(piece.box, 1), [](const FacetPlace&, std::uint32_t) { return true; });
     if (trimmed_.empty()) return Phase::kNear;
     const Result<Cutter> cutter = cutter_from_solid(solid_of_cut_piece(piece, before_.solid));
     if (!cutter) return refuse(cutter.error().code, cutter.error().reason);

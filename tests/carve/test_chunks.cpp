@@ -6,6 +6,8 @@
 #include "firma/chunk.h"
 #include "firma/save.h"
 #include "firma/versions.h"
+#include "scenes/cut_levels.h"
+#include "scenes/grid_polygons.h"
 #include "scenes/rng.h"
 #include "tests/brush/depot_level.h"
 #include "tests/carve/cutters.h"
@@ -263,6 +265,19 @@ TEST(Chunks, ANewHollowIsNoReasonToSearch) {
     EXPECT_TRUE(two.chunks.empty());
     EXPECT_EQ(two.report.faces_searched, 0u);
     EXPECT_EQ(two.report.volume, 4 + 4);
+}
+
+/// Where the two ends of a pillar are seen to end in rock, no face around the room is looked for.
+TEST(Chunks, APillarCutInTwoIsNoReasonToGoAroundTheRoom) {
+    scenes::Rng rng(7);
+    World world = with_anchors(make_world(scenes::level_of(scenes::bumpy_rooms(rng, 1, 18, {}).faces)).value());
+    world = put_box(world, {5, 5, -1}, {6, 6, 7});
+    CarveResult result;
+    world = take_box(world, {4, 4, 2}, {7, 7, 4}, result);
+    EXPECT_TRUE(result.chunks.empty());
+    EXPECT_GT(world.face_count(), 1000u);
+    EXPECT_GT(result.report.faces_searched, 0u);
+    EXPECT_LT(result.report.faces_searched, 100u);
 }
 
 TEST(Chunks, CrumbsAreCountedAndGone) {

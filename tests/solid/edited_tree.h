@@ -12,6 +12,7 @@
 #include "index/traverse.h"
 #include "join/join_facets.h"
 #include "scenes/rng.h"
+#include "solid/append_faces.h"
 #include "solid/face_store.h"
 #include "world/assemble_world.h"
 

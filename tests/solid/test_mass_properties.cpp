@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "firma/carve.h"
+#include "solid/moment_sum.h"
 #include "tests/geometry/big_numbers.h"
 #include "tests/solid/solid_levels.h"
 
@@ -169,6 +171,33 @@ TEST(MassProperties, OfAHollowBox) {
         return volume * (side * side / 6 + 2 * away * away);
     };
     EXPECT_DOUBLE_EQ(mass.inertia[0].x, about(64, 4, 2) - about(1, 1, 1.5));
+}
+
+/// Alone, of arms or of points: the same to the bit.
+TEST(MassProperties, TheVolumeIsThatOfTheMoments) {
+    World world = make_world(test::box_level({-1, -2, 5}, {3, 2, 9})).value();
+    for (int k = 0; k < 6; ++k)
+        world = carved_once(
+            world, make_crater(CutterShape::kRocky, std::uint64_t(k)),
+            {.position = {k - 1.5, 0.5 * k - 1, 9}, .rotation = random_turn(std::uint64_t(k)), .scale = 1.1});
+    const Boundary boundary = test::boundary_of(world);
+    const SolidPatch& patch = boundary.patch;
+    const InputPoint apex{4096, 0, 7 * 4096};
+    MomentSum by_points(apex), volume(apex);
+    for (const PatchFace& face : patch.faces) {
+        const auto corner = [&](std::uint32_t k) -> const ExactPoint& {
+            return patch.vertices[patch.from(patch.uses(face)[k])].point;
+        };
+        by_points.add_face(face.plane->plane, patch.ends(face), corner);
+        volume.add_volume(face.plane->plane, patch.ends(face),
+                          [&](std::uint32_t k) { return arm_of(corner(k), apex); });
+    }
+    const Moments all = moments_of(patch, apex);
+    const auto same = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == b.high && a.low == b.low; };
+    EXPECT_GT(all.volume.high, 0);
+    EXPECT_TRUE(same(all.volume, volume.sums().volume));
+    EXPECT_TRUE(same(all.volume, by_points.sums().volume));
+    EXPECT_TRUE(same(all.second[0][2], by_points.sums().second[0][2]));
 }
 
 TEST(MassProperties, OfNothing) {
