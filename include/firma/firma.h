@@ -4,6 +4,7 @@
 
 #include "firma/brush_level.h"
 #include "firma/brush_world.h"
+#include "firma/capsule.h"
 #include "firma/carve.h"
 #include "firma/chunk.h"
 #include "firma/cutter.h"

@@ -2,6 +2,7 @@
 // Casts through a world: the first, any or each of the touches on the way.
 #include <algorithm>
 
+#include "cast/cast_capsule_polygon.h"
 #include "cast/make_hull_hit.h"
 #include "firma/hull.h"
 #include "firma/queries.h"
@@ -23,6 +24,19 @@ struct HullMover {
     }
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact&) const {
         return make_hull_hit(sweep, *hull, polygon, cast_hull_polygon(sweep, *hull, polygon, Sides::kBoth, sweep.end));
+    }
+};
+
+/// A capsule as what moves; the sweep is that of the ball around it.
+struct CapsuleMover {
+    CapsuleShape capsule;
+
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                    CastCounts* counts) const {
+        return cast_capsule_polygon(sweep, capsule, polygon, sides, latest, counts);
+    }
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
+        return make_capsule_hit(sweep, capsule, polygon, contact);
     }
 };
 
@@ -192,6 +206,10 @@ Question<HullMover> ask(const World& world, const Hull& hull, const Vec3& at, co
     return {world, {at, hull.valid() ? hull.shape()->reach : -1}, path, {hull.shape()}, options};
 }
 
+Question<CapsuleMover> ask(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
+    return {world, ball_around(capsule), path, {shape_of_capsule(capsule)}, options};
+}
+
 }  // namespace
 
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
@@ -228,6 +246,24 @@ Status cast_each(const World& world, const Hull& hull, const Vec3& at, const Vec
 Status cast_all(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, std::vector<Hit>& hits,
                 const CastOptions& options) {
     return ask(world, hull, at, path, options).all(hits);
+}
+
+Hit cast(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
+    return ask(world, capsule, path, options).first();
+}
+
+Status cast_any(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
+    return ask(world, capsule, path, options).any();
+}
+
+Status cast_each(const World& world, const Capsule& capsule, const Vec3& path, HitVisitor visit,
+                 const CastOptions& options) {
+    return ask(world, capsule, path, options).each(visit);
+}
+
+Status cast_all(const World& world, const Capsule& capsule, const Vec3& path, std::vector<Hit>& hits,
+                const CastOptions& options) {
+    return ask(world, capsule, path, options).all(hits);
 }
 
 }  // namespace firma

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace firma::reference {
 
@@ -22,7 +23,16 @@ ExactHullCast::ExactHullCast(std::span<const Vec3> corners, const Vec3& start, c
     for (const Vec3& corner : polygon) polygon_.push_back(whole(corner));
     start_ = whole(start);
     path_ = whole(path);
+    add_facets();
+}
 
+ExactHullCast::ExactHullCast(std::vector<IntegerVec> corners, const IntegerVec& start, const IntegerVec& path,
+                             std::vector<IntegerVec> polygon, int unit)
+    : unit_(unit), hull_(std::move(corners)), polygon_(std::move(polygon)), start_(start), path_(path) {
+    add_facets();
+}
+
+void ExactHullCast::add_facets() {
     IntegerVec normal;
     for (std::size_t k = 2; k < polygon_.size(); ++k)
         normal = normal + cross(polygon_[k - 1] - polygon_[0], polygon_[k] - polygon_[0]);
@@ -97,14 +107,22 @@ HullExpected ExactHullCast::expect(Sides sides) const {
             if (sign(f.now) == 0) expected.normals.push_back(unit(f.u));
         return expected;
     }
-    // In overlap: by the nearest facets; among them the plane on the side that the path comes from decides alone.
+    return in_overlap();
+}
+
+bool ExactHullCast::overlaps() const {
+    return std::all_of(facets_.begin(), facets_.end(), [](const Facet& f) { return sign(f.now) <= 0; });
+}
+
+HullExpected ExactHullCast::in_overlap() const {
+    HullExpected expected;
     Ratio least{0, 0};
     for (const Facet& f : facets_) {
         const Ratio square_depth{square(f.now), dot(f.u, f.u)};
         if (sign(least.bottom) == 0 || compare(square_depth, least) < 0) least = square_depth;
     }
     const double depth = root_minus(least, 0, -unit_);
-    bool by_plane = false;
+    bool by_plane = false, deeper = true;
     for (const Facet& f : facets_) {
         const Ratio square_depth{square(f.now), dot(f.u, f.u)};
         if (compare(square_depth, least) == 0) {

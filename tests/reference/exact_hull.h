@@ -32,7 +32,16 @@ public:
     /// @param polygon  as cast_polygon() takes it
     ExactHullCast(std::span<const Vec3> corners, const Vec3& start, const Vec3& path, std::span<const Vec3> polygon);
 
+    /// The same of whole numbers in units of 2^-unit metres.
+    ExactHullCast(std::vector<IntegerVec> corners, const IntegerVec& start, const IntegerVec& path,
+                  std::vector<IntegerVec> polygon, int unit);
+
     HullExpected expect(Sides sides) const;
+    /// Whether the hull shares a point with the polygon at the start.
+    bool overlaps() const;
+    /// What a start in overlap means, by the nearest facets: among them the plane on the side that the path comes from
+    /// decides alone.
+    HullExpected in_overlap() const;
     /// The largest gap along any of the directions at a time, metres: 0 or less when they share a point.
     double gap_at(double fraction) const;
 
@@ -42,6 +51,7 @@ private:
         bool plane = false;
         Integer now, change;  ///< u.(q + o - v) = now + t change
     };
+    void add_facets();
     void add(const IntegerVec& u, bool plane);
     Vec3 unit(const IntegerVec& u) const;
 
