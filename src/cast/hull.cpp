@@ -60,4 +60,11 @@ PolygonHit cast_polygon(const Hull& hull, const Vec3& at, const Vec3& path, std:
     return miss;
 }
 
+ContactPoints contact_points(const Hull& hull, const PolygonHit& hit, std::span<const Vec3> corners) {
+    if (!hull.valid() || !hit || !is_finite(hit.centre) || !is_finite(hit.normal) || !usable_corners(corners)) return {};
+    const PolygonShape polygon = make_shape(corners);
+    if (!polygon.has_area()) return {};
+    return points_of_contact(*hull.shape(), hit, polygon);
+}
+
 }  // namespace firma

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "cast/contact_polygon.h"
 #include "geometry/closest_point.h"
 #include "geometry/rounding.h"
 
@@ -69,13 +70,13 @@ struct MeanPoint {
 
 class Touching {
 public:
-    Touching(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon, const HullContact& found,
-             const Vec3& unit)
+    /// @param place  where the hull is put, less the polygon's first corner
+    /// @param reach    from what the rounding of `place` come
+    Touching(const Vec3& place, double reach, const HullShape& hull, const PolygonShape& polygon, const Vec3& unit)
         : hull_(hull) {
         const Vec3 least = std::fabs(unit.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         across_ = cross(unit, least) * (1 / firma::length(cross(unit, least)));
         other_ = cross(unit, across_);
-        const Vec3 place = (sweep.start - polygon.corners[0]) + sweep.direction * found.contact.t;
         double size = 0, lowest = 0, highest = 0;
         for (const Vec3& corner : polygon.corners) {
             const double far = max_abs(corner - polygon.corners[0]);
@@ -99,7 +100,7 @@ public:
             place_of_[i] = int(body_.count());
             body_.add_corner(place + hull.corners[i], seen(place + hull.corners[i]));
         }
-        slack_ = kSamePlane * size + rounding(64) * (max_abs(place) + max_abs(sweep.start) + sweep.end);
+        slack_ = kSamePlane * size + rounding(64) * (max_abs(place) + reach);
     }
 
     /// From the polygon's first corner, on the polygon to rounding.
@@ -107,20 +108,60 @@ public:
         if (face_.count() == 1) return face_.at(0);
         if (body_.count() == 1) return body_.at(0);
         MeanPoint mean;
-        for (std::size_t k = 0; k < face_.count(); ++k)
-            if (in_body(face_.seen(k))) mean.add(face_.at(k));
-        for (std::size_t i = 0; i < body_.count(); ++i)
-            if (in_face(body_.seen(i))) mean.add(body_.at(i));
-        for (const HullShape::Edge& edge : hull_.edges) {
-            const int a = place_of_[edge.from], b = place_of_[edge.to];
-            if (a < 0 || b < 0) continue;
-            for (std::size_t k = 0; k < sides(); ++k) cross_edges(std::size_t(a), std::size_t(b), k, mean);
-        }
+        each_corner([&](const Vec3& at) { mean.add(at); });
         if (mean.count > 0) return mean.sum * (1 / mean.count);
         return body_.at(0);
     }
 
+    /// Calls function(at) for each corner of the common part, some more than once, and for some points within it.
+    template <class Function>
+    void each_corner(const Function& function) const {
+        for (std::size_t k = 0; k < face_.count(); ++k)
+            if (in_body(face_.seen(k))) function(face_.at(k));
+        for (std::size_t i = 0; i < body_.count(); ++i)
+            if (in_face(body_.seen(i))) function(body_.at(i));
+        for (const HullShape::Edge& edge : hull_.edges) {
+            const int a = place_of_[edge.from], b = place_of_[edge.to];
+            if (a < 0 || b < 0) continue;
+            for (std::size_t k = 0; k < sides(); ++k) cross_edges(std::size_t(a), std::size_t(b), k, function);
+        }
+    }
+
+    /// As point(), up to four: of the common part the four corners that span the most.
+    ContactPoints points() const {
+        ContactPoints found;
+        if (face_.count() == 1 || body_.count() == 1) {
+            found.at[0] = point();
+            found.count = 1;
+            return found;
+        }
+        std::array<Vec3, kMostCorners> at;
+        std::array<SeenPoint, kMostCorners> all;
+        std::size_t count = 0;
+        each_corner([&](const Vec3& corner) {
+            if (count == kMostCorners) return;
+            const Flat flat = seen(corner);
+            at[count] = corner;
+            all[count] = {flat.x, flat.y, count};
+            ++count;
+        });
+        if (count == 0) {
+            found.at[0] = point();
+            found.count = 1;
+            return found;
+        }
+        std::array<SeenPoint, kMostCorners> hull;
+        std::array<SeenPoint, 4> widest;
+        const std::size_t corners = hull_in_plane(std::span(all).first(count), slack_, hull);
+        found.count = widest_four(std::span(hull).first(corners), widest);
+        for (std::size_t k = 0; k < found.count; ++k) found.at[k] = at[widest[k].index];
+        return found;
+    }
+
 private:
+    /// Of a face of 64 corners, cut into triangles, against a polygon of 64: each edge meets the rim twice at most.
+    static constexpr std::size_t kMostCorners = 2 * 64 + 2 * (2 * 64 - 3);
+
     Flat seen(const Vec3& at) const { return {dot(across_, at), dot(other_, at)}; }
     std::size_t sides() const { return face_.count() == 2 ? 1 : face_.count(); }
     std::size_t next(std::size_t k) const { return k + 1 < face_.count() ? k + 1 : 0; }
@@ -154,7 +195,8 @@ private:
         }
         return false;
     }
-    void cross_edges(std::size_t a, std::size_t b, std::size_t k, MeanPoint& mean) const {
+    template <class Function>
+    void cross_edges(std::size_t a, std::size_t b, std::size_t k, const Function& function) const {
         const Flat g = body_.seen(b) - body_.seen(a), e = face_.seen(next(k)) - face_.seen(k);
         const Flat w = body_.seen(a) - face_.seen(k);
         const double turn = cross(e, g);
@@ -163,7 +205,7 @@ private:
         const double blur = 0x1p-30;
         if (part < -blur || part > 1 + blur || along < -blur || along > 1 + blur) return;
         const double within = part < 0 ? 0 : part > 1 ? 1 : part;
-        mean.add(face_.at(k) + (face_.at(next(k)) - face_.at(k)) * within);
+        function(face_.at(k) + (face_.at(next(k)) - face_.at(k)) * within);
     }
 
     const HullShape& hull_;
@@ -188,7 +230,8 @@ PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const Polygo
     hit.centre = sweep.at(found.contact.t);
     hit.face_normal = polygon.unit_normal();
     hit.normal = unit;
-    const Vec3 point = Touching(sweep, hull, polygon, found, unit).point();
+    const Vec3 place = (sweep.start - polygon.corners[0]) + sweep.direction * found.contact.t;
+    const Vec3 point = Touching(place, max_abs(sweep.start) + sweep.end, hull, polygon, unit).point();
     // Only the plane's own facet stands for the face.
     const bool by_face = found.facet.kind == SumFacet::kPlane;
     const Closest closest = by_face ? closest_to(point, polygon) : closest_on_rim(point, polygon);
@@ -197,6 +240,14 @@ PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const Polygo
     hit.feature = closest.feature;
     hit.feature_index = closest.index;
     return hit;
+}
+
+ContactPoints points_of_contact(const HullShape& hull, const PolygonHit& hit, const PolygonShape& polygon) {
+    const Vec3 place = hit.centre - polygon.corners[0];
+    ContactPoints found = Touching(place, max_abs(hit.centre), hull, polygon, hit.normal).points();
+    for (std::size_t k = 0; k < found.count; ++k)
+        found.at[k] = polygon.corners[0] + closest_to(found.at[k], polygon).offset;
+    return found;
 }
 
 }  // namespace firma

@@ -10,4 +10,7 @@ namespace firma {
 PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon,
                          const HullContact& found);
 
+/// Where the hull of this hit touches this polygon: see contact_points().
+ContactPoints points_of_contact(const HullShape& hull, const PolygonHit& hit, const PolygonShape& polygon);
+
 }  // namespace firma
