@@ -44,6 +44,7 @@ def reference(*names):
 
 
 ORACLE = reference('exact_number', 'exact_polygon', 'exact_oracle', 'judge', 'judge_scene', 'surely_apart')
+SHAPES = ['tests/full/full_shapes.cpp', 'tests/full/options.h'] + reference('exact_number', 'exact_polygon', 'exact_hull', 'judge_shapes', 'surely_apart')
 JUDGE_CUT = reference('carve_oracle', 'cut_history', 'directed_edges', 'judge_contact', 'judge_cut', 'judge_rooms', 'world_facets')
 CARVED = ORACLE + JUDGE_CUT + reference('judge_carved_casts')
 JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
@@ -87,6 +88,10 @@ def casts(seed, count):
 
 def casts_by(kernel):
     return lambda seed, count: casts(seed, count) + ['--kernel', kernel]
+
+
+def shapes(what):
+    return lambda seed, count: [f'{BUILD}/full_shapes', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
 def watertight(seed, count):
@@ -194,6 +199,10 @@ CLAIMS = [
           CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('SSE4'), 'full_casts'),
     Claim('casts_one_by_one', 'the same without lanes', 1_000_000, 50_000, 'casts',
           CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('none'), 'full_casts'),
+    Claim('capsules_vs_twin', 'capsules against polygons, judged by the exact oracle, none wrong', 1_000_000, 100_000, 'casts',
+          CAST_SOURCES + SCENES + SHAPES + reference('exact_capsule') + ['tests/reference/judge_capsules.cpp'], 'test', shapes('capsules'), 'full_shapes'),
+    Claim('hulls_vs_twin', 'boxes and convex hulls against polygons, judged by the exact oracle, none wrong', 1_000_000, 100_000, 'casts',
+          CAST_SOURCES + SCENES + SHAPES + ['tests/reference/judge_hulls.cpp'], 'test', shapes('hulls'), 'full_shapes'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',

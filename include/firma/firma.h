@@ -4,6 +4,7 @@
 
 #include "firma/brush_level.h"
 #include "firma/brush_world.h"
+#include "firma/capsule.h"
 #include "firma/carve.h"
 #include "firma/chunk.h"
 #include "firma/cutter.h"
@@ -11,6 +12,7 @@
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
+#include "firma/hull.h"
 #include "firma/level.h"
 #include "firma/mass.h"
 #include "firma/matter.h"

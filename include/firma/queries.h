@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions to a world: casts of rays and spheres, what a sphere overlaps, the nearest point.
+// Questions to a world: casts of rays, spheres, capsules and hulls, what a sphere overlaps, the nearest point.
 //
 // None of them allocates, but where one fills a vector, and batches that count or are spread over tasks; none takes a
 // lock or touches a reference count (by room, where there are more than 4,096 rooms or more than 256 wait at a time, a
@@ -25,6 +25,9 @@
 #include "firma/world.h"
 
 namespace firma {
+
+struct Capsule;
+class Hull;
 
 /// The rooms that a cast went through, for who asks.
 struct RoomTrail {
@@ -98,6 +101,30 @@ FIRMA_EXPORT Status cast_all(const World& world, const Sphere& sphere, const Vec
 inline Status cast_all(const World& world, const Ray& ray, std::vector<Hit>& hits, const CastOptions& options = {}) {
     return cast_all(world, {ray.start, 0}, ray.path, hits, options);
 }
+
+/// The same of a convex hull or box (hull.h) that is put at `at`. Options name the room of `at`, and kLocateRoom finds
+/// it. Answers as cast_polygon() of a hull over all faces, else as above; Hit::centre is where the hull is put. Costs
+/// as a sphere that holds the hull, and for each face near that sphere what cast_polygon() costs.
+[[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
+                                    const CastOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Status cast_any(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
+                                           const CastOptions& options = {});
+FIRMA_EXPORT Status cast_each(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, HitVisitor visit,
+                              const CastOptions& options = {});
+FIRMA_EXPORT Status cast_all(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
+                             std::vector<Hit>& hits, const CastOptions& options = {});
+
+/// The same of a capsule (capsule.h). Options name the room of its middle, and kLocateRoom finds it. Answers as
+/// cast_polygon() of a capsule over all faces, else as above; Hit::centre is its middle. Costs as a sphere that holds
+/// the capsule, and for each face near that sphere what cast_polygon() costs.
+[[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Capsule& capsule, const Vec3& path,
+                                    const CastOptions& options = {});
+[[nodiscard]] FIRMA_EXPORT Status cast_any(const World& world, const Capsule& capsule, const Vec3& path,
+                                           const CastOptions& options = {});
+FIRMA_EXPORT Status cast_each(const World& world, const Capsule& capsule, const Vec3& path, HitVisitor visit,
+                              const CastOptions& options = {});
+FIRMA_EXPORT Status cast_all(const World& world, const Capsule& capsule, const Vec3& path, std::vector<Hit>& hits,
+                             const CastOptions& options = {});
 
 /// One of many casts.
 struct CastInput {

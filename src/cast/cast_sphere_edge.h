@@ -16,8 +16,8 @@
 
 namespace firma {
 
-inline Entry enter_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
-    const Vec3 w = sweep.start - a, e = b - a;
+/// @param w, e  each coordinate rounded once at most
+inline Entry enter_cylinder(const Sweep& sweep, const Vec3& w, const Vec3& e) {
     const Vec3 m = cross(w, e), n = cross(sweep.direction, e);
     const double ee = dot(e, e), nn = dot(n, n), e_length = std::sqrt(ee);
     const double error_now = rounding(32) * length(w) * e_length;
@@ -59,11 +59,15 @@ inline Entry enter_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
     return {Entry::kFound, t};
 }
 
+inline Entry enter_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
+    return enter_cylinder(sweep, sweep.start - a, b - a);
+}
+
 /// The same in double-double: never kDoubtful. A discriminant of zero, to the last digit, is a graze and counts.
-inline Entry enter_edge_precisely(const Sweep& sweep, const Vec3& a, const Vec3& b) {
+inline Entry enter_cylinder_precisely(const Sweep& sweep, const VectorOf<DoubleDouble>& w,
+                                      const VectorOf<DoubleDouble>& e) {
     using Real = DoubleDouble;
-    const VectorOf<Real> w = difference<Real>(sweep.start, a), e = difference<Real>(b, a),
-                         d = exactly<Real>(sweep.direction);
+    const VectorOf<Real> d = exactly<Real>(sweep.direction);
     const VectorOf<Real> m = cross(w, e), n = cross(d, e);
     const Real ee = dot(e, e), nn = dot(n, n), mn = dot(m, n);
     const double all = sweep.direction_square * rounded(ee);
@@ -81,6 +85,11 @@ inline Entry enter_edge_precisely(const Sweep& sweep, const Vec3& a, const Vec3&
     const Real along = dot(w, e) + t * dot(d, e);
     if (along < 0.0 || ee < along) return {};
     return counted(sweep, t);
+}
+
+inline Entry enter_edge_precisely(const Sweep& sweep, const Vec3& a, const Vec3& b) {
+    using Real = DoubleDouble;
+    return enter_cylinder_precisely(sweep, difference<Real>(sweep.start, a), difference<Real>(b, a));
 }
 
 }  // namespace firma

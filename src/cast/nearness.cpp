@@ -28,10 +28,7 @@ Nearness near_vertex(const Vec3& point, double radius, const Vec3& direction, co
 }
 
 Nearness near_edge(const Vec3& point, double radius, const Vec3& direction, const Vec3& a, const Vec3& b) {
-    const VectorOf<Real> w = difference<Real>(point, a), e = difference<Real>(b, a);
-    const VectorOf<Real> m = cross(w, e), n = cross(exactly<Real>(direction), e);
-    const Real square = dot(m, m), r = radius;
-    return {at_most(square, r * r * dot(e, e)), sign(square) == 0, sign(dot(m, n))};
+    return near_line(difference<Real>(point, a), difference<Real>(b, a), exactly<Real>(direction), radius);
 }
 
 Nearness near_face(const Vec3& point, double radius, int facing, const PolygonShape& polygon) {
@@ -42,6 +39,17 @@ Nearness near_face(const Vec3& point, double radius, int facing, const PolygonSh
 }
 
 }  // namespace
+
+Nearness near_line(const VectorOf<Real>& w, const VectorOf<Real>& e, const VectorOf<Real>& direction, double radius) {
+    const VectorOf<Real> m = cross(w, e), n = cross(direction, e);
+    const Real square = dot(m, m), r = radius;
+    return {at_most(square, r * r * dot(e, e)), sign(square) == 0, sign(dot(m, n))};
+}
+
+Nearness near_plane(const Real& height, const Real& change, const Real& square_length, double radius) {
+    const Real r = radius;
+    return {at_most(height * height, r * r * square_length), sign(height) == 0, sign(height) * sign(change)};
+}
 
 Nearness nearness(const Vec3& point, double radius, const Vec3& direction, int facing, const PolygonShape& polygon,
                   const Closest& closest) {

@@ -2,7 +2,9 @@
 // Casts through a world: the first, any or each of the touches on the way.
 #include <algorithm>
 
-#include "cast/make_hit.h"
+#include "cast/cast_capsule_polygon.h"
+#include "cast/make_hull_hit.h"
+#include "firma/hull.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "geometry/rounding.h"
@@ -12,20 +14,46 @@
 namespace firma {
 namespace {
 
+/// A hull as what moves.
+struct HullMover {
+    const HullShape* hull;
+
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                    CastCounts* counts) const {
+        return cast_hull_polygon(sweep, *hull, polygon, sides, latest, counts).contact;
+    }
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact&) const {
+        return make_hull_hit(sweep, *hull, polygon, cast_hull_polygon(sweep, *hull, polygon, Sides::kBoth, sweep.end));
+    }
+};
+
+/// A capsule as what moves; the sweep is that of the ball around it.
+struct CapsuleMover {
+    CapsuleShape capsule;
+
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                    CastCounts* counts) const {
+        return cast_capsule_polygon(sweep, capsule, polygon, sides, latest, counts);
+    }
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
+        return make_capsule_hit(sweep, capsule, polygon, contact);
+    }
+};
+
 /// Goes as the options say.
-template <class Found>
-void sweep_rooms(const World& world, const Sphere& sphere, const Sweep& sweep, const CastOptions& options,
-                 Found& found) {
+template <class Found, class Mover>
+void sweep_rooms(const World& world, const Vec3& centre, const Sweep& sweep, const Mover& mover,
+                 const CastOptions& options, Found& found) {
     const WorldData& data = world.data();
     RoomTrail unasked;
     RoomTrail& trail = options.trail ? *options.trail : unasked;
-    WorldSweep<Found> on_its_way(data, sweep, options, found);
+    WorldSweep<Found, Mover> on_its_way(data, sweep, mover, options, found);
     if (data.cells.room_count() == 1) {
         add_room(trail, 0);
         return on_its_way.ask_all();
     }
     RoomId start = options.room;
-    if (start == kLocateRoom) start = locate(world, sphere.centre).room;
+    if (start == kLocateRoom) start = locate(world, centre).room;
     if (start == kAnyRoom) return on_its_way.ask_all();
     on_its_way.ask_from(data.cells.current_room(start.value), trail);
 }
@@ -63,10 +91,12 @@ void put_face(const SweepContact& found, Hit& hit) {
     hit.material = face.material;
 }
 
-Hit hit_of(const World& world, const Sweep& sweep, const CastOptions& options, const SweepContact& found) {
+template <class Mover>
+Hit hit_of(const World& world, const Sweep& sweep, const Mover& mover, const CastOptions& options,
+           const SweepContact& found) {
     Hit hit;
     const auto make = [&](const PolygonShape& polygon) {
-        static_cast<PolygonHit&>(hit) = make_hit(sweep, polygon, found.contact);
+        static_cast<PolygonHit&>(hit) = mover.hit(sweep, polygon, found.contact);
         hit.safe_fraction = safe_fraction(
             sweep, hit, options.contact_offset >= 0 ? options.contact_offset : world.tolerance().contact_offset);
     };
@@ -86,17 +116,19 @@ Hit hit_of(const World& world, const Sweep& sweep, const CastOptions& options, c
 }
 
 /// Hands each touch on.
+template <class Mover>
 struct VisitEach {
     double latest;
     HitVisitor visit;
     const World& world;
     const Sweep& sweep;
+    const Mover& mover;
     const CastOptions& options;
     bool any = false;
 
     bool operator()(const SweepContact& contact) {
         any = true;
-        const double wanted = visit(hit_of(world, sweep, options, contact));
+        const double wanted = visit(hit_of(world, sweep, mover, options, contact));
         if (!(wanted > 0)) return true;
         if (wanted < 1 && wanted * sweep.end < latest) latest = wanted * sweep.end;
         return false;
@@ -112,53 +144,129 @@ Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const
     return make_sweep(sphere, path, sweep);
 }
 
+/// One question: what moves from where, along what.
+template <class Mover>
+struct Question {
+    const World& world;
+    const Sphere around;  ///< holds all that moves
+    const Vec3& path;
+    const Mover mover;
+    const CastOptions& options;
+
+    Hit first() const {
+        Sweep sweep;
+        const Status ready = prepare(world, around, path, options, sweep);
+        KeepFirst first{sweep.end, {}};
+        if (ready == Status::kHit) sweep_rooms(world, around.centre, sweep, mover, options, first);
+        if (first.best.contact.touched()) return hit_of(world, sweep, mover, options, first.best);
+        if (ready == Status::kInvalid) return invalid_hit(around.centre);
+        Hit none;
+        none.centre = around.centre + path;
+        return none;
+    }
+
+    Status any() const {
+        Sweep sweep;
+        const Status ready = prepare(world, around, path, options, sweep);
+        if (ready != Status::kHit) return ready;
+        StopAtAny any{sweep.end};
+        sweep_rooms(world, around.centre, sweep, mover, options, any);
+        return any.status;
+    }
+
+    Status each(HitVisitor visit) const {
+        Sweep sweep;
+        const Status ready = prepare(world, around, path, options, sweep);
+        if (ready != Status::kHit) return ready;
+        VisitEach<Mover> each{sweep.end, visit, world, sweep, mover, options};
+        sweep_rooms(world, around.centre, sweep, mover, options, each);
+        return each.any ? Status::kHit : Status::kMiss;
+    }
+
+    Status all(std::vector<Hit>& hits) const {
+        hits.clear();
+        const auto add = [&](const Hit& hit) {
+            hits.push_back(hit);
+            return 1.0;
+        };
+        const Status status = each(add);
+        std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+            return a.fraction != b.fraction ? a.fraction < b.fraction
+                   : a.face.id != b.face.id ? a.face.id < b.face.id
+                                            : a.portal < b.portal;
+        });
+        return hits.empty() ? status : hits[0].status;
+    }
+};
+
+Question<SphereMover> ask(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
+    return {world, sphere, path, {}, options};
+}
+
+/// A hull that is none has a negative radius: kInvalid.
+Question<HullMover> ask(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
+                        const CastOptions& options) {
+    return {world, {at, hull.valid() ? hull.shape()->reach : -1}, path, {hull.shape()}, options};
+}
+
+Question<CapsuleMover> ask(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
+    return {world, ball_around(capsule), path, {shape_of_capsule(capsule)}, options};
+}
+
 }  // namespace
 
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
-    Sweep sweep;
-    const Status ready = prepare(world, sphere, path, options, sweep);
-    KeepFirst first{sweep.end, {}};
-    if (ready == Status::kHit) sweep_rooms(world, sphere, sweep, options, first);
-    if (first.best.contact.touched()) return hit_of(world, sweep, options, first.best);
-    if (ready == Status::kInvalid) return invalid_hit(sphere.centre);
-    Hit none;
-    none.centre = sphere.centre + path;
-    return none;
+    return ask(world, sphere, path, options).first();
 }
 
 Status cast_any(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
-    Sweep sweep;
-    const Status ready = prepare(world, sphere, path, options, sweep);
-    if (ready != Status::kHit) return ready;
-    StopAtAny any{sweep.end};
-    sweep_rooms(world, sphere, sweep, options, any);
-    return any.status;
+    return ask(world, sphere, path, options).any();
 }
 
 Status cast_each(const World& world, const Sphere& sphere, const Vec3& path, HitVisitor visit,
                  const CastOptions& options) {
-    Sweep sweep;
-    const Status ready = prepare(world, sphere, path, options, sweep);
-    if (ready != Status::kHit) return ready;
-    VisitEach each{sweep.end, visit, world, sweep, options};
-    sweep_rooms(world, sphere, sweep, options, each);
-    return each.any ? Status::kHit : Status::kMiss;
+    return ask(world, sphere, path, options).each(visit);
 }
 
 Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std::vector<Hit>& hits,
                 const CastOptions& options) {
-    hits.clear();
-    const auto add = [&](const Hit& hit) {
-        hits.push_back(hit);
-        return 1.0;
-    };
-    const Status status = cast_each(world, sphere, path, add, options);
-    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction
-               : a.face.id != b.face.id ? a.face.id < b.face.id
-                                        : a.portal < b.portal;
-    });
-    return hits.empty() ? status : hits[0].status;
+    return ask(world, sphere, path, options).all(hits);
+}
+
+Hit cast(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, const CastOptions& options) {
+    return ask(world, hull, at, path, options).first();
+}
+
+Status cast_any(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, const CastOptions& options) {
+    return ask(world, hull, at, path, options).any();
+}
+
+Status cast_each(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, HitVisitor visit,
+                 const CastOptions& options) {
+    return ask(world, hull, at, path, options).each(visit);
+}
+
+Status cast_all(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, std::vector<Hit>& hits,
+                const CastOptions& options) {
+    return ask(world, hull, at, path, options).all(hits);
+}
+
+Hit cast(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
+    return ask(world, capsule, path, options).first();
+}
+
+Status cast_any(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
+    return ask(world, capsule, path, options).any();
+}
+
+Status cast_each(const World& world, const Capsule& capsule, const Vec3& path, HitVisitor visit,
+                 const CastOptions& options) {
+    return ask(world, capsule, path, options).each(visit);
+}
+
+Status cast_all(const World& world, const Capsule& capsule, const Vec3& path, std::vector<Hit>& hits,
+                const CastOptions& options) {
+    return ask(world, capsule, path, options).all(hits);
 }
 
 }  // namespace firma

@@ -12,6 +12,7 @@
 #include <bit>
 
 #include "cast/cast_sphere_polygon.h"
+#include "cast/make_hit.h"
 #include "firma/queries.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
@@ -90,13 +91,25 @@ struct PathBox {
     }
 };
 
+/// What moves: how it meets a polygon, and what a touch then looks like. Its sweep's radius holds all of it.
+struct SphereMover {
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                    CastCounts* counts) const {
+        return cast_sweep_polygon(sweep, polygon, sides, latest, counts);
+    }
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
+        return make_hit(sweep, polygon, contact);
+    }
+};
+
 /// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may
 /// bring `latest` forward.
-template <class Found>
+template <class Found, class Mover>
 class SweepVisitor {
 public:
-    SweepVisitor(const Sweep& sweep, const SweepBox& boxes, const CastOptions& options, Found& found)
-        : sweep_(sweep), boxes_(boxes), options_(options), found_(found) {}
+    SweepVisitor(const Sweep& sweep, const Mover& mover, const SweepBox& boxes, const CastOptions& options,
+                 Found& found)
+        : sweep_(sweep), mover_(mover), boxes_(boxes), options_(options), found_(found) {}
 
     bool enter(const Bin& bin, double& nearest) {
         ++counts.nodes;
@@ -116,7 +129,7 @@ public:
             const FaceShape shape(block, face);
             if (!shape.polygon.has_area()) continue;
             const Sides sides = face.two_sided ? Sides::kBoth : options_.sides;
-            const Contact contact = cast_sweep_polygon(sweep_, shape.polygon, sides, found_.latest, &counts);
+            const Contact contact = mover_.against(sweep_, shape.polygon, sides, found_.latest, &counts);
             if (contact.touched() && found_({contact, &block, slot, ~0u, nullptr, 0})) return ended = true;
         }
         return false;
@@ -127,17 +140,18 @@ public:
 
 private:
     const Sweep& sweep_;
+    [[no_unique_address]] const Mover mover_;
     const SweepBox boxes_;
     const CastOptions& options_;
     Found& found_;
 };
 
 /// One cast on its way.
-template <class Found>
+template <class Found, class Mover>
 class WorldSweep {
 public:
-    WorldSweep(const WorldData& data, const Sweep& sweep, const CastOptions& options, Found& found)
-        : data_(data), sweep_(sweep), lanes_(sweep), boxes_(sweep), options_(options), found_(found) {}
+    WorldSweep(const WorldData& data, const Sweep& sweep, const Mover& mover, const CastOptions& options, Found& found)
+        : data_(data), sweep_(sweep), mover_(mover), lanes_(sweep), boxes_(sweep), options_(options), found_(found) {}
 
     /// Through all rooms at once.
     void ask_all() {
@@ -174,7 +188,7 @@ private:
 
     void look_into(const Node& index) {
         if (lanes_.usable) return look_at_lanes(index);
-        SweepVisitor<Found> visitor(sweep_, boxes_, options_, found_);
+        SweepVisitor<Found, Mover> visitor(sweep_, mover_, boxes_, options_, found_);
         traverse(index, visitor);
         ended_ = visitor.ended;
         if (options_.counts) {
@@ -215,7 +229,7 @@ private:
 
     bool meet(LaneQuery& query, const PolygonShape& polygon, Sides sides, SweepContact& met) {
         if (!polygon.has_area()) return false;
-        met.contact = cast_sweep_polygon(sweep_, polygon, sides, found_.latest, &query.counts);
+        met.contact = mover_.against(sweep_, polygon, sides, found_.latest, &query.counts);
         return met.contact.touched() && found_(met);
     }
 
@@ -290,7 +304,7 @@ private:
             double nearest;
             if (!boxes_.enters(polygons[k].box, found_.latest, nearest)) continue;
             const Contact contact =
-                cast_sweep_polygon(sweep_, polygons[k].shape, Sides::kBoth, found_.latest, options_.counts);
+                mover_.against(sweep_, polygons[k].shape, Sides::kBoth, found_.latest, options_.counts);
             if (!contact.touched() || (first.contact.touched() && contact.t >= first.contact.t)) continue;
             first.contact = contact;
             first.slot = k;
@@ -304,6 +318,7 @@ private:
 
     const WorldData& data_;
     const Sweep& sweep_;
+    [[no_unique_address]] const Mover mover_;
     const LaneSweep lanes_;
     const SweepBox boxes_;
     const CastOptions& options_;

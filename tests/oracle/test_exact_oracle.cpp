@@ -163,7 +163,7 @@ TEST(ExactOracle, MarginsAndOverlaps) {
 
 // The filter may only reject what is apart; that it rejects most is what makes the oracle quick.
 TEST(SurelyApart, IsSureOnlyWhenItIs) {
-    const Hull hull(kSquare);
+    const reference::Hull hull(kSquare);
     EXPECT_TRUE(surely_apart(hull, {2, 2, 5}, {0, 0, -3}, 1, 1.9));
     EXPECT_FALSE(surely_apart(hull, {2, 2, 5}, {0, 0, -3}, 1, 2));
     EXPECT_FALSE(surely_apart(hull, {2, 2, 5}, {0, 0, -3}, 1, 2.1));

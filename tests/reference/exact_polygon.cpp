@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "firma/grid.h"
 
@@ -42,8 +43,16 @@ ExactCast::ExactCast(const Sphere& sphere, const Vec3& motion) {
     radius = in_units(sphere.radius, unit);
 }
 
-ExactPolygon::ExactPolygon(std::span<const Vec3> points) {
-    for (const Vec3& p : points) corners.push_back(whole_units(p, kGridBits));
+ExactPolygon::ExactPolygon(std::span<const Vec3> points)
+    : ExactPolygon(
+          [&] {
+              std::vector<IntegerVec> whole;
+              for (const Vec3& p : points) whole.push_back(whole_units(p, kGridBits));
+              return whole;
+          }(),
+          kGridBits) {}
+
+ExactPolygon::ExactPolygon(std::vector<IntegerVec> whole, int steps) : corners(std::move(whole)), unit(steps) {
     normal = {0, 0, 0};
     for (std::size_t k = 1; k + 1 < corners.size(); ++k)
         normal = normal + cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
@@ -56,7 +65,7 @@ ExactPolygon::ExactPolygon(std::span<const Vec3> points) {
 }
 
 SeenPolygon::SeenPolygon(const ExactPolygon& polygon, const ExactCast& cast) : polygon_(polygon), cast_(cast) {
-    const auto shift = unsigned(cast.unit - kGridBits);
+    const auto shift = unsigned(cast.unit - polygon.unit);
     for (const IntegerVec& v : polygon.corners)
         from_corner_.push_back(
             {cast.start.x - (v.x << shift), cast.start.y - (v.y << shift), cast.start.z - (v.z << shift)});
@@ -218,7 +227,7 @@ Ratio SeenPolygon::rim_square() const {
     const auto offer = [&](const Ratio& square_of) {
         if (!least || compare(square_of, *least) < 0) least = square_of;
     };
-    const Integer to_units = Integer(1) << unsigned(cast_.unit - kGridBits);  // of a grid step
+    const Integer to_units = Integer(1) << unsigned(cast_.unit - polygon_.unit);  // of a step
     for (std::size_t k = 0; k < count; ++k) {
         const IntegerVec &a = from_corner_[k], &e = polygon_.edges[k];
         const Integer &ee = polygon_.edge_squares[k], ad = dot(a, cast_.path);

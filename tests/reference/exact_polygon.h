@@ -32,14 +32,18 @@ struct ExactCast {
     bool moves() const { return sign(path.x) != 0 || sign(path.y) != 0 || sign(path.z) != 0; }
 };
 
-/// A polygon in steps of the surface grid, with what is worth computing once.
+/// A polygon in whole steps, those of the surface grid unless said otherwise, with what is worth computing once.
 struct ExactPolygon {
     std::vector<IntegerVec> corners, edges, outward;  ///< v_k, e_k, h_k
     std::vector<Integer> edge_squares;                ///< e_k . e_k
     IntegerVec normal;
     Integer normal_square;
 
+    int unit = 18;  ///< its steps are 2^-unit metres
+
     explicit ExactPolygon(std::span<const Vec3> corners);
+    /// @param corners  in any steps, in one plane
+    ExactPolygon(std::vector<IntegerVec> corners, int unit);
 };
 
 /// The first touch.
@@ -65,7 +69,7 @@ struct Nearest {
 /// A polygon as one cast sees it.
 class SeenPolygon {
 public:
-    /// Both must outlive this.
+    /// Both must outlive this. The cast's unit is at least the polygon's.
     SeenPolygon(const ExactPolygon& polygon, const ExactCast& cast);
 
     /// Sign of path . normal.

@@ -14,6 +14,8 @@
 #include <new>
 #include <vector>
 
+#include "firma/capsule.h"
+#include "firma/hull.h"
 #include "firma/memory.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
@@ -169,8 +171,10 @@ std::vector<Question> questions(std::size_t count) {
 }
 
 struct Asked {
-    std::size_t touched = 0, any = 0, all = 0, near = 0, nearest = 0, edges = 0;
+    std::size_t touched = 0, any = 0, all = 0, near = 0, nearest = 0, edges = 0, hulls = 0, capsules = 0;
 };
+
+const Hull the_box = make_box({0.3, 0.2, 0.1}, {Vec3{0.6, 0.8, 0}, Vec3{-0.8, 0.6, 0}, Vec3{0, 0, 1}}).value();
 
 /// @param hits, found  keep their memory from call to call
 Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>& hits, std::vector<Overlap>& found) {
@@ -183,6 +187,8 @@ Asked ask(const World& world, const std::vector<Question>& all, std::vector<Hit>
             asked.edges += other_face(world, hit.face, hit.feature_index).valid();
         const Status any = cast_any(world, it.sphere, it.path);
         asked.any += any == Status::kHit || any == Status::kInitialOverlap;
+        asked.hulls += cast(world, the_box, it.sphere.centre, it.path).touched();
+        asked.capsules += cast(world, make_capsule(it.sphere.centre, {0.6, 0, 0.8}, 0.3, 0.2), it.path).touched();
         if (k % 8 != 0) continue;
         cast_all(world, it.sphere, it.path, hits);
         asked.all += hits.size();
@@ -250,6 +256,8 @@ TEST(CastTouchesNothing, AHundredThousandCastsWriteNothingAndAllocateNothing) {
     EXPECT_GT(asked.all, 10'000u);
     EXPECT_GT(asked.near, 10'000u);
     EXPECT_GT(asked.nearest, 5'000u);
+    EXPECT_GT(asked.hulls, 1'000u);
+    EXPECT_GT(asked.capsules, 1'000u);
 }
 
 /// Some hundred rooms with craters, a third of their doors closed. Never ends either.

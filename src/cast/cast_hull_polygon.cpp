@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// A particle against the convex sum of polygon and hull: the last facet that it enters, if it leaves none before.
+//
+// In double at first, with bounds on all errors. Where these leave open whether the sum is met, or would lose digits of
+// the time, every sign is decided exactly and the time computed in double-double.
+#include "cast/cast_hull_polygon.h"
+
+#include <cmath>
+
+#include "geometry/exact_predicates.h"
+#include "geometry/rounding.h"
+
+namespace firma {
+namespace {
+
+/// What double tells.
+struct HullGuess {
+    enum Kind : std::uint8_t { kMiss, kHit, kOpen };
+    Kind kind = kOpen;
+    HullContact found;
+};
+
+/// A time of more error than this share of all sizes, in metres along the path, is computed once more.
+constexpr double kTimeError = 0x1p-46;
+
+/// Between which times something happens.
+struct TimeRange {
+    double low, high;
+};
+
+/// When a facet's plane is crossed that is `now` away, for a change that is surely not 0.
+TimeRange crossing(const Estimate& now, const Estimate& change) {
+    const double distance = std::fabs(now.value), speed = std::fabs(change.value);
+    const double t = distance / speed;
+    const double error = (now.error + t * change.error) / (speed - change.error) + rounding(8) * t;
+    return {t - error, t + error};
+}
+
+HullGuess guess(const HullAgainstPolygon& pair, double latest) {
+    const Sweep& sweep = pair.sweep();
+    HullGuess answer;
+    TimeRange enters{-1, -1}, leaves{2 * sweep.end, 2 * sweep.end};
+    double first = -1;
+    bool open = false;
+    const bool may_meet = pair.each_facet([&](const SumFacet& facet) {
+        const Estimate now = pair.outside(facet);
+        const Estimate change = pair.change(facet);
+        const double gain = sweep.end * change.value, last = now.value + gain;
+        const double last_error =
+            now.error + sweep.end * change.error + rounding(4) * (std::fabs(now.value) + std::fabs(gain));
+        if (now.value > now.error && last > last_error) return false;
+        if (now.value < -now.error && last < -last_error) return true;
+        if (std::fabs(now.value) <= now.error || !(std::fabs(change.value) > 4 * change.error)) return open = true;
+        const TimeRange crossed = crossing(now, change);
+        if (now.value > 0) {
+            if (crossed.low > latest) return false;
+            if (last >= -last_error) open = true;
+            const double t = now.value / -change.value;
+            if (t > first) {
+                first = t;
+                answer.found.facet = facet;
+            }
+            if (crossed.low > enters.low) enters.low = crossed.low;
+            if (crossed.high > enters.high) enters.high = crossed.high;
+        } else {
+            if (crossed.low < leaves.low) leaves.low = crossed.low;
+            if (crossed.high < leaves.high) leaves.high = crossed.high;
+        }
+        return enters.low <= leaves.high;
+    });
+    if (!may_meet) {
+        answer.kind = HullGuess::kMiss;
+        return answer;
+    }
+    const double size = max_abs(sweep.start - pair.polygon().corners[0]) + pair.hull().reach;
+    const bool sharp = (enters.high - enters.low) * sweep.direction_length <= kTimeError * size;
+    if (open || first < 0 || !sharp || !(enters.high < leaves.low)) return answer;
+    answer.kind = HullGuess::kHit;
+    answer.found.contact = {Status::kHit, Feature::kFace, 0, first < sweep.end ? first : sweep.end};
+    return answer;
+}
+
+/// Equal depths to rounding in double-double count as equal.
+bool as_deep(const DoubleDouble& a, const DoubleDouble& b) {
+    const DoubleDouble rest = a - b;
+    return std::fabs(rest.high) <= 64 * kDoubleDoubleRoundoff * (std::fabs(a.high) + std::fabs(b.high));
+}
+
+/// The hull overlaps the polygon. The shortest way out leads through the nearest facets; the overlap gets deeper when
+/// the path leads away from all of them. The polygon's own plane, on the side that the path comes from, comes first: so
+/// a hull whose middle lies in it is stopped.
+HullContact in_overlap(const HullAgainstPolygon& pair) {
+    HullContact nearest;
+    DoubleDouble least;
+    bool any = false, deeper = false, by_plane = false;
+    pair.each_facet([&](const SumFacet& facet) {
+        const HullAgainstPolygon::Precise precise = pair.precisely(facet);
+        const DoubleDouble depth = -precise.outside / precise.length;
+        const bool against = pair.change_exactly(facet) < 0;
+        if (any && as_deep(depth, least)) {
+            deeper = deeper && against;
+            return true;
+        }
+        if (any && least < depth) return true;
+        least = depth;
+        any = true;
+        deeper = against;
+        by_plane = against && facet.kind == SumFacet::kPlane;
+        nearest.facet = facet;
+        return true;
+    });
+    if (!by_plane && nearest.facet.kind == SumFacet::kPlane) {  // both sides of the plane may be as near
+        pair.each_facet([&](const SumFacet& facet) {
+            if (facet.kind != SumFacet::kPlane) return false;
+            const HullAgainstPolygon::Precise precise = pair.precisely(facet);
+            if (pair.change_exactly(facet) < 0 && as_deep(-precise.outside / precise.length, least)) {
+                by_plane = true;
+                nearest.facet = facet;
+            }
+            return true;
+        });
+    }
+    if (deeper || by_plane) nearest.contact.status = Status::kInitialOverlap;
+    return nearest;
+}
+
+HullContact decide(const HullAgainstPolygon& pair, int facing) {
+    const Sweep& sweep = pair.sweep();
+    HullContact first;
+    DoubleDouble latest_entry;
+    bool apart = false, touches = false, deeper = true;
+    SumFacet touched;
+    const bool may_meet = pair.each_facet([&](const SumFacet& facet) {
+        const int now = pair.outside_exactly(facet, 0);
+        if (now > 0) {
+            if (pair.outside_exactly(facet, sweep.end) > 0) return false;
+            const HullAgainstPolygon::Precise precise = pair.precisely(facet);
+            const DoubleDouble t = -precise.outside / precise.change;
+            if (!apart || latest_entry < t) {
+                latest_entry = t;
+                first.facet = facet;
+            }
+            apart = true;
+        } else if (now == 0) {
+            const bool against = pair.change_exactly(facet) < 0;
+            if (against && !touches) touched = facet;
+            touches = touches || against;
+            deeper = deeper && against;
+        }
+        return true;
+    });
+    if (!may_meet) return {};
+    if (!apart) {
+        if (!deeper) return {};
+        if (!touches) return in_overlap(pair);
+        return {{Status::kInitialOverlap, Feature::kFace, 0, 0}, touched};
+    }
+    if (!pair.line_meets(facing)) return {};
+    const double t = rounded(latest_entry);
+    first.contact.t = t < 0 ? 0 : t > sweep.end ? sweep.end : t;
+    first.contact.status = first.contact.t > 0 ? Status::kHit : Status::kInitialOverlap;
+    return first;
+}
+
+}  // namespace
+
+HullContact cast_hull_polygon(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon, Sides sides,
+                              double latest, CastCounts* counts) {
+    const int facing = exact_facing(sweep.direction, polygon);
+    if (facing >= 0 && sides == Sides::kFront) return {};
+    const HullAgainstPolygon pair(sweep, hull, polygon);
+    const HullGuess guessed = guess(pair, latest);
+    if (guessed.kind == HullGuess::kMiss) return {};
+    if (guessed.kind == HullGuess::kHit) return guessed.found;
+    if (counts) ++counts->precise;
+    return decide(pair, facing);
+}
+
+}  // namespace firma
