@@ -104,7 +104,7 @@ inline Status cast_all(const World& world, const Ray& ray, std::vector<Hit>& hit
 
 /// The same of a convex hull or box (hull.h) that is put at `at`. Options name the room of `at`, and kLocateRoom finds
 /// it. Answers as cast_polygon() of a hull over all faces, else as above; Hit::centre is where the hull is put. Costs
-/// as a sphere that holds the hull, and for each face near that sphere what cast_polygon() costs.
+/// as a sphere, and for each face near the box around the hull what cast_polygon() costs.
 [[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
                                     const CastOptions& options = {});
 [[nodiscard]] FIRMA_EXPORT Status cast_any(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
@@ -115,8 +115,8 @@ FIRMA_EXPORT Status cast_all(const World& world, const Hull& hull, const Vec3& a
                              std::vector<Hit>& hits, const CastOptions& options = {});
 
 /// The same of a capsule (capsule.h). Options name the room of its middle, and kLocateRoom finds it. Answers as
-/// cast_polygon() of a capsule over all faces, else as above; Hit::centre is its middle. Costs as a sphere that holds
-/// the capsule, and for each face near that sphere what cast_polygon() costs.
+/// cast_polygon() of a capsule over all faces, else as above; Hit::centre is its middle. Costs as a sphere, and for
+/// each face near the capsule what cast_polygon() costs.
 [[nodiscard]] FIRMA_EXPORT Hit cast(const World& world, const Capsule& capsule, const Vec3& path,
                                     const CastOptions& options = {});
 [[nodiscard]] FIRMA_EXPORT Status cast_any(const World& world, const Capsule& capsule, const Vec3& path,

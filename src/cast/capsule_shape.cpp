@@ -26,6 +26,16 @@ CapsuleShape shape_of_capsule(const Capsule& capsule) {
             capsule.radius < kSmallestNumber ? 0 : capsule.radius};
 }
 
+ShapeExtent extent_of(const CapsuleShape& capsule) {
+    ShapeExtent extent{{}, {}, 0, capsule.radius};
+    if (capsule.is_sphere()) return extent;
+    const double size = max_abs(capsule.from) + max_abs(capsule.to);
+    extent.axes = 1;
+    extent.axis[0] = (capsule.to - capsule.from) * 0.5;
+    extent.radius += rounding(16) * size + kSmallestNumber;
+    return extent;
+}
+
 Sphere ball_around(const Capsule& capsule) {
     if (capsule.from == capsule.to) return {capsule.from, capsule.radius};
     const Vec3 middle = capsule.from * 0.5 + capsule.to * 0.5;

@@ -2,6 +2,7 @@
 // A capsule made ready for casts: its two ends as spheres, and the ball around it that boxes and portals are culled by.
 #pragma once
 
+#include "cast/shape_extent.h"
 #include "cast/sweep.h"
 #include "cast/vector_of.h"
 #include "firma/capsule.h"
@@ -21,6 +22,9 @@ CapsuleShape shape_of_capsule(const Capsule& capsule);
 /// A ball around the middle that holds the capsule; the sphere itself when both ends are one. Its radius is negative
 /// for numbers that cannot be cast.
 Sphere ball_around(const Capsule& capsule);
+
+/// Around the middle of ball_around().
+ShapeExtent extent_of(const CapsuleShape& capsule);
 
 /// A capsule on its way. Letters of the files that use it: A and B the ends at the start, s = B - A, d the path; v a
 /// corner, e a side of the polygon.

@@ -15,9 +15,10 @@ namespace {
 
 /// What double tells.
 struct HullGuess {
-    enum Kind : std::uint8_t { kMiss, kHit, kOpen };
+    enum Kind : std::uint8_t { kMiss, kHit, kBlurred, kOpen };
     Kind kind = kOpen;
     HullContact found;
+    double earliest = 0;  ///< of kBlurred, a hit for sure: a lower bound on when
 };
 
 /// A time of more error than this share of all sizes, in metres along the path, is computed once more.
@@ -74,10 +75,33 @@ HullGuess guess(const HullAgainstPolygon& pair, double latest) {
     }
     const double size = max_abs(sweep.start - pair.polygon().corners[0]) + pair.hull().reach;
     const bool sharp = (enters.high - enters.low) * sweep.direction_length <= kTimeError * size;
-    if (open || first < 0 || !sharp || !(enters.high < leaves.low)) return answer;
-    answer.kind = HullGuess::kHit;
+    if (open || first < 0 || !(enters.high < leaves.low)) return answer;
+    answer.kind = sharp ? HullGuess::kHit : HullGuess::kBlurred;
+    answer.earliest = enters.low;
     answer.found.contact = {Status::kHit, Feature::kFace, 0, first < sweep.end ? first : sweep.end};
     return answer;
+}
+
+/// The time of a sure hit by the facets that may be entered last.
+HullContact sharpened(const HullAgainstPolygon& pair, double earliest) {
+    HullContact last;
+    DoubleDouble entry;
+    bool any = false;
+    pair.each_facet([&](const SumFacet& facet) {
+        const Estimate now = pair.outside(facet);
+        if (!(now.value > 0) || crossing(now, pair.change(facet)).high < earliest) return true;
+        const HullAgainstPolygon::Precise precise = pair.precisely(facet);
+        const DoubleDouble t = -precise.outside / precise.change;
+        if (!any || entry < t) {
+            entry = t;
+            last.facet = facet;
+        }
+        return any = true;
+    });
+    const double t = rounded(entry), end = pair.sweep().end;
+    last.contact.t = t < 0 ? 0 : t > end ? end : t;
+    last.contact.status = last.contact.t > 0 ? Status::kHit : Status::kInitialOverlap;
+    return last;
 }
 
 /// Equal depths to rounding in double-double count as equal.
@@ -105,13 +129,13 @@ HullContact in_overlap(const HullAgainstPolygon& pair) {
         least = depth;
         any = true;
         deeper = against;
-        by_plane = against && facet.kind == SumFacet::kPlane;
+        by_plane = against && facet.kind() == SumFacet::kPlane;
         nearest.facet = facet;
         return true;
     });
-    if (!by_plane && nearest.facet.kind == SumFacet::kPlane) {  // both sides of the plane may be as near
+    if (!by_plane && nearest.facet.kind() == SumFacet::kPlane) {  // both sides of the plane may be as near
         pair.each_facet([&](const SumFacet& facet) {
-            if (facet.kind != SumFacet::kPlane) return false;
+            if (facet.kind() != SumFacet::kPlane) return false;
             const HullAgainstPolygon::Precise precise = pair.precisely(facet);
             if (pair.change_exactly(facet) < 0 && as_deep(-precise.outside / precise.length, least)) {
                 by_plane = true;
@@ -173,6 +197,7 @@ HullContact cast_hull_polygon(const Sweep& sweep, const HullShape& hull, const P
     if (guessed.kind == HullGuess::kMiss) return {};
     if (guessed.kind == HullGuess::kHit) return guessed.found;
     if (counts) ++counts->precise;
+    if (guessed.kind == HullGuess::kBlurred) return sharpened(pair, guessed.earliest);
     return decide(pair, facing);
 }
 

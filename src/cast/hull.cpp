@@ -9,16 +9,13 @@
 
 namespace firma {
 
-Hull::Hull(std::shared_ptr<const HullShape> shape) : shape_(std::move(shape)) {}
+namespace {
 
-std::span<const Vec3> Hull::corners() const {
-    if (!shape_) return {};
-    return shape_->corners;
-}
-
-Result<Hull> make_hull(std::span<const Vec3> points) {
+/// @param extent  what is known to hold it, or null
+Result<Hull> hull_within(std::span<const Vec3> points, const ShapeExtent* extent) {
     Result<HullShape> shape = shape_of_hull(points);
     if (!shape.ok()) return shape.error();
+    if (extent) shape.value().extent = *extent;
     for (const HullShape::Triangle& triangle : shape.value().triangles) {
         const Vec3& corner = shape.value().corners[triangle.corner[0]];
         const int side = exact_triple_sign(difference_as_sum({}, corner), shape.value().side(triangle, 1),
@@ -30,6 +27,19 @@ Result<Hull> make_hull(std::span<const Vec3> points) {
     return Hull(std::make_shared<const HullShape>(std::move(shape).value()));
 }
 
+}  // namespace
+
+Hull::Hull(std::shared_ptr<const HullShape> shape) : shape_(std::move(shape)) {}
+
+std::span<const Vec3> Hull::corners() const {
+    if (!shape_) return {};
+    return shape_->corners;
+}
+
+Result<Hull> make_hull(std::span<const Vec3> points) {
+    return hull_within(points, nullptr);
+}
+
 Result<Hull> make_box(const Vec3& half, const std::array<Vec3, 3>& axes) {
     if (!(half.x > 0 && half.y > 0 && half.z > 0))
         return Error{ErrorCode::kInvalid, "box", "a half extent that is not above 0"};
@@ -37,7 +47,9 @@ Result<Hull> make_box(const Vec3& half, const std::array<Vec3, 3>& axes) {
     for (std::size_t k = 0; k < corners.size(); ++k)
         corners[k] = axes[0] * (k & 1 ? half.x : -half.x) + axes[1] * (k & 2 ? half.y : -half.y) +
                      axes[2] * (k & 4 ? half.z : -half.z);
-    return make_hull(corners);
+    ShapeExtent extent{{}, {axes[0] * half.x, axes[1] * half.y, axes[2] * half.z}, 3, 0};
+    for (const Vec3& axis : extent.axis) extent.radius += rounding(32) * length(axis);
+    return hull_within(corners, &extent);
 }
 
 PolygonHit cast_polygon(const Hull& hull, const Vec3& at, const Vec3& path, std::span<const Vec3> corners,

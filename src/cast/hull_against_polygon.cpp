@@ -41,72 +41,100 @@ int triple_sign(const Vec3& d, const Vec3& b, const Vec3& w, const Vec3& w_sizes
 
 }  // namespace
 
-int HullAgainstPolygon::sign_along_normal(const HullShape::Edge& edge) const {
-    const Estimate estimate = dot_estimate(polygon_.normal, sizes(polygon_.normal) * rounding(2), edge.along,
-                                           sizes(edge.along) * rounding(2));
-    if (estimate.sign() != 0) return estimate.sign();
-    return exact_dot_sign(as_sum(exact_normal(polygon_.corners), 1), hull_.along(edge));
+HullAgainstPolygon::HullAgainstPolygon(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon)
+    : sweep_(sweep), hull_(hull), polygon_(polygon), seen_(sweep.start - polygon.corners[0]) {
+    Vec3 far;
+    for (const Vec3& corner : polygon.corners) {
+        const Vec3 from_first = sizes(corner - polygon.corners[0]);
+        for (int axis = 0; axis < 3; ++axis)
+            if (from_first[axis] > far[axis]) far[axis] = from_first[axis];
+    }
+    sizes_ = sizes(seen_) + hull.sizes + far;
 }
 
-int HullAgainstPolygon::sign_of_normal_along(std::size_t t, const Vec3& e) const {
+std::int8_t HullAgainstPolygon::sign_along_normal(const HullShape::Edge& edge) const {
+    const Vec3& n = polygon_.normal;
+    const double estimate = dot(n, edge.along), error = rounding(6) * dot(sizes(n), sizes(edge.along));
+    if (std::fabs(estimate) > error) return estimate > 0 ? 1 : -1;
+    if (error == 0) return 0;  // each product is
+    return std::int8_t(exact_dot_sign(as_sum(exact_normal(polygon_.corners), 1), hull_.along(edge)));
+}
+
+std::int8_t HullAgainstPolygon::sign_of_normal_along(std::size_t t, const Vec3& e) const {
     const HullShape::Triangle& triangle = hull_.triangles[t];
-    const Estimate estimate = dot_estimate(triangle.normal, triangle.error, e, {});
-    if (estimate.sign() != 0) return estimate.sign();
-    return exact_triple_sign(firma::as_sum(e), hull_.side(triangle, 1), hull_.side(triangle, 2));
+    const double estimate = dot(triangle.normal, e), error = dot(triangle.doubt, sizes(e));
+    if (std::fabs(estimate) > error) return estimate > 0 ? 1 : -1;
+    if (error == 0) return 0;  // each product is
+    return std::int8_t(exact_triple_sign(firma::as_sum(e), hull_.side(triangle, 1), hull_.side(triangle, 2)));
 }
 
-SumFacet HullAgainstPolygon::facet_of_edges(std::size_t g, std::size_t k, int rise) const {
-    const Vec3 e = side(k), &along = hull_.edges[g].along;
+SumFacet HullAgainstPolygon::facet(const SumFacet::Name& name) const {
+    if (name.kind == SumFacet::kPlane) {
+        const Vec3& n = polygon_.normal;
+        return {name, n * name.turn, sizes(n) * rounding(2)};
+    }
+    if (name.kind == SumFacet::kTriangle) {
+        const HullShape::Triangle& triangle = hull_.triangles[name.hull];
+        return {name, -triangle.normal, triangle.error};
+    }
+    const Vec3 e = side(name.side), &along = hull_.edges[name.hull].along;
     const Vec3 p = sizes(e), q = sizes(along);
     const Vec3 size{p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
-    return {SumFacet::kEdges, std::int8_t(rise),      std::uint8_t(g),
-            std::uint8_t(k),  cross(e, along) * rise, size * rounding(4)};
+    return {name, cross(e, along) * name.turn, size * rounding(4)};
 }
 
 template <class Function>
 void HullAgainstPolygon::each_support(const SumFacet& facet, const Function& function) const {
-    const Vec3& v = polygon_.corners[facet.side];
-    if (facet.kind == SumFacet::kPlane) {
+    const Vec3& v = polygon_.corners[facet.name.side];
+    if (facet.kind() == SumFacet::kPlane) {
         for (const Vec3& o : hull_.corners)
             if (!function(v, o)) return;
-    } else if (facet.kind == SumFacet::kTriangle) {
-        const Vec3& o = hull_.corners[hull_.triangles[facet.hull].corner[0]];
+    } else if (facet.kind() == SumFacet::kTriangle) {
+        const Vec3& o = hull_.corners[hull_.triangles[facet.name.hull].corner[0]];
         for (const Vec3& corner : polygon_.corners)
             if (!function(corner, o)) return;
     } else {
-        function(v, hull_.corners[hull_.edges[facet.hull].from]);
+        function(v, hull_.corners[hull_.edges[facet.name.hull].from]);
     }
 }
 
 Estimate HullAgainstPolygon::outside(const SumFacet& facet) const {
-    Estimate lowest;
-    bool any = false;
-    each_support(facet, [&](const Vec3& v, const Vec3& o) {
-        const Vec3 seen = sweep_.start - v, w = seen + o;
-        const Estimate here = dot_estimate(facet.direction, facet.error, w, (sizes(seen) + sizes(w)) * rounding(1));
-        // The lowest of true values is within the largest error of the lowest of computed ones.
-        if (!any) {
-            lowest = here;
-        } else {
-            if (here.value < lowest.value) lowest.value = here.value;
-            if (here.error > lowest.error) lowest.error = here.error;
+    const Vec3& u = facet.direction;
+    double support = 0;  // of the lowest corner of the hull, less that of the highest of the polygon
+    if (facet.kind() == SumFacet::kPlane) {
+        support = dot(u, hull_.corners[0]);
+        for (const Vec3& o : hull_.corners) {
+            const double here = dot(u, o);
+            if (here < support) support = here;
         }
-        return any = true;
-    });
-    return lowest;
+    } else if (facet.kind() == SumFacet::kTriangle) {
+        double highest = 0;
+        for (const Vec3& corner : polygon_.corners) {
+            const double here = dot(u, corner - polygon_.corners[0]);
+            if (here > highest) highest = here;
+        }
+        support = dot(u, hull_.corners[hull_.triangles[facet.name.hull].corner[0]]) - highest;
+    } else {
+        const Vec3& v = polygon_.corners[facet.name.side];
+        support = dot(u, hull_.corners[hull_.edges[facet.name.hull].from]) - dot(u, v - polygon_.corners[0]);
+    }
+    return {dot(u, seen_) + support, dot(facet.error + sizes(u) * rounding(8), sizes_)};
 }
 
 Estimate HullAgainstPolygon::change(const SumFacet& facet) const {
-    return dot_estimate(facet.direction, facet.error, sweep_.direction, {});
+    const Vec3& d = sweep_.direction;
+    return {dot(facet.direction, d), dot(facet.error + sizes(facet.direction) * rounding(4), sizes(d))};
 }
 
 int HullAgainstPolygon::sign_of_facet(const SumFacet& facet, const SumVec<4>& w) const {
-    if (facet.kind == SumFacet::kPlane) return exact_dot_sign(as_sum(exact_normal(polygon_.corners), facet.turn), w);
-    if (facet.kind == SumFacet::kTriangle) {
-        const HullShape::Triangle& triangle = hull_.triangles[facet.hull];
+    if (facet.kind() == SumFacet::kPlane)
+        return exact_dot_sign(as_sum(exact_normal(polygon_.corners), facet.name.turn), w);
+    if (facet.kind() == SumFacet::kTriangle) {
+        const HullShape::Triangle& triangle = hull_.triangles[facet.name.hull];
         return -exact_triple_sign(w, hull_.side(triangle, 1), hull_.side(triangle, 2));
     }
-    return facet.turn * exact_triple_sign(w, firma::as_sum(side(facet.side)), hull_.along(hull_.edges[facet.hull]));
+    return facet.name.turn *
+           exact_triple_sign(w, firma::as_sum(side(facet.name.side)), hull_.along(hull_.edges[facet.name.hull]));
 }
 
 SumVec<4> HullAgainstPolygon::offset(const Vec3& v, const Vec3& o, double travelled) const {
@@ -146,16 +174,17 @@ HullAgainstPolygon::Precise HullAgainstPolygon::precisely(const SumFacet& facet)
     using Real = DoubleDouble;
     Precise precise;
     VectorOf<Real>& u = precise.direction;
-    if (facet.kind == SumFacet::kPlane) {
-        u = precise_normal(polygon_) * Real(facet.turn);
-    } else if (facet.kind == SumFacet::kTriangle) {
-        const auto& corner = hull_.triangles[facet.hull].corner;
+    if (facet.kind() == SumFacet::kPlane) {
+        u = precise_normal(polygon_) * Real(facet.name.turn);
+    } else if (facet.kind() == SumFacet::kTriangle) {
+        const auto& corner = hull_.triangles[facet.name.hull].corner;
         const Vec3& a = hull_.corners[corner[0]];
         u = cross(difference<Real>(hull_.corners[corner[2]], a), difference<Real>(hull_.corners[corner[1]], a));
     } else {
-        const HullShape::Edge& edge = hull_.edges[facet.hull];
-        u = cross(exactly<Real>(side(facet.side)), difference<Real>(hull_.corners[edge.to], hull_.corners[edge.from])) *
-            Real(facet.turn);
+        const HullShape::Edge& edge = hull_.edges[facet.name.hull];
+        u = cross(exactly<Real>(side(facet.name.side)),
+                  difference<Real>(hull_.corners[edge.to], hull_.corners[edge.from])) *
+            Real(facet.name.turn);
     }
     bool any = false;
     each_support(facet, [&](const Vec3& v, const Vec3& o) {

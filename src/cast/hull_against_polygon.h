@@ -23,12 +23,27 @@ namespace firma {
 /// A facet of the sum.
 struct SumFacet {
     enum Kind : std::uint8_t { kPlane, kTriangle, kEdges };
-    Kind kind = kPlane;
-    std::int8_t turn = 1;   ///< the sign in front of n, or of e x g
-    std::uint8_t hull = 0;  ///< triangle or edge of the hull
-    std::uint8_t side = 0;  ///< edge of the polygon
-    Vec3 direction;         ///< u, rounded
-    Vec3 error;             ///< bound on what rounding did to each of its coordinates
+    struct Name {
+        Kind kind = kPlane;
+        std::int8_t turn = 1;   ///< the sign in front of n, or of e x g
+        std::uint8_t hull = 0;  ///< triangle or edge of the hull
+        std::uint8_t side = 0;  ///< edge of the polygon
+
+        /// All of it in a number, and back.
+        std::uint32_t code() const {
+            return std::uint32_t(kind) | std::uint32_t(turn > 0) << 8 | std::uint32_t(hull) << 16 |
+                   std::uint32_t(side) << 24;
+        }
+        static Name of(std::uint32_t code) {
+            return {Kind(code & 0xff), std::int8_t(code >> 8 & 1 ? 1 : -1), std::uint8_t(code >> 16),
+                    std::uint8_t(code >> 24)};
+        }
+    };
+    Name name;
+    Vec3 direction;  ///< u, rounded
+    Vec3 error;      ///< bound on what rounding did to each of its coordinates
+
+    Kind kind() const { return name.kind; }
 };
 
 /// A number and a bound on its error.
@@ -40,36 +55,30 @@ struct Estimate {
 class HullAgainstPolygon {
 public:
     /// All three must outlive this.
-    HullAgainstPolygon(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon)
-        : sweep_(sweep), hull_(hull), polygon_(polygon) {}
+    HullAgainstPolygon(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon);
 
     /// Calls function(facet) until it returns false.
     template <class Function>
     bool each_facet(const Function& function) const {
-        const double slack = rounding(2);
-        const Vec3& n = polygon_.normal;
-        for (const int turn : {1, -1}) {
-            const Vec3 error{std::fabs(n.x) * slack, std::fabs(n.y) * slack, std::fabs(n.z) * slack};
-            if (!function(SumFacet{SumFacet::kPlane, std::int8_t(turn), 0, 0, n * turn, error})) return false;
-        }
-        for (std::size_t t = 0; t < hull_.triangles.size(); ++t) {
-            const HullShape::Triangle& triangle = hull_.triangles[t];
-            if (!function(SumFacet{SumFacet::kTriangle, 1, std::uint8_t(t), 0, -triangle.normal, triangle.error}))
-                return false;
-        }
-        for (std::size_t g = 0; g < hull_.edges.size(); ++g) {
-            const int rise = sign_along_normal(hull_.edges[g]);
-            if (rise == 0) continue;
-            for (std::size_t k = 0; k < polygon_.corners.size(); ++k) {
-                const Vec3 e = side(k);
-                if (sign_of_normal_along(hull_.edges[g].left, e) != rise ||
-                    sign_of_normal_along(hull_.edges[g].right, e) != -rise)
-                    continue;
-                if (!function(facet_of_edges(g, k, rise))) return false;
+        for (const int turn : {1, -1})
+            if (!function(facet({SumFacet::kPlane, std::int8_t(turn), 0, 0}))) return false;
+        for (std::size_t t = 0; t < hull_.triangles.size(); ++t)
+            if (!function(facet({SumFacet::kTriangle, 1, std::uint8_t(t), 0}))) return false;
+        std::int8_t rise[HullShape::kMaxEdges], along[HullShape::kMaxTriangles];
+        for (std::size_t g = 0; g < hull_.edges.size(); ++g) rise[g] = sign_along_normal(hull_.edges[g]);
+        for (std::size_t k = 0; k < polygon_.corners.size(); ++k) {
+            const Vec3 e = side(k);
+            for (std::size_t t = 0; t < hull_.triangles.size(); ++t) along[t] = sign_of_normal_along(t, e);
+            for (std::size_t g = 0; g < hull_.edges.size(); ++g) {
+                const HullShape::Edge& edge = hull_.edges[g];
+                if (rise[g] == 0 || along[edge.left] != rise[g] || along[edge.right] != -rise[g]) continue;
+                if (!function(facet({SumFacet::kEdges, rise[g], std::uint8_t(g), std::uint8_t(k)}))) return false;
             }
         }
         return true;
     }
+
+    SumFacet facet(const SumFacet::Name& name) const;
 
     /// How far outside of the facet the hull is after `travelled` of the path, which is 0 or sweep.end; by double.
     Estimate outside(const SumFacet& facet) const;
@@ -97,9 +106,8 @@ public:
 private:
     /// Exact: corners lie on the grid.
     Vec3 side(std::size_t k) const { return polygon_.corners[polygon_.next(k)] - polygon_.corners[k]; }
-    SumFacet facet_of_edges(std::size_t g, std::size_t k, int rise) const;
-    int sign_along_normal(const HullShape::Edge& edge) const;
-    int sign_of_normal_along(std::size_t triangle, const Vec3& e) const;
+    std::int8_t sign_along_normal(const HullShape::Edge& edge) const;
+    std::int8_t sign_of_normal_along(std::size_t triangle, const Vec3& e) const;
     /// Calls function(v_k, o_i) for the corners of which the lowest o_i and the highest v_k are among, until it returns
     /// false.
     template <class Function>
@@ -110,6 +118,8 @@ private:
     const Sweep& sweep_;
     const HullShape& hull_;
     const PolygonShape& polygon_;
+    Vec3 seen_;   ///< where the hull is put, from the polygon's first corner, rounded once
+    Vec3 sizes_;  ///< of that, of the hull's corners and of the polygon's from its first, in sum
 };
 
 }  // namespace firma

@@ -82,9 +82,13 @@ private:
     std::vector<HullCorners> triangles_;
 };
 
+Vec3 sizes_of(const Vec3& v) {
+    return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
+}
+
 /// |a| b| + |b| a| of a cross product, coordinate by coordinate.
 Vec3 sizes_of_cross(const Vec3& a, const Vec3& b) {
-    const Vec3 p{std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}, q{std::fabs(b.x), std::fabs(b.y), std::fabs(b.z)};
+    const Vec3 p = sizes_of(a), q = sizes_of(b);
     return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
 }
 
@@ -103,8 +107,25 @@ void keep_used_corners(std::span<const Vec3> points, const std::vector<HullCorne
             corner = std::uint8_t(at);
         }
         const Vec3 b = shape.corners[t[1]] - shape.corners[t[0]], c = shape.corners[t[2]] - shape.corners[t[0]];
-        shape.triangles.push_back({t, cross(b, c), sizes_of_cross(b, c) * rounding(8)});
+        const Vec3 normal = cross(b, c), error = sizes_of_cross(b, c) * rounding(5);
+        shape.triangles.push_back({t, normal, error, error + sizes_of(normal) * rounding(4)});
     }
+}
+
+void put_box_around(HullShape& shape) {
+    Vec3 low = shape.corners[0], high = low;
+    for (const Vec3& corner : shape.corners)
+        for (int axis = 0; axis < 3; ++axis) {
+            if (corner[axis] < low[axis]) low[axis] = corner[axis];
+            if (corner[axis] > high[axis]) high[axis] = corner[axis];
+            if (std::fabs(corner[axis]) > shape.sizes[axis]) shape.sizes[axis] = std::fabs(corner[axis]);
+        }
+    shape.extent.axes = 3;
+    for (int axis = 0; axis < 3; ++axis) {
+        shape.extent.middle[axis] = low[axis] * 0.5 + high[axis] * 0.5;
+        shape.extent.axis[std::size_t(axis)][axis] = high[axis] * 0.5 - low[axis] * 0.5;
+    }
+    shape.extent.radius = rounding(16) * shape.reach;
 }
 
 void find_edges(HullShape& shape) {
@@ -139,6 +160,7 @@ Result<HullShape> shape_of_hull(std::span<const Vec3> points) {
     HullShape shape;
     keep_used_corners(usable, hull.triangles(), shape);
     find_edges(shape);
+    put_box_around(shape);
     return shape;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cast/shape_extent.h"
 #include "firma/hull.h"
 #include "firma/result.h"
 #include "firma/vec.h"
@@ -20,6 +21,7 @@ struct HullShape {
         std::array<std::uint8_t, 3> corner;
         Vec3 normal;  ///< outward, rounded
         Vec3 error;   ///< bound on what rounding did to each coordinate of it
+        Vec3 doubt;   ///< the same, and on what rounding does in a product with it, for each part of the other
     };
     /// Counter-clockwise around the triangle on its left, seen from outside.
     struct Edge {
@@ -31,7 +33,11 @@ struct HullShape {
     std::vector<Vec3> corners;  ///< from where the hull is put, metres
     std::vector<Triangle> triangles;
     std::vector<Edge> edges;
-    double reach = 0;  ///< no corner is farther from the origin
+    double reach = 0;    ///< no corner is farther from the origin
+    Vec3 sizes;          ///< nor farther along an axis
+    ShapeExtent extent;  ///< the box along the axes
+
+    static constexpr std::size_t kMaxTriangles = 2 * kMaxHullCorners - 4, kMaxEdges = 3 * kMaxHullCorners - 6;
 
     SumVec<2> side(const Triangle& triangle, int which) const {
         return difference_as_sum(corners[triangle.corner[std::size_t(which)]], corners[triangle.corner[0]]);

@@ -222,7 +222,7 @@ PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const Polygo
     const HullAgainstPolygon::Precise precise = HullAgainstPolygon(sweep, hull, polygon).precisely(found.facet);
     const auto& u = precise.direction;
     Vec3 unit{rounded(u.x / precise.length), rounded(u.y / precise.length), rounded(u.z / precise.length)};
-    if (found.facet.kind == SumFacet::kPlane) unit = polygon.unit_normal() * found.facet.turn;
+    if (found.facet.kind() == SumFacet::kPlane) unit = polygon.unit_normal() * found.facet.name.turn;
 
     PolygonHit hit;
     hit.status = found.contact.status;
@@ -233,7 +233,7 @@ PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const Polygo
     const Vec3 place = (sweep.start - polygon.corners[0]) + sweep.direction * found.contact.t;
     const Vec3 point = Touching(place, max_abs(sweep.start) + sweep.end, hull, polygon, unit).point();
     // Only the plane's own facet stands for the face.
-    const bool by_face = found.facet.kind == SumFacet::kPlane;
+    const bool by_face = found.facet.kind() == SumFacet::kPlane;
     const Closest closest = by_face ? closest_to(point, polygon) : closest_on_rim(point, polygon);
     hit.point = polygon.corners[0] + closest.offset;
     if (by_face) return hit;

@@ -14,17 +14,21 @@
 namespace firma {
 namespace {
 
-/// A hull as what moves.
+/// A hull as what moves. Its contacts' index is the name of the facet.
 struct HullMover {
     const HullShape* hull;
 
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const {
-        return cast_hull_polygon(sweep, *hull, polygon, sides, latest, counts).contact;
+        HullContact found = cast_hull_polygon(sweep, *hull, polygon, sides, latest, counts);
+        found.contact.index = found.facet.name.code();
+        return found.contact;
     }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact&) const {
-        return make_hull_hit(sweep, *hull, polygon, cast_hull_polygon(sweep, *hull, polygon, Sides::kBoth, sweep.end));
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
+        const SumFacet::Name name = SumFacet::Name::of(contact.index);
+        return make_hull_hit(sweep, *hull, polygon, {contact, HullAgainstPolygon(sweep, *hull, polygon).facet(name)});
     }
+    const ShapeExtent& extent(const Sweep&) const { return hull->extent; }
 };
 
 /// A capsule as what moves; the sweep is that of the ball around it.
@@ -38,6 +42,7 @@ struct CapsuleMover {
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
         return make_capsule_hit(sweep, capsule, polygon, contact);
     }
+    ShapeExtent extent(const Sweep&) const { return extent_of(capsule); }
 };
 
 /// Goes as the options say.

@@ -108,17 +108,30 @@ HWY_INLINE void clip(Floats b, Floats w, Floats& in, Floats& out) {
     out = hn::IfThenElse(falls, out, hn::Min(out, t));
 }
 
+/// What the extent's axes add to a reach along n.
+template <int axes>
+HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) {
+    for (int k = 0; k < axes; ++k) {
+        const Floats a[3] = {all(sweep.axis[k][0]), all(sweep.axis[k][1]), all(sweep.axis[k][2])};
+        reach = add(reach, hn::Mul(hn::Abs(dot(n, a)), all(kMore)));
+    }
+    return reach;
+}
+
 /// Lower bounds for when triangles are met, from the time `enter` on, a bit for each that may be by `latest`.
+/// @tparam axes  of the extent that moves
+template <int axes>
 HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest, float* times) {
     const LaneSweep& sweep = query.sweep;
-    float o[3], size = lanes.size + sweep.radius;
+    float o[3], size = lanes.size + sweep.size;
     for (int axis = 0; axis < 3; ++axis) {
         const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
         o[axis] = float(from + double(enter) * sweep.direction[axis]);
         size += std::fabs(o[axis]);
     }
-    const float reach = (sweep.radius + lanes.uneven + sweep.margin + 8 * kRoundoff * size) * kMore;
-    const float error = 32 * kRoundoff * size;
+    const float unsure = lanes.uneven + sweep.margin + 8 * kRoundoff * size;
+    const float reach = (sweep.radius + unsure) * kMore;
+    const float error = (axes ? 64 : 32) * kRoundoff * size;
     unsigned met = 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
         Floats p[3][3];  // corners seen from there
@@ -127,8 +140,9 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
                 p[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[c][axis] + part), all(o[axis]));
         Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore);
         for (int axis = 0; axis < 3; ++axis) {
-            const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), all(reach));
-            const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), all(reach));
+            const Floats aside = all(axes ? (sweep.extent[axis] + unsure) * kMore : reach);
+            const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), aside);
+            const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), aside);
             const Floats slope = all(sweep.inverse[axis]);
             in = hn::Max(in, hn::Mul(sweep.turned[axis] ? high : low, slope));
             out = hn::Min(out, hn::Mul(sweep.turned[axis] ? low : high, slope));
@@ -146,15 +160,15 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         const Floats g =
             add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
         const Floats d[3] = {all(sweep.along[0]), all(sweep.along[1]), all(sweep.along[2])};
-        const Floats height = dot(n, p[0]), rise = dot(n, d);
-        // -height + rise t lies between -g and g.
-        clip(rise, hn::Add(g, height), in, out);
-        clip(hn::Neg(rise), hn::Sub(g, height), in, out);
+        const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<axes>(sweep, n, g);
+        // -height + rise t lies between -far and far.
+        clip(rise, hn::Add(far, height), in, out);
+        clip(hn::Neg(rise), hn::Sub(far, height), in, out);
         for (int c = 0; c < 3; ++c) {
             Floats m[3];
             cross(e[c], n, m);
-            const Floats room = add(hn::Mul(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g), dot(m, p[c]));
-            clip(dot(m, d), room, in, out);
+            const Floats grown = hn::Mul(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g);
+            clip(dot(m, d), add(beside<axes>(sweep, m, grown), dot(m, p[c])), in, out);
         }
         in = hn::Mul(in, all(kLess));
         left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
@@ -228,6 +242,14 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
     return met & lanes.used;
 }
 
+HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
+                                 float* times) {
+    if (query.sweep.particle) return look_along(lanes, query, enter, latest, times);
+    if (query.sweep.axes == 0) return look<0>(lanes, query, enter, latest, times);
+    if (query.sweep.axes == 1) return look<1>(lanes, query, enter, latest, times);
+    return look<3>(lanes, query, enter, latest, times);
+}
+
 /// Rounded up.
 HWY_INLINE float to_float(double latest) {
     return float(latest) * (1 + 4 * kRoundoff);
@@ -248,8 +270,7 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
     alignas(64) float times[kLanes];
     for (const FaceLanes* lanes = first; lanes != first + count; ++lanes) {
         query.counts.boxes += std::uint32_t(__builtin_popcount(lanes->used));
-        unsigned met = query.sweep.radius > 0 ? look(*lanes, query, enter, latest, times)
-                                              : look_along(*lanes, query, enter, latest, times);
+        unsigned met = look_by_kind(*lanes, query, enter, latest, times);
         while (met) {  // by rising bound
             std::uint32_t lane = first_bit(met);
             for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
@@ -368,32 +389,43 @@ bool sweep_by_best(const Node& root, LaneQuery& query) {
 
 }  // namespace
 
-LaneSweep::LaneSweep(const Sweep& sweep) {
+LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape) {
     constexpr double kFarthest = 0x1p+20;
     constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
     if (!taken.load(std::memory_order_relaxed)) return;
     const double rounding_error = 0x1p-44 * (max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim);
     usable = max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
     if (!usable) return;
-    radius = float(sweep.radius);
-    margin = float(rounding_error) + radius * 0x1p-22f;
+    particle = sweep.radius == 0;
+    axes = shape.axes;
+    double whole = shape.radius;
+    for (int k = 0; k < axes; ++k) {
+        const Vec3& a = shape.axis[std::size_t(k)];
+        whole += length(a);
+        for (int coordinate = 0; coordinate < 3; ++coordinate) axis[k][coordinate] = float(a[coordinate]);
+    }
+    radius = float(shape.radius);
+    size = float(whole);
+    margin = float(rounding_error) + size * 0x1p-22f;
     longest = sweep.axis_k;
     aside[0] = sweep.axis_u;
     aside[1] = sweep.axis_v;
     shear[0] = float(sweep.shear_u);
     shear[1] = float(sweep.shear_v);
-    for (int axis = 0; axis < 3; ++axis) {
-        start[axis] = sweep.start[axis];
-        direction[axis] = sweep.direction[axis];
-        along[axis] = float(sweep.direction[axis]);
-        inverse[axis] = std::fabs(along[axis]) * kSteepest > 1 ? 1 / along[axis] : kSteepest;
-        turned[axis] = inverse[axis] < 0;
+    for (int coordinate = 0; coordinate < 3; ++coordinate) {
+        start[coordinate] = sweep.start[coordinate] + shape.middle[coordinate];
+        direction[coordinate] = sweep.direction[coordinate];
+        along[coordinate] = float(sweep.direction[coordinate]);
+        inverse[coordinate] = std::fabs(along[coordinate]) * kSteepest > 1 ? 1 / along[coordinate] : kSteepest;
+        turned[coordinate] = inverse[coordinate] < 0;
+        double reach = shape.radius;
+        for (int k = 0; k < axes; ++k) reach += std::fabs(shape.axis[std::size_t(k)][coordinate]);
+        extent[coordinate] = float(reach);
         // Floats of the sides are exact; their distance from the start is off by a roundoff of its own, and by those of
         // the start.
-        const double grown =
-            sweep.radius + rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(sweep.start[axis]) + sweep.radius);
-        ahead[axis] = float(sweep.start[axis] + (turned[axis] ? -grown : grown));
-        behind[axis] = float(sweep.start[axis] - (turned[axis] ? -grown : grown));
+        const double grown = reach + rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(start[coordinate]) + whole);
+        ahead[coordinate] = float(start[coordinate] + (turned[coordinate] ? -grown : grown));
+        behind[coordinate] = float(start[coordinate] - (turned[coordinate] ? -grown : grown));
     }
 }
 
@@ -416,7 +448,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
 
 namespace firma {
 
-LaneSweep::LaneSweep(const Sweep&) {}
+LaneSweep::LaneSweep(const Sweep&, const ShapeExtent&) {}
 
 std::span<const LaneKernel> lane_kernels() {
     return {};

@@ -17,6 +17,11 @@
 // out of the facet's plane or in it, n is off from a multiple of that normal, 0 or more, by 4 h E + 4 h^2: times the
 // direction's length, below 3.5, that is less than 32 h E where E is above 9 h, and where it is below no n is as long.
 //
+// A capsule or a hull moves within its ShapeExtent: a ball added to segments from -a to a. By these its reach along n
+// is larger by the sum of all |n.a|, each off by 6 u E^2 |a| for n, 3 u |n| |a| for the rounding of the product and as
+// much for that of a: below 32 u E^2 S in all, with S above the sum of the lengths |a|; along m by the same times a
+// side's length. So it has 64 u E^2 S where a sphere has 32.
+//
 // A particle needs no normal: seen along its path, corners p and q have twice the area p x q with it, a positive factor
 // of d.n in sum. With the projection a corner is off by 17 u S and by twice what else is in R, which is below 2.2 R.
 // With L the sum of the triangle's extents, no side is longer than 2 L there, and an area is off by 24 u L^2 and the
@@ -29,6 +34,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cast/shape_extent.h"
 #include "cast/sweep.h"
 #include "firma/hit.h"
 #include "index/node.h"
@@ -38,17 +44,25 @@ namespace firma {
 
 /// A sweep as the lanes want it.
 struct LaneSweep {
-    explicit LaneSweep(const Sweep& sweep);
+    /// Of a sphere.
+    explicit LaneSweep(const Sweep& sweep) : LaneSweep(sweep, {{}, {}, 0, sweep.radius}) {}
+    /// @param extent  holds what moves, and lies near the sweep's sphere
+    LaneSweep(const Sweep& sweep, const ShapeExtent& extent);
 
     /// Whether floats are good for it: else it starts, or leads, far beyond the world, or there are no lanes.
     bool usable = false;
-    double start[3], direction[3];
+    double start[3], direction[3];          ///< of the extent's middle
     float along[3];                         ///< the direction
     float inverse[3], ahead[3], behind[3];  ///< of the boxes' sides
     std::uint32_t turned[3];                ///< 1 where the path runs down an axis
     int longest = 0, aside[2];              ///< axes of the projection along the path, and its shear: as in Sweep
     float shear[2];
-    float radius = 0;
+    bool particle = true;
+    int axes = 0;      ///< of the extent
+    float axis[3][3];  ///< by axis of the extent and coordinate
+    float radius = 0;  ///< on top of these
+    float extent[3];   ///< of all of it along the world's axes
+    float size = 0;    ///< no point of the extent is farther from its middle
     float margin = 0;  ///< more than the rounding of doubles on the way, metres
 };
 

@@ -13,6 +13,7 @@
 
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
+#include "cast/shape_extent.h"
 #include "firma/queries.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
@@ -91,7 +92,8 @@ struct PathBox {
     }
 };
 
-/// What moves: how it meets a polygon, and what a touch then looks like. Its sweep's radius holds all of it.
+/// What moves: how it meets a polygon, what a touch then looks like, and a simple body around it. Its sweep's radius
+/// holds all of it.
 struct SphereMover {
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const {
@@ -100,6 +102,7 @@ struct SphereMover {
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
         return make_hit(sweep, polygon, contact);
     }
+    ShapeExtent extent(const Sweep& sweep) const { return {{}, {}, 0, sweep.radius}; }
 };
 
 /// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may
@@ -151,7 +154,13 @@ template <class Found, class Mover>
 class WorldSweep {
 public:
     WorldSweep(const WorldData& data, const Sweep& sweep, const Mover& mover, const CastOptions& options, Found& found)
-        : data_(data), sweep_(sweep), mover_(mover), lanes_(sweep), boxes_(sweep), options_(options), found_(found) {}
+        : data_(data),
+          sweep_(sweep),
+          mover_(mover),
+          lanes_(sweep, mover.extent(sweep)),
+          boxes_(sweep),
+          options_(options),
+          found_(found) {}
 
     /// Through all rooms at once.
     void ask_all() {

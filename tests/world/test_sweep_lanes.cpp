@@ -9,9 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "cast/cast_capsule_polygon.h"
+#include "cast/cast_hull_polygon.h"
 #include "cast/cast_sphere_polygon.h"
 #include "firma/brush_world.h"
+#include "firma/capsule.h"
 #include "firma/carve.h"
+#include "firma/hull.h"
 #include "firma/level.h"
 #include "firma/queries.h"
 #include "firma/rooms.h"
@@ -100,6 +104,90 @@ TEST_P(SweepLanes, LookAtAllThatIsMet) {
     }
     EXPECT_GT(touched, 0u);
     EXPECT_LT(looked_at, asked) << "nothing is left out";
+}
+
+/// A capsule, a box turned any way, or a hull, in a ball of some size.
+struct AnyShape {
+    Hull hull;
+    Capsule capsule;  ///< where no hull is valid
+
+    AnyShape(scenes::Rng& rng, const Vec3& at, double size) {
+        const double kind = rng.uniform(0, 1);
+        if (kind < 0.4) {
+            const double half = rng.uniform(0, 0.9) * size;
+            capsule = make_capsule(at, rng.direction(), half, rng.chance(0.2) ? 0 : size - half);
+        } else if (kind < 0.7) {
+            const Vec3 x = rng.chance(0.3) ? Vec3{1, 0, 0} : rng.direction(), aside = cross(x, rng.direction());
+            const Vec3 y = aside * (1 / length(aside));
+            hull =
+                make_box({rng.uniform(0.05, 0.5) * size, rng.uniform(0.05, 0.5) * size, rng.uniform(0.05, 0.5) * size},
+                         {x, y, cross(x, y)})
+                    .value();
+        } else {
+            std::vector<Vec3> points{{0, 0, 0}};
+            for (int k = 4 + int(rng.below(10)); k > 0; --k) points.push_back(rng.direction() * size);
+            hull = make_hull(points).value();
+        }
+    }
+    Sphere around(const Vec3& at) const {
+        return hull.valid() ? Sphere{at, hull.shape()->reach} : ball_around(capsule);
+    }
+    ShapeExtent extent() const { return hull.valid() ? hull.shape()->extent : extent_of(shape_of_capsule(capsule)); }
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides) const {
+        if (hull.valid()) return cast_hull_polygon(sweep, *hull.shape(), polygon, sides, sweep.end).contact;
+        return cast_capsule_polygon(sweep, shape_of_capsule(capsule), polygon, sides, sweep.end);
+    }
+};
+
+/// The same of capsules, boxes and hulls, which lanes know by what is around them.
+TEST_P(SweepLanes, LookAtAllThatShapesMeet) {
+    if (lane_kernels().empty()) GTEST_SKIP() << "compiled without lanes";
+    const scenes::CastFamily& family = scenes::cast_families()[GetParam()];
+    scenes::Rng rng(GetParam());
+    const std::size_t enough = std::size_t(test::sample(500));
+    std::size_t touched = 0, looked_at = 0, looked_at_by_ball = 0;
+    for (std::uint64_t index = 0; touched < enough && index < 30; ++index) {
+        const scenes::CastScene scene = scenes::make_cast_scene(family, 37, index);
+        const World world = make_world(scenes::level_of(scene.polygons, scene.two_sided)).value();
+        for (std::size_t k = index % 3; k < scene.casts.size(); k += 3) {
+            const scenes::CastQuery& query = scene.casts[k];
+            const double size = query.sphere.radius > 1e-6 && query.sphere.radius < 1e6 ? query.sphere.radius : 0.5;
+            const AnyShape shape(rng, query.sphere.centre, size);
+            Sweep sweep;
+            if (make_sweep(shape.around(query.sphere.centre), query.path, sweep) != Status::kHit) continue;
+            const LaneSweep lanes(sweep, shape.extent()), ball(sweep);
+            if (!lanes.usable) continue;
+            const Sides sides = k % 2 ? Sides::kFront : Sides::kBoth;
+            const bool front_only = sides == Sides::kFront;
+            const auto check = [&](const Block& block) {
+                for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) {
+                    const FaceShape face(block, block.faces[slot]);
+                    if (!face.polygon.has_area()) continue;
+                    const Sides of_face = block.faces[slot].two_sided ? Sides::kBoth : sides;
+                    const Contact contact = shape.against(sweep, face.polygon, of_face);
+                    if (!contact.touched()) continue;
+                    ++touched;
+                    for (const LaneKernel& kernel : lane_kernels()) {
+                        FacetsSeen seen{&block, slot};
+                        look_by(kernel, world, lanes, front_only, contact.t, seen);
+                        ASSERT_TRUE(seen.found)
+                            << kernel.name << " " << family.name << " scene " << index << " slot " << slot << " at "
+                            << contact.t << " of " << sweep.end << " axes " << lanes.axes << " radius " << lanes.radius;
+                    }
+                }
+            };
+            for (const Node* root : indices_of(world.data()))
+                if (root) for_each_block(*root, check);
+            if (HasFatalFailure()) return;
+            FacetsSeen all, by_ball;
+            look_by(lane_kernels()[0], world, lanes, front_only, sweep.end, all);
+            look_by(lane_kernels()[0], world, ball, front_only, sweep.end, by_ball);
+            looked_at += all.count;
+            looked_at_by_ball += by_ball.count;
+        }
+    }
+    EXPECT_GT(touched, 0u);
+    EXPECT_LE(looked_at, looked_at_by_ball);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, SweepLanes, testing::Range(std::size_t(0), scenes::cast_families().size()),
@@ -207,6 +295,32 @@ TEST(LaneKernels, GiveTheAnswersOfCastsOneByOne) {
     }
     EXPECT_GT(carved.face_count(), hall.face_count());
     expect_one_answer(carved, "first.obj, carved", test::sample(3000));
+}
+
+TEST(LaneKernels, GiveTheAnswersOfShapesOneByOneInEveryFamily) {
+    std::size_t touched = 0;
+    for (const scenes::CastFamily& family : scenes::cast_families()) {
+        const scenes::CastScene scene = scenes::make_cast_scene(family, 33, 1);
+        const World world = make_world(scenes::level_of(scene.polygons, scene.two_sided)).value();
+        std::vector<std::vector<std::uint64_t>> all;
+        test::with_every_kernel([&](const char*) {
+            std::vector<std::uint64_t>& bits = all.emplace_back();
+            scenes::Rng rng(7);
+            for (const scenes::CastQuery& query : scene.casts) {
+                const Vec3& at = query.sphere.centre;
+                const double size = query.sphere.radius > 1e-6 && query.sphere.radius < 1e6 ? query.sphere.radius : 0.5;
+                const AnyShape shape(rng, at, size);
+                for (const Sides sides : {Sides::kFront, Sides::kBoth}) {
+                    const Hit hit = shape.hull.valid() ? cast(world, shape.hull, at, query.path, {.sides = sides})
+                                                       : cast(world, shape.capsule, query.path, {.sides = sides});
+                    add_bits(bits, hit);
+                    touched += bool(hit);
+                }
+            }
+        });
+        for (const auto& bits : all) EXPECT_EQ(bits, all[0]) << family.name;
+    }
+    EXPECT_GT(touched, 1000u);
 }
 
 TEST(LaneKernels, GiveTheAnswersOfCastsOneByOneInEveryFamily) {
