@@ -39,4 +39,9 @@ struct Capsule {
 [[nodiscard]] FIRMA_EXPORT PolygonHit cast_polygon(const Capsule& capsule, const Vec3& path,
                                                    std::span<const Vec3> corners, Sides sides = Sides::kFront);
 
+/// Whether a closed capsule and a closed polygon share a point, from either side. No tolerance: decided in double, and
+/// once more in double-double where that leaves it open; exactly where its segment itself meets the polygon. False for
+/// what cast_polygon() finds invalid. Never allocates, never throws.
+[[nodiscard]] FIRMA_EXPORT bool overlap(const Capsule& capsule, std::span<const Vec3> corners);
+
 }  // namespace firma

@@ -72,6 +72,10 @@ private:
 [[nodiscard]] FIRMA_EXPORT PolygonHit cast_polygon(const Hull& hull, const Vec3& at, const Vec3& path,
                                                    std::span<const Vec3> corners, Sides sides = Sides::kFront);
 
+/// Whether a hull that is put at `at` and a closed polygon share a point, from either side: exactly. False for what
+/// cast_polygon() finds invalid. Never allocates, never throws.
+[[nodiscard]] FIRMA_EXPORT bool overlap(const Hull& hull, const Vec3& at, std::span<const Vec3> corners);
+
 /// Up to four points.
 struct ContactPoints {
     std::array<Vec3, 4> at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions to a world: casts of rays, spheres, capsules and hulls, what a sphere overlaps, the nearest point.
+// Questions to a world: casts of rays, spheres, capsules and hulls, what these overlap, the nearest point.
 //
 // None of them allocates, but where one fills a vector, and batches that count or are spread over tasks; none takes a
 // lock or touches a reference count (by room, where there are more than 4,096 rooms or more than 256 wait at a time, a
@@ -7,10 +7,10 @@
 //
 // What they cost grows with the logarithm of the faces, and with the faces near the path: up to the first touch for
 // cast(), up to any touch for cast_any(), up to where the visitor ends it for cast_each(), along all of it for
-// cast_all(). For overlap() these are the faces near the ball, for closest() those about as near as the nearest. By
-// room a cast goes through the indices of the rooms that it reaches alone, and tests the box of each of their portals;
-// it also clears two bits for each room of the world. kLocateRoom adds what locate() costs. Over all rooms closed
-// portals are found by an index of their own.
+// cast_all(). For overlap() these are the faces near the ball (around a capsule or hull), for closest() those about as
+// near as the nearest. By room a cast goes through the indices of the rooms that it reaches alone, and tests the box of
+// each of their portals; it also clears two bits for each room of the world. kLocateRoom adds what locate() costs. Over
+// all rooms closed portals are found by an index of their own.
 #pragma once
 
 #include <cstddef>
@@ -167,11 +167,13 @@ struct NearFace : ClosestPoint {
     [[nodiscard]] explicit operator bool() const { return found(); }
 };
 
-/// What a sphere overlaps, and how to get out.
+/// What a sphere, a capsule or a hull overlaps, and how to get out.
 struct Overlap : NearFace {
     /// Unit: moved this way by `depth`, the sphere touches this face no more than in a point. From the nearest point
     /// toward the centre; for a centre behind a one-sided face along that face's normal, out of the solid; for a centre
-    /// on the face along its normal.
+    /// on the face along its normal. Of a capsule the same with the nearest point of its segment for the centre, and
+    /// its middle where that is behind; where the segment meets the polygon itself, and of a hull: the shortest way
+    /// out, to rounding. Behind a one-sided face, for the middle, or where the hull is put, out of the solid as well.
     Vec3 direction;
     double depth = 0;  ///< metres, >= 0
 };
@@ -190,6 +192,23 @@ FIRMA_EXPORT Status overlap_each(const World& world, const Sphere& sphere, Overl
 /// The same in a list, in order of id, faces before portals. Costs sorting them, too.
 /// @param found  replaced; keeps its memory from call to call
 FIRMA_EXPORT Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found,
+                            const NearOptions& options = {});
+
+/// The same of a capsule. `point` is the one nearest to its segment, the middle of them if there are several, and
+/// `distance` from there to the segment: 0 where it goes through. A portal of several polygons is told by the one
+/// nearest to the middle. kInvalid also for ends beyond 2^199. Costs as a sphere that holds it.
+FIRMA_EXPORT Status overlap_each(const World& world, const Capsule& capsule, OverlapVisitor visit,
+                                 const NearOptions& options = {});
+FIRMA_EXPORT Status overlap(const World& world, const Capsule& capsule, std::vector<Overlap>& found,
+                            const NearOptions& options = {});
+
+/// The same of a convex hull or box that is put at `at`. Whether it overlaps is decided exactly. `point` is where on
+/// the polygon it still touches when it is out, the middle if that is more than a point; `distance` is 0. A portal of
+/// several polygons is told by the one nearest to `at`. kInvalid also for a hull that is not valid(). Costs as a sphere
+/// that holds it, and for each face near that sphere the product of the edges of both at most.
+FIRMA_EXPORT Status overlap_each(const World& world, const Hull& hull, const Vec3& at, OverlapVisitor visit,
+                                 const NearOptions& options = {});
+FIRMA_EXPORT Status overlap(const World& world, const Hull& hull, const Vec3& at, std::vector<Overlap>& found,
                             const NearOptions& options = {});
 
 /// For closest(): a reach, in metres, that leaves nothing out. It is finite, as a program built with -ffast-math has no

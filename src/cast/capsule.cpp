@@ -2,6 +2,7 @@
 // Capsules as users see them: made, and cast against one polygon.
 #include "firma/capsule.h"
 
+#include "cast/capsule_start.h"
 #include "cast/cast_capsule_polygon.h"
 #include "geometry/rounding.h"
 
@@ -29,6 +30,15 @@ PolygonHit cast_polygon(const Capsule& capsule, const Vec3& path, std::span<cons
     PolygonHit miss;
     miss.centre = around.centre + path;
     return miss;
+}
+
+bool overlap(const Capsule& capsule, std::span<const Vec3> corners) {
+    if (capsule.from == capsule.to) return overlap(Sphere{capsule.from, capsule.radius}, corners);
+    Sweep sweep;
+    if (make_sweep(ball_around(capsule), {1, 0, 0}, sweep) == Status::kInvalid || !usable_corners(corners))
+        return false;
+    const PolygonShape polygon = make_shape(corners);
+    return polygon.has_area() && capsule_meets(CapsuleSweep(sweep, shape_of_capsule(capsule)), polygon);
 }
 
 }  // namespace firma

@@ -219,6 +219,59 @@ PreciseNearness precise_nearness(const CapsuleSweep& capsule, const PolygonShape
     return {height * height / uu, near_plane(height, dot(u, way), uu, r)};
 }
 
+/// Of the nearest pairs the nearest.
+Nearness least_nearness(const CapsuleSweep& capsule, const PolygonShape& polygon, int facing,
+                        const NearestParts& pairs) {
+    PreciseNearness least;
+    bool any = false;
+    pairs.each_nearest([&](const NearestOnAxis& pair) {
+        const PreciseNearness here = precise_nearness(capsule, polygon, facing, pair);
+        if (any && !(here.square < least.square)) return;
+        least = here;
+        any = true;
+    });
+    return least.near;
+}
+
+/// Sides of the plane that the ends are on, exactly.
+struct AxisSides {
+    int one, other, rise;
+
+    AxisSides(const CapsuleSweep& capsule, const PolygonShape& polygon)
+        : one(exact_plane_side(capsule.a.start, polygon)), other(exact_plane_side(capsule.b.start, polygon)) {
+        rise = other > one ? 1 : other < one ? -1 : 0;
+    }
+    /// Whether the segment, if it is not within the plane, shares a point with the polygon.
+    bool pierce(const CapsuleSweep& capsule, const PolygonShape& polygon) const {
+        return rise != 0 && one * other <= 0 && axis_meets(capsule, polygon, rise);
+    }
+};
+
+/// The shortest way out of the sum for a segment that meets the polygon and is not within its plane.
+void shortest_of_axis(const CapsuleSweep& capsule, const PolygonShape& polygon, int rise, WayOut& out) {
+    const VectorOf<Deep> n = precise_normal(polygon), s = capsule.precise_s();
+    const Deep n_length = square_root(dot(n, n));
+    const Deep one = dot(difference<Deep>(capsule.a.start, polygon.corners[0]), n) / n_length;
+    const Deep other = dot(difference<Deep>(capsule.b.start, polygon.corners[0]), n) / n_length;
+    Deep least = one < other ? -one : -other;
+    out.direction = polygon.unit_normal();
+    const auto offer = [&](const Deep& depth, const Vec3& way) {
+        if (!(depth < least) || as_far_out(depth, least)) return;
+        least = depth;
+        out.direction = way;
+    };
+    offer(one < other ? other : one, -polygon.unit_normal());
+    for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+        const Vec3 &v = polygon.corners[k], e = polygon.corners[polygon.next(k)] - v;
+        const VectorOf<Deep> u = cross(exactly<Deep>(e), s) * Deep(double(rise));
+        const Deep u_length = square_root(dot(u, u));
+        if (!(u_length.high > 0)) continue;
+        offer(-dot(u, difference<Deep>(capsule.a.start, v)) / u_length,
+              {rounded(u.x / u_length), rounded(u.y / u_length), rounded(u.z / u_length)});
+    }
+    out.depth = capsule.radius() + rounded(least);
+}
+
 }  // namespace
 
 NearestOnAxis nearest_on_axis(const Vec3& a, const Vec3& s, const PolygonShape& polygon) {
@@ -244,26 +297,50 @@ NearestOnAxis nearest_on_axis(const Vec3& a, const Vec3& s, const PolygonShape& 
 
 CapsuleStart capsule_start(const CapsuleSweep& capsule, const PolygonShape& polygon, int facing) {
     const Vec3 a = capsule.a.start - polygon.corners[0];
-    const int one = exact_plane_side(capsule.a.start, polygon), other = exact_plane_side(capsule.b.start, polygon);
-    const int rise = other > one ? 1 : other < one ? -1 : 0;
-    if (rise != 0 && one * other <= 0 && axis_meets(capsule, polygon, rise))
-        return start_in_polygon(capsule, polygon, facing, rise);
+    const AxisSides ends(capsule, polygon);
+    if (ends.pierce(capsule, polygon)) return start_in_polygon(capsule, polygon, facing, ends.rise);
     const NearestParts pairs = nearest_pairs(a, capsule.s, polygon);
     if (pairs.nearest().distance - pairs.noise() > capsule.radius()) return {};
-    PreciseNearness least;
-    bool any = false;
-    pairs.each_nearest([&](const NearestOnAxis& pair) {
-        const PreciseNearness here = precise_nearness(capsule, polygon, facing, pair);
-        if (any && !(here.square < least.square)) return;
-        least = here;
-        any = true;
-    });
-    if (!least.near.within) return {};
-    if (least.near.on_it) return start_in_polygon(capsule, polygon, facing, 0);
+    const Nearness near = least_nearness(capsule, polygon, facing, pairs);
+    if (!near.within) return {};
+    if (near.on_it) return start_in_polygon(capsule, polygon, facing, 0);
     CapsuleStart start;
-    start.kind = least.near.change < 0 ? StartContact::kInitialOverlap : StartContact::kIgnored;
-    if (least.near.change < 0) start.contact = {Status::kInitialOverlap, Feature::kFace, 0, 0};
+    start.kind = near.change < 0 ? StartContact::kInitialOverlap : StartContact::kIgnored;
+    if (near.change < 0) start.contact = {Status::kInitialOverlap, Feature::kFace, 0, 0};
     return start;
+}
+
+bool capsule_meets(const CapsuleSweep& capsule, const PolygonShape& polygon) {
+    if (AxisSides(capsule, polygon).pierce(capsule, polygon)) return true;
+    const NearestParts pairs = nearest_pairs(capsule.a.start - polygon.corners[0], capsule.s, polygon);
+    if (pairs.nearest().distance - pairs.noise() > capsule.radius()) return false;
+    if (pairs.nearest().distance + pairs.noise() < capsule.radius()) return true;
+    return least_nearness(capsule, polygon, 0, pairs).within;
+}
+
+WayOut way_out_of_capsule(const CapsuleSweep& capsule, const PolygonShape& polygon, bool along_normal) {
+    const Vec3 a = capsule.a.start - polygon.corners[0], unit = polygon.unit_normal();
+    const NearestOnAxis nearest = nearest_on_axis(a, capsule.s, polygon);
+    WayOut out;
+    out.closest = closest_to(a + capsule.s * nearest.part, polygon);
+    const double one = dot(a, unit), other = dot(a + capsule.s, unit), low = one < other ? one : other;
+    const double noise = rounding(64) * (max_abs(a) + max_abs(capsule.s));
+    const AxisSides ends(capsule, polygon);
+    if (ends.pierce(capsule, polygon)) out.closest.distance = 0;
+    if (along_normal) {
+        out.direction = unit;
+        out.depth = capsule.radius() - low;
+    } else if (out.closest.distance > noise) {
+        out.direction = out.closest.away * (1 / out.closest.distance);
+        out.depth = capsule.radius() - out.closest.distance;
+    } else if (ends.rise != 0) {
+        shortest_of_axis(capsule, polygon, ends.rise, out);
+    } else {  // both ends on one side, or on the plane
+        out.direction = ends.one < 0 ? -unit : unit;
+        out.depth = capsule.radius() - (ends.one < 0 ? -(one < other ? other : one) : low);
+    }
+    if (!(out.depth > 0)) out.depth = 0;
+    return out;
 }
 
 }  // namespace firma

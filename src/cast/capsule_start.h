@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How a capsule's segment lies to a polygon: where on it the nearest point is, and what the capsule has to do with the
-// polygon before it moves.
+// How a capsule's segment lies to a polygon: where on it the nearest point is, what the capsule has to do with the
+// polygon before it moves, and how it gets out of it.
 #pragma once
 
 #include "cast/capsule_shape.h"
 #include "cast/start_contact.h"
+#include "cast/way_out.h"
 #include "geometry/polygon_shape.h"
 
 namespace firma {
@@ -33,5 +34,12 @@ struct CapsuleStart : StartContact {
 
 /// @param facing  sign of direction . normal
 CapsuleStart capsule_start(const CapsuleSweep& capsule, const PolygonShape& polygon, int facing);
+
+/// Whether a capsule that is not a sphere shares a point with the polygon, as starts are decided.
+bool capsule_meets(const CapsuleSweep& capsule, const PolygonShape& polygon);
+
+/// Of one that does.
+/// @param along_normal  the only way is along the polygon's normal; else the shortest is taken
+WayOut way_out_of_capsule(const CapsuleSweep& capsule, const PolygonShape& polygon, bool along_normal);
 
 }  // namespace firma

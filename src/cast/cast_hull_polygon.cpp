@@ -201,4 +201,25 @@ HullContact cast_hull_polygon(const Sweep& sweep, const HullShape& hull, const P
     return decide(pair, facing);
 }
 
+bool hull_meets(const HullAgainstPolygon& pair) {
+    return pair.each_facet([&](const SumFacet& facet) {
+        const int sign = pair.outside(facet).sign();
+        return sign < 0 || (sign == 0 && pair.outside_exactly(facet, 0) <= 0);
+    });
+}
+
+SumFacet nearest_facet(const HullAgainstPolygon& pair) {
+    SumFacet nearest;
+    double least = 0;
+    bool any = false;
+    pair.each_facet([&](const SumFacet& facet) {
+        const double depth = -pair.outside(facet).value / length(facet.direction);
+        if (any && !(depth < least)) return true;
+        least = depth;
+        nearest = facet;
+        return any = true;
+    });
+    return nearest;
+}
+
 }  // namespace firma

@@ -21,4 +21,10 @@ struct HullContact {
 HullContact cast_hull_polygon(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon, Sides sides,
                               double latest, CastCounts* counts = nullptr);
 
+/// Whether the hull shares a point with the polygon where it starts, exactly.
+bool hull_meets(const HullAgainstPolygon& pair);
+
+/// The facet that the shortest way out of an overlap leads through, to rounding; of several as near the first.
+SumFacet nearest_facet(const HullAgainstPolygon& pair);
+
 }  // namespace firma

@@ -72,6 +72,14 @@ PolygonHit cast_polygon(const Hull& hull, const Vec3& at, const Vec3& path, std:
     return miss;
 }
 
+bool overlap(const Hull& hull, const Vec3& at, std::span<const Vec3> corners) {
+    Sweep sweep;
+    if (!hull.valid() || !usable_corners(corners)) return false;
+    if (make_sweep({at, hull.shape()->reach}, {1, 0, 0}, sweep) == Status::kInvalid) return false;
+    const PolygonShape polygon = make_shape(corners);
+    return polygon.has_area() && hull_meets(HullAgainstPolygon(sweep, *hull.shape(), polygon));
+}
+
 ContactPoints contact_points(const Hull& hull, const PolygonHit& hit, std::span<const Vec3> corners) {
     if (!hull.valid() || !hit || !is_finite(hit.centre) || !is_finite(hit.normal) || !usable_corners(corners))
         return {};

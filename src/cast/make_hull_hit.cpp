@@ -242,6 +242,22 @@ PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const Polygo
     return hit;
 }
 
+WayOut way_out_of_hull(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon, bool along_normal) {
+    const HullAgainstPolygon pair(sweep, hull, polygon);
+    const SumFacet facet = along_normal ? pair.facet({SumFacet::kPlane, 1, 0, 0}) : nearest_facet(pair);
+    const HullAgainstPolygon::Precise precise = pair.precisely(facet);
+    const PolygonHit hit =
+        make_hull_hit(sweep, hull, polygon, {{Status::kInitialOverlap, Feature::kFace, 0, 0}, facet});
+    WayOut out;
+    out.direction = hit.normal;
+    out.depth = rounded(-precise.outside / precise.length);
+    if (!(out.depth > 0)) out.depth = 0;
+    out.closest.offset = hit.point - polygon.corners[0];
+    out.closest.feature = hit.feature;
+    out.closest.index = hit.feature_index;
+    return out;
+}
+
 ContactPoints points_of_contact(const HullShape& hull, const PolygonHit& hit, const PolygonShape& polygon) {
     const Vec3 place = hit.centre - polygon.corners[0];
     ContactPoints found = Touching(place, max_abs(hit.centre), hull, polygon, hit.normal).points();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Questions without motion: what a ball overlaps, and what lies nearest to a point.
+// Questions without motion: what a ball, a capsule or a hull overlaps, and what lies nearest to a point.
 #include <cmath>
 
 #include "base/sort.h"
+#include "cast/capsule_start.h"
+#include "cast/make_hull_hit.h"
 #include "cast/nearness.h"
 #include "firma/queries.h"
 #include "geometry/exact_predicates.h"
@@ -123,8 +125,78 @@ struct VisitOverlaps {
     }
 };
 
+/// The same of a capsule that is no sphere.
+struct CapsuleThere {
+    CapsuleSweep capsule;
+
+    bool meets(const PolygonShape& polygon) const { return capsule_meets(capsule, polygon); }
+    WayOut way_out(const PolygonShape& polygon, bool along_normal) const {
+        return way_out_of_capsule(capsule, polygon, along_normal);
+    }
+};
+
+/// And of a hull.
+struct HullThere {
+    const Sweep& sweep;
+    const HullShape& hull;
+
+    bool meets(const PolygonShape& polygon) const { return hull_meets(HullAgainstPolygon(sweep, hull, polygon)); }
+    WayOut way_out(const PolygonShape& polygon, bool along_normal) const {
+        return way_out_of_hull(sweep, hull, polygon, along_normal);
+    }
+};
+
+template <class Shape>
+struct VisitShapeOverlaps {
+    const Sweep& around;  ///< its sphere holds the shape
+    const Shape shape;
+    OverlapVisitor visit;
+    double reach = around.radius;
+    bool any = false;
+    bool ended = false;
+
+    bool takes(const Vec3& point, const PolygonShape& polygon, const Closest& closest) const {
+        const double noise = rounding(64) * (max_abs(point) + 4 * kWorldRim + reach);
+        return closest.distance <= reach + noise && shape.meets(polygon);
+    }
+    bool keep(const NearFace& near, bool two_sided, const PolygonShape& polygon, const Closest&) {
+        const WayOut out = shape.way_out(polygon, !two_sided && exact_plane_side(around.start, polygon) < 0);
+        Overlap overlap;
+        static_cast<NearFace&>(overlap) = near;
+        put_closest(polygon, out.closest, overlap);
+        overlap.direction = out.direction;
+        overlap.depth = out.depth;
+        any = true;
+        return ended = !visit(overlap);
+    }
+    bool keep(const Block& block, std::uint32_t slot, const PolygonShape& polygon, const Closest& closest) {
+        return keep(near_face(block, slot, polygon, closest), block.faces[slot].two_sided, polygon, closest);
+    }
+};
+
+template <class Shape>
+Status shape_overlaps(const World& world, const Sweep& around, const Shape& shape, OverlapVisitor visit,
+                      const NearOptions& options) {
+    VisitShapeOverlaps<Shape> overlaps{around, shape, visit};
+    look_near(world, around.start, options, overlaps);
+    return overlaps.any ? Status::kInitialOverlap : Status::kMiss;
+}
+
 bool comes_before(const NearFace& a, const NearFace& b) {
     return a.face.id != b.face.id ? a.face.id < b.face.id : a.portal < b.portal;
+}
+
+/// All that `each` hands on, in order.
+template <class Each>
+Status gathered(std::vector<Overlap>& found, const Each& each) {
+    found.clear();
+    const auto add = [&](const Overlap& one) {
+        found.push_back(one);
+        return true;
+    };
+    const Status status = each(add);
+    sort_range(found, comes_before);
+    return status;
 }
 
 struct KeepNearest {
@@ -164,15 +236,33 @@ Status overlap_each(const World& world, const Sphere& sphere, OverlapVisitor vis
     return overlaps.any ? Status::kInitialOverlap : Status::kMiss;
 }
 
+Status overlap_each(const World& world, const Capsule& capsule, OverlapVisitor visit, const NearOptions& options) {
+    const Sphere around = ball_around(capsule);
+    if (capsule.from == capsule.to) return overlap_each(world, around, visit, options);
+    Sweep sweep;
+    if (!is_there(world, options.room) || make_sweep(around, {1, 0, 0}, sweep) != Status::kHit) return Status::kInvalid;
+    return shape_overlaps(world, sweep, CapsuleThere{CapsuleSweep(sweep, shape_of_capsule(capsule))}, visit, options);
+}
+
+Status overlap_each(const World& world, const Hull& hull, const Vec3& at, OverlapVisitor visit,
+                    const NearOptions& options) {
+    Sweep sweep;
+    if (!hull.valid() || !is_there(world, options.room)) return Status::kInvalid;
+    if (make_sweep({at, hull.shape()->reach}, {1, 0, 0}, sweep) != Status::kHit) return Status::kInvalid;
+    return shape_overlaps(world, sweep, HullThere{sweep, *hull.shape()}, visit, options);
+}
+
 Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found, const NearOptions& options) {
-    found.clear();
-    const auto add = [&](const Overlap& one) {
-        found.push_back(one);
-        return true;
-    };
-    const Status status = overlap_each(world, sphere, add, options);
-    sort_range(found, comes_before);
-    return status;
+    return gathered(found, [&](OverlapVisitor add) { return overlap_each(world, sphere, add, options); });
+}
+
+Status overlap(const World& world, const Capsule& capsule, std::vector<Overlap>& found, const NearOptions& options) {
+    return gathered(found, [&](OverlapVisitor add) { return overlap_each(world, capsule, add, options); });
+}
+
+Status overlap(const World& world, const Hull& hull, const Vec3& at, std::vector<Overlap>& found,
+               const NearOptions& options) {
+    return gathered(found, [&](OverlapVisitor add) { return overlap_each(world, hull, at, add, options); });
 }
 
 NearFace closest(const World& world, const Vec3& point, double reach, const NearOptions& options) {
