@@ -68,9 +68,9 @@ read_seconds.
 
 TreeOptions tree_options(const InfoArguments& arguments) {
     TreeOptions options;
-    if (arguments.split == "surface-area") {
-        options.split = Split::kSurfaceArea;
-    } else if (!arguments.split.empty() && arguments.split != "longest-axis") {
+    if (arguments.split == "longest-axis") {
+        options.split = Split::kLongestAxis;
+    } else if (!arguments.split.empty() && arguments.split != "surface-area") {
         throw Failure("--split", "'" + arguments.split + "' is neither longest-axis nor surface-area");
     }
     if (!arguments.max_depth.empty()) options.max_depth = int(count_option("--max-depth", arguments.max_depth, 0, 64));
@@ -221,10 +221,10 @@ Verb add_info(CLI::App& app) {
     add_level_arguments(command, arguments->level);
     add_rooms_option(command, arguments->level);
     add_matter_option(command, arguments->level);
-    command.add_option("--split", arguments->split, "HOW", "how nodes divide: longest-axis (default) or surface-area");
+    command.add_option("--split", arguments->split, "HOW", "how nodes divide: surface-area (default) or longest-axis");
     command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: nodes above a node, 0 .. 64 (default 48)");
     command.add_option("--faces-per-bin", arguments->faces_per_leaf, "N",
-                       "stop rule: a node of at most this many faces (default 4)");
+                       "stop rule: a node of at most this many faces, and eight triangles (default 4)");
     command.add_option("--min-bin-volume", arguments->min_node_volume, "V",
                        "stop rule: a node of less volume, cubic metres (default 0)");
     add_json_flag(command, arguments->json);

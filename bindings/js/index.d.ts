@@ -231,7 +231,7 @@ export interface WorldOptions {
     matters?: MatterTable;
     /** Whether how textures lie is kept, for texture() and triangles(); true unless given. */
     textures?: boolean;
-    /** Whether nodes are split by surface area, not in half. Of several rooms, those of more than 64 faces always are. */
+    /** Whether nodes are split by surface area (true unless given), not in half. Of several rooms, those of more than 64 faces always are. */
     surfaceArea?: boolean;
     /** 0..64 */
     maxDepth?: number;

@@ -248,7 +248,8 @@ FIRMA_API firma_code firma_world_count_matters(firma_world world, uint64_t* of_m
 /* How a world is made; a null pointer to it takes the defaults, as firma_world_options_defaults() sets them. */
 typedef struct firma_world_options {
     uint32_t size;          /* sizeof(firma_world_options) */
-    uint32_t surface_area;  /* 0: split in half (of several rooms, those of up to 64 faces); 1: by surface area */
+    uint32_t surface_area;  /* 1, the default: split by surface area; 0: in half (of several rooms, those of up to 64
+                               faces) */
     int32_t max_depth;      /* 0..64 */
     int32_t faces_per_leaf; /* >= 1 */
     double min_node_volume; /* cubic metres */

@@ -18,14 +18,16 @@ double power_of_two_below(double value) {
 }
 
 /// Parts too small to matter become zero, so that exact products never underflow.
-Vec3 without_dust(Vec3 v) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (std::fabs(v[axis]) < kSmallestNumber) v[axis] = 0;
-    return v;
+double without_dust(double part) {
+    return std::fabs(part) < kSmallestNumber ? 0 : part;
+}
+Vec3 without_dust(const Vec3& v) {
+    return {without_dust(v.x), without_dust(v.y), without_dust(v.z)};
 }
 
+/// Nor is any that is no number.
 bool usable(const Vec3& v) {
-    return is_finite(v) && max_abs(v) <= kLargestNumber;
+    return std::fabs(v.x) <= kLargestNumber && std::fabs(v.y) <= kLargestNumber && std::fabs(v.z) <= kLargestNumber;
 }
 
 void set_projection(Sweep& sweep) {

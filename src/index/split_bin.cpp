@@ -78,6 +78,13 @@ struct Plane {
     double cost = 0;
 };
 
+/// What it costs to look at some of so many items, with as many side by side as casts take at once: then a bin that
+/// fills them costs no more than one that does not.
+double cost_of(std::size_t count, std::size_t all) {
+    constexpr std::size_t kAtOnce = 8;
+    return double(all > kAtOnce ? (count + kAtOnce - 1) / kAtOnce : count);
+}
+
 constexpr std::size_t kFew = 12;  ///< items that are sorted rather than dropped into buckets
 
 /// The best plane along one axis, by sweeps over few items in order of their buckets.
@@ -95,14 +102,14 @@ void improve_with_few(std::span<const BuildItem> items, std::span<const Extent> 
     Extent box = extents[order[items.size() - 1]];
     for (std::size_t k = items.size(); k-- > 1;) {
         box.add(extents[order[k]]);
-        right_cost[k] = box.half_area() * double(items.size() - k);
+        right_cost[k] = box.half_area() * cost_of(items.size() - k, items.size());
     }
     box = extents[order[0]];
     for (std::size_t k = 0; k + 1 < items.size(); ++k) {
         box.add(extents[order[k]]);
         const int bucket = bucket_of[order[k]];
         if (bucket == bucket_of[order[k + 1]]) continue;
-        const double cost = box.half_area() * double(k + 1) + right_cost[k + 1];
+        const double cost = box.half_area() * cost_of(k + 1, items.size()) + right_cost[k + 1];
         if (best.axis < 0 || cost < best.cost) best = {axis, bucket, cost};
     }
 }
@@ -121,7 +128,7 @@ struct Filled {
 
 /// The best plane along one axis. The first bucket holds something, and so does a later one: the last, unless centres
 /// are within a few steps. Planes on either side of an empty bucket part the items alike: the lower stands for both.
-void improve_with_buckets(const Filled& filled, int axis, Plane& best) {
+void improve_with_buckets(const Filled& filled, std::size_t all, int axis, Plane& best) {
     const auto& [boxes, counts] = filled;
     int last = kBuckets - 1;
     while (counts[last] == 0) --last;
@@ -132,7 +139,7 @@ void improve_with_buckets(const Filled& filled, int axis, Plane& best) {
         if (counts[k]) {
             box.add(boxes[k]);
             count += counts[k];
-            right_cost[k - 1] = box.half_area() * double(count);
+            right_cost[k - 1] = box.half_area() * cost_of(count, all);
         } else {
             right_cost[k - 1] = right_cost[k];
         }
@@ -143,7 +150,7 @@ void improve_with_buckets(const Filled& filled, int axis, Plane& best) {
         if (!counts[k]) continue;
         box.add(boxes[k]);
         count += counts[k];
-        const double cost = box.half_area() * double(count) + right_cost[k];
+        const double cost = box.half_area() * cost_of(count, all) + right_cost[k];
         if (best.axis < 0 || cost < best.cost) best = {axis, k, cost};
     }
 }
@@ -179,7 +186,7 @@ Plane best_plane(std::span<const BuildItem> items, const std::array<Buckets, 3>&
         for (int axis = 0; axis < 3; ++axis) filled[axis].add(buckets[axis].of(item.centre(axis)), extent);
     }
     for (int axis = 0; axis < 3; ++axis)
-        if (buckets[axis].low != buckets[axis].high) improve_with_buckets(filled[axis], axis, best);
+        if (buckets[axis].low != buckets[axis].high) improve_with_buckets(filled[axis], items.size(), axis, best);
     return best;
 }
 

@@ -41,6 +41,8 @@ bool set_axis(WideNode& node, std::span<const BoxF> boxes, int axis, float base,
 
 void set_boxes(WideNode& node, std::span<const BoxF> boxes) {
     node.count = std::uint32_t(boxes.size());
+    node.base[3] = 0;
+    node.scale[3] = 1;
     for (int axis = 0; axis < 3; ++axis) {
         float low = boxes[0].low[axis], high = boxes[0].high[axis];
         for (const BoxF& box : boxes) {

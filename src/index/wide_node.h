@@ -18,7 +18,7 @@ struct WideNode {
 
     /// Box k holds the points from base + scale * side[0][axis][k] to base + scale * side[1][axis][k].
     std::uint8_t side[2][3][kLanes];
-    float base[3], scale[3];
+    float base[4], scale[4];       ///< the fourth is not used
     std::uint32_t count = 0;       ///< lanes in use, from the first on
     std::uint16_t facets[kLanes];  ///< 0: the child is a wide node; else so many FaceLanes in a row
     const void* child[kLanes];

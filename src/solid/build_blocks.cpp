@@ -16,9 +16,19 @@ TreeOptions in_range(TreeOptions options) {
     return options;
 }
 
+/// Whether casts look at all of them at once.
+bool fit_lanes(const FaceSet& faces, std::span<const BuildItem> items) {
+    std::size_t triangles = 0;
+    for (const BuildItem& item : items) triangles += faces.faces[item.face].corner_count - 2;
+    return triangles <= FaceLanes::kLanes;
+}
+
 /// The stop rules.
-bool is_done(std::size_t count, const GridBox& box, int depth, const TreeOptions& options) {
-    if (count <= std::size_t(options.faces_per_leaf) || depth >= options.max_depth) return true;
+bool is_done(const FaceSet& faces, std::span<const BuildItem> items, const GridBox& box, int depth,
+             const TreeOptions& options) {
+    if (depth >= options.max_depth) return true;
+    if (items.size() <= std::size_t(options.faces_per_leaf) && (items.size() == 1 || fit_lanes(faces, items)))
+        return true;
     return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
 }
 
@@ -79,7 +89,7 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
     const TreeOptions rules = in_range(options);
     divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
-                    if (!is_done(items.size(), box, at, rules))
+                    if (!is_done(faces, items, box, at, rules))
                         return split_bin(items, box, items.size() > by_area ? Split::kSurfaceArea : rules.split);
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "base/assert.h"
@@ -76,20 +77,53 @@ HWY_INLINE unsigned bits(hn::Mask<decltype(kFloats)> mask) {
     return bytes[0];
 }
 
+/// What follows from a sweep, all coordinates together.
+HWY_INLINE void make_ready(LaneSweep& sweep) {
+    constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
+    const hn::CappedTag<double, 4> doubles;
+    const hn::Rebind<float, decltype(doubles)> floats;
+    const hn::RebindToUnsigned<decltype(floats)> numbers;
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+        const auto from = hn::LoadU(doubles, sweep.start + k), grown = hn::LoadU(doubles, sweep.grown + k);
+        const auto way = hn::DemoteTo(floats, hn::LoadU(doubles, sweep.direction + k));
+        const auto steepest = hn::Set(floats, kSteepest), one = hn::Set(floats, 1);
+        const auto slope = hn::IfThenElse(hn::Gt(hn::Mul(hn::Abs(way), steepest), one), hn::Div(one, way), steepest);
+        const auto down = hn::Lt(slope, hn::Zero(floats));
+        const auto low = hn::DemoteTo(floats, hn::Sub(from, grown)), high = hn::DemoteTo(floats, hn::Add(from, grown));
+        hn::StoreU(way, floats, sweep.along + k);
+        hn::StoreU(slope, floats, sweep.inverse + k);
+        hn::StoreU(hn::IfThenElse(down, low, high), floats, sweep.ahead + k);
+        hn::StoreU(hn::IfThenElse(down, high, low), floats, sweep.behind + k);
+        hn::StoreU(hn::BitCast(numbers, hn::VecFromMask(floats, down)), numbers, sweep.turned + k);
+    }
+    sweep.ready = true;
+}
+
 /// Times at which the sphere is in a node's boxes, by `latest`; a bit for each that it is in.
 HWY_INLINE unsigned enter(const WideNode& node, const LaneSweep& sweep, float latest, float* times) {
+    const hn::CappedTag<float, 4> coordinates;
+    alignas(16) float steps[4], ins[4], outs[4];
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(coordinates)) {
+        const auto slope = hn::LoadU(coordinates, sweep.inverse + k);
+        const auto ahead = hn::LoadU(coordinates, sweep.ahead + k), behind = hn::LoadU(coordinates, sweep.behind + k);
+        const auto base = hn::LoadU(coordinates, node.base + k);
+        const auto step = hn::Mul(hn::LoadU(coordinates, node.scale + k), slope);
+        const auto unsure = hn::Mul(hn::Abs(step), hn::Set(coordinates, 0x1p-13f));
+        hn::Store(step, coordinates, steps + k);
+        hn::Store(hn::Sub(hn::Mul(hn::Sub(base, ahead), slope), unsure), coordinates, ins + k);
+        hn::Store(hn::Add(hn::Mul(hn::Sub(base, behind), slope), unsure), coordinates, outs + k);
+    }
     unsigned met = 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
         Floats in = hn::Zero(kFloats), out = all(latest);
         for (int axis = 0; axis < 3; ++axis) {
-            const auto side = [&](std::uint32_t which) HWY_ATTR {
-                const auto steps = hn::PromoteTo(kInts, hn::LoadU(kBytes, node.side[which][axis] + part));
-                return add(hn::Mul(hn::ConvertTo(kFloats, steps), all(node.scale[axis])), all(node.base[axis]));
+            const auto passed = [&](std::uint32_t which, float from) HWY_ATTR {
+                const auto at = hn::PromoteTo(kInts, hn::LoadU(kBytes, node.side[which][axis] + part));
+                return add(hn::Mul(hn::ConvertTo(kFloats, at), all(steps[axis])), all(from));
             };
-            const Floats slope = all(sweep.inverse[axis]);
-            const std::uint32_t turned = sweep.turned[axis];
-            in = hn::Max(in, hn::Mul(hn::Sub(side(turned), all(sweep.ahead[axis])), slope));
-            out = hn::Min(out, hn::Mul(hn::Sub(side(1 - turned), all(sweep.behind[axis])), slope));
+            const std::uint32_t turned = sweep.turned[axis] != 0;
+            in = hn::Max(in, passed(turned, ins[axis]));
+            out = hn::Min(out, passed(1 - turned, outs[axis]));
         }
         in = hn::Mul(in, all(kLess));
         hn::StoreU(in, kFloats, times + part);
@@ -288,6 +322,7 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
 }
 
 bool sweep_lanes(const Node& root, LaneQuery& query) {
+    if (!query.sweep.ready) make_ready(query.sweep);
     struct Waiting {
         const void* child;
         std::uint32_t facets;
@@ -391,7 +426,6 @@ bool sweep_by_best(const Node& root, LaneQuery& query) {
 
 LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape) {
     constexpr double kFarthest = 0x1p+20;
-    constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
     if (!taken.load(std::memory_order_relaxed)) return;
     const double rounding_error = 0x1p-44 * (max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim);
     usable = max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
@@ -412,21 +446,29 @@ LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape) {
     aside[1] = sweep.axis_v;
     shear[0] = float(sweep.shear_u);
     shear[1] = float(sweep.shear_v);
-    for (int coordinate = 0; coordinate < 3; ++coordinate) {
-        start[coordinate] = sweep.start[coordinate] + shape.middle[coordinate];
-        direction[coordinate] = sweep.direction[coordinate];
-        along[coordinate] = float(sweep.direction[coordinate]);
-        inverse[coordinate] = std::fabs(along[coordinate]) * kSteepest > 1 ? 1 / along[coordinate] : kSteepest;
-        turned[coordinate] = inverse[coordinate] < 0;
-        double reach = shape.radius;
-        for (int k = 0; k < axes; ++k) reach += std::fabs(shape.axis[std::size_t(k)][coordinate]);
-        extent[coordinate] = float(reach);
-        // Floats of the sides are exact; their distance from the start is off by a roundoff of its own, and by those of
-        // the start.
-        const double grown = reach + rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(start[coordinate]) + whole);
-        ahead[coordinate] = float(start[coordinate] + (turned[coordinate] ? -grown : grown));
-        behind[coordinate] = float(start[coordinate] - (turned[coordinate] ? -grown : grown));
+    // Floats of boxes' sides are exact; their distance from the start is off by a roundoff of its own, and by those of
+    // the start.
+    const Vec3 middle = sweep.start + shape.middle;
+    const double more = rounding_error + 0x1p-20;
+    Vec3 reach{shape.radius, shape.radius, shape.radius};
+    for (int k = 0; k < axes; ++k) {
+        const Vec3& a = shape.axis[std::size_t(k)];
+        reach += Vec3{std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
     }
+    const auto put = [](const Vec3& values, double(&into)[4]) {
+        into[0] = values.x;
+        into[1] = values.y;
+        into[2] = values.z;
+        into[3] = 0;
+    };
+    put(middle, start);
+    put(sweep.direction, direction);
+    put({reach.x + more + 0x1p-21 * (std::fabs(middle.x) + whole),
+         reach.y + more + 0x1p-21 * (std::fabs(middle.y) + whole),
+         reach.z + more + 0x1p-21 * (std::fabs(middle.z) + whole)},
+        grown);
+    if (axes == 0) return;
+    for (int coordinate = 0; coordinate < 3; ++coordinate) extent[coordinate] = float(reach[coordinate]);
 }
 
 std::span<const LaneKernel> lane_kernels() {

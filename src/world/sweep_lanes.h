@@ -13,6 +13,12 @@
 // by as much times its length: twice that is in g. Quotients are off by less than the 16 u by which times are lowered
 // and raised.
 //
+// Sides of nodes' boxes lie q steps of a size s from a corner b, rounded to float. With a the point that their distance
+// counts from, a side is passed at q (s v) + (b - a) v, v the inverse of the direction. s is a power of two, so s v has
+// no rounding; the product, the difference, its product and the sum are off by u each: in all by 3 u of the time, which
+// is in the 16 u, and by 3 u 255 s |v|, below s |v| / 2^13, which is taken off. That the side itself was rounded is in
+// `grown` as far as it lies near the start, and in the 16 u beyond.
+//
 // A one-sided facet is met by paths alone that run against its normal. Where a triangle's corners are off by up to h,
 // out of the facet's plane or in it, n is off from a multiple of that normal, 0 or more, by 4 h E + 4 h^2: times the
 // direction's length, below 3.5, that is less than 32 h E where E is above 9 h, and where it is below no n is as long.
@@ -51,24 +57,29 @@ struct LaneSweep {
 
     /// Whether floats are good for it: else it starts, or leads, far beyond the world, or there are no lanes.
     bool usable = false;
-    double start[3], direction[3];          ///< of the extent's middle
-    float along[3];                         ///< the direction
-    float inverse[3], ahead[3], behind[3];  ///< of the boxes' sides
-    std::uint32_t turned[3];                ///< 1 where the path runs down an axis
-    int longest = 0, aside[2];              ///< axes of the projection along the path, and its shear: as in Sweep
+    bool ready = false;  ///< whether what follows from the rest is set: a kernel does that, at its first look
+    double start[4];     ///< of the extent's middle; of all these the fourth is not used
+    double direction[4];
+    double grown[4];            ///< the extent along the world's axes, and more than the rounding of boxes' sides
+    int longest = 0, aside[2];  ///< axes of the projection along the path, and its shear: as in Sweep
     float shear[2];
     bool particle = true;
     int axes = 0;      ///< of the extent
     float axis[3][3];  ///< by axis of the extent and coordinate
     float radius = 0;  ///< on top of these
-    float extent[3];   ///< of all of it along the world's axes
+    float extent[3];   ///< of all of it along the world's axes; of a ball not set
     float size = 0;    ///< no point of the extent is farther from its middle
     float margin = 0;  ///< more than the rounding of doubles on the way, metres
+
+    // Once it is ready:
+    float along[4];                         ///< the direction
+    float inverse[4], ahead[4], behind[4];  ///< of the boxes' sides
+    std::uint32_t turned[4];                ///< not 0 where the path runs down an axis
 };
 
 /// What a sweep asks for.
 struct LaneQuery {
-    const LaneSweep& sweep;
+    LaneSweep& sweep;
     bool front_only = true;  ///< one-sided faces that the path leaves behind are not met
     double latest = 0;       ///< nothing after it is wanted; `look` may bring it forward
     void* whose = nullptr;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
@@ -158,7 +159,6 @@ public:
           sweep_(sweep),
           mover_(mover),
           lanes_(sweep, mover.extent(sweep)),
-          boxes_(sweep),
           options_(options),
           found_(found) {}
 
@@ -197,7 +197,7 @@ private:
 
     void look_into(const Node& index) {
         if (lanes_.usable) return look_at_lanes(index);
-        SweepVisitor<Found, Mover> visitor(sweep_, mover_, boxes_, options_, found_);
+        SweepVisitor<Found, Mover> visitor(sweep_, mover_, boxes(), options_, found_);
         traverse(index, visitor);
         ended_ = visitor.ended;
         if (options_.counts) {
@@ -221,6 +221,7 @@ private:
     static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
         WorldSweep& it = *static_cast<WorldSweep*>(query.whose);
         SweepContact met{{}, lanes.block, lanes.slot[lane]};
+        __builtin_prefetch(&met.face());  // what a hit tells of it, far from the lanes
         if (!(lanes.mask_of_all & it.options_.mask) && !(met.face().mask & it.options_.mask)) return false;
         ++query.counts.faces;
         const Sides sides = lanes.two_sided >> lane & 1 ? Sides::kBoth : it.options_.sides;
@@ -282,7 +283,7 @@ private:
         for (const PortalPolygon& polygon : portal.polygons()) {
             count_box();
             double nearest;
-            if (!boxes_.enters(polygon.box, found_.latest, nearest)) continue;
+            if (!boxes().enters(polygon.box, found_.latest, nearest)) continue;
             if (!reaches_portal(sweep_, polygon.shape, grown_, found_.latest, nearest)) continue;
             if (!any || nearest < reached) reached = nearest;
             any = true;
@@ -295,7 +296,7 @@ private:
         const auto meets = [&](const GridBox& box) {
             const Vec3 low = to_metres(box.low), high = to_metres(box.high);
             double nearest;
-            return boxes_.enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, found_.latest, nearest);
+            return boxes().enters(BoxD{{low.x, low.y, low.z}, {high.x, high.y, high.z}}, found_.latest, nearest);
         };
         data_.cells.for_each_portal_where(meets, [&](std::uint32_t index, const Portal& portal) {
             if (!ended_ && stops(index, portal)) meet_portal(index, portal);
@@ -311,7 +312,7 @@ private:
         for (std::uint32_t k = 0; k < polygons.size(); ++k) {
             count_box();
             double nearest;
-            if (!boxes_.enters(polygons[k].box, found_.latest, nearest)) continue;
+            if (!boxes().enters(polygons[k].box, found_.latest, nearest)) continue;
             const Contact contact =
                 mover_.against(sweep_, polygons[k].shape, Sides::kBoth, found_.latest, options_.counts);
             if (!contact.touched() || (first.contact.touched() && contact.t >= first.contact.t)) continue;
@@ -321,6 +322,12 @@ private:
         return ended_ = first.contact.touched() && found_(first);
     }
 
+    /// Made once something asks: with lanes, a cast that reaches no portal does not.
+    const SweepBox& boxes() {
+        if (!boxes_) boxes_.emplace(sweep_);
+        return *boxes_;
+    }
+
     void count_box() {
         if (options_.counts) ++options_.counts->boxes;
     }
@@ -328,8 +335,8 @@ private:
     const WorldData& data_;
     const Sweep& sweep_;
     [[no_unique_address]] const Mover mover_;
-    const LaneSweep lanes_;
-    const SweepBox boxes_;
+    LaneSweep lanes_;
+    std::optional<SweepBox> boxes_;
     const CastOptions& options_;
     Found& found_;
     bool ended_ = false;

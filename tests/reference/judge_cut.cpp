@@ -141,16 +141,18 @@ private:
             if (place.record().id.value < before_.data().next_face()) return fail("a new face with an old id");
     }
 
-    /// A face that bounds no solid: panes go whole, of others what lies in the cutter.
+    /// A face that bounds no solid: panes go whole, of others what lies in the cutter, of clips on walls what stands
+    /// over a hole, up to 8 m away.
     bool may_take(const FacetPlace& place) const {
         if (fill_ || (before_.data().rules && !before_.data().rules->open_faces)) return false;
         const CarveReport& report = result_.report;
         if (report.panes > 0) return true;
         if (report.open_trimmed + report.open_removed == 0) return false;
         const Box box = box_of(*placed_), own = box_of_facet(place);
+        const double reach = report.clips > 0 ? 8 : 1e-3;
         bool meets = true;
         for (int axis = 0; axis < 3; ++axis)
-            meets = meets && own.low[axis] <= box.high[axis] + 1e-3 && own.high[axis] >= box.low[axis] - 1e-3;
+            meets = meets && own.low[axis] <= box.high[axis] + reach && own.high[axis] >= box.low[axis] - reach;
         return meets;
     }
 

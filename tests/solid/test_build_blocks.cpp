@@ -162,17 +162,18 @@ TEST(BuildBlocks, AnIndexOfOnePartOfSeveralIsDividedBySurfaceAreaAboveBlocks) {
         FaceSet alone = random_faces(count, 100000, 8000), one_of_two = alone;
         one_of_two.faces.push_back(alone.faces[0]);
         one_of_two.faces.back().part = 1;
-        const Ref<const Node> root = build_blocks(one_of_two, {})[0].root;
+        const TreeOptions halves{.split = Split::kLongestAxis};
+        const Ref<const Node> root = build_blocks(one_of_two, halves)[0].root;
         EXPECT_EQ(count_faces(*root), count);
-        EXPECT_TRUE(same_bins(*root, *BlockBuilder().build(alone, {}, kNodeItems)));
-        EXPECT_EQ(same_bins(*root, *index_over(alone, {})), count <= kNodeItems) << "a block has nothing above it";
+        EXPECT_TRUE(same_bins(*root, *BlockBuilder().build(alone, halves, kNodeItems)));
+        EXPECT_EQ(same_bins(*root, *index_over(alone, halves)), count <= kNodeItems) << "a block has nothing above it";
     }
 }
 
 TEST(BuildBlocks, SurfaceAreaSplitsOverlapLess) {
     const FaceSet faces = random_faces(5000, 100000, 8000);
     EXPECT_LT(tree_statistics(*index_over(faces, {.split = Split::kSurfaceArea})).overlap,
-              tree_statistics(*index_over(faces, {})).overlap);
+              tree_statistics(*index_over(faces, {.split = Split::kLongestAxis})).overlap);
 }
 
 }  // namespace
