@@ -13,22 +13,23 @@ Int128 magnitude_of(Int128 value) {
     return value < 0 ? -value : value;
 }
 
-/// a without multiples of b: what the module links has no remainder of 128 bits.
-Int128 remainder_of(Int128 a, Int128 b) {
-    return a - a / b * b;
-}
-
-/// Of numbers that are not negative. Mostly one step brings them to 64 bits.
+/// Of numbers that are not negative, by shifts and differences until they have 64 bits: what the module links has no
+/// remainder of 128 bits. Source: J. Stein, Computational Problems Associated with Racah Algebra, 1967.
 Int128 common_divisor(Int128 a, Int128 b) {
-    constexpr Int128 kMost = ~std::uint64_t(0);
-    if (a < b) std::swap(a, b);
-    while (b > kMost) {
-        a = remainder_of(a, b);
-        std::swap(a, b);
+    if (a == 0 || b == 0) return a + b;
+    int twos = 0;
+    for (; ((a | b) & 1) == 0; ++twos) {
+        a >>= 1;
+        b >>= 1;
     }
-    if (b == 0) return a;
-    if (a > kMost) a = remainder_of(a, b);
-    return std::gcd(std::uint64_t(a), std::uint64_t(b));
+    while ((a & 1) == 0) a >>= 1;
+    while (b != 0 && ((a | b) >> 64) != 0) {
+        while ((b & 1) == 0) b >>= 1;
+        if (a > b) std::swap(a, b);
+        b -= a;
+    }
+    if (b != 0) a = std::gcd(std::uint64_t(a), std::uint64_t(b));
+    return a << twos;
 }
 
 /// normal . p + offset = 0, p in surface steps: divided by what divides all four.
