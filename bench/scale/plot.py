@@ -13,11 +13,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from plot_carving import Scale, escape, label, rows, value  # noqa: E402
 
 PANEL_WIDTH, PANEL_HEIGHT = 380, 230
-LEFT, TOP, GAP_X, GAP_Y, BOTTOM, RIGHT = 64, 84, 118, 62, 52, 108
+LEFT, TOP, GAP_X, GAP_Y, BOTTOM, RIGHT = 64, 92, 118, 62, 52, 112
 INK, FAINT, GREY = "#202124", "#e9ebee", "#5f6368"
 COLOURS = {"Firma": "#1b6ca8", "Embree": "#e08e1b", "Bullet": "#d1495b", "CGAL": "#3a7d44", "FCL": "#6a4c93",
            "jolt-physics": "#d1495b", "rapier": "#6a4c93"}
-SCENES = {"ground": "ground", "rooms": "rooms"}
+SCENES = ("ground", "rooms")
 
 
 def colour(name):
@@ -39,7 +39,7 @@ def of_bytes(size):
 def log_ticks(low, high):
     """Powers of ten; with few of them, twos and fives between."""
     decades = math.log10(high / low)
-    parts = (1, 2, 5) if decades < 2 else (1,)
+    parts = (1, 2, 5) if decades < 2.5 else (1,)
     exponents = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     return [part * 10.0**e for e in exponents for part in parts if low * 0.999 <= part * 10.0**e <= high * 1.001]
 
@@ -159,9 +159,9 @@ def builds(results, pictures):
         return [(short.get(name, name), points(table, {"scene": scene, "who": name}, column, factor), name == "Firma, with the exact part")
                 for name in who]
 
-    figure(pictures / "scale_builds.svg", "Ready to cast", "one thread; \"exact\": what cutting needs is made, too; both axes logarithmic; lower is better",
+    figure(pictures / "scale_builds.svg", "Ready to cast, by the size of the scene", "one thread; \"exact\": what cutting needs is made, too; both axes logarithmic; lower is better",
            [[(f"time of the build, {scene}", series(scene, "build ms", 1e6)) for scene in SCENES]], of_time)
-    figure(pictures / "scale_memory.svg", "Memory", "bytes a triangle that the process holds once it is built; both axes logarithmic; lower is better",
+    figure(pictures / "scale_memory.svg", "Memory, by the size of the scene", "bytes a triangle that the process holds once it is built; both axes logarithmic; lower is better",
            [[(f"bytes a triangle, {scene}", series(scene, "resident bytes a triangle", 1)) for scene in SCENES]], of_bytes)
 
 
@@ -170,7 +170,7 @@ def cuts(results, pictures):
     series = (("Firma", "Firma median ms", False), ("Firma, p99", "Firma p99 ms", True), ("CGAL", "CGAL median ms", False))
     grid = [[(f"a crater, {scene}", [(name, points(table, {"scene": scene}, column, 1e6), dashed) for name, column, dashed in series])
              for scene in SCENES]]
-    figure(pictures / "scale_cuts.svg", "One crater, ready to cast again", "median unless said; CGAL: corefinement in place; both axes logarithmic; lower is better",
+    figure(pictures / "scale_cuts.svg", "One crater, ready to cast again, by the size of the scene", "median unless said; CGAL: corefinement in place; both axes logarithmic; lower is better",
            grid, of_time)
 
 
@@ -179,16 +179,17 @@ def node(results, pictures):
         return
     table = rows(results, "scale_node")
     who = [column.removesuffix(" ns") for column in table[0] if column.endswith(" ns")]
-    grid = [[(f"{kind}, {scene}", [(peer, points(table, {"scene": scene, "casts": kind}, f"{peer} ns"), "batch" in peer) for peer in who])
+    grid = [[(f"{kind}, {scene}",
+              [(peer.replace(" in a batch", ", batch"), points(table, {"scene": scene, "casts": kind}, f"{peer} ns"), "batch" in peer) for peer in who])
              for scene in SCENES] for kind in in_order(table, "casts")]
-    figure(pictures / "scale_node.svg", "In node", "time a cast, by modules for JavaScript; both axes logarithmic; lower is better", grid, of_time)
+    figure(pictures / "scale_node.svg", "In node, by the size of the scene", "time a cast, by modules for JavaScript; both axes logarithmic; lower is better", grid, of_time)
 
 
 def main():
     results, pictures = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     pictures.mkdir(parents=True, exist_ok=True)
-    casts(results, pictures, "scale_rays", "Rays, from ten thousand to ten million triangles", lambda kind: kind.startswith("rays"))
-    casts(results, pictures, "scale_shapes", "Shapes, from ten thousand to ten million triangles", lambda kind: not kind.startswith("rays"))
+    casts(results, pictures, "scale_rays", "Rays, by the size of the scene", lambda kind: kind.startswith("rays"))
+    casts(results, pictures, "scale_shapes", "Spheres, by the size of the scene", lambda kind: not kind.startswith("rays"))
     builds(results, pictures)
     cuts(results, pictures)
     node(results, pictures)
