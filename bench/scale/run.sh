@@ -6,7 +6,7 @@
 #
 #   bench/scale/run.sh [--quick | --full] [--rounds N] [--no-node]
 #     (nothing)   up to a million triangles: about 10 minutes
-#     --full      ten million as well, and slow libraries on larger scenes: about an hour, 12 GB
+#     --full      ten million as well, and slow libraries on larger scenes: about half an hour, 8 GB
 #     --quick     ten thousand, few casts; tables and pictures to build/scale/quick alone
 #     --no-node   without jolt-physics, for who has no node
 # Installs what is missing (apt, npm).
