@@ -62,7 +62,17 @@ function differ(ours, theirs, inputs) {
 
 const misses = (fractions) => fractions.reduce((sum, fraction) => sum + !isHit(fraction), 0);
 
-const firma = await loadFirma(fileURLToPath(new URL('../../build/wasm/bin/firma.wasm', import.meta.url)));
+/** Nothing when the scene does not fit into the memory of jolt-physics' module, which does not grow. */
+async function joltOf(mesh, radius) {
+    try {
+        return await jolt(mesh, radius);
+    } catch (error) {
+        if (!/OOM/.test(error.message)) throw error;
+        console.error('  jolt-physics is out of memory');
+        return undefined;
+    }
+}
+
 const scenes = [];
 for (const name of await readdir(positionals[0])) if (name.endsWith('.json')) scenes.push(await readScene(positionals[0], name));
 scenes.sort((a, b) => (a.scene === b.scene ? a.triangles - b.triangles : a.scene < b.scene ? -1 : 1));
@@ -70,30 +80,33 @@ const rows = [];
 const builds = [];
 for (const { scene, mesh, triangles, casts, kinds } of scenes) {
     console.error(`${scene}, ${count(triangles)} triangles, in node`);
+    // A module for each scene, as jolt() has one: both build the first time.
+    const firma = await loadFirma(fileURLToPath(new URL('../../build/wasm/bin/firma.wasm', import.meta.url)));
     const { world, buildMs } = worldOf(firma, mesh);
-    const casters = [firmaSingle(world, buildMs), firmaBatch(world, buildMs), await jolt(mesh, kinds.find((kind) => kind.shape === 'sphere').radius)];
-    builds.push([scene, count(triangles), number(buildMs), number(casters[2].buildMs), times(casters[2].buildMs / buildMs)]);
+    const peer = await joltOf(mesh, kinds.find((kind) => kind.shape === 'sphere').radius);
+    const casters = [firmaSingle(world, buildMs), firmaBatch(world, buildMs), ...(peer ? [peer] : [])];
+    builds.push([scene, count(triangles), number(buildMs), peer ? number(peer.buildMs) : '', peer ? times(peer.buildMs / buildMs) : '']);
     for (const kind of kinds) {
         const fractions = casters.map(() => new Float64Array(casts));
         const method = kind.shape === 'ray' ? 'rays' : 'balls';
         const laps = race(casters.map((caster, k) => () => caster[method](kind.inputs, fractions[k])), rounds);
+        const ns = laps.map((lap) => number((median(lap) * 1e6) / casts));
         const [single, batch, theirs] = fractions;
+        const otherBits = single.reduce((sum, fraction, k) => sum + (fraction !== kind.fractions[k]) + (fraction !== batch[k]), 0);
+        const ofPeer = (text) => (peer ? text() : '');
         rows.push([
-            kind.name, scene, count(triangles), count(casts),
-            ...laps.map((lap) => number((median(lap) * 1e6) / casts)),
-            times(ratio(laps[2], laps[0])), times(ratio(laps[2], laps[1])),
-            count(single.reduce((sum, fraction, k) => sum + (fraction !== kind.fractions[k]) + (fraction !== batch[k]), 0)),
-            count(theirs.reduce((sum, fraction) => sum + isHit(fraction), 0)),
-            count(differ(kind.fractions, theirs, kind.inputs)),
-            kind.mustHit ? count(misses(single)) : '', kind.mustHit ? count(misses(theirs)) : '',
+            kind.name, scene, count(triangles), count(casts), ns[0], ns[1],
+            ofPeer(() => ns[2]), ofPeer(() => times(ratio(laps[2], laps[0]))), ofPeer(() => times(ratio(laps[2], laps[1]))),
+            count(otherBits),
+            ofPeer(() => count(theirs.reduce((sum, fraction) => sum + isHit(fraction), 0))),
+            ofPeer(() => count(differ(kind.fractions, theirs, kind.inputs))),
+            kind.mustHit ? count(misses(single)) : '', ofPeer(() => (kind.mustHit ? count(misses(theirs)) : '')),
         ]);
     }
     world.release();
 }
-rows.sort((a, b) => kindsInOrder().indexOf(a[0]) - kindsInOrder().indexOf(b[0]));
-function kindsInOrder() {
-    return scenes[0].kinds.map(({ name }) => name);
-}
+const order = scenes[0].kinds.map(({ name }) => name);
+rows.sort((a, b) => order.indexOf(a[0]) - order.indexOf(b[0]));
 const who = ['Firma ns', 'Firma in a batch ns', 'jolt-physics ns', 'jolt-physics to Firma', 'jolt-physics to a batch'];
 const answers = ['other bits than natively', 'hits of jolt-physics', 'differ from Firma', 'leaks of Firma', 'leaks of jolt-physics'];
 await finish('scale_node', ['casts', 'scene', 'triangles', 'asked', ...who, ...answers], rows, values.csv);

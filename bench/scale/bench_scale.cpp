@@ -25,7 +25,7 @@ namespace {
 struct ScaleSettings {
     bool quick = false, full = false;
     std::string csv, dump;
-    std::vector<std::size_t> sizes{10'000, 100'000, 1'000'000};
+    std::vector<std::size_t> sizes{10'000, 30'000, 100'000, 300'000, 1'000'000};
     int rounds = 5;
     std::size_t casts = 20'000;
     double cast_budget = 0.3;  ///< seconds a round for each peer and kind of cast; slower ones get fewer casts
