@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { loadFirma } from '../../bindings/js/src/index.js';
 import { firmaBatch, firmaSingle, jolt, MISS } from './casters.mjs';
-import { clock, count, finish, median, number, race, ratio, times } from './race.mjs';
+import { count, finish, median, number, race, ratio, times } from './race.mjs';
 
 /** Metres along the path that two stops may lie apart, as in bench/scale/differences.h. */
 const STOP_TOLERANCE = 0.002;
@@ -43,9 +43,7 @@ async function readScene(folder, name) {
 
 /** As the others meet them: from both sides. */
 function worldOf(firma, mesh) {
-    const before = clock();
-    const world = firma.worldFromMesh({ ...mesh, twoSided: new Uint8Array(mesh.corners.length / 3).fill(1) });
-    return { world, buildMs: clock() - before };
+    return firma.worldFromMesh({ ...mesh, twoSided: new Uint8Array(mesh.corners.length / 3).fill(1) });
 }
 
 const isHit = (fraction) => fraction <= 1;
@@ -76,16 +74,13 @@ async function joltOf(mesh, radius) {
 const scenes = [];
 for (const name of await readdir(positionals[0])) if (name.endsWith('.json')) scenes.push(await readScene(positionals[0], name));
 scenes.sort((a, b) => (a.scene === b.scene ? a.triangles - b.triangles : a.scene < b.scene ? -1 : 1));
+const firma = await loadFirma(fileURLToPath(new URL('../../build/wasm/bin/firma.wasm', import.meta.url)));
 const rows = [];
-const builds = [];
 for (const { scene, mesh, triangles, casts, kinds } of scenes) {
     console.error(`${scene}, ${count(triangles)} triangles, in node`);
-    // A module for each scene, as jolt() has one: both build the first time.
-    const firma = await loadFirma(fileURLToPath(new URL('../../build/wasm/bin/firma.wasm', import.meta.url)));
-    const { world, buildMs } = worldOf(firma, mesh);
+    const world = worldOf(firma, mesh);
     const peer = await joltOf(mesh, kinds.find((kind) => kind.shape === 'sphere').radius);
-    const casters = [firmaSingle(world, buildMs), firmaBatch(world, buildMs), ...(peer ? [peer] : [])];
-    builds.push([scene, count(triangles), number(buildMs), peer ? number(peer.buildMs) : '', peer ? times(peer.buildMs / buildMs) : '']);
+    const casters = [firmaSingle(world), firmaBatch(world), ...(peer ? [peer] : [])];
     for (const kind of kinds) {
         const fractions = casters.map(() => new Float64Array(casts));
         const method = kind.shape === 'ray' ? 'rays' : 'balls';
@@ -110,5 +105,4 @@ rows.sort((a, b) => order.indexOf(a[0]) - order.indexOf(b[0]));
 const who = ['Firma ns', 'Firma in a batch ns', 'jolt-physics ns', 'jolt-physics to Firma', 'jolt-physics to a batch'];
 const answers = ['other bits than natively', 'hits of jolt-physics', 'differ from Firma', 'leaks of Firma', 'leaks of jolt-physics'];
 await finish('scale_node', ['casts', 'scene', 'triangles', 'asked', ...who, ...answers], rows, values.csv);
-await finish('scale_node_builds', ['scene', 'triangles', 'Firma ms', 'jolt-physics ms', 'jolt-physics to Firma'], builds, values.csv);
 process.exit(0);

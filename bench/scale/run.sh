@@ -38,15 +38,15 @@ log=build/scale.log
 { cmake -S . -B build/scale -G Ninja -DCMAKE_BUILD_TYPE=Release -DFIRMA_BUILD_BENCH=ON -DFIRMA_BENCH_SCALE=ON \
     -DFIRMA_BUILD_CLI=OFF "${unite[@]}" && cmake --build build/scale --target bench_scale; } >"$log" 2>&1 || { tail -n 60 "$log" >&2; exit 1; }
 
-rm -rf build/scale/scenes
-mkdir -p build/scale/scenes
-build/scale/bin/bench_scale "${options[@]}" --csv "$results" --dump build/scale/scenes
+rm -rf build/scale/dump
+mkdir -p build/scale/dump
+build/scale/bin/bench_scale "${options[@]}" --csv "$results" --dump build/scale/dump
 
 if [ "$with_node" ]; then
     need_module
     { cmake --preset wasm && cmake --build --preset wasm --target firma_wasm firma_readers_wasm; } >"$log" 2>&1 || { tail -n 60 "$log" >&2; exit 1; }
     (cd bench/node && npm ci --omit=optional --no-fund --no-audit --silent)
-    node --max-old-space-size=4096 bench/node/bench_scale.mjs build/scale/scenes "${node_options[@]}" --csv "$results"
+    node --max-old-space-size=4096 bench/node/bench_scale.mjs build/scale/dump "${node_options[@]}" --csv "$results"
 fi
 
 /usr/bin/python3 bench/scale/plot.py "$results" "$pictures"
