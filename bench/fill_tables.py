@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Puts tables of bench/results into a Markdown page, between marks.
+"""Puts tables of bench/results into a Markdown page, and pictures drawn from them, between marks.
 
     fill_tables.py PAGE.md RESULTS_FOLDER
 
 A mark is  <!-- table NAME -->  or  <!-- table NAME: column; column as heading; ... -->  and ends at  <!-- end -->.
 Rows can be chosen:  <!-- table NAME: ... | column=value; column=value -->.
+A picture's is  <!-- picture PATH: what it shows -->  with a path from the page.
 """
 
 import csv
@@ -14,6 +15,8 @@ import re
 import sys
 
 MARK = re.compile(r"<!-- table (?P<name>\w+)(?:: (?P<columns>[^|]*?))?(?: \| (?P<rows>.*?))? -->\n.*?<!-- end -->", re.S)
+
+PICTURE = re.compile(r"<!-- picture (?P<path>\S+): (?P<shows>.*?) -->\n.*?<!-- end -->", re.S)
 
 
 def parts(text):
@@ -40,11 +43,19 @@ def table(folder, mark):
     return "\n".join(lines)
 
 
+def picture(page, mark):
+    return f"![{mark['shows']}]({mark['path']})" if (page.parent / mark["path"]).exists() else "(not drawn)"
+
+
+def filled(mark, between):
+    return mark[0].split("\n", 1)[0] + "\n" + between + "\n<!-- end -->"
+
+
 def main():
     page, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     text = page.read_text()
-    filled = MARK.sub(lambda m: m[0].split("\n", 1)[0] + "\n" + table(folder, m) + "\n<!-- end -->", text)
-    page.write_text(filled)
+    text = MARK.sub(lambda mark: filled(mark, table(folder, mark)), text)
+    page.write_text(PICTURE.sub(lambda mark: filled(mark, picture(page, mark)), text))
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# All benchmarks, one after the other, and their tables into docs/benchmarks.md. About half an hour.
+# All benchmarks, one after the other, and their tables into docs/benchmarks.md. About three quarters of an hour.
 #
 #   bench/run_all.sh [name ...]        only these: the article's questions (formulas inside boxes edges tree subdivision
 #                                      stop_distance), first_level pieces carve carve_allocations carve_cgal
 #                                      carve_rebuild carved_casts versions region_meshes levels save repair store peers openarena node
-#                                      sweeps digs chunks living matter hostile cgal_exact
+#                                      sweeps digs chunks living matter hostile cgal_exact scale
 set -eu
 
 repository=$(cd "$(dirname "$0")/.." && pwd)
@@ -29,7 +29,7 @@ pieces() {
 
 [ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
     carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save repair store openarena peers node \
-    sweeps digs chunks living matter hostile cgal_exact
+    sweeps digs chunks living matter hostile cgal_exact scale
 for name in "$@"; do
     echo "--- $name"
     case $name in
@@ -41,6 +41,7 @@ for name in "$@"; do
         living | matter)
             tools/unpack_openarena.sh && FIRMA_OPENARENA=build/openarena "build/bench/bin/bench_$name" --csv "$results" ;;
         peers) bench/peers/run.sh ;;
+        scale) bench/scale/run.sh ;;
         node) bench/node/run.sh --csv "$results" ;;
         carve) build/bench/bin/bench_carve huge --csv "$results" ;;  # 2.6 GB
         carve_cgal | cgal_exact)  # only where there is CGAL

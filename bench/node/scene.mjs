@@ -53,19 +53,22 @@ class MeshMaker {
     }
 }
 
-/** A level's polygons as fans of triangles; they are convex. */
-export async function triangulatedObj(path) {
+/** A level's polygons as fans of triangles; they are convex.
+ * @param scale metres a unit of the file */
+export async function meshOfObj(path, scale) {
     const vertices = [];
     const maker = new MeshMaker();
     for (const line of (await readFile(path, 'utf8')).split('\n')) {
         const [word, ...rest] = line.trim().split(/\s+/);
-        if (word === 'v') vertices.push(rest.slice(0, 3).map((x) => snap(Number(x))));
+        if (word === 'v') vertices.push(rest.slice(0, 3).map((x) => snap(Number(x) * scale)));
         if (word !== 'f') continue;
         const face = rest.map((corner) => vertices[parseInt(corner, 10) - 1]);
         for (let k = 2; k < face.length; ++k) maker.triangle(face[0], face[k - 1], face[k]);
     }
     return maker.mesh();
 }
+
+export const triangulatedObj = (path) => meshOfObj(path, 1);
 
 const SIZE = [12, 12, 6]; // of a room, metres
 const SPACING = 13.5;

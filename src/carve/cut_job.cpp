@@ -8,26 +8,21 @@
 #include <optional>
 
 #include "base/assert.h"
-#include "base/disjoint_sets.h"
 #include "carve/change_points.h"
 #include "carve/check_shells.h"
 #include "carve/cut_volume.h"
 #include "carve/gather.h"
-#include "carve/nearest_facet.h"
 #include "carve/place_solid.h"
-#include "carve/reaches_into.h"
 #include "carve/side_of_solid.h"
 #include "carve/trace_loops.h"
 #include "carve/write_reproduction.h"
 #include "solid/append_faces.h"
 #include "solid/face_ids.h"
 #include "solid/hash_face.h"
-#include "solid/own_face.h"
 
 namespace firma {
 namespace {
 
-/// One less than what says "no face".
 /// How many facets' worth of faces one step makes.
 constexpr std::uint32_t kFacesAStep = 16;
 
@@ -185,7 +180,7 @@ CutJob::Phase CutJob::place() {
                                                     " m long; the world allows " + number(rules_.max_cutter_size) +
                                                     " m");
     if (std::exchange(hardness_asked_, true)) return Phase::kCheck;
-    const double hardness = hardness_at_middle();
+    const double hardness = limits().hardness_at_middle();
     if (!(hardness > 0)) return Phase::kCheck;
     report_.scale = 1 - hardness;
     return Phase::kPlace;
@@ -197,81 +192,9 @@ Pose CutJob::scaled_pose() const {
     return pose;
 }
 
-/// Of what the cutter's middle lies in, or nearest to: below 1, by how much it is shrunk; else 0.
-double CutJob::hardness_at_middle() const {
-    const Vec3 middle = (to_metres(solid_cutter_.box.low) + to_metres(solid_cutter_.box.high)) * 0.5;
-    return std::max(hardness_of_zones(middle), hardness_of_matter(middle));
-}
-
-double CutJob::hardness_of_zones(const Vec3& middle) const {
-    double hardest = 0;
-    for (const CarveZone& zone : rules_.zones) {
-        bool inside = true;
-        for (int axis = 0; axis < 3; ++axis)
-            inside = inside && middle[axis] >= zone.box.low[axis] && middle[axis] <= zone.box.high[axis];
-        if (inside && zone.hardness < 1) hardest = std::max(hardest, zone.hardness);
-    }
-    return hardest;
-}
-
-double CutJob::hardness_of_matter(const Vec3& middle) const {
-    const MatterPieces* pieces = terms_.matters.pieces;
-    const auto is_between = [](double h) { return h > 0 && h < 1; };
-    const bool given = std::any_of(rules_.hardness.begin(), rules_.hardness.end(), is_between);
-    const bool known = pieces && std::any_of(pieces->table.matters.begin(), pieces->table.matters.end(),
-                                             [&](const Matter& matter) { return is_between(matter.hardness); });
-    if (input_.fill || (!given && !known)) return 0;
-    // What is farther than the cutter reaches does not matter: it takes nothing there.
-    const std::optional<NearestFacet> near = nearest_facet(index(), middle, solid_cutter_.box.longest_extent() * 2);
-    double hardness = 0;
-    const std::uint32_t material = near ? near->place.record().material : ~0u;
-    if (near && material < rules_.hardness.size()) hardness = rules_.hardness[material];
-    if (pieces && pieces->pieces.empty()) {
-        if (!(hardness > 0)) hardness = hardness_of_rest(*pieces, &rules_);
-    } else if (pieces) {
-        const bool in_solid = locate(solid_, middle) == Where::kSolid;
-        if (!in_solid && !near) return 0;
-        constexpr double kBehindFacet = 1.0 / 1024;  // metres
-        const std::optional<GridPoint> at = snap(in_solid ? middle : near->at - near->normal * kBehindFacet);
-        if (!at) return 0;
-        const std::optional<std::uint32_t> piece = piece_at(*pieces, *at, &rules_);
-        hardness = piece ? hardness_of(*pieces, pieces->pieces[*piece], &rules_) : hardness_of_rest(*pieces, &rules_);
-    }
-    return is_between(hardness) ? hardness : 0;
-}
-
-/// What may not be carved and may reach into the cutter. What is filled in changes no piece.
-std::vector<CutShield> CutJob::shields() const {
-    std::vector<CutShield> found;
-    for (const CarveZone& zone : rules_.zones) {
-        if (!(zone.hardness >= 1) || !reaches_into(solid_cutter_, zone.box)) continue;
-        if (std::optional<Cutter> box = box_shield(zone.box, solid_cutter_.box))
-            found.push_back({*std::move(box), "zone " + zone.name});
-    }
-    const MatterPieces* pieces = terms_.matters.pieces;
-    if (input_.fill || !pieces || !terms_.solid_of || !any_hard(*pieces, &rules_)) return found;
-    std::vector<std::uint32_t> near;
-    pieces->tree.for_each_meeting(solid_cutter_.box, [&](std::uint32_t number) {
-        if (hardness_of(*pieces, pieces->pieces[number], &rules_) >= 1) near.push_back(number);
-        return false;
-    });
-    std::sort(near.begin(), near.end());
-    for (const std::uint32_t number : near) {
-        const MatterPiece& piece = pieces->pieces[number];
-        const std::optional<Solid> solid = terms_.solid_of(piece);
-        if (!solid) continue;
-        Result<Cutter> cutter = cutter_from_solid(*solid);
-        if (!cutter) continue;
-        const bool by_matter = pieces->table.matters[piece.matter].hardness >= 1;
-        found.push_back({std::move(cutter).value(), by_matter ? "matter " + pieces->table.matters[piece.matter].name
-                                                              : "material " + material_name(piece.look)});
-    }
-    return found;
-}
-
 /// The cutter minus what may not be carved: where that takes something of it, a Solid goes on in its place.
 CutJob::Phase CutJob::trim() {
-    const std::vector<CutShield> near = shields();
+    const std::vector<CutShield> near = limits().shields();
     if (near.empty()) return Phase::kGather;
     Result<TrimmedCutter> trimmed = trim_cutter(cutter_, scaled_pose(), near);
     if (!trimmed) {
@@ -344,64 +267,6 @@ CutJob::Phase CutJob::tile() {
     next_ = 0;
     return Phase::kCut;
 }
-
-namespace {
-
-/// Whether a mesh is more than one closed surface; a Solid may be.
-bool has_several_shells(const CutterSolid& cutter) {
-    if (cutter.turned) return true;
-    DisjointSets sets(cutter.points.size());
-    for (const CutterSolid::Edge& edge : cutter.edges) sets.join(edge.a, edge.b);
-    for (const CutterSolid::Edge& edge : cutter.edges)
-        if (sets.find(edge.a) != 0) return true;
-    return false;
-}
-
-/// The facets of a loose piece that looked into rooms, face by face, each with an exact one.
-void append_walls(const CutPiece& piece, FaceSet& walls) {
-    for (const FaceSet::Entry& face : piece.made.faces) {
-        if (face.part == kUnsetPart) continue;
-        append_face(piece.made, face, walls);
-        walls.faces.back().owner = face.owner;
-        walls.owners.emplace_back(face.owner);
-    }
-    std::vector<GridPoint> corners;
-    for (const FacetPlace& facet : piece.removed) {
-        const FaceRecord& record = facet.record();
-        corners.clear();
-        for (std::uint32_t k = 0; k < record.corner_count; ++k) corners.push_back(facet.block->corner(record, k));
-        Ref<const FaceOwner> owner(facet.block->owner_of(record));
-        if (!owner) owner = Ref<const FaceOwner>(face_of_corners(corners).get());
-        FaceSet::Entry entry;
-        entry.material = record.material;
-        entry.part = facet.block->part;
-        entry.first_corner = std::uint32_t(walls.corners.size());
-        entry.corner_count = record.corner_count;
-        entry.owner = owner.get();
-        for (const GridPoint& corner : corners) {
-            walls.corners.push_back(std::uint32_t(walls.vertices.size()));
-            walls.vertices.push_back(corner);
-        }
-        walls.faces.push_back(entry);
-        walls.owners.push_back(std::move(owner));
-    }
-}
-
-/// Whether not all faces of a list look into one air.
-template <class Faces, class AirOf>
-bool several_airs(const Faces& faces, const AirOf& air_of) {
-    std::optional<std::uint32_t> first, last_part;
-    for (const std::uint32_t part : faces) {
-        if (last_part == part) continue;
-        last_part = part;
-        const std::uint32_t air = air_of(part);
-        if (first && *first != air) return true;
-        first = air;
-    }
-    return false;
-}
-
-}  // namespace
 
 /// By the faces near the cutter.
 bool CutJob::may_open() const {
@@ -551,26 +416,8 @@ CutJob::Phase CutJob::too_many_new_faces() {
                                             " new faces that the world allows");
 }
 
-/// Of what is taken, what may not be carved and no piece stands for: then nothing could be cut short.
-std::optional<std::string> CutJob::taken_and_hard() const {
-    const MatterPieces* pieces = terms_.matters.pieces;
-    const bool has_pieces = pieces && !pieces->pieces.empty();
-    const bool rest_is_hard = pieces && hardness_of_rest(*pieces, &rules_) >= 1;
-    if (has_pieces && !rest_is_hard) return std::nullopt;
-    for (const std::uint32_t face : loops().gone) {
-        const FaceRecord& record = patch_.faces[face].facet.record();
-        const std::uint32_t material = record.material;
-        if (!has_pieces && material < rules_.hardness.size() && rules_.hardness[material] >= 1)
-            return "material " + material_name(material);
-        if (!rest_is_hard || record.edit != 0) continue;
-        if (!has_pieces || pieces->of_source(record.source) == pieces->rest)
-            return "matter " + pieces->table.matters[pieces->rest].name;
-    }
-    return std::nullopt;
-}
-
 CutJob::Phase CutJob::apply_materials() {
-    if (const std::optional<std::string> hard = taken_and_hard())
+    if (const std::optional<std::string> hard = limits().taken_and_hard(patch_, loops()))
         return refuse(ErrorCode::kInvalid, *hard + " may not be carved");
     if (material_) return start_facets(*material_);
     splitter_ = std::make_unique<MatterSplitter>(input_, crossings(), loops(), terms_.matters, &rules_);
@@ -627,11 +474,6 @@ CutJob::Phase CutJob::find_loose() {
     if (loose_->search.step()) return Phase::kLoose;
     report_.faces_searched = loose_->search.searched();
     return Phase::kChange;
-}
-
-std::string CutJob::material_name(std::uint32_t material) const {
-    if (terms_.materials && material < terms_.materials->size()) return (*terms_.materials)[material];
-    return std::to_string(material);
 }
 
 /// All facets of the faces that go. Those near the cutter were gathered already; a face may have others farther away.
@@ -714,7 +556,7 @@ CutJob::Phase CutJob::make_change() {
     if (clipped_)
         for (const std::uint32_t from : made_from_)
             air_of_added_.push_back(from == Pockets::kNone ? FaceAir() : clipped_->air[from]);
-    if (terms_.air_of) note_divisions();
+    if (terms_.air_of || !sheets_.empty()) edge_parts_.emplace(patch_, made_loops(), *face_maker_);
     status_ = CarveStatus::kDone;
     return Phase::kEnd;
 }
@@ -723,13 +565,13 @@ CutJob::Phase CutJob::make_change() {
 void CutJob::make_opening() {
     std::vector<std::uint32_t> parts = wall_parts();
     if (!opens_ && !several_airs(parts, terms_.air_of)) return;
-    Pockets pockets = opens_ ? find_pockets(made_view(), made_loops()) : one_pocket();
+    Pockets pockets = opens_ ? find_pockets(made_view(), made_loops()) : one_pocket(made_loops());
     if (!opens_) {
         const std::vector<std::uint32_t> airs = airs_touched();
         opening_.air = airs.empty() ? terms_.air_of(parts[0]) : airs[0];
     }
     if (opens_) opening_.taken = face_maker_->take_taken();
-    const std::vector<std::uint32_t> pocket_of_piece = join_pockets(pockets);
+    const std::vector<std::uint32_t> pocket_of_piece = join_pockets(made_of_piece_, pockets);
     opening_.pockets = pockets.count;
     for (const std::uint32_t from : taken_from_) opening_.of_taken.push_back(pockets.of_taken[from]);
     for (const std::uint32_t from : made_from_)
@@ -752,39 +594,6 @@ std::vector<std::uint32_t> CutJob::wall_parts() const {
     return parts;
 }
 
-Pockets CutJob::one_pocket() const {
-    Pockets pockets;
-    pockets.count = 1;
-    for (const NewFace& face : made_loops().faces) pockets.of_face.push_back(face.triangle != ~0u ? 0 : Pockets::kNone);
-    return pockets;
-}
-
-/// Those that a loose piece touches become one.
-/// @return the pocket of each piece
-std::vector<std::uint32_t> CutJob::join_pockets(Pockets& pockets) const {
-    DisjointSets sets(pockets.count);
-    std::vector<std::uint32_t> of_piece;
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
-        std::uint32_t first = Pockets::kNone;
-        for (const std::uint32_t owner : made_of_piece_[k]) {
-            const std::uint32_t pocket = owner < made_loops().faces.size() ? pockets.of_face[owner] : Pockets::kNone;
-            if (pocket == Pockets::kNone) continue;
-            if (first == Pockets::kNone) first = pocket;
-            sets.join(first, pocket);
-        }
-        of_piece.push_back(first == Pockets::kNone ? 0 : first);
-    }
-    std::vector<std::uint32_t> number(pockets.count, Pockets::kNone);
-    std::uint32_t next = 0;
-    for (std::uint32_t k = 0; k < number.size(); ++k)
-        if (sets.find(k) == k) number[k] = next++;
-    for (std::vector<std::uint32_t>* all : {&pockets.of_face, &pockets.of_taken, &of_piece})
-        for (std::uint32_t& pocket : *all)
-            if (pocket != Pockets::kNone) pocket = number[sets.find(pocket)];
-    pockets.count = next;
-    return of_piece;
-}
-
 std::vector<CutSheet> CutJob::sheets_left(std::vector<std::uint32_t>& changed) {
     std::vector<CutSheet> left;
     changed.clear();
@@ -803,7 +612,7 @@ std::vector<CutSheet> CutJob::sheets_left(std::vector<std::uint32_t>& changed) {
                 if (side.edge == SheetSide::kAsItWas)
                     sheet.uses.push_back(side.use);
                 else
-                    append_use({side.edge, side.reversed}, sheet.uses);
+                    edge_parts_->append({side.edge, side.reversed}, sheet.uses);
             }
             sheet.ends = rest.ends;
         }
@@ -811,53 +620,14 @@ std::vector<CutSheet> CutJob::sheets_left(std::vector<std::uint32_t>& changed) {
     return left;
 }
 
-void CutJob::note_divisions() {
-    const auto note = [&](const PatchEdge& edge) {
-        for (const std::uint32_t vertex : edge.vertex) divided_box_.add(patch_.vertices[vertex].point.rounded());
-    };
-    for (const PatchEdge& edge : patch_.edges)
-        if (edge.split()) note(edge);
-    const std::vector<EdgeDivision>& divisions = made_loops().divisions;
-    if (divisions.empty()) return;
-    division_of_edge_.assign(patch_.edges.size(), ~0u);
-    for (std::uint32_t k = 0; k < divisions.size(); ++k) {
-        division_of_edge_[divisions[k].edge] = k;
-        note(patch_.edges[divisions[k].edge]);
-    }
-}
-
 bool CutJob::divide_edge(const SolidUse& use, std::vector<SolidUse>& parts) {
     const std::optional<PatchUse> found = patch_.find(use);
-    return found && divide_edge(*found, parts);
+    return edge_parts_ && found && edge_parts_->divide(*found, parts);
 }
 
 bool CutJob::divide_edge(const InputPoint& from, const InputPoint& to, std::vector<SolidUse>& parts) {
     const std::optional<PatchUse> found = patch_.find(from, to);
-    return found && divide_edge(*found, parts);
-}
-
-bool CutJob::divide_edge(PatchUse use, std::vector<SolidUse>& parts) {
-    const PatchEdge& edge = patch_.edges[use.edge];
-    if (edge.split()) {
-        for (const bool last : {false, true}) {
-            const PatchUse half{edge.half[use.reversed != last], use.reversed};
-            if (!divide_edge(half, parts)) append_use(half, parts);
-        }
-        return true;
-    }
-    if (division_of_edge_.empty() || division_of_edge_[use.edge] == ~0u) return false;
-    const EdgeDivision& division = made_loops().divisions[division_of_edge_[use.edge]];
-    for (std::uint32_t k = 0; k < division.count; ++k) {
-        PatchUse part = made_loops().parts[division.first_part + (use.reversed ? division.count - 1 - k : k)];
-        part.reversed = part.reversed != use.reversed;
-        append_use(part, parts);
-    }
-    return true;
-}
-
-void CutJob::append_use(const PatchUse& use, std::vector<SolidUse>& uses) {
-    const Ref<const SolidEdge>& edge = face_maker_->edge(use.edge);
-    uses.emplace_back(edge, use.reversed != face_maker_->runs_against(use.edge, *edge));
+    return edge_parts_ && found && edge_parts_->divide(*found, parts);
 }
 
 }  // namespace firma

@@ -12,6 +12,10 @@
 #include "carve/arrange_cut.h"
 #include "carve/clip_sheets.h"
 #include "carve/cut_faces.h"
+#include "carve/cut_opening.h"
+#include "carve/cut_terms.h"
+#include "carve/cutter_limits.h"
+#include "carve/edge_parts.h"
 #include "carve/find_loose.h"
 #include "carve/find_pockets.h"
 #include "carve/label.h"
@@ -23,43 +27,6 @@
 #include "solid/change_solid.h"
 
 namespace firma {
-
-/// What a cut goes by, beside the solid and the cutter.
-struct CutTerms {
-    const CarveRules* rules = nullptr;                    ///< null: none
-    const std::vector<std::string>* materials = nullptr;  ///< for reasons; null: by number
-    std::uint32_t material = 0;                           ///< of the faces that the cutter leaves
-    std::size_t other_faces = 0;                          ///< that count for CarveRules::max_faces beside the solid's
-    /// What the solid is made of. With materials of insides these count in place of `material`, but for fills.
-    CutMatters matters;
-    /// A piece as a solid, for what may not be carved. None where there is nothing such.
-    std::function<std::optional<Solid>(const MatterPiece&)> solid_of;
-    std::uint32_t edit = 0;            ///< the number it is given; 0: the one after the last
-    const Anchors* anchors = nullptr;  ///< what holds pieces; null: do not look for loose ones
-    /// Which air faces of a part look into: where a carving opens several, or may, CutOpening says how. Empty: it is
-    /// not asked.
-    std::function<std::uint32_t(std::uint32_t part)> air_of;
-    /// Adds the polygons that stand in the air and meet a box: a fill takes of them what lies in the cutter.
-    std::function<void(const GridBox& box, std::vector<CutSheet>& sheets)> sheets_at;
-};
-
-/// A piece that a cut left loose: all its facets go with SolidChange::removed, or do not come with `added`.
-struct CutPiece {
-    std::vector<FacetPlace> removed;  ///< of faces that the cut left alone: all of each, each with its part
-    FaceSet made;                     ///< of faces that the cut made; ids are left open
-    double volume = 0;                ///< cubic metres
-    GridBox box;
-};
-
-/// What a carving opens: the pieces of faces that it took, and pockets of new air behind them.
-struct CutOpening {
-    std::uint32_t pockets = 0;            ///< 0: all that was added of the cutter bounds one air
-    std::optional<std::uint32_t> air;     ///< the cutter took walls of this one alone: pockets are part of it
-    FaceSet taken;                        ///< pieces of the solid's faces, and loose pieces' faces; facets in a row
-    std::vector<std::uint32_t> of_taken;  ///< the pocket of each of `taken.faces`
-    std::vector<std::uint32_t>
-        of_added;  ///< of each of SolidChange::added.faces; Pockets::kNone: a piece of an old one
-};
 
 /// Works in pieces of some ten microseconds. Only reads the solid; what it makes is its own.
 class CutJob {
@@ -103,7 +70,7 @@ public:
     /// The same between two corners of faces that no cut has touched.
     bool divide_edge(const InputPoint& from, const InputPoint& to, std::vector<SolidUse>& parts);
     /// Around all edges of the solid that are divided now.
-    const GridBox& divided_box() const { return divided_box_; }
+    GridBox divided_box() const { return edge_parts_ ? edge_parts_->box() : GridBox(); }
     /// With kDone, where CutTerms::anchors said to look for them.
     const std::vector<CutPiece>& pieces() const { return pieces_; }
 
@@ -150,8 +117,6 @@ private:
     Phase make_change();
     void make_opening();
     std::vector<std::uint32_t> wall_parts() const;
-    Pockets one_pocket() const;
-    std::vector<std::uint32_t> join_pockets(Pockets& pockets) const;
 
     Phase refuse(ErrorCode code, std::string reason);
     Phase move_on(Verdict verdict, Phase next);
@@ -162,22 +127,14 @@ private:
     Phase too_many_pairs();
     Phase too_many_new_faces();
     Phase contradiction();
-    double hardness_at_middle() const;
-    double hardness_of_zones(const Vec3& middle) const;
-    double hardness_of_matter(const Vec3& middle) const;
     Pose scaled_pose() const;
-    std::vector<CutShield> shields() const;
-    std::optional<std::string> taken_and_hard() const;
+    CutterLimits limits() const { return {solid_, solid_cutter_, terms_, rules_, input_.fill}; }
     bool shows_insides() const { return !terms_.matters.inside.empty() && !input_.fill; }
     std::vector<FacetPlace> facets_removed();
     bool may_open() const;
     bool opens_several() const;
     bool goes_several() const;
-    void note_divisions();
-    bool divide_edge(PatchUse use, std::vector<SolidUse>& parts);
-    void append_use(const PatchUse& use, std::vector<SolidUse>& uses);
     void take_pieces_out();
-    std::string material_name(std::uint32_t material) const;
     double* clock_of(Phase phase);
 
     const Crossings& crossings() const {
@@ -245,11 +202,10 @@ private:
     std::vector<CutSheet> sheets_;  ///< of a fill
     std::optional<ClippedSheets> clipped_;
     std::vector<FaceAir> air_of_added_;
-    std::vector<std::uint32_t> made_from_;         ///< of each of SolidChange::added.faces: NewLoops::faces, or ~0
-    std::vector<std::uint32_t> taken_from_;        ///< of each of CutOpening::taken.faces: NewLoops::taken
-    std::vector<std::uint32_t> division_of_edge_;  ///< of the patch: NewLoops::divisions; ~0: none. Empty: none at all
-    GridBox divided_box_;
-    std::uint32_t next_ = 0;  ///< face at hand, in phases that go through many
+    std::vector<std::uint32_t> made_from_;   ///< of each of SolidChange::added.faces: NewLoops::faces, or ~0
+    std::vector<std::uint32_t> taken_from_;  ///< of each of CutOpening::taken.faces: NewLoops::taken
+    std::optional<EdgeParts> edge_parts_;    ///< with kDone
+    std::uint32_t next_ = 0;                 ///< face at hand, in phases that go through many
 };
 
 }  // namespace firma

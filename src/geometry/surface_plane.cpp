@@ -2,6 +2,8 @@
 // Planes through points of the surface grid.
 #include "geometry/surface_plane.h"
 
+#include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace firma {
@@ -11,8 +13,8 @@ Int128 magnitude_of(Int128 value) {
     return value < 0 ? -value : value;
 }
 
-/// Of numbers that are not negative, by shifts and differences: what the module links has no remainder of 128 bits.
-/// Source: J. Stein, Computational Problems Associated with Racah Algebra, 1967.
+/// Of numbers that are not negative, by shifts and differences until they have 64 bits: what the module links has no
+/// remainder of 128 bits. Source: J. Stein, Computational Problems Associated with Racah Algebra, 1967.
 Int128 common_divisor(Int128 a, Int128 b) {
     if (a == 0 || b == 0) return a + b;
     int twos = 0;
@@ -21,11 +23,12 @@ Int128 common_divisor(Int128 a, Int128 b) {
         b >>= 1;
     }
     while ((a & 1) == 0) a >>= 1;
-    while (b != 0) {
+    while (b != 0 && ((a | b) >> 64) != 0) {
         while ((b & 1) == 0) b >>= 1;
         if (a > b) std::swap(a, b);
         b -= a;
     }
+    if (b != 0) a = std::gcd(std::uint64_t(a), std::uint64_t(b));
     return a << twos;
 }
 
@@ -41,7 +44,7 @@ Plane plane_of_surface(const Int128 (&normal)[3], Int128 offset) {
     if (divisor == 0) return plane;
     std::int64_t size = 0;
     for (Int128& component : scaled) {
-        component /= divisor;
+        if (divisor > 1) component /= divisor;
         if (magnitude_of(component) > most) most = magnitude_of(component);
     }
     if (most > Int128(1) << 52) return plane;
@@ -49,7 +52,7 @@ Plane plane_of_surface(const Int128 (&normal)[3], Int128 offset) {
         plane.normal[axis] = std::int64_t(scaled[axis]);
         size += std::int64_t(magnitude_of(scaled[axis]));
     }
-    plane.set_offset(offset / divisor);
+    plane.set_offset(divisor > 1 ? offset / divisor : offset);
     plane.d = double(plane.offset());
     plane.size = double(size > std::int64_t(1) << 53 ? size + (size & 1) : size);
     return plane;

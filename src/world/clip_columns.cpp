@@ -20,6 +20,8 @@ namespace {
 constexpr double kCornerSlack = 4 / kSurfaceSteps;
 /// Metres: a narrower face says nothing about its plane.
 constexpr double kNarrowest = 16 / kSurfaceSteps;
+/// Metres: so far a column reaches beyond the highest corner of its clips, whatever was rounded.
+constexpr double kOverClips = 8 / kInputSteps;
 
 Vec3 corner_of(const FacetPlace& facet, std::uint32_t k) {
     return to_metres(facet.block->corner(facet.record(), k));
@@ -162,7 +164,7 @@ void ClipColumns::find_columns(std::uint32_t number) {
     std::erase_if(over, [&](const FacetPlace& facet) { return !may_be_over(number, facet); });
     find_clips_on(wall, over);
     if (wall.clips.size() == 0) return;
-    for (PlacedCutter& column : wall.hole.raise(wall.height + 8 / kInputSteps))
+    for (PlacedCutter& column : wall.hole.raise(wall.height + kOverClips))
         columns_.push_back({number, std::move(column)});
 }
 
