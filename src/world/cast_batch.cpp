@@ -44,6 +44,14 @@ Status any_of(const World& world, const HullInput& input, const CastOptions& opt
     return cast_any(world, hull_of(input), input.at, input.path, options);
 }
 
+template <class T>
+void fetch_lines_of(const T* object) {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t at = 0; at < sizeof(T); at += kLine) fetch_ahead(reinterpret_cast<const char*>(object) + at);
+    fetch_ahead(reinterpret_cast<const char*>(object + 1) - 1);
+    keep_fetches();
+}
+
 /// Casts one after the other.
 template <class Input>
 struct InputRows {
@@ -51,7 +59,7 @@ struct InputRows {
     std::size_t size() const { return rows.size(); }
     bool fits() const { return true; }
     const Input& operator[](std::size_t k) const { return rows[k]; }
-    void fetch(std::size_t k) const { fetch_ahead(&rows[k], sizeof(Input)); }
+    void fetch(std::size_t k) const { fetch_lines_of(&rows[k]); }
 };
 
 struct InputColumns {
@@ -72,6 +80,7 @@ struct InputColumns {
              {&columns.x, &columns.y, &columns.z, &columns.path_x, &columns.path_y, &columns.path_z})
             fetch_ahead(&(*column)[k]);
         if (!columns.radius.empty()) fetch_ahead(&columns.radius[k]);
+        keep_fetches();
     }
 };
 
@@ -84,7 +93,8 @@ ManyResult many_firsts(const World& world, const Inputs& inputs, std::span<Hit> 
     };
     const auto fetch = [&](std::size_t k) {
         inputs.fetch(k);
-        fetch_ahead(&hits[k], sizeof(Hit));
+        fetch_lines_of(&hits[k]);
+        keep_fetches();
     };
     const bool fits = inputs.fits() && hits.size() == inputs.size();
     return run_many(world, {fits ? inputs.size() : hits.size(), fits, way, answer, fetch}, options);
@@ -96,7 +106,10 @@ ManyResult many_anys(const World& world, const Inputs& inputs, std::span<Status>
     const auto answer = [&](std::size_t k, const CastOptions* each) {
         statuses[k] = each ? any_of(world, inputs[k], *each) : Status::kInvalid;
     };
-    const auto fetch = [&](std::size_t k) { inputs.fetch(k); };
+    const auto fetch = [&](std::size_t k) {
+        inputs.fetch(k);
+        keep_fetches();
+    };
     const bool fits = inputs.fits() && statuses.size() == inputs.size();
     return run_many(world, {fits ? inputs.size() : statuses.size(), fits, way, answer, fetch}, options);
 }
@@ -146,7 +159,10 @@ ManyResult cast_many(const World& world, const CastColumns& casts, const HitColu
             if (k < column.size()) column[k] = said;
         });
     };
-    const auto fetch = [&](std::size_t k) { inputs.fetch(k); };
+    const auto fetch = [&](std::size_t k) {
+        inputs.fetch(k);
+        keep_fetches();
+    };
     return run_many(world, {fits ? inputs.size() : most, fits, way, answer, fetch}, options);
 }
 
