@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Fires casts and craters, asks an oracle without a tree whether casts are right, prints a table, draws pictures.
 #include "cli/verbs.h"
-#include "firma/queries.h"
+#include "firma/batch.h"
 
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -98,6 +97,11 @@ struct Results {
     std::size_t disagreements() const { return checked.disagreements + checked_after.disagreements; }
 };
 
+/// Spreads a batch over the threads that oneTBB has.
+void run_by_tbb(std::size_t count, void (*work)(void* context, std::size_t k), void* context, void*) {
+    tbb::parallel_for(std::size_t(0), count, [=](std::size_t k) { work(context, k); });
+}
+
 void fire(const World& world, const std::vector<Query>& queries, Results& results) {
     results.hits.resize(queries.size());
     const auto start = std::chrono::steady_clock::now();
@@ -106,12 +110,13 @@ void fire(const World& world, const std::vector<Query>& queries, Results& result
 
     results.threads = tbb::this_task_arena::max_concurrency();
     std::vector<Hit> again(queries.size());
+    std::vector<CastInput> inputs;
+    for (const Query& query : queries) inputs.push_back({query.sphere, query.path});
+    const Tasks tasks{.run = run_by_tbb};
     const auto parallel_start = std::chrono::steady_clock::now();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), 512), [&](const auto& range) {
-        for (std::size_t k = range.begin(); k < range.end(); ++k)
-            again[k] = cast(world, queries[k].sphere, queries[k].path);
-    });
+    const ManyResult all = cast_many(world, inputs, again, {.tasks = &tasks});
     results.parallel_seconds = seconds_since(parallel_start);
+    if (all != ManyResult::kDone) throw Failure("demo", "casts on all threads were not all made");
 
     CastOptions counting;
     counting.counts = &results.counts;

@@ -2,6 +2,7 @@
 // Everything: levels in, worlds out, casts through them, craters into them.
 #pragma once
 
+#include "firma/batch.h"
 #include "firma/brush_level.h"
 #include "firma/brush_world.h"
 #include "firma/capsule.h"

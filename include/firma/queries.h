@@ -145,8 +145,7 @@ struct Tasks {
 /// @param tasks    null: this thread does it all
 /// @return whether all was done: false when hits are not as many as inputs, or when `run` returned before all its work
 ///         had; then every hit is kInvalid
-/// Costs its casts, 256 of them a piece of work. Allocates once, some bytes for each piece, for options.counts, and
-/// once where tasks are given and there are several pieces.
+/// Costs, and allocates, as cast_many() of batch.h, which also takes other shapes and columns.
 [[nodiscard]] FIRMA_EXPORT bool cast_batch(const World& world, std::span<const CastInput> inputs, std::span<Hit> hits,
                                            const CastOptions& options = {}, const Tasks* tasks = nullptr);
 
