@@ -16,11 +16,13 @@ enum class Split : std::uint8_t {
 
 /// Three stop rules, all at once; a node that meets any of them is not divided further.
 struct TreeOptions {
-    Split split = Split::kSurfaceArea;  ///< of several rooms, nodes of more than 64 faces by surface area anyway
-    int max_depth = 48;                 ///< nodes above a node, 0..64; out of range counts as the nearest end
-    int faces_per_leaf = 4;             ///< a node of at most this many is a leaf, >= 1; of more than one only where
-                                        ///< they are no more than eight triangles
-    double min_node_volume = 0;         ///< cubic metres; a node whose box holds less is a leaf
+    /// Of several rooms, and by edits, nodes of more than 64 faces are split by surface area anyway; what edits divide
+    /// anew of up to 64 in half.
+    Split split = Split::kSurfaceArea;
+    int max_depth = 48;          ///< nodes above a node, 0..64; out of range counts as the nearest end
+    int faces_per_leaf = 4;      ///< a node of at most this many is a leaf, >= 1; of more than one only where
+                                 ///< they are no more than eight triangles
+    double min_node_volume = 0;  ///< cubic metres; a node whose box holds less is a leaf
 };
 
 /// What a tree came to.

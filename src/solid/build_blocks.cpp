@@ -89,8 +89,11 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
     const TreeOptions rules = in_range(options);
     divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
-                    if (!is_done(faces, items, box, at, rules))
+                    if (!is_done(faces, items, box, at, rules)) {
+                        // Those that casts look at together need not be divided well.
+                        if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
                         return split_bin(items, box, items.size() > by_area ? Split::kSurfaceArea : rules.split);
+                    }
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
     return pack(0);

@@ -170,11 +170,5 @@ TEST(BuildBlocks, AnIndexOfOnePartOfSeveralIsDividedBySurfaceAreaAboveBlocks) {
     }
 }
 
-TEST(BuildBlocks, SurfaceAreaSplitsOverlapLess) {
-    const FaceSet faces = random_faces(5000, 100000, 8000);
-    EXPECT_LT(tree_statistics(*index_over(faces, {.split = Split::kSurfaceArea})).overlap,
-              tree_statistics(*index_over(faces, {.split = Split::kLongestAxis})).overlap);
-}
-
 }  // namespace
 }  // namespace firma

@@ -81,6 +81,24 @@ TEST(RoomTrees, CastsByRoomLookAtLessThanThoseInOneTree) {
 }
 
 /// Maps of which one room is most of the air, so that rooms save little; czest2ctf's has 44 portals.
+TEST(RoomTrees, DividedBySurfaceAreaCastsLookAtLess) {
+    const BrushLevel level = read_brush_level(FIRMA_ROOT "/levels/depot.map").value();
+    WorldOptions options;
+    const World by_area = scenes::in_one_tree(make_world(level, options).value());
+    options.tree.split = Split::kLongestAxis;
+    const World in_halves = scenes::in_one_tree(make_world(level, options).value());
+    for (const bool lanes : {false, true}) {
+        if (lanes && lane_kernels().empty()) break;
+        take_lane_kernel(lanes ? &lane_kernels()[0] : nullptr);
+        CastCounts a, b;
+        for (const Started& start : starts_in(by_area, 0.3, 50, 1000)) {
+            EXPECT_EQ(cast(by_area, start.sphere, start.path, {.counts = &a}).fraction,
+                      cast(in_halves, start.sphere, start.path, {.counts = &b}).fraction);
+        }
+        EXPECT_LT(double(a.nodes + a.boxes), 0.95 * double(b.nodes + b.boxes));
+    }
+}
+
 TEST(RoomTrees, AlsoWhereOneRoomIsMostOfTheLevel) {
     std::size_t tried = 0;
     for (const std::filesystem::path& map : openarena_maps()) {
