@@ -12,7 +12,7 @@
 namespace firma {
 namespace {
 
-constexpr std::uint32_t kNone = ~0u;
+constexpr std::uint32_t kNotYet = ~0u;
 constexpr std::size_t kUnitsAStep = 32;
 constexpr std::size_t kMostPlanes = 1u << 21;  // see arrange/point_table.cpp
 
@@ -116,7 +116,7 @@ CutArranger::End CutArranger::step(const LocatePoint& locate) {
                 return End::kGoesOn;
             write_gone();
             if (!in_.divides) return End::kFine;
-            number_of_piece_.assign(lines_.size(), kNone);
+            number_of_piece_.assign(lines_.size(), kNotYet);
             return go_to(Phase::kTaken);
         }
         case Phase::kTaken:
@@ -137,9 +137,10 @@ void CutArranger::take_world() {
     world_face_ = world_->faces();
     patch_edge_ = world_->edges();
     // One vertex stands for each point.
-    vertex_of_point_.assign(overlay_.tables.points.size(), kNone);
+    vertex_of_point_.assign(overlay_.tables.points.size(), kNotYet);
     for (std::uint32_t vertex = 0; vertex < in_.patch.vertices.size(); ++vertex)
-        if (const std::uint32_t point = world_->points()[vertex]; point != kNone && vertex_of_point_[point] == kNone)
+        if (const std::uint32_t point = world_->points()[vertex];
+            point != kNotYet && vertex_of_point_[point] == kNotYet)
             vertex_of_point_[point] = vertex;
     world_.reset();
 }
@@ -156,13 +157,13 @@ CutArranger::End CutArranger::add_cutter(WorkSlice& slice) {
         if (!mesh_->add(slice)) return End::kGoesOn;
         triangle_of_ = mesh_->triangles();
         face_of = mesh_->face_of();
-        vertex_of_point_.resize(overlay_.tables.points.size(), kNone);
+        vertex_of_point_.resize(overlay_.tables.points.size(), kNotYet);
         for (std::uint32_t v = 0; v < mesh_->points().size(); ++v)
-            if (std::uint32_t& known = vertex_of_point_[mesh_->points()[v]]; known == kNone)
+            if (std::uint32_t& known = vertex_of_point_[mesh_->points()[v]]; known == kNotYet)
                 known = std::uint32_t(in_.patch.vertices.size()) + v;
         mesh_.reset();
     }
-    patch_edge_.resize(overlay_.edges.size(), kNone);
+    patch_edge_.resize(overlay_.edges.size(), kNotYet);
     if (overlay_.tables.planes.size() >= kMostPlanes) return End::kTooLarge;
     spans_.start();
     pairs_.start(in_.cutter, overlay_, std::move(face_of), first);
@@ -257,16 +258,16 @@ Selection CutArranger::selection() const {
     };
     selection.longest = largest_face(in_.cutter);
     selection.alike = [this](std::uint32_t face, std::uint32_t other) { return alike(face, other); };
-    selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNone; };
+    selection.reusable = [this](std::uint32_t edge) { return patch_edge_[edge] != kNotYet; };
     selection.keeps_ends = in_.divides;
     selection.keeps_corners = in_.divides && in_.opens;
     return selection;
 }
 
 std::uint32_t CutArranger::vertex_of(std::uint32_t point) {
-    if (vertex_of_point_.size() <= point) vertex_of_point_.resize(overlay_.tables.points.size(), kNone);
+    if (vertex_of_point_.size() <= point) vertex_of_point_.resize(overlay_.tables.points.size(), kNotYet);
     std::uint32_t& known = vertex_of_point_[point];
-    if (known != kNone) return known;
+    if (known != kNotYet) return known;
     known = std::uint32_t(in_.patch.vertices.size() + in_.cutter.points.size() + crossings_.points.size());
     CutPoint made;
     made.point = overlay_.point(point);
@@ -282,20 +283,20 @@ std::uint32_t CutArranger::vertex_of(std::uint32_t point) {
 /// Edges that no face uses are passed over.
 void CutArranger::start_writing() {
     const Arranged& arranged = keeper_->made();
-    number_.assign(arranged.edges.size(), kNone);
+    number_.assign(arranged.edges.size(), kNotYet);
     for (const OverlaySide& use : arranged.all_uses) number_[use.edge] = 0;
     if (!in_.divides) return;
     const CellSet& cells = cell_finder_.cells();
     for (std::uint32_t cell = 0; cell < cells.cells.size(); ++cell) {
         if (!is_taken(cell)) continue;
         for (const PieceUse& use : cells.uses(cells.cells[cell]))
-            if (const std::uint32_t edge = kept_edge_at(use.piece, cells.cells[cell].face); edge != kNone)
+            if (const std::uint32_t edge = kept_edge_at(use.piece, cells.cells[cell].face); edge != kNotYet)
                 number_[edge] = 0;
     }
 }
 
 void CutArranger::write_edge(std::uint32_t index) {
-    if (number_[index] != kNone) number_[index] = number_of_edge(index);
+    if (number_[index] != kNotYet) number_[index] = number_of_edge(index);
 }
 
 /// The patch's, or a new one.
@@ -360,11 +361,11 @@ bool CutArranger::takes_walls() const {
 /// The arranged edge that a piece is a part of in the result: of several the one of the same face.
 std::uint32_t CutArranger::kept_edge_at(std::uint32_t piece, std::uint32_t face) const {
     const std::vector<std::uint32_t>& edges = keeper_->made().edge_of_use;
-    std::uint32_t found = kNone;
+    std::uint32_t found = kNotYet;
     for (const std::uint32_t use : users_.at(piece)) {
         if (edges[use] == ArrangedEdge::kNoEdge) continue;
         if (cell_finder_.cells().cells[users_.cell_of(use)].face == face) return edges[use];
-        if (found == kNone) found = edges[use];
+        if (found == kNotYet) found = edges[use];
     }
     return found;
 }
@@ -372,18 +373,18 @@ std::uint32_t CutArranger::kept_edge_at(std::uint32_t piece, std::uint32_t face)
 /// The number of the edge that a side of a face that goes is a part of, see cut_view.h: that of the faces that stay
 /// where there are any, else one that is the patch's whole edge, or the piece alone.
 std::uint32_t CutArranger::edge_at(const PieceUse& use, std::uint32_t face) {
-    if (const std::uint32_t kept = kept_edge_at(use.piece, face); kept != kNone) {
-        if (number_[kept] == kNone) number_[kept] = number_of_edge(kept);
+    if (const std::uint32_t kept = kept_edge_at(use.piece, face); kept != kNotYet) {
+        if (number_[kept] == kNotYet) number_[kept] = number_of_edge(kept);
         return number_[kept];
     }
     const Piece& piece = lines_.piece(use.piece);
-    if (use.edge != FacePiece::kNoEdge && patch_edge_[use.edge] != kNone) {
+    if (use.edge != FacePiece::kNoEdge && patch_edge_[use.edge] != kNotYet) {
         const OverlayEdge& edge = overlay_.edges[use.edge];
         if ((edge.from == piece.from && edge.to == piece.to) || (edge.from == piece.to && edge.to == piece.from))
             return patch_edge_[use.edge];
     }
     std::uint32_t& known = number_of_piece_[use.piece];
-    if (known != kNone) return known;
+    if (known != kNotYet) return known;
     NewEdge made{vertex_of(piece.from), vertex_of(piece.to), {nullptr, nullptr}, users_.at(use.piece).size() > 2};
     for (int k = 0; k < 2; ++k) {
         const PlaneId plane =
@@ -441,7 +442,7 @@ void CutArranger::gather_divisions() {
     divided_.assign(overlay_.edges.size(), {});
     for (std::uint32_t face = 0; face < world_face_.size(); ++face)
         for (const FacePiece& piece : lines_.of_face(face)) {
-            if (piece.edge == FacePiece::kNoEdge || patch_edge_[piece.edge] == kNone) continue;
+            if (piece.edge == FacePiece::kNoEdge || patch_edge_[piece.edge] == kNotYet) continue;
             std::vector<PieceUse>& pieces = divided_[piece.edge];
             const bool known = std::any_of(pieces.begin(), pieces.end(),
                                            [&](const PieceUse& use) { return use.piece == piece.piece; });

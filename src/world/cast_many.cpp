@@ -7,6 +7,7 @@
 #include <mutex>
 #include <vector>
 
+#include "base/lock.h"
 #include "world/run_tasks.h"
 
 namespace firma {
@@ -116,7 +117,7 @@ private:
     std::vector<std::uint8_t> in_order_;  ///< of each part: whether order_ holds for it
     std::vector<CastCounts> counts_;      ///< of each piece, when they are wanted
     std::vector<std::uint8_t> made_;      ///< of each piece, when there is progress
-    std::mutex told_;
+    Lock told_;
     std::size_t done_ = 0;
     std::atomic<bool> stopped_ = false;
 };

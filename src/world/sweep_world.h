@@ -323,7 +323,7 @@ private:
     }
 
     /// Made once something asks: with lanes, a cast that reaches no portal does not.
-    const SweepBox& boxes() {
+    [[gnu::noinline]] const SweepBox& boxes() {
         if (!boxes_) boxes_.emplace(sweep_);
         return *boxes_;
     }
