@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/pool.h"
 #include "save/sections.h"
 #include "solid/build_blocks.h"
 
@@ -185,6 +186,7 @@ private:
 std::optional<UnpackedIndex> unpack_index(Sections& sections, const UnpackedData& data, const FaceSet& faces,
                                           Damage& damage) {
     if (!sections.has(kIndexRootsSection)) return {};
+    const PoolInLargePages large_pages;
     return IndexReader(sections, data, faces, damage).read();
 }
 
