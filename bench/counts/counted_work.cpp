@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <string>
 
+#include "firma/capsule.h"
 #include "firma/carve.h"
+#include "firma/hull.h"
 #include "firma/queries.h"
 #include "firma/world.h"
 #include "scenes/rng.h"
@@ -46,13 +48,45 @@ void count_work(const std::string& name, std::size_t units, const Work& work) {
 }
 
 /// A sum over all answers: that nothing of them can be left out.
-double cast_all_of(const World& world, const std::vector<scenes::CastQuery>& casts) {
+/// @param cast_one  (query) returns a Hit
+template <class CastOne>
+double sum_of(const std::vector<scenes::CastQuery>& casts, const CastOne& cast_one) {
     double sum = 0;
     for (const scenes::CastQuery& c : casts) {
-        const Hit hit = cast(world, c.sphere, c.path);
+        const Hit hit = cast_one(c);
         sum += hit.fraction + hit.normal.x;
     }
     return sum;
+}
+double cast_all_of(const World& world, const std::vector<scenes::CastQuery>& casts) {
+    return sum_of(casts, [&](const scenes::CastQuery& c) { return cast(world, c.sphere, c.path); });
+}
+
+/// Where spheres of 0.3 to 0.5 m go: capsules of 1.2 to 2 m, boxes, and hulls of twelve corners.
+void count_shapes(const World& world, const std::vector<scenes::CastQuery>& casts) {
+    count_work("a capsule over 0.1-2 m, rooms", casts.size(), [&] {
+        return sum_of(casts, [&](const scenes::CastQuery& c) {
+            const Vec3 up{0, 0, c.sphere.radius};
+            return cast(world, Capsule(c.sphere.centre - up, c.sphere.centre + up, c.sphere.radius), c.path);
+        });
+    });
+    constexpr double kGolden = 1.618;
+    std::vector<Vec3> corners;
+    for (const double one : {-1.0, 1.0})
+        for (const double other : {-kGolden, kGolden}) {
+            corners.push_back(Vec3{0, one, other} * 0.2);
+            corners.push_back(Vec3{one, other, 0} * 0.2);
+            corners.push_back(Vec3{other, 0, one} * 0.2);
+        }
+    const Hull box = make_box({0.3, 0.25, 0.2}).value(), hull = make_hull(corners).value();
+    const auto cast_hull = [&](const char* name, const Hull& shape) {
+        count_work(name, casts.size(), [&] {
+            return sum_of(casts,
+                          [&](const scenes::CastQuery& c) { return cast(world, shape, c.sphere.centre, c.path); });
+        });
+    };
+    cast_hull("a box over 0.1-2 m, rooms", box);
+    cast_hull("a hull over 0.1-2 m, rooms", hull);
 }
 
 /// Near the walls of rooms, where casts of spheres start.
@@ -95,6 +129,7 @@ int main() {
         const auto outside = scenes::casts_over_terrain(kGround, ground, kind.range, kCasts, seed++);
         count_work(std::string(kind.name) + ", open ground", kCasts, [&] { return cast_all_of(open, outside); });
     }
+    count_shapes(closed, scenes::casts_in_rooms(grid, scenes::kShortSpheres, kCasts, seed++));
     const auto places = scenes::casts_in_rooms(grid, scenes::kShortSpheres, kCuts, seed);
     const Cutter cutter = make_crater(CutterShape::kRocky, 3);
     count_work("a crater in rooms", kCuts, [&] { return cut_all_of(closed, places, cutter); });

@@ -4,6 +4,7 @@
 
     bench/counts/run.py            exit 0: no count is above its bound; 1: some are, each named; 2: could not be run
     bench/counts/run.py --renew    writes what was counted as the new bounds
+    bench/counts/run.py --where    a table for docs/performance.md instead: in which parts of a cast they are spent
     bench/counts/run.py --build FOLDER   builds there (build/counts)
 
 Counts repeat where times do not: the library is built for any x86-64 processor by one compiler, valgrind shows programs
@@ -26,6 +27,20 @@ BOUNDS = ROOT / "bench/counts/bounds.json"
 ALLOWED, NOTED = 1.1, 0.9
 TITLE = re.compile(r"^desc: Trigger: Client Request: (.*) / (\d+)$", re.M)
 TOTAL = re.compile(r"^(?:totals|summary): (\d+)", re.M)
+
+
+# Parts of a cast, by the functions that their instructions are spent in; the first that fits counts.
+PARTS = {
+    "tree and triangles, eight at a time": r"sweep_lanes\(",
+    "the answer": r"::(make_(hull_|capsule_)?hit|closest_(to|on_rim|on_\w+)|put_(hit|face)|safe_fraction|name_of|points?_of_contact)\b"
+                  r"|Touching|normal_toward_mover",
+    "single faces, exactly": r"::(cast_\w+polygon|cast_particle_triangle|look_at_facet|KeepFirst|LaneShape|FaceShape|make_shape"
+                             r"|line_meets\w*|exact_\w+|view_plane|enter_\w+|foot_inside|start_\w+|near\w*|out_of_reach|counted"
+                             r"|side_crossing|cross_\w+|touch_sides|axis_meets|AxisSides|AroundCapsule|Capsule(Sweep|Start)|capsule_\w+"
+                             r"|precise\w*|least_nearness|SumFacet|sum_\w+|SumVec|HullAgainstPolygon|judge_\w+|guess"
+                             r"|Expansion|DoubleDouble|VectorOf|dot|cross|difference\w*|square_root)\b|fm(ax|in)|operator[-+*/]",
+    "set-up": r"",
+}
 
 
 def fail(text):
@@ -61,8 +76,20 @@ def build(folder):
     return pathlib.Path(folder) / "bin/counted_work"
 
 
-def count(program):
-    """{work: instructions a unit of it}"""
+def parts_of(path, units):
+    """{part: instructions a unit}, those of functions themselves"""
+    spent = dict.fromkeys(PARTS, 0)
+    for line in run(["callgrind_annotate", "--threshold=100", path]).splitlines():
+        found = re.match(r"^ *([\d,]+) \([ \d.]+%\)  [^:]+:(.*)$", line)
+        if found and "PROGRAM TOTALS" not in line:
+            part = next(part for part, pattern in PARTS.items() if re.search(pattern, found[2]))
+            spent[part] += int(found[1].replace(",", ""))
+    return {part: round(number / units) for part, number in spent.items()}
+
+
+def count(program, parts=None):
+    """{work: instructions a unit of it}
+    @param parts  is filled with {work: {part: instructions}} of casts"""
     counts = {}
     with tempfile.TemporaryDirectory() as folder:
         # Nothing of the caller's surroundings: they lie on the stack that the program starts with.
@@ -73,6 +100,8 @@ def count(program):
             title = TITLE.search(text)
             if title:
                 counts[title[1]] = round(int(TOTAL.search(text)[1]) / int(title[2]))
+                if parts is not None and re.search(r"\bover\b|\bray\b", title[1]):
+                    parts[title[1]] = parts_of(path, int(title[2]))
     if not counts:
         fail("callgrind wrote no counts")
     return dict(sorted(counts.items()))
@@ -100,9 +129,17 @@ def compare(counts, known):
     return faults, notes
 
 
+def print_parts(parts, counts):
+    print("| cast | instructions | " + " | ".join(PARTS) + " |")
+    print("|---|" + "---|" * (len(PARTS) + 1))
+    for work in sorted(parts):
+        print(f"| {work} | {counts[work]:,} | " + " | ".join(f"{number:,}" for number in parts[work].values()) + " |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--renew", action="store_true", help="write what was counted as the new bounds")
+    parser.add_argument("--where", action="store_true", help="tell where they are spent, and compare nothing")
     parser.add_argument("--build", default=ROOT / "build/counts", metavar="FOLDER", help="where to build")
     arguments = parser.parse_args()
     for tool in ("cmake", "ninja", "g++", "valgrind"):
@@ -111,6 +148,11 @@ def main():
     known = json.loads(BOUNDS.read_text()) if BOUNDS.exists() else {"compiler": None, "instructions": {}}
     if not has_avx2():
         print("instructions are not compared: this processor has no AVX2, for which they were counted")
+        return 0
+    if arguments.where:
+        parts = {}
+        counts = count(build(arguments.build), parts)
+        print_parts(parts, counts)
         return 0
     if not arguments.renew and known["compiler"] != compiler():
         print(f"instructions are not compared: they were counted with {known['compiler']}, this is {compiler()}")

@@ -24,8 +24,8 @@ public:
     explicit NearestParts(double size) : noise_(rounding(256) * size) {}
 
     void offer(double distance, double part, NearestOnAxis::Kind kind, std::size_t index) {
-        all_[count_] = {distance, part, kind, std::uint32_t(index)};
-        if (count_++ == 0 || distance < best_.distance) best_ = all_[count_ - 1];
+        all_.at[count_] = {distance, part, kind, std::uint32_t(index)};
+        if (count_++ == 0 || distance < best_.distance) best_ = all_.at[count_ - 1];
     }
     const NearestOnAxis& nearest() const { return best_; }
     double noise() const { return noise_; }
@@ -33,7 +33,7 @@ public:
     template <class Function>
     void each_nearest(const Function& function) const {
         for (std::size_t k = 0; k < count_; ++k)
-            if (all_[k].distance <= best_.distance + noise_) function(all_[k]);
+            if (all_.at[k].distance <= best_.distance + noise_) function(all_.at[k]);
     }
     /// The least and the largest part as near as the nearest, to rounding.
     void range(double& low, double& high) const {
@@ -45,7 +45,11 @@ public:
     }
 
 private:
-    NearestOnAxis all_[2 + 2 * kMaxCorners];
+    /// Without the zeros that each begins with: there are many, and few are used.
+    union Pairs {
+        Pairs() {}
+        NearestOnAxis at[2 + 2 * kMaxCorners];
+    } all_;
     std::size_t count_ = 0;
     const double noise_;
     NearestOnAxis best_;
