@@ -31,9 +31,9 @@ struct InfoArguments {
 
 constexpr const char* kInfoFooter = R"(Lengths are metres, volumes cubic metres, times seconds.
 
-A node of the tree is divided until it meets any of the three stop rules; one of more than 64 faces is halved
-all the same, as blocks hold no more. `overlap` is the mean share of a node's surface that both of its children
-cover, 0 .. 1.
+Faces are divided in two, and again, until they meet any of the three stop rules; more than 64 are halved all the same,
+as blocks hold no more. Up to eight boxes make a node of the tree. `overlap` is what boxes of a node share by twos, as a
+share of the node's surface, on average.
 
 --json: level, faces {total, in_file, polygon, triangle_soup, patch, dropped, divided, crossing}, vertices,
 corners, materials [names], groups, ignored_entries, left_out [{what, count, first}], bounds {low, high} or null, rooms [{id, name, exterior, faces,
@@ -81,11 +81,11 @@ TreeOptions tree_options(const InfoArguments& arguments) {
     return options;
 }
 
-/// A saved world has its tree with it.
+/// A saved world has its options with it.
 void refuse_tree_options(const InfoArguments& arguments) {
     const auto refuse = [](const char* name, const std::string& value) {
         if (!value.empty())
-            throw Failure(name, "a .firma file has its tree with it; build another from what it was made of");
+            throw Failure(name, "a .firma file says how its tree is built; build another from what it was made of");
     };
     refuse("--split", arguments.split);
     refuse("--max-depth", arguments.max_depth);
@@ -222,9 +222,10 @@ Verb add_info(CLI::App& app) {
     add_rooms_option(command, arguments->level);
     add_matter_option(command, arguments->level);
     command.add_option("--split", arguments->split, "HOW", "how nodes divide: surface-area (default) or longest-axis");
-    command.add_option("--max-depth", arguments->max_depth, "N", "stop rule: nodes above a node, 0 .. 64 (default 48)");
+    command.add_option("--max-depth", arguments->max_depth, "N",
+                       "stop rule: divisions in two above a node, 0 .. 64 (default 48)");
     command.add_option("--faces-per-bin", arguments->faces_per_leaf, "N",
-                       "stop rule: a node of at most this many faces, and eight triangles (default 4)");
+                       "stop rule: a node of at most this many triangles, rounded up to eights (default 4)");
     command.add_option("--min-bin-volume", arguments->min_node_volume, "V",
                        "stop rule: a node of less volume, cubic metres (default 0)");
     add_json_flag(command, arguments->json);

@@ -117,13 +117,13 @@ struct Spot {
     std::uint32_t slot;
 };
 
-/// The faces of the bins that a query's path meets.
+/// The faces of the boxes that a query's path meets.
 struct Gather {
     const Query& query;
     std::vector<Spot>& spots;
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
-        return path_box_meets(query, bin.box);
+        return path_box_meets(query, box);
     }
     bool still(double) const { return true; }
     bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {

@@ -28,14 +28,14 @@ struct First {
     }
 };
 
-/// `Test` is told the sweep by `begin(sweep)`, then of each face in a bin that is entered by
+/// `Test` is told the sweep by `begin(sweep)`, then of each face in a box that is entered by
 /// `face(block, slot, boxes, first)`.
 template <class Test>
 class Walk {
 public:
     Walk(const Sweep& sweep, Test& test) : boxes_(sweep), test_(test) { first.latest = sweep.end; }
 
-    bool enter(const Bin& bin, double& nearest) { return boxes_.enters(bin.box, first.latest, nearest); }
+    bool enter(const BoxF& box, double& nearest) { return boxes_.enters(box, first.latest, nearest); }
     bool still(double nearest) const { return nearest <= first.latest; }
     bool facets(const IndexedFacets& facets, std::uint32_t from, std::uint32_t count) {
         const Block& block = as_block(facets);

@@ -21,9 +21,9 @@ struct SaveOptions {
     /// cast against, not carved: no face of it is `solid`, locate() finds no solid, and a hit's `face_normal` is the
     /// facet's own.
     bool exact = true;
-    /// Whether how faces are kept and found is written too: it makes reading quicker, and the file larger. Without, the
-    /// bytes follow from the level, the edits, rules and contact offset alone, whatever the TreeOptions and however
-    /// often the index was built anew, and the world read back has the default TreeOptions.
+    /// Whether the TreeOptions are kept, by which reading builds the index anew; how faces are kept and found is in no
+    /// file. Without, the bytes follow from the level, the edits, rules and contact offset alone, and the world read
+    /// back has the default TreeOptions.
     bool index = true;
 };
 
@@ -45,8 +45,8 @@ inline constexpr std::uint32_t kFirmaFileVersion = 3;
 /// @param name  for messages
 /// @return kMalformed with the section and the entry in it for damage; kUnsupported for another version, and for a part
 ///         that is marked as required and unknown; kTooLarge where a size does not fit
-/// Time grows with the bytes, a little faster than in proportion; of it the checks of the whole world, which cost all
-/// its faces, cannot be left out. Without the index (SaveOptions::index) it costs building that, too.
+/// Time grows with the bytes, a little faster than in proportion: the checks of the whole world, which cost all its
+/// faces, and building the index.
 FIRMA_EXPORT Result<World> unpack_world(std::span<const std::byte> bytes, std::string name);
 
 /// Whether bytes begin as those of a .firma file do, of whatever version. Reads the first few bytes only.

@@ -10,30 +10,31 @@
 namespace firma {
 
 enum class Split : std::uint8_t {
-    kLongestAxis,  ///< the node's box in half across its longest axis, faces by their centre
+    kLongestAxis,  ///< the faces' box in half across its longest axis, faces by their centre
     kSurfaceArea,  ///< where the expected cost, by surface area, is least
 };
 
-/// Three stop rules, all at once; a node that meets any of them is not divided further.
+/// Faces are divided in two, and again; what meets any of three stop rules is not divided further: a leaf. Up to eight
+/// boxes of several divisions make a node.
 struct TreeOptions {
-    /// Of several rooms, and by edits, nodes of more than 64 faces are split by surface area anyway; what edits divide
-    /// anew of up to 64 in half.
+    /// Of several rooms, and by edits, more than 64 faces are split by surface area anyway; what edits divide anew of
+    /// up to 64 in half.
     Split split = Split::kSurfaceArea;
-    int max_depth = 48;          ///< nodes above a node, 0..64; out of range counts as the nearest end
-    int faces_per_leaf = 4;      ///< a node of at most this many is a leaf, >= 1; of more than one only where
-                                 ///< they are no more than eight triangles
-    double min_node_volume = 0;  ///< cubic metres; a node whose box holds less is a leaf
+    int max_depth = 48;  ///< divisions above a leaf, 0..64; out of range counts as the nearest end
+    /// At most this many triangles are a leaf, >= 1, rounded up to a multiple of eight: casts test eight at a time.
+    int faces_per_leaf = 4;
+    double min_node_volume = 0;  ///< cubic metres; faces whose box holds less are a leaf
 };
 
 /// What a tree came to.
 struct TreeStatistics {
     std::size_t faces = 0;
     std::size_t blocks = 0;  ///< immutable pieces of up to 64 items
-    std::size_t nodes = 0;   ///< inner ones and leaves
+    std::size_t nodes = 0;   ///< inner ones, of up to eight boxes each, and leaves
     std::size_t leaves = 0;
     int depth = 0;                   ///< nodes above the deepest leaf
     std::size_t max_leaf_faces = 0;  ///< faces in the fullest leaf
-    double overlap = 0;              ///< mean over inner nodes: area shared by both children / area of the node, 0..1
+    double overlap = 0;              ///< mean over inner nodes: area that its boxes share by twos / its area
     std::size_t bytes = 0;           ///< tree and faces, resident
     /// 0 without faces.
     FIRMA_INLINE double bytes_per_face() const { return faces ? double(bytes) / double(faces) : 0; }

@@ -8,35 +8,10 @@
 #include "base/fetch_ahead.h"
 #include "base/sort.h"
 #include "index/box_tree.h"
-#include "index/rounded_box.h"
+#include "index/traverse.h"
 
 namespace firma {
 namespace {
-
-/// A box in metres: whole surface steps, so exact in double.
-struct Bounds {
-    Vec3 low, high;
-
-    explicit Bounds(const GridBox& box) : low(to_metres(box.low)), high(to_metres(box.high)) {}
-    bool meets(const BoxF& box) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (double(box.high[axis]) < low[axis] || double(box.low[axis]) > high[axis]) return false;
-        return true;
-    }
-};
-
-/// Calls `function(bin)` for the leaf bins that a box meets, left to right.
-template <class Function>
-void for_each_bin(const Node& node, const Bounds& bounds, const Function& function) {
-    const auto below = [&](const auto& self, std::uint32_t index) -> void {
-        const Bin& bin = node.bins[index];
-        if (!bounds.meets(bin.box)) return;
-        if (bin.is_leaf()) return function(bin);
-        self(self, index + 1);
-        self(self, bin.first);
-    };
-    below(below, 0);
-}
 
 template <class Array>
 void fetch_array_ahead(const Array& array) {
@@ -44,7 +19,7 @@ void fetch_array_ahead(const Array& array) {
 }
 
 void fetch_contents_ahead(const Node& node) {
-    fetch_array_ahead(node.bins);
+    fetch_array_ahead(node.wide);
     fetch_array_ahead(node.children);
     if (node.facets) fetch_ahead(node.facets.get(), sizeof(Block));
 }
@@ -58,7 +33,7 @@ void fetch_contents_ahead(const Block& block) {
 
 /// The leaves that may have faces in a box. Level by level, as nodes lie scattered in memory: those of a level are
 /// waited for together.
-std::vector<const Node*> leaves_near(const Node* root, const Bounds& bounds) {
+std::vector<const Node*> leaves_near(const Node* root, const GridBox& box) {
     std::vector<const Node*> nodes, below;
     if (!root) return nodes;
     nodes.push_back(root);
@@ -70,8 +45,8 @@ std::vector<const Node*> leaves_near(const Node* root, const Bounds& bounds) {
                 below.push_back(node);
                 continue;
             }
-            for_each_bin(*node, bounds, [&](const Bin& bin) {
-                below.push_back(node->children[bin.first].get());
+            for_each_item_meeting(*node, box, [&](const WideNode& wide, std::uint32_t lane) {
+                below.push_back(node->children[wide.first[lane]].get());
                 fetch_ahead(below.back(), sizeof(Node));
             });
         }
@@ -85,10 +60,10 @@ std::vector<const Node*> leaves_near(const Node* root, const Bounds& bounds) {
     return nodes;
 }
 
-/// Calls `function(slot, face)` for the faces of a leaf bin.
+/// Calls `function(slot, face)` for the faces below a lane.
 template <class Function>
-void for_each_face(const Block& block, const Bin& bin, const Function& function) {
-    for (std::uint32_t slot = bin.first; slot < bin.first + bin.count; ++slot) function(slot, block.faces[slot]);
+void for_each_face(const Block& block, const WideNode& wide, std::uint32_t lane, const Function& function) {
+    for (std::uint32_t slot = wide.first[lane]; slot < wide.first[lane + 1]; ++slot) function(slot, block.faces[slot]);
 }
 
 void sort_by_id(std::vector<FacetPlace>& facets, std::size_t first) {
@@ -99,12 +74,11 @@ void sort_by_id(std::vector<FacetPlace>& facets, std::size_t first) {
 }  // namespace
 
 void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets) {
-    const Bounds bounds(box);
     const std::size_t first = facets.size();
-    for (const Node* leaf : leaves_near(root, bounds)) {
+    for (const Node* leaf : leaves_near(root, box)) {
         const Block& block = block_of(*leaf);
-        for_each_bin(*leaf, bounds, [&](const Bin& bin) {
-            for_each_face(block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
+        for_each_item_meeting(*leaf, box, [&](const WideNode& wide, std::uint32_t lane) {
+            for_each_face(block, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
                 if (boxes_meet(block.box_of(face), box)) facets.push_back({&block, slot});
             });
         });
@@ -137,7 +111,6 @@ std::size_t count_faces(std::span<const FacetPlace> facets) {
 
 bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& bevelled, std::int32_t steps,
                    std::size_t most_faces, std::vector<FacetPlace>& near, std::vector<FacetPlace>& others) {
-    const Bounds bounds(box);
     const std::size_t first = near.size();
     // Faces have a facet at least. Counted anew once there are twice as many.
     std::size_t count_at = most_faces;
@@ -146,12 +119,12 @@ bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& beve
         count_at = 2 * (near.size() - first);
         return count_faces(std::span(near).subspan(first)) > most_faces;
     };
-    for (const Node* leaf : leaves_near(root, bounds)) {
+    for (const Node* leaf : leaves_near(root, box)) {
         if (too_many()) return false;
         const Block& block = block_of(*leaf);
-        for_each_bin(*leaf, bounds, [&](const Bin& bin) {
-            const bool clear = bevelled.clear_of(to_grid(bin.box), steps);
-            for_each_face(block, bin, [&](std::uint32_t slot, const FaceRecord& face) {
+        for_each_item_meeting(*leaf, box, [&](const WideNode& wide, std::uint32_t lane) {
+            const bool clear = bevelled.clear_of(wide.grid_box(lane), steps);
+            for_each_face(block, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
                 const auto is_near = [&] {
                     const GridBox own = block.box_of(face);
                     const auto corner = [&](std::size_t k) { return block.corner(face, k); };
@@ -180,7 +153,7 @@ void gather_face(const Node* root, const FacetPlace& face, std::vector<FacetPlac
         return facets.size() - first == owner->facets;
     };
     if (!take_those_of(*face.block))
-        for (const Node* leaf : leaves_near(root, Bounds(owner->box)))
+        for (const Node* leaf : leaves_near(root, owner->box))
             if (const Block& block = block_of(*leaf); &block != face.block && take_those_of(block)) break;
     sort_by_id(facets, first);
 }

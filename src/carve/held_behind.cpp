@@ -89,13 +89,13 @@ struct BehindVisitor {
     const bool upward;
     bool held = true;
 
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
         const Vec3 low = line.place(line.low()), high = line.place(line.high());
         for (const int axis : {line.view.u(), line.view.v()})
-            if (low[axis] < double(bin.box.low[axis]) || low[axis] > double(bin.box.high[axis])) return false;
+            if (low[axis] < double(box.low[axis]) || low[axis] > double(box.high[axis])) return false;
         const int axis = line.view.axis;
-        return upward ? double(bin.box.high[axis]) >= low[axis] : double(bin.box.low[axis]) <= high[axis];
+        return upward ? double(box.high[axis]) >= low[axis] : double(box.low[axis]) <= high[axis];
     }
     bool still(double) const { return held; }
     bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The binary tree of bins over items, before it is cut into blocks; how far to divide is given in.
+// The binary tree of bins over items that nodes are made of; how far to divide is given in.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "index/rounded_box.h"
 #include "index/split_bin.h"
 
 namespace firma {
 
-/// A bin on its way into a block.
+/// A bin: the article's word for a node of this tree.
 struct BinNode {
     GridBox box;
     std::uint32_t first = 0, count = 0;  ///< items below
@@ -37,7 +36,7 @@ std::uint32_t divide_bins(BinTree& tree, std::uint32_t first, std::uint32_t coun
     node.first = first;
     node.count = count;
     const std::span<BuildItem> items = tree.items_of(first, count);
-    for (const BuildItem& item : items) node.box.add(item.box);
+    node.box = box_around(items);
     tree.nodes.push_back(node);
     const auto left = std::uint32_t(split(items, node.box, depth));
     if (left == 0) {
@@ -50,19 +49,6 @@ std::uint32_t divide_bins(BinTree& tree, std::uint32_t first, std::uint32_t coun
     tree.nodes[index].left = left_node;
     tree.nodes[index].right = right_node;
     return index;
-}
-
-/// Appends a bin for a node and those below it.
-/// @param leaf  (index of node, bin, depth) returns whether the bin is a leaf, having said which items it holds
-template <class Leaf>
-void append_bins(const BinTree& tree, std::uint32_t index, int depth, std::vector<Bin>& bins, const Leaf& leaf) {
-    const BinNode& node = tree.nodes[index];
-    const std::size_t at = bins.size();
-    bins.push_back({to_floats(node.box), 0, 0});
-    if (leaf(index, bins[at], depth)) return;
-    append_bins(tree, node.left, depth + 1, bins, leaf);
-    bins[at].first = std::uint32_t(bins.size());
-    append_bins(tree, node.right, depth + 1, bins, leaf);
 }
 
 }  // namespace firma

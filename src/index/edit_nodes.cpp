@@ -10,7 +10,7 @@
 
 #include "base/assert.h"
 #include "base/fetch_ahead.h"
-#include "index/bin_growth.h"
+#include "index/box_growth.h"
 #include "index/traverse.h"
 
 namespace firma {
@@ -22,17 +22,20 @@ constexpr std::size_t kFewestChildren = 8;  ///< a node of fewer hands them to t
 
 /// A deeper node is built anew over its leaves, and is then less deep than this.
 int deepest_of(std::size_t facets) {
-    return 2 * std::bit_width(facets) + 16;
+    return std::bit_width(facets) + 8;
 }
 
-/// Half the surface of what two boxes share, 0 when they are apart.
-double shared_half_area(const BoxF& a, const BoxF& b) {
-    double extent[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        extent[axis] = double(std::min(a.high[axis], b.high[axis])) - double(std::max(a.low[axis], b.low[axis]));
-        if (extent[axis] < 0) return 0;
+/// The child whose box has to grow least for one more.
+std::uint32_t child_to_grow(const Node& node, const GridBox& added) {
+    std::uint32_t best = 0;
+    Growth least(node.children[0]->box, added);
+    for (std::uint32_t k = 1; k < node.children.size(); ++k) {
+        const Growth growth(node.children[k]->box, added);
+        if (!growth.better_than(least)) continue;
+        best = k;
+        least = growth;
     }
-    return half_area(extent);
+    return best;
 }
 
 }  // namespace
@@ -103,18 +106,22 @@ std::uint32_t NodeEdit::touch(std::uint32_t parent, std::uint32_t item) {
 /// @return false when the index has no such leaf
 bool NodeEdit::find_leaf(const Removed& removed) {
     std::vector<std::uint32_t> way;
-    const Bounds bounds(removed.box);
-    const auto search = [&](const auto& self, const Node& in, std::uint32_t index) -> bool {
-        const Bin& here = in.bins[index];
-        if (!contains(here.box, bounds)) return false;
-        if (!here.is_leaf()) return self(self, in, index + 1) || self(self, in, here.first);
-        const Node& child = *in.children[here.first];
-        way.push_back(here.first);
-        if (child.is_leaf() ? child.facets.get() == removed.facets : self(self, child, 0)) return true;
-        way.pop_back();
+    const auto search = [&](const auto& self, const Node& in, const WideNode& wide) -> bool {
+        const unsigned around = lanes_around(wide, removed.box);
+        for (std::uint32_t lane = 0; around >> lane; ++lane) {
+            if (!(around >> lane & 1)) continue;
+            if (!wide.leads_to_node(lane)) {
+                if (self(self, in, *static_cast<const WideNode*>(wide.child[lane]))) return true;
+                continue;
+            }
+            const Node& child = *in.children[wide.first[lane]];
+            way.push_back(wide.first[lane]);
+            if (child.is_leaf() ? child.facets.get() == removed.facets : self(self, child, child.wide[0])) return true;
+            way.pop_back();
+        }
         return false;
     };
-    if (!search(search, *root_, 0)) return false;
+    if (!search(search, *root_, root_->wide[0])) return false;
     std::uint32_t at = 0;
     for (const std::uint32_t item : way) at = touch(at, item);
     return true;
@@ -125,7 +132,7 @@ bool NodeEdit::find_leaf(const Removed& removed) {
 void NodeEdit::place_some() {
     const std::size_t end = std::min(added_.size(), next_ + kPlacesInAStep);
     for (; next_ < end; ++next_) {
-        Touched& parent = touched_[place(to_grid(added_[next_]->bins[0].box))];
+        Touched& parent = touched_[place(added_[next_]->box)];
         next_added_[next_] = parent.first_added;
         parent.first_added = std::uint32_t(next_);
     }
@@ -137,16 +144,10 @@ void NodeEdit::place_some() {
 
 /// The touched node above leaves that a box goes below.
 std::uint32_t NodeEdit::place(const GridBox& box) {
-    const Bounds bounds(box);
     std::uint32_t at = 0;
     for (;;) {
         const Node& node = *touched_[at].node;
-        std::uint32_t index = 0;
-        while (!node.bins[index].is_leaf()) {
-            const std::uint32_t left = index + 1, right = node.bins[index].first;
-            index = goes_right(node.bins[left].box, node.bins[right].box, bounds) ? right : left;
-        }
-        const std::uint32_t item = node.bins[index].first;
+        const std::uint32_t item = child_to_grow(node, box);
         if (node.children[item]->is_leaf()) return at;
         at = touch(at, item);
     }
@@ -167,21 +168,23 @@ void NodeEdit::touch_beside() {
 std::uint32_t NodeEdit::find_beside(std::uint32_t parent) {
     const auto over_leaves = [](const Node& node) { return !node.is_leaf() && node.children[0]->is_leaf(); };
     const Node& node = *touched_[parent].node;
+    for (const Ref<const Node>& child : node.children) fetch_ahead(child.get(), sizeof(Node));
     touched_by_.assign(node.children.size(), kNone);
-    std::vector<BoxF> here;
+    std::vector<GridBox> here;
     for (std::uint32_t k = touched_[parent].first_child; k != kNone; k = touched_[k].next_sibling) {
         touched_by_[touched_[k].item] = k;
-        if (over_leaves(*touched_[k].node)) here.push_back(touched_[k].node->bins[0].box);
+        if (over_leaves(*touched_[k].node)) here.push_back(touched_[k].node->box);
     }
     if (here.empty()) return kNone;
     std::uint32_t found = kNone;
     double most = 0;
-    for (const Bin& bin : node.bins) {
-        if (!bin.is_leaf() || touched_by_[bin.first] != kNone) continue;
+    for (std::uint32_t item = 0; item < node.children.size(); ++item) {
+        if (touched_by_[item] != kNone) continue;
+        const Node& child = *node.children[item];
         double shared = 0;
-        for (const BoxF& box : here) shared = std::max(shared, shared_half_area(bin.box, box) / half_area(box));
-        if (shared <= most || !over_leaves(*node.children[bin.first])) continue;
-        found = bin.first;
+        for (const GridBox& box : here) shared = std::max(shared, shared_half_area(child.box, box) / half_area(box));
+        if (shared <= most || !over_leaves(child)) continue;
+        found = item;
         most = shared;
     }
     return found;
@@ -226,12 +229,10 @@ void NodeEdit::collect_items(const Touched& touched) {
     items_.clear();
     loose_.clear();
     const auto add = [&](const NodeItem& item) { (item.is_leaf ? loose_ : items_).push_back(item); };
-    for (const Bin& bin : node.bins) {
-        if (!bin.is_leaf()) continue;
-        const Node& child = *node.children[bin.first];
-        const std::uint32_t by = touched_by_[bin.first];
+    for (std::uint32_t item = 0; item < node.children.size(); ++item) {
+        const std::uint32_t by = touched_by_[item];
         if (by == kNone) {
-            add({&child, bin.box, child.is_leaf()});
+            add(NodeItem::of(*node.children[item]));
             continue;
         }
         for (std::uint32_t k = 0; k < touched_[by].pieces; ++k) add(pieces_[touched_[by].first_piece + k]);

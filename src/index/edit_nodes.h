@@ -2,10 +2,10 @@
 // Changing an index: some leaves are removed, others added; nodes that are not touched are shared with the index
 // before.
 //
-// The rules are those of a B-tree over bins. A leaf that is added goes down the index before the edit, at each bin to
+// The rules are those of a B-tree over boxes. A leaf that is added goes down the index before the edit, at each node to
 // the child that has to grow least, to a node above leaves. Each node above a change is made anew, from the bottom up:
-// bins over its children are split anew, one of more than 64 children becomes several, one of few, or of nothing but
-// leaves, hands its children to the node above. So the work follows the change, not the index.
+// its children are divided anew, one of more than 64 children becomes several, one of few, or of nothing but leaves,
+// hands its children to the node above. So the work follows the change, not the index.
 //
 // Nodes over leaves grow into each other, edit by edit. So beside those that a change touches one more is divided anew
 // with them: the one that covers the largest share of one of them.

@@ -4,23 +4,23 @@
 
 #include <algorithm>
 
+#include "base/assert.h"
+#include "index/traverse.h"
+
 namespace firma {
 
 // By surface area also where facets are split otherwise: leaves that edits made overlap more than bins do, and a
 // traversal pays for overlap here more than anywhere.
 void NodeJoiner::divide(std::span<const NodeItem> nodes) {
+    constexpr std::size_t kTogether = 4;  // side by side in a wide node however they are divided
     constexpr int kUnevenLevels = 12;  // then in halves: what the rule peels off one by one must not make a deep index
     tree_.items.resize(nodes.size());
     tree_.nodes.clear();
-    for (std::uint32_t k = 0; k < nodes.size(); ++k) tree_.items[k] = {to_grid(nodes[k].box), k};
+    for (std::uint32_t k = 0; k < nodes.size(); ++k) tree_.items[k] = {nodes[k].box, k};
     divide_bins(tree_, 0, std::uint32_t(nodes.size()), 0,
-                [&](std::span<BuildItem> items, const GridBox&, int depth) -> std::size_t {
-                    if (items.size() == 1) return 0;
-                    if (items.size() == 2) {  // either way alike
-                        if (items[1].face < items[0].face) std::swap(items[0], items[1]);
-                        return 1;
-                    }
-                    const std::size_t left = depth < kUnevenLevels ? split_by_area(items) : 0;
+                [&](std::span<BuildItem> items, const GridBox& box, int depth) -> std::size_t {
+                    if (items.size() <= kTogether) return 0;
+                    const std::size_t left = depth < kUnevenLevels ? split_by_area(items, box) : 0;
                     return left != 0 ? left : split_by_count(items);
                 });
 }
@@ -28,7 +28,7 @@ void NodeJoiner::divide(std::span<const NodeItem> nodes) {
 void NodeJoiner::group(std::size_t max_items, std::vector<std::uint32_t>& nodes) {
     sums_.resize(tree_.nodes.size());
     for (auto n = std::uint32_t(tree_.nodes.size()); n-- > 0;)  // children stand after their parents
-        sums_[n] = is_leaf(n) ? 1 : sums_[tree_.nodes[n].left] + sums_[tree_.nodes[n].right];
+        sums_[n] = is_leaf(n) ? tree_.nodes[n].count : sums_[tree_.nodes[n].left] + sums_[tree_.nodes[n].right];
     nodes.clear();
     const auto below = [&](const auto& self, std::uint32_t n) -> void {
         if (sums_[n] <= max_items) return nodes.push_back(n);
@@ -41,19 +41,9 @@ void NodeJoiner::group(std::size_t max_items, std::vector<std::uint32_t>& nodes)
 Ref<const Node> NodeJoiner::join(std::span<const NodeItem> items, std::uint32_t root) {
     Ref<Node> made(new Node);
     made->children.reserve(sums_[root]);
-    bins_.clear();
-    append_bins(tree_, root, 0, bins_, [&](std::uint32_t n, Bin& bin, int depth) {
-        if (!is_leaf(n)) return false;
-        const Node* child = items[item_at(n)].node;
-        bin.first = std::uint32_t(made->children.size());
-        bin.count = 1;
-        made->children.emplace_back(child);
-        made->facets_below += child->facets_below;
-        made->depth = std::uint16_t(std::max<int>(made->depth, depth + child->depth));
-        return true;
-    });
-    made->bins.assign(bins_.begin(), bins_.end());
-    widener_.widen(*made);
+    const auto no_bin = [](std::uint32_t) { return false; };
+    const auto node_of = [&](std::uint32_t place) { return items[tree_.items[place].face].node; };
+    widener_.widen_over_nodes(*made, tree_, root, no_bin, node_of);
     return Ref<const Node>(made.get());
 }
 
@@ -77,7 +67,12 @@ Ref<const Node> join_nodes(std::span<const Ref<const Node>> nodes) {
         // Every level but the last has fewer: where boxes make groups of one each, 64 and more are halved by count.
         all.swap(above);
     }
-    return all.empty() ? Ref<const Node>() : all[0];
+    if (all.empty()) return {};
+    if (all[0]->depth <= kDeepestTree) return all[0];
+    std::vector<Ref<const Node>> leaves;
+    for_each_leaf(all[0], [&](const Ref<const Node>& leaf) { leaves.push_back(leaf); });
+    FIRMA_ASSERT(leaves.size() > nodes.size(), "an index over leaves is never so deep");
+    return join_nodes(leaves);
 }
 
 }  // namespace firma

@@ -10,28 +10,27 @@
 #include "base/ref.h"
 #include "index/divide_bins.h"
 #include "index/node.h"
-#include "index/rounded_box.h"
-#include "index/widen.h"
+#include "index/widen_bins.h"
 
 namespace firma {
 
 /// A node that is to have another one above it. Whoever makes it keeps the node alive.
 struct NodeItem {
     const Node* node = nullptr;
-    BoxF box;              ///< node->bins[0].box; the node above has it too, so that nodes need not be looked at
+    GridBox box;           ///< Node::box
     bool is_leaf = false;  ///< Node::is_leaf()
 
-    static NodeItem of(const Node& node) { return {&node, node.bins[0].box, node.is_leaf()}; }
+    static NodeItem of(const Node& node) { return {&node, node.box, node.is_leaf()}; }
 };
 
 /// Keeps its scratch memory from call to call.
 class NodeJoiner {
 public:
-    /// Divides items as facets are divided, by surface area and whatever the stop rules, down to single ones; for the
-    /// calls that follow. Node 0 is the root; leaves are items.
+    /// Divides items as facets are divided, by surface area and whatever the stop rules, until four or fewer are left
+    /// together; for the calls that follow. Node 0 is the root.
     void divide(std::span<const NodeItem> items);
 
-    /// The largest nodes of at most so many items each.
+    /// The largest nodes of at most so many items each, four or more.
     void group(std::size_t max_items, std::vector<std::uint32_t>& nodes);
 
     /// How many items are below a node; after group().
@@ -39,7 +38,10 @@ public:
     /// Calls `function(item)`, left to right.
     template <class Function>
     void for_each_below(std::uint32_t node, const Function& function) const {
-        if (is_leaf(node)) return function(item_at(node));
+        if (is_leaf(node)) {
+            for (const BuildItem& item : tree_.items_of(tree_.nodes[node])) function(item.face);
+            return;
+        }
         for_each_below(tree_.nodes[node].left, function);
         for_each_below(tree_.nodes[node].right, function);
     }
@@ -51,15 +53,14 @@ public:
 
 private:
     bool is_leaf(std::uint32_t node) const { return tree_.nodes[node].left == 0; }
-    std::uint32_t item_at(std::uint32_t leaf) const { return tree_.items[tree_.nodes[leaf].first].face; }
 
     BinTree tree_;
     std::vector<std::uint32_t> sums_;
-    std::vector<Bin> bins_;
     BinWidener widener_;
 };
 
-/// One node over all of these, or the only one; null for none. The nodes between them hold up to 64 each.
+/// One node over all of these, or the only one; null for none. The nodes between them hold up to 64 each. What would be
+/// deeper than kDeepestTree is made anew from its leaves.
 Ref<const Node> join_nodes(std::span<const Ref<const Node>> nodes);
 
 }  // namespace firma

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 
 namespace firma {
 namespace {
@@ -35,81 +37,129 @@ std::size_t split_longest_axis(std::span<BuildItem> items, const GridBox& box) {
 
 constexpr int kBuckets = 16;
 
-/// Taken together by a processor (as GCC and Clang write it); the last is not used.
-using FourSteps [[gnu::vector_size(16)]] = std::int32_t;
+/// So many items, spread evenly over their order, stand for all where there are twice as many and more.
+constexpr std::size_t kSample = 2048;
 
-/// A box as the rule by surface area wants it. In steps: areas are those in square metres times a power of two, so they
-/// compare the same, rounding and all.
-struct Extent {
+/// Taken together by a processor (as GCC and Clang write it): an axis each; the last is not used.
+using FourSteps [[gnu::vector_size(16)]] = std::int32_t;
+using FourFloats [[gnu::vector_size(16)]] = float;
+
+/// The sides of an item's box in steps. Whole lines of memory: what stands behind them is in the last place.
+struct Sides {
     FourSteps low, high;
 
-    static Extent of(const GridBox& box) {
-        return {FourSteps{box.low.x, box.low.y, box.low.z, 0}, FourSteps{box.high.x, box.high.y, box.high.z, 0}};
+    explicit Sides(const BuildItem& item) {
+        static_assert(sizeof(GridPoint) == 12 && sizeof(BuildItem) == 28);
+        std::memcpy(&low, reinterpret_cast<const char*>(&item), sizeof low);
+        std::memcpy(&high, reinterpret_cast<const char*>(&item) + sizeof(GridPoint), sizeof high);
     }
+};
+
+/// A box as the rule by surface area wants it: in steps, rounded to floats.
+struct Extent {
+    FourFloats low = FourFloats{} + INFINITY, high = FourFloats{} - INFINITY;
+
+    Extent() = default;
+    explicit Extent(const Sides& sides)
+        : low(__builtin_convertvector(sides.low, FourFloats)), high(__builtin_convertvector(sides.high, FourFloats)) {}
     void add(const Extent& other) {
         low = other.low < low ? other.low : low;
         high = other.high > high ? other.high : high;
     }
-    /// Up to twice what the signed type holds.
-    double length(int axis) const { return double(std::uint32_t(high[axis]) - std::uint32_t(low[axis])); }
-    double half_area() const {
-        const double x = length(0), y = length(1), z = length(2);
-        return x * y + y * z + z * x;
+    float half_area() const {
+        const FourFloats length = high - low;
+        return length[0] * length[1] + length[1] * length[2] + length[2] * length[0];
     }
 };
 
-/// Where centres fall along one axis.
-struct Buckets {
-    std::int64_t low, high;  ///< twice the least and the greatest centre
-    double start = 0, scale = 0;
-
-    void set_scale() {
-        start = double(low) - 0.5 / kBuckets;
-        scale = kBuckets / (double(high - low) + 1);
+/// Where twice the centres of items lie, seen from the low corner of the box around all, and into which bucket they
+/// fall. In floats, each by the same operations, so that one item always falls into the same.
+class Centres {
+public:
+    /// @param stride  between the items that are looked at; others may fall into buckets beyond the ends
+    Centres(std::span<const BuildItem> items, std::size_t stride, const GridBox& box)
+        : base_{box.low.x, box.low.y, box.low.z, 0} {
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::uint32_t(box.high[axis]) - std::uint32_t(box.low[axis]) >= std::uint32_t(1) << 30) shift_ = 2;
+        FourFloats low = of(Sides(items[0])), high = low;
+        for (std::size_t k = 0; k < items.size(); k += stride) {
+            const FourFloats centre = of(Sides(items[k]));
+            low = centre < low ? centre : low;
+            high = centre > high ? centre : high;
+        }
+        low_ = low;
+        for (int axis = 0; axis < 3; ++axis) {
+            apart[std::size_t(axis)] = high[axis] > low[axis];
+            // The farthest comes below the last bucket's end by more than two products are rounded.
+            if (high[axis] > low[axis]) scale_[axis] = kBuckets * (1 - 0x1p-20f) / (high[axis] - low[axis]);
+        }
     }
-    /// (centre - low) * kBuckets / (high - low + 1), rounded down: exact, as half a step more stays far enough from the
-    /// next whole number for the rounding of doubles.
-    int of(std::int64_t centre) const { return int((double(centre) - start) * scale); }
+
+    /// For each axis; 0 where all centres are one.
+    FourSteps buckets_of(const Sides& sides) const {
+        return __builtin_convertvector((of(sides) - low_) * scale_, FourSteps);
+    }
+    /// Whether an item falls into none after `bucket`.
+    bool falls_before(const BuildItem& item, int axis, int bucket) const {
+        const auto from = [&](std::int32_t side) {
+            return (std::uint32_t(side) - std::uint32_t(base_[axis])) >> shift_;
+        };
+        const auto centre = float(std::int32_t(from(item.box.low[axis]) + from(item.box.high[axis])));
+        return (centre - low_[axis]) * scale_[axis] < float(bucket + 1);
+    }
+
+    std::array<bool, 3> apart{};
+
+private:
+    using FourSizes [[gnu::vector_size(16)]] = std::uint32_t;
+
+    /// Below 2^31.
+    FourFloats of(const Sides& sides) const {
+        const FourSizes low = FourSizes(sides.low) - FourSizes(base_), high = FourSizes(sides.high) - FourSizes(base_);
+        return __builtin_convertvector(FourSteps((low >> shift_) + (high >> shift_)), FourFloats);
+    }
+
+    FourSteps base_;
+    std::uint32_t shift_ = 0;
+    FourFloats low_{}, scale_{};
 };
 
 struct Plane {
     int axis = -1;
     int bucket = 0;  ///< the last one that goes left
-    double cost = 0;
+    float cost = 0;
 };
 
 /// What it costs to look at some of so many items, with as many side by side as casts take at once: then a bin that
 /// fills them costs no more than one that does not.
-double cost_of(std::size_t count, std::size_t all) {
+float cost_of(std::size_t count, std::size_t all) {
     constexpr std::size_t kAtOnce = 8;
-    return double(all > kAtOnce ? (count + kAtOnce - 1) / kAtOnce : count);
+    return float(all > kAtOnce ? (count + kAtOnce - 1) / kAtOnce : count);
 }
 
 constexpr std::size_t kFew = 12;  ///< items that are sorted rather than dropped into buckets
 
 /// The best plane along one axis, by sweeps over few items in order of their buckets.
-void improve_with_few(std::span<const BuildItem> items, std::span<const Extent> extents, const Buckets& buckets,
-                      int axis, Plane& best) {
-    std::array<int, kFew> bucket_of;
+void improve_with_few(std::span<const Extent> extents, std::span<const FourSteps> buckets, int axis, Plane& best) {
+    const std::size_t count = extents.size();
     std::array<std::uint8_t, kFew> order;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        bucket_of[k] = buckets.of(items[k].centre(axis));
+    for (std::size_t k = 0; k < count; ++k) {
         std::size_t at = k;
-        for (; at > 0 && bucket_of[order[at - 1]] > bucket_of[k]; --at) order[at] = order[at - 1];
+        for (; at > 0 && buckets[order[at - 1]][axis] > buckets[k][axis]; --at) order[at] = order[at - 1];
         order[at] = std::uint8_t(k);
     }
-    std::array<double, kFew> right_cost;  // of all from this one on
-    Extent box = extents[order[items.size() - 1]];
-    for (std::size_t k = items.size(); k-- > 1;) {
+    std::array<float, kFew> right_cost;  // of all from this one on
+    Extent box = extents[order[count - 1]];
+    for (std::size_t k = count; k-- > 1;) {
         box.add(extents[order[k]]);
-        right_cost[k] = box.half_area() * cost_of(items.size() - k, items.size());
+        right_cost[k] = box.half_area() * cost_of(count - k, count);
     }
     box = extents[order[0]];
-    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < count; ++k) {
         box.add(extents[order[k]]);
-        const int bucket = bucket_of[order[k]];
-        if (bucket == bucket_of[order[k + 1]]) continue;
-        const double cost = box.half_area() * cost_of(k + 1, items.size()) + right_cost[k + 1];
+        const int bucket = buckets[order[k]][axis];
+        if (bucket == buckets[order[k + 1]][axis]) continue;
+        const float cost = box.half_area() * cost_of(k + 1, count) + right_cost[k + 1];
         if (best.axis < 0 || cost < best.cost) best = {axis, bucket, cost};
     }
 }
@@ -119,23 +169,20 @@ struct Filled {
     std::array<Extent, kBuckets> boxes;
     std::array<std::uint32_t, kBuckets> counts{};
 
-    Filled() { boxes.fill(Extent::of({})); }
     void add(int bucket, const Extent& item) {
-        ++counts[bucket];
-        boxes[bucket].add(item);
+        ++counts[std::size_t(bucket)];
+        boxes[std::size_t(bucket)].add(item);
     }
 };
 
-/// The best plane along one axis. The first bucket holds something, and so does a later one: the last, unless centres
-/// are within a few steps. Planes on either side of an empty bucket part the items alike: the lower stands for both.
+/// The best plane along one axis. The first bucket holds something, and so does the last one. Planes on either side of
+/// an empty bucket part the items alike: the lower stands for both.
 void improve_with_buckets(const Filled& filled, std::size_t all, int axis, Plane& best) {
     const auto& [boxes, counts] = filled;
-    int last = kBuckets - 1;
-    while (counts[last] == 0) --last;
-    std::array<double, kBuckets> right_cost;
-    Extent box = boxes[last];
+    std::array<float, kBuckets> right_cost{};
+    Extent box;
     std::size_t count = 0;
-    for (int k = last; k > 0; --k) {
+    for (std::size_t k = kBuckets - 1; k > 0; --k) {
         if (counts[k]) {
             box.add(boxes[k]);
             count += counts[k];
@@ -146,47 +193,41 @@ void improve_with_buckets(const Filled& filled, std::size_t all, int axis, Plane
     }
     box = boxes[0];
     count = 0;
-    for (int k = 0; k < last; ++k) {
+    for (std::size_t k = 0; k + 1 < kBuckets; ++k) {
         if (!counts[k]) continue;
         box.add(boxes[k]);
         count += counts[k];
-        const double cost = box.half_area() * cost_of(count, all) + right_cost[k];
-        if (best.axis < 0 || cost < best.cost) best = {axis, k, cost};
+        const float cost = box.half_area() * cost_of(count, all) + right_cost[k];
+        if (best.axis < 0 || cost < best.cost) best = {axis, int(k), cost};
     }
-}
-
-std::array<Buckets, 3> buckets_of(std::span<const BuildItem> items) {
-    std::array<Buckets, 3> buckets;
-    for (int axis = 0; axis < 3; ++axis) {
-        std::int64_t low = items[0].centre(axis), high = low;
-        for (const BuildItem& item : items) {
-            low = std::min(low, item.centre(axis));
-            high = std::max(high, item.centre(axis));
-        }
-        buckets[axis].low = low;
-        buckets[axis].high = high;
-        buckets[axis].set_scale();
-    }
-    return buckets;
 }
 
 /// @return the plane of least cost; without an axis when all centres are one
-Plane best_plane(std::span<const BuildItem> items, const std::array<Buckets, 3>& buckets) {
+Plane best_plane(std::span<const BuildItem> items, std::size_t stride, const Centres& centres) {
     Plane best;
     if (items.size() <= kFew) {
         std::array<Extent, kFew> extents;
-        for (std::size_t k = 0; k < items.size(); ++k) extents[k] = Extent::of(items[k].box);
+        std::array<FourSteps, kFew> buckets;
+        for (std::size_t k = 0; k < items.size(); ++k) {
+            const Sides sides(items[k]);
+            extents[k] = Extent(sides);
+            buckets[k] = centres.buckets_of(sides);
+        }
         for (int axis = 0; axis < 3; ++axis)
-            if (buckets[axis].low != buckets[axis].high) improve_with_few(items, extents, buckets[axis], axis, best);
+            if (centres.apart[std::size_t(axis)])
+                improve_with_few({extents.data(), items.size()}, {buckets.data(), items.size()}, axis, best);
         return best;
     }
     std::array<Filled, 3> filled;
-    for (const BuildItem& item : items) {
-        const Extent extent = Extent::of(item.box);
-        for (int axis = 0; axis < 3; ++axis) filled[axis].add(buckets[axis].of(item.centre(axis)), extent);
+    std::size_t looked_at = 0;
+    for (std::size_t k = 0; k < items.size(); k += stride, ++looked_at) {
+        const Sides sides(items[k]);
+        const FourSteps buckets = centres.buckets_of(sides);
+        const Extent extent(sides);
+        for (int axis = 0; axis < 3; ++axis) filled[std::size_t(axis)].add(buckets[axis], extent);
     }
     for (int axis = 0; axis < 3; ++axis)
-        if (buckets[axis].low != buckets[axis].high) improve_with_buckets(filled[axis], items.size(), axis, best);
+        if (centres.apart[std::size_t(axis)]) improve_with_buckets(filled[std::size_t(axis)], looked_at, axis, best);
     return best;
 }
 
@@ -199,18 +240,28 @@ std::size_t split_by_count(std::span<BuildItem> items) {
     return left;
 }
 
-std::size_t split_by_area(std::span<BuildItem> items) {
-    const std::array<Buckets, 3> buckets = buckets_of(items);
-    const Plane best = best_plane(items, buckets);
+std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box) {
+    const std::size_t stride = std::max(items.size() / kSample, std::size_t(1));
+    const Centres centres(items, stride, box);
+    const Plane best = best_plane(items, stride, centres);
     if (best.axis < 0) return 0;
-    const Buckets& along = buckets[best.axis];
     return partition_items(items,
-                           [&](const BuildItem& item) { return along.of(item.centre(best.axis)) <= best.bucket; });
+                           [&](const BuildItem& item) { return centres.falls_before(item, best.axis, best.bucket); });
 }
 
 std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split) {
-    const std::size_t left = split == Split::kSurfaceArea ? split_by_area(items) : split_longest_axis(items, box);
+    const std::size_t left = split == Split::kSurfaceArea ? split_by_area(items, box) : split_longest_axis(items, box);
     return left != 0 ? left : split_by_count(items);
+}
+
+GridBox box_around(std::span<const BuildItem> items) {
+    FourSteps low = Sides(items[0]).low, high = Sides(items[0]).high;
+    for (const BuildItem& item : items.subspan(1)) {
+        const Sides sides(item);
+        low = sides.low < low ? sides.low : low;
+        high = sides.high > high ? sides.high : high;
+    }
+    return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 }  // namespace firma

@@ -29,7 +29,10 @@ std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split spli
 
 /// By surface area alone.
 /// @return 0 when no plane separates the centres
-std::size_t split_by_area(std::span<BuildItem> items);
+std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box);
+
+/// @param items  one or more
+GridBox box_around(std::span<const BuildItem> items);
 
 /// The middle of the order by face, for bins that are done but too large for a block.
 std::size_t split_by_count(std::span<BuildItem> items);

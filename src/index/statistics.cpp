@@ -36,24 +36,42 @@ private:
             statistics_.faces += node.facets_below;
             statistics_.bytes += node.facets->bytes();
         }
-        count_bin(node, 0, depth);
+        count_wide(node, node.wide[0], depth);
     }
 
-    void count_bin(const Node& node, std::uint32_t index, int depth) {
-        const Bin& bin = node.bins[index];
-        if (bin.is_leaf() && !node.is_leaf()) return count_node(*node.children[bin.first], depth);
+    void count_wide(const Node& node, const WideNode& wide, int depth) {
         ++statistics_.nodes;
-        statistics_.depth = std::max(statistics_.depth, depth);
-        if (bin.is_leaf()) {
-            ++statistics_.leaves;
-            statistics_.max_leaf_faces = std::max<std::size_t>(statistics_.max_leaf_faces, bin.count);
-            return;
+        add_overlap(wide);
+        for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+            if (wide.leads_to_facets(lane))
+                count_leaf(wide.items(lane), depth + 1);
+            else if (wide.leads_to_node(lane))
+                count_node(*node.children[wide.first[lane]], depth + 1);
+            else
+                count_wide(node, *static_cast<const WideNode*>(wide.child[lane]), depth + 1);
         }
-        const double whole = half_area(bin.box, bin.box);
-        const double shared = half_area(node.bins[index + 1].box, node.bins[bin.first].box);
+    }
+
+    void count_leaf(std::size_t faces, int depth) {
+        ++statistics_.nodes;
+        ++statistics_.leaves;
+        statistics_.depth = std::max(statistics_.depth, depth);
+        statistics_.max_leaf_faces = std::max(statistics_.max_leaf_faces, faces);
+    }
+
+    void add_overlap(const WideNode& wide) {
+        BoxF around = wide.box(0);
+        double shared = 0;
+        for (std::uint32_t k = 0; k < wide.count; ++k) {
+            const BoxF box = wide.box(k);
+            for (int axis = 0; axis < 3; ++axis) {
+                around.low[axis] = std::min(around.low[axis], box.low[axis]);
+                around.high[axis] = std::max(around.high[axis], box.high[axis]);
+            }
+            for (std::uint32_t other = 0; other < k; ++other) shared += half_area(box, wide.box(other));
+        }
+        const double whole = half_area(around, around);
         overlap_sum_ += whole > 0 ? shared / whole : 0;
-        count_bin(node, index + 1, depth + 1);
-        count_bin(node, bin.first, depth + 1);
     }
 
     TreeStatistics statistics_;
@@ -63,7 +81,7 @@ private:
 }  // namespace
 
 std::size_t bytes_of(const Node& node) {
-    return pool_size(sizeof(Node)) + pool_size_of(node.bins) + pool_size_of(node.wide) + pool_size_of(node.children);
+    return pool_size(sizeof(Node)) + pool_size_of(node.wide) + pool_size_of(node.children);
 }
 
 TreeStatistics tree_statistics(const Node& root) {

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "cast/sweep.h"
-#include "index/bin.h"
+#include "index/box_f.h"
 
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one traversal of an index, nearest bins first; what is asked of bins and facets is given in.
+// The one traversal of an index, nearest boxes first; what is asked of boxes and facets is given in.
 #pragma once
 
 #include <array>
@@ -9,50 +9,53 @@
 
 namespace firma {
 
-/// Goes through the facets of all bins that the visitor enters. Allocates nothing, counts no reference.
+/// What lies below a lane: facets first .. first + count of a leaf node, or, without any, wide nodes from `wide` on.
+struct BelowLane {
+    const Node* node;
+    const WideNode* wide;  ///< null: facets
+    std::uint8_t first, count;
+
+    static BelowLane root(const Node& node) { return {&node, node.wide.data(), 0, 0}; }
+    static BelowLane of(const Node& node, const WideNode& above, std::uint32_t lane) {
+        if (above.leads_to_facets(lane)) return {&node, nullptr, above.first[lane], std::uint8_t(above.items(lane))};
+        const auto* const wide = static_cast<const WideNode*>(above.child[lane]);
+        return {above.leads_to_node(lane) ? node.children[above.first[lane]].get() : &node, wide, 0, 0};
+    }
+};
+
+/// Goes through the facets of all boxes that the visitor enters. Allocates nothing, counts no reference.
 ///
 /// A visitor has
-///   bool enter(const Bin&, double& nearest)   whether to look into a bin, and a lower bound for what it may find there
-///   bool still(double nearest) const          whether such a bin is worth it by now
+///   bool enter(const BoxF&, double& nearest)  whether to look into a box, and a lower bound for what it may find there
+///   bool still(double nearest) const          whether such a box is worth it by now
 ///   bool facets(const IndexedFacets&, first, count)    looks at facets; true ends the traversal
+/// Of boxes that are equally near, those on the left come first.
 template <class Visitor>
 void traverse(const Node& root, Visitor& visitor) {
     struct Waiting {
-        const Node* node;
-        std::uint32_t bin;
+        BelowLane below;
         double nearest;
     };
-    std::array<Waiting, kDeepestTree + 8> waiting;  // each bin on the way down leaves at most one sibling behind
+    // Each wide node on the way down leaves at most seven lanes behind.
+    std::array<Waiting, (kDeepestTree + 1) * (WideNode::kLanes - 1) + 1> waiting;
     std::size_t count = 0;
-    Waiting now{&root, 0, 0};
-    if (!visitor.enter(root.bins[0], now.nearest)) return;
-    for (;;) {
-        const Bin& bin = now.node->bins[now.bin];
-        bool go_on = false;
-        if (!bin.is_leaf()) {
-            Waiting left{now.node, now.bin + 1, 0}, right{now.node, bin.first, 0};
-            const bool enters_left = visitor.enter(now.node->bins[left.bin], left.nearest);
-            const bool enters_right = visitor.enter(now.node->bins[right.bin], right.nearest);
-            if (enters_left && enters_right) {
-                const bool left_first = left.nearest <= right.nearest;
-                FIRMA_ASSERT(count < waiting.size(), "an index is deeper than any that is built");
-                waiting[count++] = left_first ? right : left;
-                now = left_first ? left : right;
-                go_on = true;
-            } else if (enters_left || enters_right) {
-                now = enters_left ? left : right;
-                go_on = true;
-            }
-        } else if (!now.node->is_leaf()) {
-            now = {now.node->children[bin.first].get(), 0, now.nearest};  // its root bin has the same box
-            go_on = true;
-        } else if (visitor.facets(*now.node->facets, bin.first, bin.count)) {
-            return;
+    waiting[count++] = {BelowLane::root(root), 0};
+    while (count > 0) {
+        const Waiting now = waiting[--count];
+        if (!visitor.still(now.nearest)) continue;
+        if (!now.below.wide) {
+            if (visitor.facets(*now.below.node->facets, now.below.first, now.below.count)) return;
+            continue;
         }
-        while (!go_on) {
-            if (count == 0) return;
-            now = waiting[--count];
-            go_on = visitor.still(now.nearest);
+        const WideNode& wide = *now.below.wide;
+        const std::size_t base = count;
+        for (std::uint32_t lane = wide.count; lane-- > 0;) {
+            double nearest = 0;
+            if (!visitor.enter(wide.box(lane), nearest)) continue;
+            FIRMA_ASSERT(count < waiting.size(), "an index is deeper than any that is built");
+            std::size_t at = count++;
+            for (; at > base && waiting[at - 1].nearest < nearest; --at) waiting[at] = waiting[at - 1];
+            waiting[at] = {BelowLane::of(*now.below.node, wide, lane), nearest};
         }
     }
 }
@@ -62,6 +65,22 @@ template <class Function>
 void for_each_leaf(const Ref<const Node>& root, const Function& function) {
     if (root->is_leaf()) return function(root);
     for (const Ref<const Node>& child : root->children) for_each_leaf(child, function);
+}
+
+/// Calls `function(wide, lane)` for the lanes to items of a node whose boxes meet one, left to right.
+template <class Function>
+void for_each_item_meeting(const Node& node, const GridBox& box, const Function& function) {
+    const auto below = [&](const auto& self, const WideNode& wide) -> void {
+        const unsigned met = lanes_meeting(wide, box);
+        for (std::uint32_t lane = 0; met >> lane; ++lane) {
+            if (!(met >> lane & 1)) continue;
+            if (wide.leads_to_facets(lane) || wide.leads_to_node(lane))
+                function(wide, lane);
+            else
+                self(self, *static_cast<const WideNode*>(wide.child[lane]));
+        }
+    };
+    below(below, node.wide[0]);
 }
 
 }  // namespace firma

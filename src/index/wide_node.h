@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eight boxes side by side, as casts read an index: the bins of a node, several levels of them at once.
+// Eight boxes side by side: what a node is read by. Each leads to items of the node, or to more boxes over some of
+// them.
 //
 // Coordinates are whole steps of a power of two from a corner, so that a float product has no rounding and every
 // processor reads the same boxes.
@@ -8,29 +9,49 @@
 #include <cstdint>
 #include <span>
 
-#include "index/bin.h"
+#include "geometry/grid_box.h"
+#include "index/box_f.h"
 
 namespace firma {
 
-/// What a child leads to is kept alive by the Node that holds this one.
+/// What a lane leads to is kept alive by the Node that holds this one. Its items are those of the Node from
+/// first[lane] to first[lane + 1].
 struct WideNode {
     static constexpr std::uint32_t kLanes = 8;
 
     /// Box k holds the points from base + scale * side[0][axis][k] to base + scale * side[1][axis][k].
     std::uint8_t side[2][3][kLanes];
-    float base[4], scale[4];       ///< the fourth is not used
-    std::uint32_t count = 0;       ///< lanes in use, from the first on
-    std::uint16_t facets[kLanes];  ///< 0: the child is a wide node; else so many FaceLanes in a row
+    float base[4], scale[4];  ///< the fourth is not used
+    /// Of facets the first FaceLanes, null where Firma is compiled without; of a node its first wide node; else a wide
+    /// node of the same Node.
     const void* child[kLanes];
+    std::uint16_t facets[kLanes];    ///< of facets how many FaceLanes in a row, 1 without; else 0
+    std::uint8_t first[kLanes + 1];  ///< rising; the last stands after the lanes in use
+    std::uint8_t count = 0;          ///< lanes in use, from the first on
 
     /// A side as every reader computes it.
     float at(int which, int axis, std::uint32_t lane) const {
         return base[axis] + scale[axis] * float(side[which][axis][lane]);
     }
+    BoxF box(std::uint32_t lane) const {
+        return {{at(0, 0, lane), at(0, 1, lane), at(0, 2, lane)}, {at(1, 0, lane), at(1, 1, lane), at(1, 2, lane)}};
+    }
+    /// The same in steps of the surface grid, exactly, but for what lies beyond its ends.
+    GridBox grid_box(std::uint32_t lane) const;
+
+    bool leads_to_facets(std::uint32_t lane) const { return facets[lane] > 0; }
+    /// Over nodes: whether a lane leads to one of them, not to more boxes.
+    bool leads_to_node(std::uint32_t lane) const { return facets[lane] == 0 && items(lane) == 1; }
+    std::uint32_t items(std::uint32_t lane) const { return std::uint32_t(first[lane + 1]) - first[lane]; }
 };
 
-/// Puts boxes around the given ones into a node; lanes beyond are empty. Children are left to the caller.
+/// Puts boxes around the given ones into a node; lanes beyond are empty. All else is left to the caller.
 /// @param boxes  1 to 8
-void set_boxes(WideNode& node, std::span<const BoxF> boxes);
+void set_boxes(WideNode& node, std::span<const GridBox* const> boxes);
+
+/// A bit for each lane whose box meets this one, exactly.
+unsigned lanes_meeting(const WideNode& node, const GridBox& box);
+/// A bit for each lane whose box holds this one, exactly.
+unsigned lanes_around(const WideNode& node, const GridBox& box);
 
 }  // namespace firma

@@ -51,7 +51,7 @@ struct AllOnLine {
     std::vector<Touch>& touches;
     bool sure = true;
 
-    bool enter(const Bin& bin, double& nearest) const { return boxes.enters(bin.box, sweep.end, nearest); }
+    bool enter(const BoxF& box, double& nearest) const { return boxes.enters(box, sweep.end, nearest); }
     bool still(double) const { return true; }
     bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
         const Block& in = as_block(facets);

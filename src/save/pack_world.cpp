@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // From a world to the bytes of a .firma file: faces in order of id; each exact face, edge, vertex and plane once,
-// numbered in the order in which faces lead to them; then the index, which may be missing.
+// numbered in the order in which faces lead to them. How faces are kept and found is not in it.
 #include <algorithm>
 #include <utility>
 
-#include "base/flat_map.h"
 #include "base/sort.h"
 #include "firma/save.h"
 #include "save/anchor_bytes.h"
@@ -29,7 +28,6 @@ public:
         : data_(world.data()),
           tree_options_(options.index ? data_.tree_options : TreeOptions{}),
           exact_(options.exact),
-          index_(options.index && options.exact),
           face_packer_(options.exact ? &exact_packer_ : nullptr) {}
 
     std::vector<std::byte> pack() {
@@ -42,7 +40,6 @@ public:
         if (exact_) exact_packer_.pack();
         if (data_.anchors) put_anchors(anchors_, *data_.anchors);
         if (data_.textures) pack_textures(*data_.textures);
-        if (index_) pack_index();
         needs_version_3_ |= bool(data_.matters);
         return write_container(sections(), needs_version_3_ ? 3 : 2);
     }
@@ -102,48 +99,6 @@ private:
         for (const FaceOfRoom& face : all_) face_packer_.add(face.place, face.room);
     }
 
-    /// Blocks and nodes, each once, children before what holds them.
-    void pack_index() {
-        const SolidData& solid = data_.solid.data();
-        for (const Ref<const Node>* root : {&solid.faces.root, &data_.castable.root}) pack_root(root->get());
-        data_.room_faces.for_each(
-            [&](std::uint32_t, const Ref<const RoomFaces>& room) { pack_root(room->tree.get()); });
-    }
-
-    void pack_root(const Node* root) { roots_.u32(root ? pack_node(*root) : kNoEntry); }
-
-    std::uint32_t pack_node(const Node& node) {
-        const std::uint32_t known = number_of_node_.find(reinterpret_cast<std::uintptr_t>(&node));
-        if (known != FlatMap::kNone) return known;
-        std::vector<std::uint32_t> children;
-        for (const Ref<const Node>& child : node.children) children.push_back(pack_node(*child));
-        nodes_.u16(std::uint16_t(node.bins.size()));
-        nodes_.u16(std::uint16_t(children.size()));
-        nodes_.u32(node.is_leaf() ? pack_block(block_of(node)) : kNoEntry);
-        for (const Bin& bin : node.bins) {
-            for (const float coordinate : bin.box.low) bins_.f32(coordinate);
-            for (const float coordinate : bin.box.high) bins_.f32(coordinate);
-            bins_.u32(bin.first);
-            bins_.u32(bin.count);
-        }
-        for (const std::uint32_t child : children) children_.u32(child);
-        number_of_node_.at(reinterpret_cast<std::uintptr_t>(&node)) = node_count_;
-        return node_count_++;
-    }
-
-    std::uint32_t pack_block(const Block& block) {
-        std::uint32_t& known = number_of_block_.at(reinterpret_cast<std::uintptr_t>(&block));
-        if (known != FlatMap::kNone) return known;
-        known = block_count_++;
-        blocks_.u32(std::uint32_t(block.faces.size()));
-        for (const FaceRecord& face : block.faces) {
-            const auto at = std::lower_bound(all_.begin(), all_.end(), face.id,
-                                             [](const FaceOfRoom& other, FaceId id) { return other.id < id; });
-            block_faces_.u32(std::uint32_t(at - all_.begin()));
-        }
-        return known;
-    }
-
     void pack_textures(const FaceTextures& textures) {
         for (const TextureProjection& map : textures.projections()) {
             for (const auto& [axis, offset] : {std::pair(map.u_axis, map.u_offset), {map.v_axis, map.v_offset}}) {
@@ -187,19 +142,12 @@ private:
             add_optional(kTexturedFacesSection, textured_faces_);
             add_optional(kTextureOutlinesSection, texture_outlines_);
         }
-        if (!index_) return all;
-        add_optional(kIndexBlocksSection, blocks_);
-        add_optional(kIndexFacesSection, block_faces_);
-        add_optional(kIndexNodesSection, nodes_);
-        add_optional(kIndexBinsSection, bins_);
-        add_optional(kIndexChildrenSection, children_);
-        add_optional(kIndexRootsSection, roots_);
         return all;
     }
 
     const WorldData& data_;
     const TreeOptions tree_options_;
-    const bool exact_, index_;
+    const bool exact_;
     std::vector<FaceOfRoom> all_;  ///< in order of id
     bool needs_version_3_ = false;
     ExactPacker exact_packer_;
@@ -207,9 +155,6 @@ private:
     std::vector<NewSection> cells_;
     ByteWriter world_, rules_, merge_, open_faces_, anchors_;
     ByteWriter texture_maps_, textured_faces_, texture_outlines_;
-    ByteWriter blocks_, block_faces_, nodes_, bins_, children_, roots_;
-    FlatMap number_of_node_, number_of_block_;
-    std::uint32_t node_count_ = 0, block_count_ = 0;
 };
 
 }  // namespace

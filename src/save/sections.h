@@ -43,13 +43,6 @@ inline constexpr SectionType kPiecePolygonsSection = section_type("PPLY");
 inline constexpr SectionType kPieceCornersSection = section_type("PCRN");
 inline constexpr SectionType kPieceMaterialsSection = section_type("PMAT");
 inline constexpr SectionType kMatterSourcesSection = section_type("MSRC");
-// The index: may be missing, or passed over.
-inline constexpr SectionType kIndexBlocksSection = section_type("IBLK");
-inline constexpr SectionType kIndexFacesSection = section_type("IFAC");
-inline constexpr SectionType kIndexNodesSection = section_type("INOD");
-inline constexpr SectionType kIndexBinsSection = section_type("IBIN");
-inline constexpr SectionType kIndexChildrenSection = section_type("ICHI");
-inline constexpr SectionType kIndexRootsSection = section_type("IROO");
 // Of version 1 alone.
 inline constexpr SectionType kRoomsSection = section_type("ROOM");
 inline constexpr SectionType kBlocksSection = section_type("BLCK");
@@ -69,8 +62,6 @@ inline constexpr SectionType kSectionsOfMatters[] = {
     kMattersSection,      kPiecesSection,         kPiecePlanesSection,  kPiecePolygonsSection,
     kPieceCornersSection, kPieceMaterialsSection, kMatterSourcesSection};
 inline constexpr SectionType kSectionsOfVersion1[] = {kRoomsSection, kBlocksSection, kBinsSection, kOwnersSection};
-inline constexpr SectionType kSectionsOfIndex[] = {kIndexBlocksSection, kIndexFacesSection,    kIndexNodesSection,
-                                                   kIndexBinsSection,   kIndexChildrenSection, kIndexRootsSection};
 
 inline constexpr std::size_t kWorldBytes = 64;
 inline constexpr std::size_t kRulesBytes = 64;       ///< without zones and hardness
@@ -79,7 +70,6 @@ inline constexpr std::size_t kRoomRecordBytes = 12;  ///< without its name
 inline constexpr std::size_t kPortalBytes = 32;      ///< without its name
 inline constexpr std::size_t kFaceBytes = 32;
 inline constexpr std::size_t kBinBytes = 32;
-inline constexpr std::size_t kNodeBytes = 8;
 inline constexpr std::size_t kBlockBytesOfVersion1 = 12;
 inline constexpr std::size_t kFaceBytesOfVersion1 = 28;
 inline constexpr std::size_t kPointBytes = 12;

@@ -17,8 +17,8 @@ struct Farthest {
     const double sign;
     double best = -INFINITY;
 
-    bool enter(const Bin& bin, double& nearest) const {
-        nearest = -sign * double((sign > 0 ? bin.box.high : bin.box.low)[axis]);
+    bool enter(const BoxF& box, double& nearest) const {
+        nearest = -sign * double((sign > 0 ? box.high : box.low)[axis]);
         return still(nearest);
     }
     bool still(double nearest) const { return -nearest > best; }

@@ -7,7 +7,7 @@
 
 namespace firma {
 
-/// Around all faces of an index, exactly, by the bins that may reach farthest: costs a few walks.
+/// Around all faces of an index, exactly, by the boxes that may reach farthest: costs a few walks.
 Box bounds_of(const Node& root);
 
 }  // namespace firma

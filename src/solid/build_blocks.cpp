@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/pool.h"
+#include "index/join_nodes.h"
 #include "solid/append_faces.h"
 
 namespace firma {
@@ -17,19 +18,18 @@ TreeOptions in_range(TreeOptions options) {
     return options;
 }
 
-/// Whether casts look at all of them at once.
-bool fit_lanes(const FaceSet& faces, std::span<const BuildItem> items) {
-    std::size_t triangles = 0;
-    for (const BuildItem& item : items) triangles += faces.faces[item.face].corner_count - 2;
-    return triangles <= FaceLanes::kLanes;
-}
-
 /// The stop rules.
 bool is_done(const FaceSet& faces, std::span<const BuildItem> items, const GridBox& box, int depth,
              const TreeOptions& options) {
-    if (depth >= options.max_depth) return true;
-    if (items.size() <= std::size_t(options.faces_per_leaf) && (items.size() == 1 || fit_lanes(faces, items)))
-        return true;
+    if (depth >= options.max_depth || items.size() == 1) return true;
+    // In eights, as casts look at them.
+    const std::size_t most =
+        (std::size_t(options.faces_per_leaf) + FaceLanes::kLanes - 1) / FaceLanes::kLanes * FaceLanes::kLanes;
+    if (items.size() <= most) {
+        std::size_t triangles = 0;
+        for (const BuildItem& item : items) triangles += faces.faces[item.face].corner_count - 2;
+        if (triangles <= most) return true;
+    }
     return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
 }
 
@@ -97,7 +97,8 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
                     }
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
-    return pack(0);
+    const Ref<const Node> root = pack(0);
+    return join_nodes({&root, 1});
 }
 
 Ref<const Node> BlockBuilder::pack(std::uint32_t top) {
@@ -107,23 +108,11 @@ Ref<const Node> BlockBuilder::pack(std::uint32_t top) {
 Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
     Ref<Node> leaf(new Node);
     const BinNode& node = tree_.nodes[top];
-    bins_.clear();
-    int deepest = 0;
-    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
-        const BinNode& it = tree_.nodes[index];
-        if (it.left != 0) return false;
-        bin.first = it.first - node.first;
-        bin.count = it.count;
-        deepest = std::max(deepest, depth);
-        return true;
-    });
-    leaf->bins.assign(bins_.begin(), bins_.end());
-    leaf->depth = std::uint16_t(deepest);
     leaf->facets_below = node.count;
     numbers_.clear();
     for (const BuildItem& item : tree_.items_of(node)) numbers_.push_back(item.face);
     const Ref<Block> block = make_block(*faces_, numbers_, vertices_);
-    layout_.make(*leaf, *block);
+    layout_.make(*leaf, *block, tree_, top);
     leaf->facets = Ref<const IndexedFacets>(block.get());
     return Ref<const Node>(leaf.get());
 }
@@ -143,25 +132,19 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbe
 }
 
 Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
-    Ref<Node> made(new Node);
     const std::vector<std::uint32_t> chosen = choose_children(tree_, top);
-    bins_.clear();
-    std::vector<int> depths;
-    append_bins(tree_, top, 0, bins_, [&](std::uint32_t index, Bin& bin, int depth) {
-        if (!std::binary_search(chosen.begin(), chosen.end(), index)) return false;
-        bin.first = std::uint32_t(depths.size());
-        bin.count = 1;
-        depths.push_back(depth);
-        return true;
-    });
-    made->bins.assign(bins_.begin(), bins_.end());
-    made->facets_below = tree_.nodes[top].count;
+    std::vector<Ref<const Node>> packed;  // children, as they are in order
+    packed.reserve(chosen.size());
+    for (const std::uint32_t bin : chosen) packed.push_back(pack(bin));
+    const auto place_of = [&](std::uint32_t bin) { return std::lower_bound(chosen.begin(), chosen.end(), bin); };
+    const auto is_item = [&](std::uint32_t bin) {
+        const auto at = place_of(bin);
+        return at != chosen.end() && *at == bin;
+    };
+    const auto node_of = [&](std::uint32_t bin) { return packed[std::size_t(place_of(bin) - chosen.begin())].get(); };
+    Ref<Node> made(new Node);
     made->children.reserve(chosen.size());
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-        made->children.push_back(pack(chosen[k]));
-        made->depth = std::uint16_t(std::max<int>(made->depth, depths[k] + made->children[k]->depth));
-    }
-    widener_.widen(*made);
+    widener_.widen_over_nodes(*made, tree_, top, is_item, node_of);
     return Ref<const Node>(made.get());
 }
 

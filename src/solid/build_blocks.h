@@ -30,7 +30,6 @@ private:
 
     const FaceSet* faces_ = nullptr;
     BinTree tree_;
-    std::vector<Bin> bins_;
     VertexTable vertices_;
     FaceLayout layout_;
     BinWidener widener_;

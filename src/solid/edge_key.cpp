@@ -20,10 +20,10 @@ struct AcrossVisitor {
     const Vec3 middle;  ///< exact: two 32-bit numbers and their mean fit a double
     FacetPlace found{};
 
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
         for (int axis = 0; axis < 3; ++axis)
-            if (middle[axis] < double(bin.box.low[axis]) || middle[axis] > double(bin.box.high[axis])) return false;
+            if (middle[axis] < double(box.low[axis]) || middle[axis] > double(box.high[axis])) return false;
         return true;
     }
     bool still(double) const { return true; }

@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "base/assert.h"
-#include "index/bin_growth.h"
+#include "index/box_growth.h"
 #include "index/traverse.h"
 #include "solid/append_faces.h"
 
@@ -87,7 +87,7 @@ void BlockEdit::start() {
 
 void BlockEdit::group_blocks(std::uint32_t part, const std::vector<std::uint32_t>& blocks) {
     std::vector<NodeItem> items;
-    for (const std::uint32_t k : blocks) items.push_back({nullptr, to_floats(blocks_[k]->box()), true});
+    for (const std::uint32_t k : blocks) items.push_back({nullptr, blocks_[k]->box(), true});
     joiner_.divide(items);
     std::vector<std::uint32_t> nodes;
     joiner_.group(kBlocksTogether, nodes);
@@ -99,7 +99,7 @@ void BlockEdit::group_blocks(std::uint32_t part, const std::vector<std::uint32_t
 std::uint32_t BlockEdit::group_below(PartTree& tree, const std::vector<std::uint32_t>& blocks, std::uint32_t node) {
     const auto at = std::uint32_t(tree.nodes.size());
     const BinNode& it = joiner_.tree().nodes[node];
-    tree.nodes.push_back({to_floats(it.box), kNone, kNone, kNone});
+    tree.nodes.push_back({it.box, kNone, kNone, kNone});
     if (joiner_.count_below(node) <= kBlocksTogether) {
         tree.nodes[at].group = std::uint32_t(groups_.size());
         Group& group = groups_.emplace_back();
@@ -131,7 +131,7 @@ std::uint32_t BlockEdit::place(const FaceSet::Entry& face) {
         groups_.emplace_back().part = face.part;
     }
     const PartTree& tree = trees_[known];
-    const Bounds box(added_.box_of(face));
+    const GridBox box = added_.box_of(face);
     std::uint32_t at = 0;
     while (tree.nodes[at].group == kNone) {
         const std::uint32_t left = tree.nodes[at].left, right = tree.nodes[at].right;

@@ -55,7 +55,7 @@ private:
     struct PartTree {
         std::uint32_t part = 0;
         struct Node {
-            BoxF box;
+            GridBox box;
             std::uint32_t left = kNone, right = kNone;  ///< none: a group
             std::uint32_t group = kNone;
         };

@@ -14,10 +14,10 @@ struct EdgeVisitor {
     int uses = 0;
     int forward = 0;  ///< how many of them from a to b
 
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
         for (int axis = 0; axis < 3; ++axis)
-            if (middle[axis] < double(bin.box.low[axis]) || middle[axis] > double(bin.box.high[axis])) return false;
+            if (middle[axis] < double(box.low[axis]) || middle[axis] > double(box.high[axis])) return false;
         return true;
     }
     bool still(double) const { return true; }

@@ -43,7 +43,7 @@ class FirstSeen {
 public:
     explicit FirstSeen(const Sweep& sweep);
 
-    bool enter(const Bin& bin, double& nearest) const { return boxes_.enters(bin.box, latest_, nearest); }
+    bool enter(const BoxF& box, double& nearest) const { return boxes_.enters(box, latest_, nearest); }
     template <class AnyBox>
     bool enter(const AnyBox& box) const {
         double nearest;

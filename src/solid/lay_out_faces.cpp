@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layout for casts of a leaf of an index over faces.
+// How a leaf of an index over faces is laid out.
 #include "solid/lay_out_faces.h"
 
 #include <algorithm>
@@ -12,19 +12,27 @@ namespace {
 
 constexpr float kUp = 1 + 0x1p-20f;  ///< far more than the rounding of a few floats
 
-/// The middle of some facets, on the grid.
-GridPoint middle_of(const Block& block, std::uint32_t first, std::uint32_t end) {
-    GridBox box;
-    for (std::uint32_t slot = first; slot < end; ++slot) box.add(block.box_of(block.faces[slot]));
+/// Up to so many steps differences of corners, and what is made of their products, have no rounding in floats.
+constexpr std::int64_t kExactSteps = std::int64_t(1) << 23;
+
+GridPoint origin_for(const GridBox& box) {
     GridPoint middle;
     for (int axis = 0; axis < 3; ++axis)
         middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) >> 1);
     return middle;
 }
 
+/// Whether all of a box lies within so many steps of a point, axis by axis.
+bool within(const GridBox& box, const GridPoint& point, std::int64_t steps) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (point[axis] - std::int64_t(box.low[axis]) > steps || box.high[axis] - std::int64_t(point[axis]) > steps)
+            return false;
+    return true;
+}
+
 /// How far corners lie from the plane of casts: that of the normal, through the first one. Metres, rounded up.
 double unevenness(const PolygonShape& polygon) {
-    if (polygon.corners.size() == 3 || !polygon.has_area()) return 0;
+    if (!polygon.has_area()) return 0;
     const Vec3 normal = polygon.unit_normal();
     double most = 0;
     for (const Vec3& corner : polygon.corners)
@@ -33,42 +41,75 @@ double unevenness(const PolygonShape& polygon) {
     return most * (1 + 0x1p-40) + size * 0x1p-44;
 }
 
+/// The same without exact sums, a little more. Differences of corners are exact; the normal's components, sums of 2n
+/// products, are off by (n + 3) 2^-53 of the sum of the products' sizes at most. Where that is so little of the normal
+/// that it does not matter, a corner's height is off by as little of its distance.
+double unevenness(const Block& block, const FaceRecord& face) {
+    const Vec3 first = to_metres(block.corner(face, 0));
+    Vec3 normal, sizes, last = to_metres(block.corner(face, 1)) - first;
+    double farthest = 0;
+    for (std::uint32_t k = 2; k < face.corner_count; ++k) {
+        const Vec3 next = to_metres(block.corner(face, k)) - first;
+        normal += cross(last, next);
+        const Vec3 a{std::fabs(last.x), std::fabs(last.y), std::fabs(last.z)},
+            b{std::fabs(next.x), std::fabs(next.y), std::fabs(next.z)};
+        sizes += Vec3{a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
+        farthest = std::max(farthest, b.x + b.y + b.z);
+        last = next;
+    }
+    const double off = double(face.corner_count + 3) * 0x1p-52 * (sizes.x + sizes.y + sizes.z);
+    const double long_as = length(normal);
+    if (!(long_as > 0x1p+30 * off)) return unevenness(FaceShape(block, face).polygon);
+    double most = 0;
+    for (std::uint32_t k = 1; k < face.corner_count; ++k)
+        most = std::max(most, std::fabs(dot(to_metres(block.corner(face, k)) - first, normal)));
+    return (most + farthest * off) / long_as * (1 + 0x1p-28) + (max_abs(first) + 2 * farthest) * 0x1p-44;
+}
+
 /// Triangles into lanes, one after the other.
 class LaneWriter {
 public:
-    LaneWriter(const Block& block, const GridPoint& origin, std::vector<FaceLanes>& lanes)
-        : block_(block), origin_(origin), lanes_(lanes) {}
+    /// @param box  around the facets that are added
+    LaneWriter(const Block& block, const GridBox& box, FaceLanes* lanes)
+        : block_(block), origin_(origin_for(box)), exact_(within(box, origin_, kExactSteps)), next_(lanes) {}
 
     void add(std::uint32_t slot) {
         const FaceRecord& face = block_.faces[slot];
-        const double uneven = unevenness(FaceShape(block_, face).polygon);
-        for (std::uint32_t k = 2; k < face.corner_count; ++k) {
-            if (lane_ == FaceLanes::kLanes) {
-                lanes_.emplace_back();
-                lanes_.back().block = &block_;
-                lanes_.back().origin = origin_;
-                lanes_.back().mask_of_all = ~0u;
-                lane_ = 0;
-            }
-            FaceLanes& it = lanes_.back();
-            it.uneven = std::max(it.uneven, float(uneven) * kUp);
+        Corner corners[kMaxCorners];
+        Measure measure;
+        for (std::uint32_t k = 0; k < face.corner_count; ++k)
+            corners[k] =
+                exact_ ? exact_corner(block_.corner(face, k), measure) : corner(block_.corner(face, k), measure);
+        if (face.corner_count > 3) {
+            measure.uneven = float(unevenness(block_, face)) * kUp;
             // Outlines of more corners are convex but for the rounding to the grid.
-            if (face.corner_count > 3) it.shifted = std::max(it.shifted, float(1 / kSurfaceSteps));
+            measure.shifted = std::max(measure.shifted, float(1 / kSurfaceSteps));
+        }
+        const bool whole = face.corner_count == 3 && measure.exact;
+        for (std::uint32_t k = 2; k < face.corner_count; ++k) {
+            if (lane_ == FaceLanes::kLanes) start();
+            FaceLanes& it = *last_;
+            it.size = std::max(it.size, measure.size);
+            it.uneven = std::max(it.uneven, measure.uneven);
+            it.shifted = std::max(it.shifted, measure.shifted);
             it.mask_of_all &= face.mask;
             it.slot[lane_] = std::uint8_t(slot);
-            it.used |= std::uint8_t(1u << lane_);
-            if (face.two_sided) it.two_sided |= std::uint8_t(1u << lane_);
-            bool whole = face.corner_count == 3;
-            const std::uint32_t corners[3] = {0, k - 1, k};
-            for (std::uint32_t c = 0; c < 3; ++c) whole &= put(it, c, block_.corner(face, corners[c]));
-            if (whole) it.whole |= std::uint8_t(1u << lane_);
+            const auto bit = std::uint8_t(1u << lane_);
+            it.used |= bit;
+            if (face.two_sided) it.two_sided |= bit;
+            if (whole) it.whole |= bit;
+            for (int axis = 0; axis < 3; ++axis) {
+                it.corner[0][axis][lane_] = corners[0].at[axis];
+                it.corner[1][axis][lane_] = corners[k - 1].at[axis];
+                it.corner[2][axis][lane_] = corners[k].at[axis];
+            }
             ++lane_;
         }
     }
 
     /// Lanes that are left repeat the last triangle.
     void finish() {
-        FaceLanes& it = lanes_.back();
+        FaceLanes& it = *last_;
         for (; lane_ < FaceLanes::kLanes; ++lane_) {
             it.slot[lane_] = it.slot[lane_ - 1];
             for (auto& corner : it.corner)
@@ -77,72 +118,88 @@ public:
     }
 
 private:
-    /// @return whether a corner is exact
-    bool put(FaceLanes& it, std::uint32_t c, const GridPoint& point) const {
-        double sum = 0, off = 0;
+    /// Metres from the origin.
+    struct Corner {
+        float at[3];
+    };
+    /// What FaceLanes says of all, of one facet.
+    struct Measure {
+        float size = 0, uneven = 0, shifted = 0;
         bool exact = true;
+    };
+
+    void start() {
+        last_ = next_++;
+        last_->block = &block_;
+        last_->origin = origin_;
+        last_->mask_of_all = ~0u;
+        lane_ = 0;
+    }
+
+    Corner exact_corner(const GridPoint& point, Measure& measure) const {
+        Corner made;
+        float sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const double from = double(std::int64_t(point[axis]) - origin_[axis]) / kSurfaceSteps;
-            const auto rounded = float(from);
-            it.corner[c][axis][lane_] = rounded;
-            // Up to 2^23 steps differences of corners, and what is made of their products, have no rounding either.
-            exact = exact && double(rounded) == from && std::fabs(from) <= 32;
-            sum += std::fabs(from);
-            off += std::fabs(from - double(rounded));
+            made.at[axis] = float(point[axis] - origin_[axis]) * float(1 / kSurfaceSteps);
+            sum += std::fabs(made.at[axis]);
         }
-        it.size = std::max(it.size, float(sum) * kUp);
-        if (off > 0) it.shifted = std::max(it.shifted, float(off + 1 / kSurfaceSteps) * kUp);
-        return exact;
+        measure.size = std::max(measure.size, sum * kUp);
+        return made;
+    }
+    Corner corner(const GridPoint& point, Measure& measure) const {
+        Corner made;
+        double sum = 0, off = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int64_t steps = std::int64_t(point[axis]) - origin_[axis];
+            const double from = double(steps) / kSurfaceSteps;
+            made.at[axis] = float(from);
+            measure.exact = measure.exact && std::abs(steps) <= kExactSteps;
+            sum += std::fabs(from);
+            off += std::fabs(from - double(made.at[axis]));
+        }
+        measure.size = std::max(measure.size, float(sum) * kUp);
+        if (off > 0) measure.shifted = std::max(measure.shifted, float(off + 1 / kSurfaceSteps) * kUp);
+        return made;
     }
 
     const Block& block_;
     const GridPoint origin_;
-    std::vector<FaceLanes>& lanes_;
+    const bool exact_;
+    FaceLanes* next_;
+    FaceLanes* last_ = nullptr;
     std::uint32_t lane_ = FaceLanes::kLanes;
 };
 
 }  // namespace
 
-std::uint32_t FaceLayout::lanes_below(const Node& leaf, std::uint32_t bin) const {
-    std::uint32_t first = bin;
-    while (!leaf.bins[first].is_leaf()) ++first;
-    return before_[last_[bin]] - before_[leaf.bins[first].first];
-}
-
-/// The facets below a bin.
-std::uint32_t FaceLayout::put(const Node& leaf, std::uint32_t bin) {
-    std::uint32_t at = bin;
-    while (!leaf.bins[at].is_leaf()) ++at;
-    const std::uint32_t first = leaf.bins[at].first, end = last_[bin];
-    first_.push_back(std::uint32_t(lanes_.size()));
-    LaneWriter writer(*block_, middle_of(*block_, first, end), lanes_);
-    for (std::uint32_t slot = first; slot < end; ++slot) writer.add(slot);
-    writer.finish();
-    return std::uint32_t(first_.size()) - 1;
-}
-
-void FaceLayout::make([[maybe_unused]] Node& leaf, [[maybe_unused]] Block& block) {
+void FaceLayout::make(Node& leaf, [[maybe_unused]] Block& block, const BinTree& tree, std::uint32_t top) {
+    const auto is_item = [&](std::uint32_t bin) { return tree.nodes[bin].left == 0; };
+    const auto facets_of = [&](std::uint32_t bin) { return tree.nodes[bin].count; };
+    const std::span<const BinWidener::Item> items = widener_.widen(leaf, tree, top, is_item, facets_of);
 #ifdef FIRMA_SIMD
-    block_ = &block;
-    before_.assign(1, 0);
-    for (const FaceRecord& face : block.faces) before_.push_back(before_.back() + face.corner_count - 2);
-    last_.assign(leaf.bins.size(), 0);
-    for (std::size_t k = leaf.bins.size(); k-- > 0;)
-        last_[k] = leaf.bins[k].is_leaf() ? leaf.bins[k].first + leaf.bins[k].count : last_[leaf.bins[k].first];
-    lanes_.clear();
-    first_.clear();
-    widener_.widen(
-        leaf,
-        [&](std::uint32_t bin) {
-            const bool ends = leaf.bins[bin].is_leaf() || lanes_below(leaf, bin) <= FaceLanes::kLanes;
-            return ends ? put(leaf, bin) : BinWidener::kNone;
-        },
-        [&](std::uint32_t item, WideNode& above, std::uint32_t lane) {
-            if (block.lanes.empty()) block.lanes.assign(lanes_.begin(), lanes_.end());
-            const std::uint32_t end = item + 1 < first_.size() ? first_[item + 1] : std::uint32_t(lanes_.size());
-            above.child[lane] = &block.lanes[first_[item]];
-            above.facets[lane] = std::uint16_t(end - first_[item]);
-        });
+    const std::uint32_t before = tree.nodes[top].first;
+    std::size_t all = 0;
+    for (const BinWidener::Item& item : items) {
+        const BinNode& bin = tree.nodes[item.what];
+        std::uint32_t triangles = 0;
+        for (std::uint32_t k = 0; k < bin.count; ++k)
+            triangles += block.faces[bin.first - before + k].corner_count - 2u;
+        const std::uint32_t lanes = (triangles + FaceLanes::kLanes - 1) / FaceLanes::kLanes;
+        leaf.wide[item.above].facets[item.lane] = std::uint16_t(lanes);
+        all += lanes;
+    }
+    block.lanes.resize(all);
+    FaceLanes* next = block.lanes.data();
+    for (const BinWidener::Item& item : items) {
+        const BinNode& bin = tree.nodes[item.what];
+        leaf.wide[item.above].child[item.lane] = next;
+        LaneWriter writer(block, bin.box, next);
+        for (std::uint32_t k = 0; k < bin.count; ++k) writer.add(bin.first - before + k);
+        writer.finish();
+        next += leaf.wide[item.above].facets[item.lane];
+    }
+#else
+    for (const BinWidener::Item& item : items) leaf.wide[item.above].facets[item.lane] = 1;
 #endif
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Facets near a point, nearest bins first.
+// Facets near a point, nearest boxes first.
 #pragma once
 
 #include "cast/nearness.h"
 #include "geometry/rounding.h"
-#include "index/bin.h"
+#include "index/box_f.h"
 #include "solid/face_shape.h"
 
 namespace firma {
@@ -34,8 +34,8 @@ struct NearFacets {
     bool within(double distance) const {
         return distance <= found.reach + rounding(64) * (max_abs(point) + 4 * kWorldRim);
     }
-    bool enter(const Bin& bin, double& nearest) const {
-        nearest = distance_to(bin.box, point);
+    bool enter(const BoxF& box, double& nearest) const {
+        nearest = distance_to(box, point);
         return within(nearest);
     }
     bool still(double nearest) const { return within(nearest); }

@@ -102,20 +102,21 @@ std::size_t bytes_of_room_faces_alone(const RoomFacesMap& mine, const RoomFacesM
     return sum;
 }
 
-/// Whether an index has a node, by the boxes of its bins.
+/// Whether an index has a node, by its boxes.
 bool has_node(const Node* root, const Node& wanted) {
     if (!root || root->facets_below < wanted.facets_below) return false;
     if (root == &wanted) return true;
     if (root->is_leaf()) return false;
-    const BoxF& box = wanted.bins[0].box;
-    const auto below = [&](const auto& self, std::uint32_t index) -> bool {
-        const Bin& bin = root->bins[index];
-        for (int axis = 0; axis < 3; ++axis)
-            if (box.low[axis] < bin.box.low[axis] || box.high[axis] > bin.box.high[axis]) return false;
-        if (bin.is_leaf()) return has_node(root->children[bin.first].get(), wanted);
-        return self(self, index + 1) || self(self, bin.first);
+    const auto below = [&](const auto& self, const WideNode& wide) -> bool {
+        const unsigned around = lanes_around(wide, wanted.box);
+        for (std::uint32_t lane = 0; around >> lane; ++lane)
+            if ((around >> lane & 1) &&
+                (wide.leads_to_node(lane) ? has_node(root->children[wide.first[lane]].get(), wanted)
+                                          : self(self, *static_cast<const WideNode*>(wide.child[lane]))))
+                return true;
+        return false;
     };
-    return below(below, 0);
+    return below(below, root->wide[0]);
 }
 
 std::uint32_t part_below(const Node& node) {

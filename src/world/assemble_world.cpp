@@ -152,7 +152,7 @@ Cells cells_of(StoredWorld& stored) {
 World world_of(StoredWorld stored) {
     auto data = std::make_shared<WorldData>();
     data->cells = cells_of(stored);
-    data->set_faces(faces_of_rooms(data->cells, {&stored.solid, &stored.castable}, stored.indices));
+    data->set_faces(faces_of_rooms(data->cells, {&stored.solid, &stored.castable}));
     data->castable = stored.castable.store;
     data->solid =
         solid_of(stored.solid.store, stored.rock_outside, stored.next_face, stored.edits, stored.tree_options);

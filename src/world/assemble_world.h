@@ -35,10 +35,9 @@ struct WorldParts {
 /// A world whose faces are in blocks.
 struct StoredWorld {
     BuiltStore solid, castable;
-    std::vector<RoomRecord> records;       ///< at least one; lists of portals are made from `portals`
-    std::vector<PortalPart> portals;       ///< sound ones
-    std::vector<Ref<const Node>> indices;  ///< of each room; none at all: made from the parts of the stores
-    bool known = false;                    ///< Cells::known()
+    std::vector<RoomRecord> records;  ///< at least one; lists of portals are made from `portals`
+    std::vector<PortalPart> portals;  ///< sound ones
+    bool known = false;               ///< Cells::known()
     bool rock_outside = false;
     std::uint32_t next_face = 0, edits = 0;
     std::uint64_t version = 0;

@@ -174,7 +174,7 @@ void Cells::index_portals(std::span<const PortalId> portals) {
     NodeEdit edit(portal_index_);
     for (const PortalId id : portals) {
         PortalState state = portals_[id.value];
-        if (state.leaf) edit.remove(state.leaf->facets.get(), to_grid(state.leaf->bins[0].box));
+        if (state.leaf) edit.remove(state.leaf->facets.get(), state.leaf->box);
         state.leaf = {};
         if (!state.portal->gone()) {
             state.leaf = portal_leaf(id.value, state.portal->box);
@@ -211,7 +211,7 @@ void Cells::set_portal_boxes(RoomRecord& record, const Cells& before, std::uint3
     for (const PortalId id : changed) {
         if (std::binary_search(old.portals.begin(), old.portals.end(), id)) {
             const Ref<const Node>& leaf = before.portals_[id.value].leaf;
-            edit.remove(leaf->facets.get(), to_grid(leaf->bins[0].box));
+            edit.remove(leaf->facets.get(), leaf->box);
         }
         if (std::binary_search(record.portals.begin(), record.portals.end(), id)) edit.add(portals_[id.value].leaf);
     }

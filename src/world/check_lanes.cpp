@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wide nodes and lanes against the bins and the block that they are made of, one by one.
+// Wide nodes and lanes against the nodes and the block that they lead to, one by one.
 #include "world/check_lanes.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "solid/block.h"
@@ -33,28 +34,24 @@ public:
     explicit LanesChecker(const Node& node) : node_(node) {}
 
     std::optional<WorldFault> check() {
-        if (lane_kernels().empty()) {
-            if (!node_.wide.empty()) report("an index block is laid out for casts that there are not");
-            return fault_;
-        }
-        if (node_.wide.empty()) {
-            report("an index block is not laid out for casts");
-            return fault_;
-        }
         led_to_.assign(node_.wide.size(), 0);
         led_to_[0] = 1;
-        items_.assign(node_.is_leaf() ? block_of(node_).lanes.size() : node_.children.size(), 0);
         if (node_.is_leaf()) {
             triangles_.fill(0);
-            group_of_.fill(0);
+            lanes_.assign(block_of(node_).lanes.size(), 0);
+            if (lane_kernels().empty() && !lanes_.empty()) report("a block is laid out for casts that there are not");
         }
-        check_wide(0, node_.bins[0].box);
+        constexpr float kAny = std::numeric_limits<float>::infinity();
+        check_wide(0, {{-kAny, -kAny, -kAny}, {kAny, kAny, kAny}}, 1);
         if (fault_) return fault_;
+        if (next_item_ != (node_.is_leaf() ? block_of(node_).faces.size() : node_.children.size()))
+            report("an item is not in exactly one wide node");
         for (const int times : led_to_)
             if (times != 1) report("a wide node is not led to exactly once");
-        for (const int times : items_)
-            if (times != 1) report("an item is not in exactly one wide node");
-        if (node_.is_leaf()) check_all_there();
+        for (const int times : lanes_)
+            if (times != 1) report("lanes are not led to exactly once");
+        if (deepest_ != node_.depth) report("an index block's depth is not how deep it is");
+        if (node_.is_leaf() && !lane_kernels().empty()) check_all_there();
         return fault_;
     }
 
@@ -64,9 +61,8 @@ private:
     }
 
     /// @param around  what everything below must lie in; boxes of wide nodes themselves may reach out, as they are
-    /// rounded
-    ///                outward at each level
-    void check_wide(std::size_t index, const BoxF& around) {
+    ///                rounded outward at each level
+    void check_wide(std::size_t index, const BoxF& around, int depth) {
         const WideNode& wide = node_.wide[index];
         if (wide.count == 0 || wide.count > WideNode::kLanes) return report("a wide node does not hold 1 to 8 boxes");
         for (const float scale : wide.scale) {
@@ -74,60 +70,70 @@ private:
             // So a side is rounded once at most, on every processor.
             if (!(std::frexp(scale, &exponent) == 0.5f)) return report("a wide node's scale is not a power of two");
         }
+        for (std::uint32_t lane = 0; lane < WideNode::kLanes; ++lane)
+            if (wide.first[lane] > wide.first[lane + 1] || (lane < wide.count) != (wide.items(lane) > 0))
+                return report("a wide node's boxes do not hold an item and more each");
         for (std::uint32_t lane = 0; lane < wide.count && !fault_; ++lane) {
+            if (wide.first[lane] != next_item_) return report("an item is not in exactly one wide node");
             BoxF box;
             for (int axis = 0; axis < 3; ++axis) {
                 box.low[axis] = std::max(around.low[axis], wide.at(0, axis, lane));
                 box.high[axis] = std::min(around.high[axis], wide.at(1, axis, lane));
             }
-            check_lane(index, wide, lane, box);
+            check_lane(index, wide, lane, box, depth);
+            if (next_item_ != wide.first[lane + 1]) report("an item is not in exactly one wide node");
         }
     }
 
-    void check_lane(std::size_t index, const WideNode& wide, std::uint32_t lane, const BoxF& box) {
-        if (wide.facets[lane] > 0) return check_group(wide, lane, box);
-        if (const std::size_t below = place_in(node_.wide, wide.child[lane]); below < node_.wide.size()) {
-            if (below <= index) return report("a wide node leads backward");
-            if (++led_to_[below] > 1) return report("a wide node is not led to exactly once");
-            return check_wide(below, box);
-        }
-        const auto leads = [&](const Ref<const Node>& child) { return child->wide.data() == wide.child[lane]; };
-        const auto child = std::find_if(node_.children.begin(), node_.children.end(), leads);
-        if (child == node_.children.end()) return report("a wide node leads to nothing of its index block");
-        ++items_[std::size_t(child - node_.children.begin())];
-        const BoxF& below = (*child)->bins[0].box;
+    void check_lane(std::size_t index, const WideNode& wide, std::uint32_t lane, const BoxF& box, int depth) {
+        if (wide.leads_to_facets(lane)) return check_facets(wide, lane, box, depth);
+        if (wide.leads_to_node(lane)) return check_node(wide, lane, box, depth);
+        const std::size_t below = place_in(node_.wide, wide.child[lane]);
+        if (below >= node_.wide.size()) return report("a wide node leads to nothing of its index block");
+        if (below <= index) return report("a wide node leads backward");
+        if (++led_to_[below] > 1) return report("a wide node is not led to exactly once");
+        check_wide(below, box, depth + 1);
+    }
+
+    void check_node(const WideNode& wide, std::uint32_t lane, const BoxF& box, int depth) {
+        if (next_item_ >= node_.children.size()) return report("a wide node leads to nothing of its index block");
+        const Node& child = *node_.children[next_item_++];
+        if (wide.child[lane] != child.wide.data()) return report("a wide node leads to nothing of its index block");
+        deepest_ = std::max(deepest_, depth + child.depth);
+        const Vec3 low = to_metres(child.box.low), high = to_metres(child.box.high);
         for (int axis = 0; axis < 3; ++axis)
-            if (!(below.low[axis] >= box.low[axis] && below.high[axis] <= box.high[axis]))
+            if (!(low[axis] >= double(box.low[axis]) && high[axis] <= double(box.high[axis])))
                 return report("an index block reaches out of its wide node");
     }
 
-    /// Lanes that a wide node leads to.
-    void check_group(const WideNode& wide, std::uint32_t lane, const BoxF& box) {
+    void check_facets(const WideNode& wide, std::uint32_t lane, const BoxF& box, int depth) {
         if (!node_.is_leaf()) return report("a wide node leads to faces from above index blocks");
         const Block& block = block_of(node_);
+        if (wide.first[lane + 1] > block.faces.size()) return report("a wide node leads to faces that are not there");
+        deepest_ = std::max(deepest_, depth);
+        next_item_ = wide.first[lane + 1];
+        for (std::uint32_t slot = wide.first[lane]; slot < next_item_; ++slot) check_box(block, block.faces[slot], box);
+        if (lane_kernels().empty()) {
+            if (wide.child[lane]) report("a wide node leads to lanes that there are not");
+            return;
+        }
         const std::size_t first = place_in(block.lanes, wide.child[lane]);
         if (first + wide.facets[lane] > block.lanes.size()) return report("a wide node leads out of its lanes");
         for (std::size_t k = first; k < first + wide.facets[lane] && !fault_; ++k) {
-            ++items_[k];
-            check_lanes(block, block.lanes[k], first + 1, box);
+            ++lanes_[k];
+            check_lanes(block, block.lanes[k], wide.first[lane], next_item_);
         }
     }
 
-    /// @param group  whose lanes they are: a number that others do not have
-    /// @param box    what their faces must lie in
-    void check_lanes(const Block& block, const FaceLanes& it, std::size_t group, const BoxF& box) {
+    /// @param first, end  slots of the faces that the lanes are of
+    void check_lanes(const Block& block, const FaceLanes& it, std::uint32_t first, std::uint32_t end) {
         if (it.block != &block) return report("lanes name another block than theirs");
         if (it.used == 0 || (it.used & (it.used + 1)) != 0) return report("lanes are not in use from the first on");
         for (std::uint32_t lane = 0; lane < std::uint32_t(std::popcount(it.used)) && !fault_; ++lane) {
             const std::uint32_t slot = it.slot[lane];
-            if (slot >= block.faces.size()) return report("a lane names a face that is not there");
+            if (slot < first || slot >= end) return report("a lane names a face that does not lie there");
             const FaceRecord& face = block.faces[slot];
-            if (group_of_[slot] == 0) {
-                group_of_[slot] = group;
-                check_box(block, face, box);
-            }
             if (lane == 0 || it.slot[lane - 1] != slot) check_plane(block, it, face);
-            if (group_of_[slot] != group) return report("a face's lanes are not all together", face.id);
             const std::uint32_t k = triangles_[slot]++;
             if (k + 2 >= face.corner_count) return report("lanes hold more triangles than their face", face.id);
             check_triangle(block, it, lane, face, k);
@@ -190,14 +196,15 @@ private:
 
     const Node& node_;
     std::optional<WorldFault> fault_;
-    std::vector<int> led_to_, items_;  ///< how often, of wide nodes and of items
+    std::uint32_t next_item_ = 0;
+    int deepest_ = 0;
+    std::vector<int> led_to_, lanes_;  ///< how often, of wide nodes and of lanes
     std::array<std::uint32_t, kNodeItems> triangles_;
-    std::array<std::size_t, kNodeItems> group_of_;  ///< 0: not seen yet
 };
 
 }  // namespace
 
-std::optional<WorldFault> fault_of_lanes(const Node& node) {
+std::optional<WorldFault> fault_of_wide_nodes(const Node& node) {
     return LanesChecker(node).check();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether casts, which read wide nodes and lanes, see what bins and blocks hold.
+// Whether wide nodes and lanes, which queries read, show what nodes and blocks hold.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace firma {
 
-/// @param node  of an index over faces; its bins, and the faces of its block, are sound
-/// @return what is wrong with its wide nodes, or with the lanes of its block
-std::optional<WorldFault> fault_of_lanes(const Node& node);
+/// @param node  of an index over faces, with wide nodes; its children's boxes, and the faces of its block, are sound
+/// @return what is wrong with its wide nodes or its depth, or with the lanes of its block
+std::optional<WorldFault> fault_of_wide_nodes(const Node& node);
 
 }  // namespace firma

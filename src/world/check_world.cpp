@@ -37,18 +37,6 @@ const char* describe(PolygonFault fault) {
     return "unknown";
 }
 
-bool contains(const BoxF& outer, const BoxF& inner) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (inner.low[axis] < outer.low[axis] || inner.high[axis] > outer.high[axis]) return false;
-    return true;
-}
-
-bool contains(const BoxF& box, const Vec3& p) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (p[axis] < double(box.low[axis]) || p[axis] > double(box.high[axis])) return false;
-    return true;
-}
-
 }  // namespace
 
 const char* fault_of_face(const Block& block, const FaceRecord& record, bool solid) {
@@ -94,7 +82,7 @@ private:
     void check_store(const Node& root, bool solid) {
         in_store_ = true;
         solid_ = solid;
-        check_node(root, nullptr);
+        check_node(root);
     }
 
     /// A room's index: over blocks that were looked at.
@@ -103,30 +91,31 @@ private:
         faces_ = 0;
         hash_ = 0;
         room_ = number;
-        if (room.tree) check_node(*room.tree, nullptr);
+        if (room.tree) check_node(*room.tree);
         if (!fault_ && room.count != faces_) report("a room's count of faces is not how many there are", {});
         if (!fault_ && room.hash != hash_) report("a room's hash is not that of its faces", {});
     }
 
-    void check_node(const Node& node, const BoxF* around) {
+    void check_node(const Node& node) {
         if (fault_) return;
-        if (node.bins.empty()) return report("an index block has no nodes", {});
+        if (node.wide.empty()) return report("an index block has no nodes", {});
         if (node.is_leaf() != bool(node.facets))
             return report("an index block holds both facets and blocks, or neither", {});
         const std::size_t items = node.is_leaf() ? block_of(node).faces.size() : node.children.size();
         if (items == 0 || items > kNodeItems) return report("an index block does not hold 1 to 64 items", {});
-        if (around && !contains(*around, node.bins[0].box)) return report("an index block reaches out of its leaf", {});
-        std::vector<int> held(items, 0);
-        const std::size_t used = check_bin(node, 0, held);
-        if (used != node.bins.size()) report("an index block has nodes that no other leads to", {});
         if (node.facets_below != facets_below(node))
             report("an index block's count of faces is not how many there are", {});
-        if (node.depth != depth_below(node, 0)) report("an index block's depth is not how deep it is", {});
         if (node.depth > kDeepestTree) report("an index is deeper than traversals can go", {});
-        for (const int times : held)
-            if (times != 1) report("an item is not in exactly one leaf", {});
+        GridBox around;
+        if (node.is_leaf())
+            for (const FaceRecord& face : block_of(node).faces) check_face(block_of(node), face, around);
+        for (const Ref<const Node>& child : node.children) {
+            check_node(*child);
+            around.add(child->box);
+        }
+        if (!fault_ && node.box != around) report("an index block's box is not that around what it holds", {});
         // A leaf that is in a room is one that is in a store.
-        if (!fault_ && (in_store_ || !node.is_leaf())) fault_ = fault_of_lanes(node);
+        if (!fault_ && (in_store_ || !node.is_leaf())) fault_ = fault_of_wide_nodes(node);
         if (!fault_ && node.is_leaf()) check_leaf(node);
     }
 
@@ -146,48 +135,14 @@ private:
         return sum;
     }
 
-    /// Of a node whose bins are sound.
-    int depth_below(const Node& node, std::size_t index) const {
-        if (fault_) return node.depth;
-        const Bin& bin = node.bins[index];
-        if (bin.is_leaf()) return node.is_leaf() ? 0 : node.children[bin.first]->depth;
-        return 1 + std::max(depth_below(node, index + 1), depth_below(node, bin.first));
-    }
-
-    /// @return bins in this subtree
-    std::size_t check_bin(const Node& node, std::size_t index, std::vector<int>& held) {
-        if (fault_) return 0;
-        if (index >= node.bins.size()) return report("a node leads out of its index block", {}), 0;
-        const Bin& bin = node.bins[index];
-        if (!bin.is_leaf()) {
-            if (bin.first <= index + 1 || bin.first >= node.bins.size()) return report("a node leads backward", {}), 0;
-            if (!contains(bin.box, node.bins[index + 1].box) || !contains(bin.box, node.bins[bin.first].box))
-                report("a node reaches out of its parent", {});
-            const std::size_t left = check_bin(node, index + 1, held);
-            return 1 + left + check_bin(node, bin.first, held);
-        }
-        if (!node.is_leaf() && bin.count != 1) report("a leaf holds more than one index block", {});
-        if (std::size_t(bin.first) + bin.count > held.size())
-            return report("a leaf holds items that are not there", {}), 0;
-        for (std::uint32_t item = bin.first; item < bin.first + bin.count; ++item) {
-            ++held[item];
-            if (!node.is_leaf())
-                check_node(*node.children[item], &bin.box);
-            else
-                check_face(block_of(node), block_of(node).faces[item], bin.box);
-        }
-        return 1;
-    }
-
-    /// In a store all that it is, in a room's index whether it lies in its bin.
-    void check_face(const Block& block, const FaceRecord& record, const BoxF& box) {
+    /// In a store all that it is, in a room's index where it lies.
+    void check_face(const Block& block, const FaceRecord& record, GridBox& around) {
         if (std::size_t(record.first_corner) + record.corner_count > block.corner_vertices.size())
             return report("a face has corners that are not there", record.id);
-        for (const std::uint16_t vertex : block.corners_of(record))
+        for (const std::uint16_t vertex : block.corners_of(record)) {
             if (vertex >= block.vertices.size()) return report("a corner has no vertex", record.id);
-        for (std::uint32_t k = 0; k < record.corner_count; ++k)
-            if (!contains(box, to_metres(block.corner(record, k))))
-                return report("a face reaches out of its leaf", record.id);
+            around.add(block.vertices[vertex]);
+        }
         if (!in_store_) return;
         if (const char* fault = fault_of_face(block, record, solid_)) return report(fault, record.id);
         ids_.push_back(record.id.value);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr GridBox kWholeWorld{{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}};
 
-/// Shows the faces in bins that meet a box, those that `wanted` takes.
+/// Shows the faces near a box, those that `wanted` takes.
 template <class Wanted, class Roots>
 bool show_faces(const WorldData& data, const Roots& roots, const GridBox& box, const Wanted& wanted,
                 FaceVisitor visit) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Goes through the facets of a world that lie in bins near a box.
+// Goes through the facets of a world that lie near a box.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ struct FacetsInBox {
     const Visit& visit;
     bool ended = false;
 
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
         for (int axis = 0; axis < 3; ++axis)
-            if (high[axis] < double(bin.box.low[axis]) || low[axis] > double(bin.box.high[axis])) return false;
+            if (high[axis] < double(box.low[axis]) || low[axis] > double(box.high[axis])) return false;
         return true;
     }
     bool still(double) const { return true; }

@@ -23,17 +23,17 @@ public:
 /// A leaf over one portal.
 Ref<const Node> portal_leaf(std::uint32_t number, const GridBox& box);
 
-/// Calls `function(number)` for each portal whose box, rounded outward, `meets(box)` says yes to, until it returns
-/// true; in no order that means anything. Allocates nothing.
+/// Calls `function(number)` for each portal of whose boxes in the index, rounded outward, `meets(box)` says yes to all,
+/// until it returns true; in no order that means anything. Allocates nothing.
 /// @param meets  of a BoxF
 template <class Meets, class Function>
 void for_each_portal_in(const Node& root, const Meets& meets, const Function& function) {
     struct Visitor {
         const Meets& meets;
         const Function& function;
-        bool enter(const Bin& bin, double& nearest) const {
+        bool enter(const BoxF& box, double& nearest) const {
             nearest = 0;
-            return meets(bin.box);
+            return meets(box);
         }
         bool still(double) const { return true; }
         bool facets(const IndexedFacets& facets, std::uint32_t, std::uint32_t) const {

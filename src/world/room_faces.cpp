@@ -14,8 +14,7 @@
 
 namespace firma {
 
-RoomFacesMap faces_of_rooms(const Cells& cells, std::initializer_list<const BuiltStore*> stores,
-                            std::span<const Ref<const Node>> trees) {
+RoomFacesMap faces_of_rooms(const Cells& cells, std::initializer_list<const BuiltStore*> stores) {
     struct Contents {
         std::vector<Ref<const Node>> trees;
         std::size_t count = 0;
@@ -33,7 +32,7 @@ RoomFacesMap faces_of_rooms(const Cells& cells, std::initializer_list<const Buil
     RoomFacesMap rooms;
     for (std::uint32_t k = 0; k < contents.size(); ++k) {
         Ref<RoomFaces> faces(new RoomFaces);
-        faces->tree = trees.empty() ? join_nodes(contents[k].trees) : trees[k];
+        faces->tree = join_nodes(contents[k].trees);
         faces->count = contents[k].count;
         faces->hash = contents[k].hash;
         rooms.set(k, Ref<const RoomFaces>(faces.get()));

@@ -28,9 +28,7 @@ using RoomFacesMap = PersistentMap<Ref<const RoomFaces>>;
 
 /// Of all rooms of some cells.
 /// @param stores  of the solid, and of what is castable only; their parts are rooms of the cells
-/// @param trees   over the faces of each room; none at all: they are joined from those over the parts
-RoomFacesMap faces_of_rooms(const Cells& cells, std::initializer_list<const BuiltStore*> stores,
-                            std::span<const Ref<const Node>> trees = {});
+RoomFacesMap faces_of_rooms(const Cells& cells, std::initializer_list<const BuiltStore*> stores);
 
 /// A store as it is, with an index over each of its parts and its sums. Costs all faces.
 BuiltStore parts_of(const FaceStore& store);

@@ -60,7 +60,7 @@ std::optional<RoomInfo> room_info(const World& world, RoomId room) {
     info.merged_into = {data.cells.current_room(room.value)};
     info.portals = record.portals;
     if (faces.tree) {
-        const auto& box = faces.tree->bins[0].box;
+        const BoxF box = to_floats(faces.tree->box);
         info.bounds.add(Vec3{box.low[0], box.low[1], box.low[2]});
         info.bounds.add(Vec3{box.high[0], box.high[1], box.high[2]});
     }

@@ -117,9 +117,9 @@ public:
                  Found& found)
         : sweep_(sweep), mover_(mover), boxes_(boxes), options_(options), found_(found) {}
 
-    bool enter(const Bin& bin, double& nearest) {
+    bool enter(const BoxF& box, double& nearest) {
         ++counts.nodes;
-        return boxes_.enters(bin.box, found_.latest, nearest);
+        return boxes_.enters(box, found_.latest, nearest);
     }
     bool still(double nearest) const { return nearest <= found_.latest; }
 

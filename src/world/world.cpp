@@ -33,10 +33,10 @@ struct FaceFinder {
     const Vec3 corner = to_metres(wanted.corner);
     FacetPlace found{};
 
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
         for (int axis = 0; axis < 3; ++axis)
-            if (corner[axis] < double(bin.box.low[axis]) || corner[axis] > double(bin.box.high[axis])) return false;
+            if (corner[axis] < double(box.low[axis]) || corner[axis] > double(box.high[axis])) return false;
         return true;
     }
     bool still(double) const { return true; }

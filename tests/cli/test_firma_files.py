@@ -105,7 +105,7 @@ class FirmaFile(CliTest):
         for verb in ['info', 'check']:
             self.refuse(verb, 'one.firma', '--scale', '2', says=['--scale', '.firma'])
         for option, value in [('--split', 'surface-area'), ('--max-depth', '9'), ('--faces-per-bin', '2'), ('--min-bin-volume', '1')]:
-            self.refuse('info', 'one.firma', option, value, says=[option, 'has its tree with it'])
+            self.refuse('info', 'one.firma', option, value, says=[option, 'says how its tree is built'])
 
     def test_damage_is_told_with_its_place(self):
         bytes_before = bytearray(self.read(self.saved()))

@@ -34,7 +34,7 @@ class Info(CliTest):
 
     def test_tree_options(self):
         whole = self.firma_json('info', FIRST)['tree']
-        self.assertLessEqual(whole['largest_bin'], 4)
+        self.assertLessEqual(whole['largest_bin'], 8)
         flat = self.firma_json('info', FIRST, '--max-depth', '0')['tree']
         self.assertLess(flat['depth'], whole['depth'])
         self.assertLess(flat['bins'], whole['bins'])

@@ -79,10 +79,6 @@ const File& sound_file(int which) {
 
 std::size_t entry_size(SectionType type) {
     switch (type) {
-        case kIndexBinsSection:
-            return kBinBytes;
-        case kIndexNodesSection:
-            return kNodeBytes;
         case kFacesSection:
             return kFaceBytes;
         case kRoomRecordsSection:

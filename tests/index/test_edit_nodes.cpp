@@ -4,10 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-
 #include "index/statistics.h"
 #include "tests/index/test_nodes.h"
+#include "tests/index/wide_contents.h"
 
 namespace firma {
 namespace {
@@ -67,12 +66,7 @@ struct EditedIndex {
 
 /// Boxes, counts and leaves in order: equal only for equal indices.
 void everything(const Node& node, std::vector<std::uint64_t>& all) {
-    for (const Bin& bin : node.bins) {
-        for (int axis = 0; axis < 3; ++axis)
-            all.push_back(std::uint64_t(std::bit_cast<std::uint32_t>(bin.box.low[axis])) << 32 |
-                          std::bit_cast<std::uint32_t>(bin.box.high[axis]));
-        all.push_back(std::uint64_t(bin.first) << 32 | bin.count);
-    }
+    test::add_wide_contents(node, all);
     all.push_back(std::uint64_t(node.facets_below) << 32 | node.depth);
     for (const Ref<const Node>& child : node.children) everything(*child, all);
 }

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <set>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "index/join_nodes.h"
-#include "index/rounded_box.h"
 #include "index/traverse.h"
 #include "scenes/rng.h"
 
@@ -23,10 +23,16 @@ struct PlainFacets final : IndexedFacets {
     GridBox box;
 };
 
-/// A leaf of so many facets, all in one bin.
+/// A leaf of so many facets, all in one box.
 inline Ref<const Node> leaf_of(const GridBox& box, std::uint32_t facets) {
     Ref<Node> leaf(new Node);
-    leaf->bins.push_back({to_floats(box), 0, facets});
+    WideNode& wide = leaf->wide.emplace_back();
+    const GridBox* const boxes[] = {&box};
+    set_boxes(wide, boxes);
+    for (std::uint32_t k = 0; k < WideNode::kLanes; ++k) wide.first[k + 1] = std::uint8_t(facets);
+    wide.facets[0] = 1;
+    leaf->box = box;
+    leaf->depth = 1;
     leaf->facets_below = facets;
     leaf->facets = Ref<const IndexedFacets>(new PlainFacets(box));
     return Ref<const Node>(leaf.get());
@@ -46,9 +52,10 @@ inline const PlainFacets* facets_of(const Ref<const Node>& leaf) {
     return static_cast<const PlainFacets*>(leaf->facets.get());
 }
 
-inline bool contains(const BoxF& outer, const BoxF& inner) {
+inline bool contains(const BoxF& outer, const GridBox& inner) {
+    const Vec3 low = to_metres(inner.low), high = to_metres(inner.high);
     for (int axis = 0; axis < 3; ++axis)
-        if (inner.low[axis] < outer.low[axis] || inner.high[axis] > outer.high[axis]) return false;
+        if (low[axis] < double(outer.low[axis]) || high[axis] > double(outer.high[axis])) return false;
     return true;
 }
 
@@ -64,53 +71,66 @@ public:
 
 private:
     void node(const Node& node) {
-        ASSERT_FALSE(node.bins.empty());
+        ASSERT_FALSE(node.wide.empty());
         ASSERT_EQ(node.is_leaf(), bool(node.facets));
         const std::size_t items = node.is_leaf() ? node.facets_below : node.children.size();
         ASSERT_GE(items, 1u);
         ASSERT_LE(items, kNodeItems);
         ASSERT_LE(node.depth, kDeepestTree);
-        std::size_t next_item = 0, below = 0;
-        int deepest = 0;
-        const std::size_t bins = bin(node, 0, 0, next_item, below, deepest);
-        ASSERT_EQ(bins, node.bins.size());
-        ASSERT_EQ(next_item, items) << "each item in one bin, left to right";
-        ASSERT_EQ(node.depth, deepest);
-        ASSERT_EQ(node.facets_below, node.is_leaf() ? items : below);
-        if (node.is_leaf()) found_.push_back(node.facets.get());
+        Walk walk{node};
+        wide(node.wide[0], 1, walk);
+        ASSERT_EQ(walk.wide_nodes, node.wide.size());
+        ASSERT_EQ(walk.next_item, items) << "each item in one box, left to right";
+        ASSERT_EQ(node.depth, walk.deepest);
+        ASSERT_EQ(node.facets_below, node.is_leaf() ? items : walk.below);
+        if (node.is_leaf()) return found_.push_back(node.facets.get());
+        GridBox around;
+        for (const Ref<const Node>& child : node.children) around.add(child->box);
+        ASSERT_EQ(node.box, around);
     }
 
-    /// @return bins at and below `at`
-    std::size_t bin(const Node& in, std::size_t at, int depth, std::size_t& next_item, std::size_t& below,
-                    int& deepest) {
-        if (at >= in.bins.size()) {
-            ADD_FAILURE() << "a bin leads out of its node";
-            return 0;
+    /// Through the wide nodes of one node.
+    struct Walk {
+        const Node& in;
+        std::size_t wide_nodes = 0, next_item = 0, below = 0;
+        int deepest = 0;
+        std::vector<std::pair<const WideNode*, std::uint32_t>> way{};
+    };
+
+    void wide(const WideNode& here, int depth, Walk& walk) {
+        ++walk.wide_nodes;
+        ASSERT_GE(here.count, 1u);
+        ASSERT_LE(here.count, WideNode::kLanes);
+        for (std::uint32_t lane = 0; lane < here.count; ++lane) {
+            ASSERT_EQ(here.first[lane], walk.next_item);
+            walk.way.push_back({&here, lane});
+            if (here.leads_to_facets(lane)) {
+                ASSERT_TRUE(walk.in.is_leaf());
+                expect_inside(walk.in.box, walk);
+                walk.next_item += here.items(lane);
+                walk.deepest = std::max(walk.deepest, depth);
+            } else if (here.leads_to_node(lane)) {
+                const Node& child = *walk.in.children.at(walk.next_item++);
+                EXPECT_EQ(here.child[lane], child.wide.data());
+                expect_inside(child.box, walk);
+                walk.deepest = std::max(walk.deepest, depth + child.depth);
+                walk.below += child.facets_below;
+                node(child);
+            } else {
+                wide(*static_cast<const WideNode*>(here.child[lane]), depth + 1, walk);
+            }
+            walk.way.pop_back();
+            ASSERT_EQ(here.first[lane + 1], walk.next_item);
         }
-        const Bin& here = in.bins[at];
-        if (!here.is_leaf()) {
-            EXPECT_TRUE(contains(here.box, in.bins[at + 1].box));
-            EXPECT_TRUE(contains(here.box, in.bins[here.first].box));
-            const std::size_t left = bin(in, at + 1, depth + 1, next_item, below, deepest);
-            EXPECT_EQ(here.first, at + 1 + left);
-            return 1 + left + bin(in, here.first, depth + 1, next_item, below, deepest);
+    }
+
+    /// What a lane leads to lies in its box, and in those of all lanes above it in the node.
+    static void expect_inside(const GridBox& box, const Walk& walk) {
+        for (const auto& [above, lane] : walk.way) {
+            EXPECT_TRUE(contains(above->box(lane), box));
+            EXPECT_TRUE(lanes_around(*above, box) >> lane & 1);
+            EXPECT_TRUE(lanes_meeting(*above, box) >> lane & 1);
         }
-        EXPECT_EQ(here.first, next_item);
-        next_item += here.count;
-        if (in.is_leaf()) {
-            deepest = std::max(deepest, depth);
-            return 1;
-        }
-        EXPECT_EQ(here.count, 1u);
-        const Node& child = *in.children[here.first];
-        for (int axis = 0; axis < 3; ++axis) {
-            EXPECT_EQ(here.box.low[axis], child.bins[0].box.low[axis]);
-            EXPECT_EQ(here.box.high[axis], child.bins[0].box.high[axis]);
-        }
-        deepest = std::max(deepest, depth + child.depth);
-        below += child.facets_below;
-        node(child);
-        return 1;
     }
 
     std::vector<const IndexedFacets*> found_;

@@ -15,34 +15,35 @@ namespace {
 
 constexpr int kBuckets = 16;
 
-/// Where a centre falls, in integers.
-std::int64_t bucket_of(const BuildItem& item, int axis, std::int64_t low, std::int64_t high) {
-    return (item.centre(axis) - low) * kBuckets / (high - low + 1);
-}
-
 /// Of items that are looked at eight at a time.
 double count_by_eights(std::size_t count, std::size_t all) {
     return all > 8 ? std::ceil(double(count) / 8) : double(count);
 }
 
-/// The least cost of all planes; negative when there is none.
-double least_cost(const std::vector<BuildItem>& items) {
+/// The least cost of all planes that no centre lies at but for rounding; negative when there is none.
+/// @param apart  set to whether centres differ at all
+double least_cost(const std::vector<BuildItem>& items, bool& apart) {
     double least = -1;
+    apart = false;
     for (int axis = 0; axis < 3; ++axis) {
         std::int64_t low = items[0].centre(axis), high = low;
         for (const BuildItem& item : items) {
             low = std::min(low, item.centre(axis));
             high = std::max(high, item.centre(axis));
         }
-        for (int last = 0; last + 1 < kBuckets; ++last) {
+        apart = apart || low < high;
+        for (int plane = 1; plane < kBuckets; ++plane) {
             GridBox boxes[2];
             std::size_t counts[2] = {0, 0};
+            bool sure = true;
             for (const BuildItem& item : items) {
-                const bool right = bucket_of(item, axis, low, high) > last;
+                const double at = double(item.centre(axis) - low) * kBuckets / double(high - low);
+                sure = sure && std::fabs(at - plane) > 0x1p-12;
+                const bool right = at > plane;
                 boxes[right].add(item.box);
                 ++counts[right];
             }
-            if (counts[0] == 0 || counts[1] == 0) continue;
+            if (!sure || counts[0] == 0 || counts[1] == 0) continue;
             const double cost = boxes[0].half_area() * count_by_eights(counts[0], items.size()) +
                                 boxes[1].half_area() * count_by_eights(counts[1], items.size());
             if (least < 0 || cost < least) least = cost;
@@ -67,19 +68,29 @@ TEST(SplitBin, TakesThePlaneOfLeastCost) {
                 items[i].box.high[axis] = low + extent + std::int32_t(rng.below(2));
             }
         }
-        const double least = least_cost(items);
-        const std::size_t left = split_by_area(items);
-        if (least < 0) {
-            EXPECT_EQ(left, 0u);
-            continue;
-        }
-        ASSERT_GT(left, 0u);
+        GridBox around;
+        for (const BuildItem& item : items) around.add(item.box);
+        EXPECT_EQ(box_around(items), around);
+        bool apart;
+        const double least = least_cost(items, apart);
+        const std::size_t left = split_by_area(items, around);
+        ASSERT_EQ(left > 0, apart);
         ASSERT_LT(left, count);
-        GridBox boxes[2];
-        for (std::size_t i = 0; i < count; ++i) boxes[i >= left].add(items[i].box);
-        EXPECT_EQ(boxes[0].half_area() * count_by_eights(left, count) +
-                      boxes[1].half_area() * count_by_eights(count - left, count),
-                  least);
+        if (!apart) continue;
+        GridBox boxes[2], centres[2];
+        for (std::size_t i = 0; i < count; ++i) {
+            boxes[i >= left].add(items[i].box);
+            GridPoint centre;
+            for (int axis = 0; axis < 3; ++axis) centre[axis] = std::int32_t(items[i].centre(axis));
+            centres[i >= left].add(centre);
+        }
+        EXPECT_TRUE(centres[0].high.x < centres[1].low.x || centres[0].high.y < centres[1].low.y ||
+                    centres[0].high.z < centres[1].low.z);
+        if (least >= 0) {
+            EXPECT_LE(boxes[0].half_area() * count_by_eights(left, count) +
+                          boxes[1].half_area() * count_by_eights(count - left, count),
+                      least * (1 + 1e-5));
+        }
         std::sort(items.begin(), items.end(), [](const BuildItem& a, const BuildItem& b) { return a.face < b.face; });
         for (std::uint32_t i = 0; i < count; ++i) ASSERT_EQ(items[i].face, i);
     }

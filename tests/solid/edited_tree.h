@@ -75,10 +75,10 @@ struct BoxVisitor {
     Vec3 low, high;
     std::vector<FacetPlace> found;
 
-    bool enter(const Bin& bin, double& nearest) const {
+    bool enter(const BoxF& box, double& nearest) const {
         nearest = 0;
         for (int axis = 0; axis < 3; ++axis)
-            if (high[axis] < double(bin.box.low[axis]) || low[axis] > double(bin.box.high[axis])) return false;
+            if (high[axis] < double(box.low[axis]) || low[axis] > double(box.high[axis])) return false;
         return true;
     }
     bool still(double) const { return true; }

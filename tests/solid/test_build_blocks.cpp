@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bins: stop rules, blocks of up to 64 items, and what happens when nothing can be divided.
+// The index: stop rules, blocks of up to 64 items, and what happens when nothing can be divided.
 #include "solid/build_blocks.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 
 #include "index/statistics.h"
 #include "scenes/rng.h"
+#include "tests/index/wide_contents.h"
 
 namespace firma {
 namespace {
@@ -67,7 +68,7 @@ TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
             EXPECT_EQ(count_faces(*root), count);
             const TreeStatistics statistics = tree_statistics(*root);
             EXPECT_EQ(statistics.faces, count);
-            EXPECT_LE(statistics.max_leaf_faces, 4u);
+            EXPECT_LE(statistics.max_leaf_faces, 8u);
             EXPECT_LE(statistics.depth, 40);
             EXPECT_GE(statistics.blocks, (count + 63) / 64);
         }
@@ -75,12 +76,18 @@ TEST(BuildBlocks, HoldsEachFaceOnceInBlocksOfUpTo64) {
 
 TEST(BuildBlocks, StopRules) {
     const FaceSet faces = random_faces(5000, 100000, 2000);
-    EXPECT_LE(tree_statistics(*index_over(faces, {.faces_per_leaf = 16})).max_leaf_faces, 16u);
-    EXPECT_EQ(tree_statistics(*index_over(faces, {.faces_per_leaf = 1})).leaves, 5000u);
-    EXPECT_LE(tree_statistics(*index_over(faces, {.max_depth = 8, .faces_per_leaf = 1})).depth, 8);
+    for (const int per_leaf : {1, 4, 8, 9, 16, 17, 64}) {
+        const TreeStatistics statistics = tree_statistics(*index_over(faces, {.faces_per_leaf = per_leaf}));
+        const std::size_t most = std::size_t(per_leaf + 7) / 8 * 8;
+        EXPECT_LE(statistics.max_leaf_faces, most) << per_leaf;
+        EXPECT_GT(statistics.max_leaf_faces, most - 8) << per_leaf;
+        EXPECT_GE(statistics.leaves, 5000 / most) << per_leaf;
+    }
+    EXPECT_GT(tree_statistics(*index_over(faces, {.max_depth = 8})).max_leaf_faces, 8u);
+    EXPECT_LE(tree_statistics(*index_over(faces, {.max_depth = 8})).depth, 8);
     const std::size_t all = tree_statistics(*index_over(faces, {})).nodes;
-    const std::size_t coarse = tree_statistics(*index_over(faces, {.min_node_volume = 1000})).nodes;
-    EXPECT_LT(coarse, all / 4);
+    const std::size_t coarse = tree_statistics(*index_over(faces, {.min_node_volume = 2000})).nodes;
+    EXPECT_LT(coarse, all / 2);
     EXPECT_EQ(count_faces(*index_over(faces, {.max_depth = -5, .faces_per_leaf = -5})), 5000u)
         << "nonsense counts as the nearest end";
 }
@@ -138,25 +145,20 @@ TEST(BuildBlocks, EachPartHasBlocksAndAnIndexOfItsOwn) {
     EXPECT_EQ(seen, std::vector<int>(3000, 1));
 }
 
-std::vector<Bin> bins_below(const Node& node) {
-    std::vector<Bin> bins(node.bins.begin(), node.bins.end());
-    for (const Ref<const Node>& child : node.children) {
-        const std::vector<Bin> below = bins_below(*child);
-        bins.insert(bins.end(), below.begin(), below.end());
-    }
-    return bins;
+void add_contents(const Node& node, std::vector<std::uint64_t>& all) {
+    test::add_wide_contents(node, all);
+    for (const Ref<const Node>& child : node.children) add_contents(*child, all);
 }
 
-bool same_bins(const Node& a, const Node& b) {
-    const std::vector<Bin> mine = bins_below(a), its = bins_below(b);
-    return std::equal(mine.begin(), mine.end(), its.begin(), its.end(), [](const Bin& x, const Bin& y) {
-        return std::equal(x.box.low, x.box.low + 3, y.box.low) && std::equal(x.box.high, x.box.high + 3, y.box.high) &&
-               x.first == y.first && x.count == y.count;
-    });
+bool same_index(const Node& a, const Node& b) {
+    std::vector<std::uint64_t> mine, its;
+    add_contents(a, mine);
+    add_contents(b, its);
+    return mine == its;
 }
 
 /// Casts by room go through the index of a part: above blocks it is divided by surface area, as edits do, whatever the
-/// options say of the bins below.
+/// options say of what lies below.
 TEST(BuildBlocks, AnIndexOfOnePartOfSeveralIsDividedBySurfaceAreaAboveBlocks) {
     for (const std::uint32_t count : {5000u, 64u}) {
         FaceSet alone = random_faces(count, 100000, 8000), one_of_two = alone;
@@ -165,8 +167,8 @@ TEST(BuildBlocks, AnIndexOfOnePartOfSeveralIsDividedBySurfaceAreaAboveBlocks) {
         const TreeOptions halves{.split = Split::kLongestAxis};
         const Ref<const Node> root = build_blocks(one_of_two, halves)[0].root;
         EXPECT_EQ(count_faces(*root), count);
-        EXPECT_TRUE(same_bins(*root, *BlockBuilder().build(alone, halves, kNodeItems)));
-        EXPECT_EQ(same_bins(*root, *index_over(alone, halves)), count <= kNodeItems) << "a block has nothing above it";
+        EXPECT_TRUE(same_index(*root, *BlockBuilder().build(alone, halves, kNodeItems)));
+        EXPECT_EQ(same_index(*root, *index_over(alone, halves)), count <= kNodeItems) << "a block has nothing above it";
     }
 }
 

@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <set>
 #include <unordered_set>
 
 #include "index/statistics.h"
 #include "scenes/room_grid.h"
 #include "solid/hash_facet.h"
+#include "tests/index/wide_contents.h"
 #include "tests/sample.h"
 #include "tests/solid/edited_tree.h"
 
@@ -94,13 +94,7 @@ std::unordered_set<const Node*> nodes_of(const Ref<const Node>& tree) {
 /// Everything a tree is, in order: equal only for equal trees.
 std::vector<std::uint64_t> everything(const Node& node) {
     std::vector<std::uint64_t> all{std::uint64_t(node.facets_below) << 32 | node.depth};
-    for (const Bin& bin : node.bins) {
-        for (int axis = 0; axis < 3; ++axis) {
-            all.push_back(std::bit_cast<std::uint32_t>(bin.box.low[axis]));
-            all.push_back(std::bit_cast<std::uint32_t>(bin.box.high[axis]));
-        }
-        all.push_back(std::uint64_t(bin.first) << 32 | bin.count);
-    }
+    test::add_wide_contents(node, all);
     for (const Ref<const Node>& child : node.children) {
         const auto below = everything(*child);
         all.insert(all.end(), below.begin(), below.end());

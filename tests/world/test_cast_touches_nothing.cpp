@@ -213,7 +213,7 @@ TEST(CastTouchesNothing, AllOfTheWorldIsInMemoryThatIsWatched) {
     while (!waiting.empty()) {
         const Node& node = *waiting.back();
         waiting.pop_back();
-        outside += !pool_arena.holds(&node) || !pool_arena.holds(node.bins.data());
+        outside += !pool_arena.holds(&node) || !pool_arena.holds(node.wide.data());
         for (const Ref<const Node>& child : node.children) waiting.push_back(child.get());
         if (!node.is_leaf()) continue;
         const Block& block = block_of(node);

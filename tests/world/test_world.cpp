@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "firma/level.h"
-#include "solid/lay_out_faces.h"
+#include "tests/world/copied_node.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -222,22 +222,13 @@ TEST(World, CheckFindsWhatIsBroken) {
     const auto broken = [&](auto&& change) {
         auto data = std::make_shared<WorldData>(world.data());
         auto solid = std::make_shared<SolidData>(world.solid().data());
-        const Node& sound = *solid->faces.root;
-        EXPECT_TRUE(sound.is_leaf());
-        Ref<Block> block(new Block);
-        block->faces = block_of(sound).faces;
-        block->vertices = block_of(sound).vertices;
-        block->corner_vertices = block_of(sound).corner_vertices;
-        Ref<Node> node(new Node);
-        node->bins = sound.bins;
-        node->facets_below = sound.facets_below;
-        node->depth = sound.depth;
-        node->facets = Ref<const IndexedFacets>(block.get());
+        EXPECT_TRUE(solid->faces.root->is_leaf());
+        Ref<Node> node = test::copied_node(*solid->faces.root);
+        Block& block = test::own_block(*node);
         Ref<RoomFaces> room(new RoomFaces);
         room->count = data->faces_of(0).count;
         room->hash = data->faces_of(0).hash;
-        FaceLayout().make(*node, *block);
-        Spoilt spoilt{*node, *block, *solid, *room};
+        Spoilt spoilt{*node, block, *solid, *room};
         change(spoilt);
         solid->faces.root = Ref<const Node>(node.get());
         room->tree = solid->faces.root;
@@ -252,9 +243,13 @@ TEST(World, CheckFindsWhatIsBroken) {
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].solid = false; }), "a face of the solid does not say so");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.part = 1; }), "a block lies in a room that its faces are not part of");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].material = 7; }), "a room's hash is not that of its faces");
-    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins[0].box.high[0] = 1; }), "a node reaches out of its parent");
-    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.back().count = 60; }), "a leaf holds items that are not there");
-    EXPECT_EQ(broken([](Spoilt& s) { s.node.bins.clear(); }), "an index block has no nodes");
+    EXPECT_EQ(broken([](Spoilt& s) { --s.node.box.high[0]; }), "an index block's box is not that around what it holds");
+    EXPECT_EQ(broken([](Spoilt& s) { ++s.node.box.high[0]; }), "an index block's box is not that around what it holds");
+    EXPECT_EQ(broken([](Spoilt& s) {
+                  for (int axis = 0; axis < 3; ++axis) s.node.wide[0].side[1][axis][0] = 0;
+              }),
+              "a face reaches out of its wide node");
+    EXPECT_EQ(broken([](Spoilt& s) { s.node.wide.clear(); }), "an index block has no nodes");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.corner_vertices[2] = 99; }), "a corner has no vertex");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[0].owner = 3; }), "a face has an owner that is not there");
     EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }),
