@@ -1,65 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Questions to a world. Those that answer one struct take no memory, no lock, and count no reference.
-#include <algorithm>
-#include <string>
 #include <vector>
 
+#include "bindings/c/answers.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
 #include "firma/rooms.h"
-#include "world/run_tasks.h"
-
-namespace firma::c {
-namespace {
-
-void add(const CastCounts& counts, firma_cast_counts& out) {
-    out.nodes += counts.nodes;
-    out.boxes += counts.boxes;
-    out.faces += counts.faces;
-    out.precise += counts.precise;
-}
-
-/// Says why nothing could be asked: the room, or else the numbers.
-firma_code not_asked(const World& world, RoomId room, const char* numbers, const char* function) {
-    if (room != kAnyRoom && room.value >= world.room_count())
-        return fail(FIRMA_ERROR_INVALID, function, "the world has no room " + std::to_string(room.value));
-    return fail(FIRMA_ERROR_OUT_OF_RANGE, function, numbers);
-}
-
-constexpr const char* kBadSphere = "a number is not finite or too large, or the radius negative";
-
-/// What one call of a batch's work does.
-constexpr std::size_t kCastsATask = 256;
-
-struct Batch {
-    const World& world;
-    const firma_cast_input* inputs;
-    std::size_t count;
-    CastOptions options;
-    firma_hit* hits;
-    std::vector<CastCounts> counts;  ///< of each task, when they are wanted
-};
-
-void cast_some(void* context, std::size_t task) {
-    Batch& batch = *static_cast<Batch*>(context);
-    CastOptions options = batch.options;
-    if (!batch.counts.empty()) options.counts = &batch.counts[task];
-    const std::size_t begin = task * kCastsATask, end = std::min(begin + kCastsATask, batch.count);
-    for (std::size_t k = begin; k < end; ++k) {
-        const firma_cast_input& input = batch.inputs[k];
-        put_hit(cast(batch.world, sphere_of(input), vec(input.path), options), batch.hits[k]);
-    }
-}
-
-template <class From, class To>
-void put_some(const std::vector<From>& found, To* out, std::size_t capacity, std::size_t* count,
-              void (*put_one)(const From&, To&)) {
-    *count = found.size();
-    for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) put_one(found[k], out[k]);
-}
-
-}  // namespace
-}  // namespace firma::c
 
 using namespace firma;
 using namespace firma::c;
@@ -79,19 +25,12 @@ firma_code firma_cast(firma_world world, const firma_cast_input* input, const fi
         if (!input || !hit) return bad_call(function, kNull);
         const WorldObject* object = find<WorldObject>(world.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        CastOptions chosen;
-        firma_cast_options whole;
-        if (const firma_code code = read_options(options, chosen, whole, function)) return code;
-        static_assert(sizeof(RoomId) == sizeof(std::uint32_t));
-        RoomTrail trail{{reinterpret_cast<RoomId*>(whole.passed), whole.passed_capacity}};
-        static_assert(sizeof(PortalId) == sizeof(std::uint32_t));
-        if (whole.passed_portals)
-            trail.portals = {reinterpret_cast<PortalId*>(whole.passed_portals), whole.passed_capacity};
-        if (whole.passed || whole.passed_count) chosen.trail = &trail;
+        TrailOptions chosen;
+        if (const firma_code code = chosen.read(options, function)) return code;
         CastCounts seen;
-        if (counts) chosen.counts = &seen;
-        put_hit(cast(object->world, sphere_of(*input), vec(input->path), chosen), *hit);
-        if (whole.passed_count) *whole.passed_count = trail.count;
+        if (counts) chosen.cast.counts = &seen;
+        put_hit(cast(object->world, sphere_of(*input), vec(input->path), chosen.cast), *hit);
+        chosen.put();
         if (counts) add(seen, *counts);
         return FIRMA_OK;
     });
@@ -120,7 +59,7 @@ firma_code firma_cast_all(firma_world world, const firma_cast_input* input, cons
         if (const firma_code code = read_options(options, chosen, function)) return code;
         std::vector<Hit> found;
         if (cast_all(object->world, sphere_of(*input), vec(input->path), found, chosen) == Status::kInvalid)
-            return not_asked(object->world, chosen.room == kLocateRoom ? kAnyRoom : chosen.room, kBadSphere, function);
+            return not_cast(object->world, chosen.room, function);
         put_some(found, hits, capacity, count, put_hit);
         return FIRMA_OK;
     });
@@ -142,27 +81,6 @@ firma_code firma_cast_each(firma_world world, const firma_cast_input* input, con
         const World held = object->world;  // which the visitor may release
         const Status met = cast_each(held, sphere_of(*input), vec(input->path), show, chosen);
         if (status) *status = std::uint32_t(met);
-        return FIRMA_OK;
-    });
-}
-
-firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
-                            const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts) {
-    return guarded(__func__, [&, function = __func__] {
-        if (count && (!inputs || !hits)) return bad_call(function, kNull);
-        const WorldObject* object = find<WorldObject>(world.id, function);
-        if (!object) return FIRMA_ERROR_BAD_HANDLE;
-        Batch batch{object->world, inputs, count, {}, hits, {}};
-        if (const firma_code code = read_options(options, batch.options, function)) return code;
-        if (count > PTRDIFF_MAX / sizeof(firma_hit))
-            return fail(FIRMA_ERROR_TOO_LARGE, function, "no memory can hold so many hits");
-        const std::size_t tasks = (count + kCastsATask - 1) / kCastsATask;
-        if (counts) batch.counts.resize(tasks);
-        if (!run_tasks(batch_tasks(), tasks, cast_some, &batch)) {
-            for (std::size_t k = 0; k < count; ++k) put_hit(invalid_hit({}), hits[k]);
-            return bad_call(function, "the function `run` of firma_set_tasks() returned before all was done");
-        }
-        for (const CastCounts& seen : batch.counts) add(seen, *counts);
         return FIRMA_OK;
     });
 }

@@ -58,8 +58,10 @@ firma_code read_options(const firma_world_options* options, WorldOptions& world,
     return read_matters(*given->matters, world.matters.emplace(), function);
 }
 
-firma_code read_options(const firma_cast_options* options, CastOptions& cast, firma_cast_options& whole,
-                        const char* function) {
+namespace {
+
+firma_code read_whole(const firma_cast_options* options, CastOptions& cast, firma_cast_options& whole,
+                      const char* function) {
     const firma_cast_options* const given = &whole;
     if (const firma_code code = whole_of(options, firma_cast_options_defaults, whole, function)) return code;
     if (given->sides > 1) return fail(FIRMA_ERROR_INVALID, function, "sides must be 0 or 1");
@@ -74,9 +76,25 @@ firma_code read_options(const firma_cast_options* options, CastOptions& cast, fi
     return FIRMA_OK;
 }
 
+}  // namespace
+
 firma_code read_options(const firma_cast_options* options, CastOptions& cast, const char* function) {
     firma_cast_options whole;
-    return read_options(options, cast, whole, function);
+    return read_whole(options, cast, whole, function);
+}
+
+firma_code TrailOptions::read(const firma_cast_options* given, const char* function) {
+    if (const firma_code code = read_whole(given, cast, whole_, function)) return code;
+    static_assert(sizeof(RoomId) == sizeof(std::uint32_t) && sizeof(PortalId) == sizeof(std::uint32_t));
+    trail_.rooms = {reinterpret_cast<RoomId*>(whole_.passed), whole_.passed_capacity};
+    if (whole_.passed_portals)
+        trail_.portals = {reinterpret_cast<PortalId*>(whole_.passed_portals), whole_.passed_capacity};
+    if (whole_.passed || whole_.passed_count) cast.trail = &trail_;
+    return FIRMA_OK;
+}
+
+void TrailOptions::put() const {
+    if (whole_.passed_count) *whole_.passed_count = trail_.count;
 }
 
 firma_code read_options(const firma_near_options* options, NearOptions& near, const char* function) {

@@ -44,9 +44,17 @@ firma_code read_matters(const firma_matter_table& given, MatterTable& table, con
 /// FIRMA_OK, or what is wrong with the options; null gives the defaults.
 firma_code read_options(const firma_world_options* given, WorldOptions& world, ReadOptions& read, const char* function);
 firma_code read_options(const firma_cast_options* given, CastOptions& cast, const char* function);
-/// The same; `whole` gets all of the options, the rooms passed among them.
-firma_code read_options(const firma_cast_options* given, CastOptions& cast, firma_cast_options& whole,
-                        const char* function);
+/// The same with the rooms passed. It stays where it is, as `cast` points into it.
+struct TrailOptions {
+    CastOptions cast;
+    firma_code read(const firma_cast_options* given, const char* function);
+    /// To the caller, once the cast is made.
+    void put() const;
+
+private:
+    firma_cast_options whole_;
+    RoomTrail trail_{};
+};
 firma_code read_options(const firma_near_options* given, NearOptions& near, const char* function);
 firma_code read_options(const firma_carve_options* given, CarveOptions& carve, CarveKind& kind, const char* function);
 

@@ -25,7 +25,8 @@ enum class Kind : std::uint8_t {
     kMatters,
     kCommand,
     kLog,
-    kReplay
+    kReplay,
+    kHull
 };
 
 /// What a handle may stand for; deleted when it is released.

@@ -17,6 +17,7 @@
 #include "firma/cutter.h"
 #include "firma/edit_log.h"
 #include "firma/firma_c.h"
+#include "firma/hull.h"
 #include "firma/result.h"
 #include "firma/versions.h"
 #include "firma/world.h"
@@ -37,6 +38,13 @@ struct CutterObject final : Object {
     CutterObject(Cutter c, CraterSeed s) : cutter(std::move(c)), seed(s) {}
     const Cutter cutter;
     const std::optional<CraterSeed> seed;  ///< of one that is made from it
+};
+
+struct HullObject final : Object {
+    static constexpr Kind kKind = Kind::kHull;
+    static constexpr const char* kNoun = "hull";
+    explicit HullObject(Hull h) : hull(std::move(h)) {}
+    const Hull hull;
 };
 
 struct JobObject final : Object {

@@ -7,14 +7,14 @@
 // Arguments of a wrong kind or length throw BAD_CALL, and so do members that options, poses, meshes, rules or zones do
 // not have; released objects and those of another module throw BAD_HANDLE. This is not said again below.
 //
-// One rule says where a failure shows: where the answer has a status (cast(), castBatch()), bad numbers of the input and
-// a room that is not there give status 'invalid'; everywhere else they throw, OUT_OF_RANGE for the numbers, INVALID for
+// One rule says where a failure shows: where the answer has a status (cast(), castBatch(), castMany(), castManyAny()),
+// bad numbers of the input and a room that is not there give status 'invalid'; everywhere else they throw, OUT_OF_RANGE for the numbers, INVALID for
 // the room. Options that make no sense, and faces, portals and materials that the world does not have, throw INVALID
 // everywhere. A search that finds nothing has not failed: it returns null, false or nothing in a list.
 //
 // Costs. A call costs what the module does for it, as said at each, and copying: arguments into the module's memory,
 // answers out of it, into arrays and objects of their own. Every World, Level, Cutter, Job, Edit, Store, Chunks,
-// Command, EditLog and Replay returned is a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
+// Command, EditLog, Replay and Hull returned is a handle, which takes a little memory of the module. Where nothing else is said, a call costs the same for every
 // world.
 
 /// <reference lib="esnext.disposable" />
@@ -148,6 +148,22 @@ export interface Firma {
      * @throws {FirmaError} MALFORMED for a mesh that is not closed, OUT_OF_RANGE, TOO_LARGE
      */
     cutterFromMesh(positions: Numbers, corners: Words, name?: string): Cutter;
+    /**
+     * The convex hull of up to 64 points, already turned, for casts: made once, and put anywhere. Costs some
+     * microseconds for a box, some hundred for 64 points.
+     * @param points three numbers for each, metres, from where it is put
+     * @throws {FirmaError} TOO_LARGE for more points; OUT_OF_RANGE for a number that is not finite or beyond 2^199;
+     *     INVALID for fewer than four, for points in one plane, and for a hull that the place it is put at lies
+     *     outside of
+     */
+    hullFromPoints(points: Numbers): Hull;
+    /**
+     * A box around its middle, for casts.
+     * @param half metres, > 0
+     * @param axes three unit vectors, perpendicular to each other: nine numbers; upright unless given
+     * @throws {FirmaError} as hullFromPoints()
+     */
+    hullBox(half: Vector, axes?: ArrayLike<number>): Hull;
     /**
      * The solid of a world: a chunk that cuts left, a prefab that has been carved. At scale 1, turned by quarter turns
      * about the axes, it cuts exactly, its position snapped to 1/4096 m; at any other pose it is what its facets bound
@@ -610,11 +626,52 @@ export interface RegionParts {
     vertexCounts: Uint32Array;
 }
 
-/** A sphere that moves along `path`; radius 0 casts a particle. */
-export interface CastInput {
+/** A sphere; of radius 0 a particle. */
+export interface SphereShape {
     centre: Vector;
     radius: number;
-    path: Vector;
+}
+
+/** All within a radius of a segment, any way it lies; with both ends at one place a sphere. */
+export interface CapsuleShape {
+    from: Vector;
+    to: Vector;
+    radius: number;
+}
+
+/** A hull or box, put at a place. */
+export interface HullShape {
+    hull: Hull;
+    at: Vector;
+}
+
+/** What moves, or is there. */
+export type MovingShape = SphereShape | CapsuleShape | HullShape;
+
+/** A shape that moves along `path`, without turning. */
+export type CastInput = MovingShape & { path: Vector };
+
+/**
+ * Many casts of one kind, as columns: cast k starts at x[k], y[k], z[k] (a sphere's centre, an end of a capsule's
+ * segment, the place where a hull is put) and goes along pathX[k], pathY[k], pathZ[k]. Fastest as Float64Arrays.
+ */
+export interface CastColumns {
+    x: Numbers;
+    y: Numbers;
+    z: Numbers;
+    pathX: Numbers;
+    pathY: Numbers;
+    pathZ: Numbers;
+    /** Of spheres and capsules; 0 for all unless given. */
+    radius?: Numbers;
+    /** The other ends of capsules' segments: with these the casts are of capsules. */
+    toX?: Numbers;
+    toY?: Numbers;
+    toZ?: Numbers;
+    /** With these the casts are of hulls. */
+    hulls?: readonly Hull[];
+    /** Which of the hulls each cast is of; the first unless given. */
+    hullOf?: Words;
 }
 
 export interface CastOptions {
@@ -698,6 +755,16 @@ export interface SingleCastOptions extends CountedCastOptions {
     passedPortals?: (number | null)[];
 }
 
+export interface ManyOptions extends CountedCastOptions {
+    /**
+     * 'best' (the default): neighbours together, where that pays, which is many casts and a world of many faces;
+     * 'given': as they come. No answer depends on it.
+     */
+    order?: 'best' | 'given';
+    /** Is told how many casts are done, after some ten thousand each time and at the end; false: no more are made. */
+    progress?: (done: number, count: number) => boolean | void;
+}
+
 /** What overlap() and closest() are limited to. */
 export interface NearOptions {
     /** Faces and closed portals that share a bit; all unless given. */
@@ -725,7 +792,7 @@ export interface Hit {
     fraction: number;
     /** How far to go so that the contact offset is kept. */
     safeFraction: number;
-    /** Of the sphere at `fraction`. */
+    /** Of the sphere at `fraction`; the middle of a capsule's segment, the place where a hull is put. */
     centre: Vector3;
     /** Of the surface. */
     point: Vector3;
@@ -761,7 +828,7 @@ export interface HitInfo {
 }
 
 /**
- * The answers of castBatch(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
+ * The answers of castBatch() and castMany(), an array for each field of a Hit; they may be longer than `count`. Numbers stand for
  * names: status 0 'miss', 1 'hit', 2 'touching', 3 'invalid'; feature 0 'face', 1 'edge', 2 'vertex'; NO_FACE and
  * NO_PORTAL for null.
  */
@@ -1314,6 +1381,27 @@ export interface World extends Handle {
      */
     castBatch(inputs: Numbers, options?: CountedCastOptions, out?: HitBatch): HitBatch;
     /**
+     * Many casts of spheres, capsules or hulls, given as columns: answer k is what cast() gives for cast k. Casts that
+     * `progress` left out have status 'invalid'. Costs its casts and copying numbers, some ten thousand casts at a
+     * time.
+     * @param out as of castBatch()
+     * @throws {FirmaError} INVALID for a cast whose hull there is not
+     */
+    castMany(casts: CastColumns, options?: ManyOptions, out?: HitBatch): HitBatch;
+    /**
+     * Whether each of many casts touches anything: of each a number, 0 'miss', 1 'hit', 2 'touching', 3 'invalid'. 1
+     * also stands for a touch where another face would have said 2. Costs less than castMany().
+     * @throws {FirmaError} as castMany()
+     */
+    castManyAny(casts: CastColumns, options?: ManyOptions): Uint8Array;
+    /**
+     * Where a hull touches the face or closed portal that it met: up to four points of that, in order around the
+     * normal; none for a miss. Of a portal of several polygons those of the one nearest to hit.point.
+     * @param hull that was cast
+     * @throws {FirmaError} INVALID where this world has no such face or portal: cut since, or of another world
+     */
+    contactPoints(hull: Hull, hit: Hit): Vector3[];
+    /**
      * Faces that a closed ball touches, by id, then closed portals. Costs a walk through the index to the faces near
      * the ball, an object for each that it touches, and sorting them; where these are more than some 2,200, it is asked
      * twice. By room, where any portal of the world is closed, also a look at each portal of the room, as closest().
@@ -1326,6 +1414,16 @@ export interface World extends Handle {
      * the module. @returns whether there were any
      */
     overlapEach(centre: Vector, radius: number, visit: (found: Overlap) => boolean | void, options?: NearOptions): boolean;
+    /**
+     * The same of a capsule or hull where it is, or a sphere. Of a capsule the nearest point of its segment stands for
+     * the centre, and for what is behind a one-sided face its middle; where the segment meets the face itself, and of a
+     * hull, the way out is the shortest one. Of a hull `point` is where on the face it still touches when it is out,
+     * and `distance` is 0. Costs as a sphere that holds it, and for each face near that what a cast costs.
+     * @throws {FirmaError} as overlap()
+     */
+    overlapShape(shape: MovingShape, options?: NearOptions): Overlap[];
+    /** The same one by one, as overlapEach(). */
+    overlapShapeEach(shape: MovingShape, visit: (found: Overlap) => boolean | void, options?: NearOptions): boolean;
     /**
      * The nearest point of all faces and closed portals within `reach` metres, anywhere unless given; null when there
      * is none. Costs a walk through the index to the faces about as near as the nearest; a short reach where nothing is
@@ -1449,6 +1547,12 @@ export interface World extends Handle {
 
 /** A shape to carve with; it never changes. */
 export interface Cutter extends Handle {}
+
+/** A convex hull or box that can be cast, turned as it is; it never changes. */
+export interface Hull extends Handle {
+    /** Those of the points that it needs, in no particular order, three numbers each. */
+    corners(): Float64Array;
+}
 
 export interface Job extends Handle {
     /**

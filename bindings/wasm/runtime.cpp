@@ -73,17 +73,18 @@ _LIBCPP_END_NAMESPACE_STD
 
 extern "C" {
 
-firma_code firma_wasm_cast_each(firma_world world, const firma_cast_input* input, const firma_cast_options* options,
-                                uint32_t* status) {
-    return firma_cast_each(
-        world, input, options, [](const firma_hit* hit, void*) { return firma_host_visit(hit); }, nullptr, status);
+firma_code firma_wasm_cast_mover_each(firma_world world, const firma_mover* mover, const double* path,
+                                      const firma_cast_options* options, uint32_t* status) {
+    return firma_cast_mover_each(
+        world, mover, path, options, [](const firma_hit* hit, void*) { return firma_host_visit(hit); }, nullptr,
+        status);
 }
 
-firma_code firma_wasm_overlap_each(firma_world world, const double centre[3], double radius,
-                                   const firma_near_options* options, uint32_t* found) {
-    return firma_overlap_each(
-        world, centre, radius, options,
-        [](const firma_near* near, void*) { return uint32_t(firma_host_visit(near) != 0); }, nullptr, found);
+firma_code firma_wasm_overlap_mover_each(firma_world world, const firma_mover* mover, const firma_near_options* options,
+                                         uint32_t* found) {
+    return firma_overlap_mover_each(
+        world, mover, options, [](const firma_near* near, void*) { return uint32_t(firma_host_visit(near) != 0); },
+        nullptr, found);
 }
 
 firma_code firma_wasm_each_face(firma_world world, const firma_face_filter* filter, uint32_t* completed) {

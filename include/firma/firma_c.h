@@ -3,19 +3,20 @@
  * headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with
- * its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always:
- * numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each
+ * with its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE,
+ * always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
  * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
- * firma_cast_each(), firma_cast_batch()), bad numbers of the input and a room that the world does not have give
- * FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code, FIRMA_ERROR_OUT_OF_RANGE for the numbers,
- * FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces, portals and materials that the world does
- * not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing has not failed: it says so in its output.
+ * firma_cast_each(), firma_cast_batch(), the same of movers, firma_cast_many()), bad numbers of the input and a room
+ * that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
+ * FIRMA_ERROR_OUT_OF_RANGE for the numbers, FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces,
+ * portals and materials that the world does not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing
+ * has not failed: it says so in its output.
  *
  * Structs. Those that begin with `size` may grow in later versions: set it to the struct's sizeof, also in structs that
  * a call fills (`firma_room room = {.size = sizeof room};`). A caller that was compiled with an older, shorter struct
@@ -106,7 +107,8 @@ typedef struct firma_tasks {
 } firma_tasks;
 
 /* For all batches that begin from now on; null: in the calling thread (the default). Answers do not depend on it. A
- * batch that is spread takes memory, a byte for each piece of work of 256 casts. */
+ * batch that is spread takes memory, a byte for each piece of work of 256 casts. `work` may be called by any number of
+ * threads at once. */
 FIRMA_API firma_code firma_set_tasks(const firma_tasks* tasks);
 
 /* Handles that are not released yet, of all kinds: 0 when nothing has leaked. */
@@ -160,6 +162,9 @@ typedef struct firma_log {
 typedef struct firma_replay {
     uint64_t id;
 } firma_replay;
+typedef struct firma_hull {
+    uint64_t id;
+} firma_hull;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -861,9 +866,126 @@ FIRMA_API firma_code firma_cast_each(firma_world world, const firma_cast_input* 
                                      uint32_t* status);
 /* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. When firma_tasks.run does not do
  * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. Costs its
- * casts; takes memory, some bytes for every 256 of them, where `counts` is given or firma_set_tasks() was called. */
+ * casts, neighbours together where that pays; takes memory, some bytes for every 256 of them where `counts` is given or
+ * firma_set_tasks() was called, and 16 bytes a cast from 1,024 casts in a world of 20,000 faces on. For other shapes,
+ * columns, progress: firma_cast_many(). */
 FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
                                       const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts);
+
+/* ---- other shapes that move ------------------------------------------------------------------------------------- */
+
+/* The convex hull of points, made once, for the way it is turned, and put anywhere; it never changes. At most 64
+ * points, three doubles each, metres, from where it is put. FIRMA_ERROR_TOO_LARGE for more; FIRMA_ERROR_OUT_OF_RANGE,
+ * with the point, for a number that is not finite or beyond 2^199; FIRMA_ERROR_INVALID for fewer than four points, for
+ * points in one plane, and for a hull that the place it is put at lies outside of. Costs some microseconds for a box,
+ * some hundred for 64 points. */
+FIRMA_API firma_code firma_hull_from_points(const double* points, size_t count, firma_hull* hull);
+/* A box around its middle. `half`: metres, > 0. `axes`: three unit vectors, perpendicular to each other; null: upright.
+ * docs/casting.md says which doubles its corners are. Errors and costs as above. */
+FIRMA_API firma_code firma_hull_box(const double half[3], const double axes[9], firma_hull* hull);
+/* Those of the points that the hull needs, in no particular order: `count` gets how many, at most 64, and the first
+ * `capacity` of them are written, three doubles each (`corners` may be null when that is 0). */
+FIRMA_API firma_code firma_hull_corners(firma_hull hull, double* corners, size_t capacity, size_t* count);
+FIRMA_API firma_code firma_hull_release(firma_hull hull);
+
+typedef enum firma_mover_kind {
+    FIRMA_MOVER_SPHERE = 0,  /* radius 0 is a particle */
+    FIRMA_MOVER_CAPSULE = 1, /* all within the radius of a segment; with both ends at one place a sphere */
+    FIRMA_MOVER_HULL = 2     /* a convex hull or box */
+} firma_mover_kind;
+
+/* A shape that moves, without turning. */
+typedef struct firma_mover {
+    uint32_t size;   /* sizeof(firma_mover) */
+    uint32_t kind;   /* firma_mover_kind */
+    double at[3];    /* a sphere's centre, an end of a capsule's segment, the place where a hull is put */
+    double to[3];    /* the other end of a capsule's segment; not of other kinds */
+    double radius;   /* of a sphere or capsule, >= 0 */
+    firma_hull hull; /* of a hull */
+} firma_mover;
+
+/* As firma_cast(), firma_cast_any(), firma_cast_all() and firma_cast_each(), of any mover. `path`: three doubles. What
+ * these say of a sphere's centre is the middle of a capsule's segment, and the place where a hull is put: of
+ * firma_hit.centre, of the room that the options name, of FIRMA_LOCATE_ROOM. FIRMA_ERROR_INVALID for a kind that is
+ * none, FIRMA_ERROR_BAD_HANDLE for a hull that is not held. They cost as a sphere, and for each face near a capsule
+ * about two spheres more, for each near a hull the product of the edges of both at most. */
+FIRMA_API firma_code firma_cast_mover(firma_world world, const firma_mover* mover, const double path[3],
+                                      const firma_cast_options* options, firma_hit* hit, firma_cast_counts* counts);
+FIRMA_API firma_code firma_cast_mover_any(firma_world world, const firma_mover* mover, const double path[3],
+                                          const firma_cast_options* options, uint32_t* status);
+FIRMA_API firma_code firma_cast_mover_all(firma_world world, const firma_mover* mover, const double path[3],
+                                          const firma_cast_options* options, firma_hit* hits, size_t capacity,
+                                          size_t* count);
+FIRMA_API firma_code firma_cast_mover_each(firma_world world, const firma_mover* mover, const double path[3],
+                                           const firma_cast_options* options, firma_hit_visitor visit, void* user,
+                                           uint32_t* status);
+
+/* Where a hull touches the face or closed portal that it met: up to four points of that, three doubles each, in order
+ * around the normal; none for a miss. `points` has room for twelve. Of a portal of several polygons, points of the one
+ * nearest to `hit->point`. FIRMA_ERROR_INVALID where the world does not have the face or portal: cut since, or of
+ * another world. Takes memory for the face's corners. docs/casting.md says which points. */
+FIRMA_API firma_code firma_contact_points(firma_world world, firma_hull hull, const firma_hit* hit, double points[12],
+                                          uint32_t* count);
+
+typedef enum firma_cast_order {
+    FIRMA_ORDER_BEST = 0, /* neighbours together, where that pays: many casts, and a world of many faces */
+    FIRMA_ORDER_GIVEN = 1 /* as they come */
+} firma_cast_order;
+
+/* Many casts of one kind of mover. Number k of a column is `stride` bytes * k from its start: columns of their own
+ * (`stride` 0: 8), or fields of structs of the caller's (`stride` their size). */
+typedef struct firma_casts {
+    uint32_t size;           /* sizeof(firma_casts) */
+    uint32_t kind;           /* firma_mover_kind, of all */
+    size_t count;            /* how many */
+    size_t stride;           /* a multiple of 8 */
+    const double *x, *y, *z; /* as firma_mover.at */
+    const double *path_x, *path_y, *path_z;
+    const double *to_x, *to_y, *to_z; /* of capsules, as firma_mover.to */
+    const double* radius;             /* of spheres and capsules; null: 0 for all */
+    const firma_hull* hulls;          /* of hulls: those that are cast; one after the other, without a stride */
+    size_t hull_count;
+    const uint32_t* hull_of; /* of each cast, one after the other, which of the hulls; null: the first */
+} firma_casts;
+
+/* Answers, each as long as there are casts; null where it is not wanted. What they say is in firma_hit. */
+typedef struct firma_answers {
+    uint32_t size; /* sizeof(firma_answers) */
+    uint32_t reserved;
+    firma_hit* hits;
+    uint32_t* status;
+    double *fraction, *safe_fraction;
+    double *normal_x, *normal_y, *normal_z;
+    uint32_t *face, *portal, *material;
+} firma_answers;
+
+/* Is told after each piece of work, by whichever thread did it, one at a time, how many casts are done; returns 1 to go
+ * on, 0 to stop. It must not cast many itself. */
+typedef uint32_t (*firma_progress)(size_t done, size_t count, void* user);
+
+/* A null pointer takes the defaults: all zero. */
+typedef struct firma_many_options {
+    uint32_t size;     /* sizeof(firma_many_options) */
+    uint32_t order;    /* firma_cast_order */
+    uint32_t any;      /* 1: only whether there is any touch, as firma_cast_any(), which costs less: of the answers
+                          only `status` may then be wanted */
+    uint32_t reserved; /* must be 0 */
+    firma_progress progress; /* null: nobody is told */
+    void* user;              /* handed to progress */
+} firma_many_options;
+
+/* Each answer is that of the single cast, to the bit, whatever the order, the threads (firma_set_tasks()), and what
+ * else is cast. `cancelled` gets 1 when progress stopped it before all was done, else 0: answers of casts that were not
+ * made are then FIRMA_INVALID; it may be null. `counts` may be null; nothing is added to it when the call fails.
+ * FIRMA_ERROR_INVALID for a kind, an order or a stride that is none, and for a cast whose hull there is not, with its
+ * number; FIRMA_ERROR_BAD_HANDLE for a hull that is not held; FIRMA_ERROR_BAD_CALL as firma_cast_batch(). Costs its
+ * casts, and in the best order some ten nanoseconds each to find that; takes memory as firma_cast_batch(), and for
+ * hulls. */
+FIRMA_API firma_code firma_cast_many(firma_world world, const firma_casts* casts, const firma_cast_options* options,
+                                     const firma_many_options* many, const firma_answers* answers,
+                                     firma_cast_counts* counts, uint32_t* cancelled);
+
+/* ---- without motion --------------------------------------------------------------------------------------------- */
 
 typedef struct firma_near {
     double point[3];
@@ -900,6 +1022,15 @@ typedef uint32_t (*firma_overlap_visitor)(const firma_near* found, void* user);
 FIRMA_API firma_code firma_overlap_each(firma_world world, const double centre[3], double radius,
                                         const firma_near_options* options, firma_overlap_visitor visit, void* user,
                                         uint32_t* found);
+/* The same of any mover, where it is. Of a capsule the nearest point of its segment stands for the centre, and for what
+ * is behind a one-sided face its middle; where the segment meets the face itself, and of a hull, the way out is the
+ * shortest one. Of a hull `point` is where on the face it still touches when it is out, and `distance` is 0. Cost as a
+ * sphere that holds it, and for each face near that what a cast costs. */
+FIRMA_API firma_code firma_overlap_mover(firma_world world, const firma_mover* mover, const firma_near_options* options,
+                                         firma_near* found, size_t capacity, size_t* count);
+FIRMA_API firma_code firma_overlap_mover_each(firma_world world, const firma_mover* mover,
+                                              const firma_near_options* options, firma_overlap_visitor visit,
+                                              void* user, uint32_t* found);
 /* The nearest point of all faces within `reach` metres (INFINITY: anywhere); `found` gets 0 or 1.
  * Errors as above, and FIRMA_ERROR_OUT_OF_RANGE for a negative reach. A short reach where nothing is near costs
  * least. */

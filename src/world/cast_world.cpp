@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casts through a world: the first, any or each of the touches on the way.
 #include <algorithm>
+#include <type_traits>
 
 #include "cast/cast_capsule_polygon.h"
 #include "cast/make_hull_hit.h"
@@ -14,35 +15,89 @@
 namespace firma {
 namespace {
 
-/// A hull as what moves. Its contacts' index is the name of the facet.
-struct HullMover {
-    const HullShape* hull;
+/// What moves and is no sphere. One traversal serves all of them; each face that it comes near costs a call through a
+/// pointer more.
+class OtherMover {
+public:
+    virtual Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                            CastCounts* counts) const = 0;
+    virtual PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const = 0;
+    virtual ShapeExtent extent() const = 0;
+
+protected:
+    ~OtherMover() = default;
+};
+
+/// One of them, held elsewhere.
+struct MoverRef {
+    const OtherMover* mover;
 
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const {
-        HullContact found = cast_hull_polygon(sweep, *hull, polygon, sides, latest, counts);
+        return mover->against(sweep, polygon, sides, latest, counts);
+    }
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
+        return mover->hit(sweep, polygon, contact);
+    }
+    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep, mover->extent()); }
+};
+
+#if defined(__wasm__)
+class SphereAsOther final : public OtherMover {
+public:
+    explicit SphereAsOther(double radius) : radius_(radius) {}
+
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                    CastCounts* counts) const override {
+        return SphereMover().against(sweep, polygon, sides, latest, counts);
+    }
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
+        return SphereMover().hit(sweep, polygon, contact);
+    }
+    ShapeExtent extent() const override { return {{}, {}, 0, radius_}; }
+
+private:
+    double radius_;
+};
+#endif
+
+/// A hull as what moves. Its contacts' index is the name of the facet.
+class HullMover final : public OtherMover {
+public:
+    explicit HullMover(const Hull& hull) : hull_(hull.shape()) {}
+
+    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
+                    CastCounts* counts) const override {
+        HullContact found = cast_hull_polygon(sweep, *hull_, polygon, sides, latest, counts);
         found.contact.index = found.facet.name.code();
         return found.contact;
     }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
         const SumFacet::Name name = SumFacet::Name::of(contact.index);
-        return make_hull_hit(sweep, *hull, polygon, {contact, HullAgainstPolygon(sweep, *hull, polygon).facet(name)});
+        return make_hull_hit(sweep, *hull_, polygon, {contact, HullAgainstPolygon(sweep, *hull_, polygon).facet(name)});
     }
-    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep, hull->extent); }
+    ShapeExtent extent() const override { return hull_->extent; }
+
+private:
+    const HullShape* hull_;
 };
 
 /// A capsule as what moves; the sweep is that of the ball around it.
-struct CapsuleMover {
-    CapsuleShape capsule;
+class CapsuleMover final : public OtherMover {
+public:
+    explicit CapsuleMover(const Capsule& capsule) : capsule_(shape_of_capsule(capsule)) {}
 
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
-                    CastCounts* counts) const {
-        return cast_capsule_polygon(sweep, capsule, polygon, sides, latest, counts);
+                    CastCounts* counts) const override {
+        return cast_capsule_polygon(sweep, capsule_, polygon, sides, latest, counts);
     }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
-        return make_capsule_hit(sweep, capsule, polygon, contact);
+    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
+        return make_capsule_hit(sweep, capsule_, polygon, contact);
     }
-    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep, extent_of(capsule)); }
+    ShapeExtent extent() const override { return extent_of(capsule_); }
+
+private:
+    const CapsuleShape capsule_;
 };
 
 /// Goes as the options say.
@@ -63,11 +118,25 @@ void sweep_rooms(const World& world, const Vec3& centre, const Sweep& sweep, con
     on_its_way.ask_from(data.cells.current_room(start.value), trail);
 }
 
-/// Keeps the earliest touch; of several at one time the lowest id.
-struct KeepFirst {
+/// Is told of touches, whoever asks: one traversal serves all of them. A touch costs a call through a pointer.
+struct TellAny {
     double latest;
+    bool (*take)(TellAny& self, const SweepContact& contact);
+
+    bool operator()(const SweepContact& contact) { return take(*this, contact); }
+};
+
+/// `Found` as TellAny, which it then is.
+template <class Found>
+TellAny tell(double latest) {
+    return {latest, [](TellAny& self, const SweepContact& contact) { return static_cast<Found&>(self)(contact); }};
+}
+
+/// Keeps the earliest touch; of several at one time the lowest id.
+struct KeepFirst : TellAny {
     SweepContact best;
 
+    explicit KeepFirst(double end) : TellAny(tell<KeepFirst>(end)) {}
     bool operator()(const SweepContact& other) {
         const bool sooner = !best.contact.touched() || other.contact.t < best.contact.t ||
                             (other.contact.t == best.contact.t && other.comes_before(best));
@@ -79,10 +148,10 @@ struct KeepFirst {
     }
 };
 
-struct StopAtAny {
-    double latest;
+struct StopAtAny : TellAny {
     Status status = Status::kMiss;
 
+    explicit StopAtAny(double end) : TellAny(tell<StopAtAny>(end)) {}
     bool operator()(const SweepContact& contact) {
         status = contact.contact.status;
         return true;
@@ -130,8 +199,7 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
 
 /// Hands each touch on.
 template <class Mover>
-struct VisitEach {
-    double latest;
+struct VisitEach : TellAny {
     HitVisitor visit;
     const World& world;
     const Sweep& sweep;
@@ -139,6 +207,8 @@ struct VisitEach {
     const CastOptions& options;
     bool any = false;
 
+    VisitEach(double end, HitVisitor v, const World& w, const Sweep& s, const Mover& m, const CastOptions& o)
+        : TellAny(tell<VisitEach>(end)), visit(v), world(w), sweep(s), mover(m), options(o) {}
     bool operator()(const SweepContact& contact) {
         any = true;
         Hit hit;
@@ -159,6 +229,14 @@ Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const
     return make_sweep(sphere, path, sweep);
 }
 
+void sort_hits(std::vector<Hit>& hits) {
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+        return a.fraction != b.fraction ? a.fraction < b.fraction
+               : a.face.id != b.face.id ? a.face.id < b.face.id
+                                        : a.portal < b.portal;
+    });
+}
+
 /// One question: what moves from where, along what.
 template <class Mover>
 struct Question {
@@ -173,8 +251,8 @@ struct Question {
         Sweep sweep;
         const Status ready = prepare(world, around, path, options, sweep);
         if (ready == Status::kHit) {
-            KeepFirst first{sweep.end, {}};
-            sweep_rooms(world, around.centre, sweep, mover, options, first);
+            KeepFirst first(sweep.end);
+            find_first(sweep, first);
             if (first.best.contact.touched()) {
                 put_hit(world, sweep, mover, options, first.best, hit);
                 return hit;
@@ -190,8 +268,8 @@ struct Question {
         Sweep sweep;
         const Status ready = prepare(world, around, path, options, sweep);
         if (ready != Status::kHit) return ready;
-        StopAtAny any{sweep.end};
-        sweep_rooms(world, around.centre, sweep, mover, options, any);
+        StopAtAny any(sweep.end);
+        find(sweep, any);
         return any.status;
     }
 
@@ -199,8 +277,8 @@ struct Question {
         Sweep sweep;
         const Status ready = prepare(world, around, path, options, sweep);
         if (ready != Status::kHit) return ready;
-        VisitEach<Mover> each{sweep.end, visit, world, sweep, mover, options};
-        sweep_rooms(world, around.centre, sweep, mover, options, each);
+        VisitEach<Mover> each(sweep.end, visit, world, sweep, mover, options);
+        find(sweep, each);
         return each.any ? Status::kHit : Status::kMiss;
     }
 
@@ -211,12 +289,27 @@ struct Question {
             return 1.0;
         };
         const Status status = each(add);
-        std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-            return a.fraction != b.fraction ? a.fraction < b.fraction
-                   : a.face.id != b.face.id ? a.face.id < b.face.id
-                                            : a.portal < b.portal;
-        });
+        sort_hits(hits);
         return hits.empty() ? status : hits[0].status;
+    }
+
+private:
+    /// In the module, which has to be small, by one traversal for all that moves.
+    void find(const Sweep& sweep, TellAny& told) const {
+#if defined(__wasm__)
+        if constexpr (std::is_same_v<Mover, SphereMover>) {
+            const SphereAsOther other(sweep.radius);
+            return sweep_rooms(world, around.centre, sweep, MoverRef{&other}, options, told);
+        }
+#endif
+        sweep_rooms(world, around.centre, sweep, mover, options, told);
+    }
+    /// Of a sphere by a traversal of its own, as nothing is asked more often.
+    void find_first(const Sweep& sweep, KeepFirst& first) const {
+        if constexpr (std::is_same_v<Mover, SphereMover>)
+            sweep_rooms(world, around.centre, sweep, mover, options, first);
+        else
+            find(sweep, first);
     }
 };
 
@@ -224,14 +317,15 @@ Question<SphereMover> ask(const World& world, const Sphere& sphere, const Vec3& 
     return {world, sphere, path, {}, options};
 }
 
-/// A hull that is none has a negative radius: kInvalid.
-Question<HullMover> ask(const World& world, const Hull& hull, const Vec3& at, const Vec3& path,
-                        const CastOptions& options) {
-    return {world, {at, hull.valid() ? hull.shape()->reach : -1}, path, {hull.shape()}, options};
+/// @param mover  lives as long as the question
+Question<MoverRef> ask(const World& world, const Sphere& around, const OtherMover& mover, const Vec3& path,
+                       const CastOptions& options) {
+    return {world, around, path, {&mover}, options};
 }
 
-Question<CapsuleMover> ask(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
-    return {world, ball_around(capsule), path, {shape_of_capsule(capsule)}, options};
+/// A hull that is none has a negative radius: kInvalid.
+Sphere ball_around(const Hull& hull, const Vec3& at) {
+    return {at, hull.valid() ? hull.shape()->reach : -1};
 }
 
 }  // namespace
@@ -255,39 +349,39 @@ Status cast_all(const World& world, const Sphere& sphere, const Vec3& path, std:
 }
 
 Hit cast(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, const CastOptions& options) {
-    return ask(world, hull, at, path, options).first();
+    return ask(world, ball_around(hull, at), HullMover(hull), path, options).first();
 }
 
 Status cast_any(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, const CastOptions& options) {
-    return ask(world, hull, at, path, options).any();
+    return ask(world, ball_around(hull, at), HullMover(hull), path, options).any();
 }
 
 Status cast_each(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, HitVisitor visit,
                  const CastOptions& options) {
-    return ask(world, hull, at, path, options).each(visit);
+    return ask(world, ball_around(hull, at), HullMover(hull), path, options).each(visit);
 }
 
 Status cast_all(const World& world, const Hull& hull, const Vec3& at, const Vec3& path, std::vector<Hit>& hits,
                 const CastOptions& options) {
-    return ask(world, hull, at, path, options).all(hits);
+    return ask(world, ball_around(hull, at), HullMover(hull), path, options).all(hits);
 }
 
 Hit cast(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
-    return ask(world, capsule, path, options).first();
+    return ask(world, ball_around(capsule), CapsuleMover(capsule), path, options).first();
 }
 
 Status cast_any(const World& world, const Capsule& capsule, const Vec3& path, const CastOptions& options) {
-    return ask(world, capsule, path, options).any();
+    return ask(world, ball_around(capsule), CapsuleMover(capsule), path, options).any();
 }
 
 Status cast_each(const World& world, const Capsule& capsule, const Vec3& path, HitVisitor visit,
                  const CastOptions& options) {
-    return ask(world, capsule, path, options).each(visit);
+    return ask(world, ball_around(capsule), CapsuleMover(capsule), path, options).each(visit);
 }
 
 Status cast_all(const World& world, const Capsule& capsule, const Vec3& path, std::vector<Hit>& hits,
                 const CastOptions& options) {
-    return ask(world, capsule, path, options).all(hits);
+    return ask(world, ball_around(capsule), CapsuleMover(capsule), path, options).all(hits);
 }
 
 }  // namespace firma

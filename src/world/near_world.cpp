@@ -125,31 +125,43 @@ struct VisitOverlaps {
     }
 };
 
-/// The same of a capsule that is no sphere.
-struct CapsuleThere {
+/// What is there and no sphere. One traversal serves all of them.
+class OtherThere {
+public:
+    virtual bool meets(const PolygonShape& polygon) const = 0;
+    virtual WayOut way_out(const PolygonShape& polygon, bool along_normal) const = 0;
+
+protected:
+    ~OtherThere() = default;
+};
+
+/// A capsule that is no sphere.
+struct CapsuleThere final : OtherThere {
     CapsuleSweep capsule;
 
-    bool meets(const PolygonShape& polygon) const { return capsule_meets(capsule, polygon); }
-    WayOut way_out(const PolygonShape& polygon, bool along_normal) const {
+    CapsuleThere(const Sweep& sweep, const CapsuleShape& shape) : capsule(sweep, shape) {}
+    bool meets(const PolygonShape& polygon) const override { return capsule_meets(capsule, polygon); }
+    WayOut way_out(const PolygonShape& polygon, bool along_normal) const override {
         return way_out_of_capsule(capsule, polygon, along_normal);
     }
 };
 
-/// And of a hull.
-struct HullThere {
+struct HullThere final : OtherThere {
     const Sweep& sweep;
     const HullShape& hull;
 
-    bool meets(const PolygonShape& polygon) const { return hull_meets(HullAgainstPolygon(sweep, hull, polygon)); }
-    WayOut way_out(const PolygonShape& polygon, bool along_normal) const {
+    HullThere(const Sweep& s, const HullShape& h) : sweep(s), hull(h) {}
+    bool meets(const PolygonShape& polygon) const override {
+        return hull_meets(HullAgainstPolygon(sweep, hull, polygon));
+    }
+    WayOut way_out(const PolygonShape& polygon, bool along_normal) const override {
         return way_out_of_hull(sweep, hull, polygon, along_normal);
     }
 };
 
-template <class Shape>
 struct VisitShapeOverlaps {
     const Sweep& around;  ///< its sphere holds the shape
-    const Shape shape;
+    const OtherThere& shape;
     OverlapVisitor visit;
     double reach = around.radius;
     bool any = false;
@@ -174,10 +186,9 @@ struct VisitShapeOverlaps {
     }
 };
 
-template <class Shape>
-Status shape_overlaps(const World& world, const Sweep& around, const Shape& shape, OverlapVisitor visit,
+Status shape_overlaps(const World& world, const Sweep& around, const OtherThere& shape, OverlapVisitor visit,
                       const NearOptions& options) {
-    VisitShapeOverlaps<Shape> overlaps{around, shape, visit};
+    VisitShapeOverlaps overlaps{around, shape, visit};
     look_near(world, around.start, options, overlaps);
     return overlaps.any ? Status::kInitialOverlap : Status::kMiss;
 }
@@ -241,7 +252,7 @@ Status overlap_each(const World& world, const Capsule& capsule, OverlapVisitor v
     if (capsule.from == capsule.to) return overlap_each(world, around, visit, options);
     Sweep sweep;
     if (!is_there(world, options.room) || make_sweep(around, {1, 0, 0}, sweep) != Status::kHit) return Status::kInvalid;
-    return shape_overlaps(world, sweep, CapsuleThere{CapsuleSweep(sweep, shape_of_capsule(capsule))}, visit, options);
+    return shape_overlaps(world, sweep, CapsuleThere(sweep, shape_of_capsule(capsule)), visit, options);
 }
 
 Status overlap_each(const World& world, const Hull& hull, const Vec3& at, OverlapVisitor visit,
@@ -249,7 +260,7 @@ Status overlap_each(const World& world, const Hull& hull, const Vec3& at, Overla
     Sweep sweep;
     if (!hull.valid() || !is_there(world, options.room)) return Status::kInvalid;
     if (make_sweep({at, hull.shape()->reach}, {1, 0, 0}, sweep) != Status::kHit) return Status::kInvalid;
-    return shape_overlaps(world, sweep, HullThere{sweep, *hull.shape()}, visit, options);
+    return shape_overlaps(world, sweep, HullThere(sweep, *hull.shape()), visit, options);
 }
 
 Status overlap(const World& world, const Sphere& sphere, std::vector<Overlap>& found, const NearOptions& options) {

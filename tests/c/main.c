@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
     test_library();
     test_worlds();
     test_casts();
+    test_movers();
     test_visitors();
     test_structs();
     test_old_names();

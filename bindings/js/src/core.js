@@ -37,6 +37,7 @@ const FIXED = {
     ...Object.fromEntries(Object.entries(FILLED).map(([name, { sizeof }]) => [name, sizeof])),
     input: layout.CAST_INPUT.sizeof,
     castOptions: layout.CAST_OPTIONS.sizeof,
+    mover: layout.MOVER.sizeof,
     hit: layout.HIT.sizeof,
     counts: layout.CAST_COUNTS.sizeof,
     near: layout.NEAR.sizeof,

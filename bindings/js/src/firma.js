@@ -10,6 +10,7 @@ import { Command } from './commands.js';
 import { EditLog } from './logs.js';
 import { defaultMatters } from './matters.js';
 import { putMesh, readMesh } from './mesh.js';
+import { hullBox, hullFromPoints } from './movers.js';
 import { differingRegions } from './patches.js';
 import { REQUESTS } from './reading.js';
 import { memoryOf, World } from './world.js';
@@ -128,6 +129,14 @@ export class Firma {
             const args = [vertices, positions.length / 3, triangles, corners.length / 3, called];
             return new Cutter(core, makeHandle(core, 'firma_cutter_from_mesh', ...args));
         });
+    }
+
+    hullFromPoints(points) {
+        return hullFromPoints(this.#core, points);
+    }
+
+    hullBox(half, axes) {
+        return hullBox(this.#core, half, axes);
     }
 
     cutterFromWorld(world, name) {

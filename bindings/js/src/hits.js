@@ -161,8 +161,11 @@ export function getHit(core, at) {
     };
 }
 
-/** What a hit of this world was, as cast() gave it, to the fixed hit: what firma_world_hit_info() looks at. */
-export function putHit(core, hit, place) {
+/**
+ * What a hit of this world was, as cast() gave it, to the fixed hit: what firma_world_hit_info() looks at, and
+ * with `whole` what firma_contact_points() does.
+ */
+export function putHit(core, hit, place, whole = false) {
     if (hit === undefined) throw badCall(place, 'the hit must be one that cast() gave');
     object(hit, place, 'the hit');
     const at = core.at.hit;
@@ -176,6 +179,13 @@ export function putHit(core, hit, place) {
     core.i32.set(vector(hit.corner, 3, place, 'corner'), (at + HIT.corner) >>> 2);
     core.setVector(at + HIT.normal, vector(hit.normal, 3, place, 'normal'));
     core.setVector(at + HIT.faceNormal, vector(hit.faceNormal, 3, place, 'faceNormal'));
+    if (!whole) return at;
+    const status = STATUS_NAMES.indexOf(hit.status);
+    if (status < 0) throw badCall(place, 'the hit must be one that cast() gave');
+    core.setU32(at + HIT.status, status);
+    core.setF64(at + HIT.fraction, number(hit.fraction, place, 'fraction'));
+    core.setVector(at + HIT.centre, vector(hit.centre, 3, place, 'centre'));
+    core.setVector(at + HIT.point, vector(hit.point, 3, place, 'point'));
     return at;
 }
 
@@ -295,6 +305,16 @@ export function getHits(core, at, count, batch, begin) {
             faceNormal[3 * to + axis] = f64[d + F64(HIT.faceNormal) + axis];
         }
     }
+}
+
+/** Answers `begin` and on are those of casts that were not made: status 'invalid', as where nothing could be asked. */
+export function missHits(batch, begin, end) {
+    if (begin >= end) return;
+    for (const name of [...BYTES, ...WORDS, ...DOUBLES]) batch[name].fill(0, begin, end);
+    for (const name of ['corner', ...VECTORS]) batch[name].fill(0, 3 * begin, 3 * end);
+    batch.status.fill(STATUS_NAMES.indexOf('invalid'), begin, end);
+    batch.face.fill(NO_FACE, begin, end);
+    batch.portal.fill(NO_PORTAL, begin, end);
 }
 
 /** Empties a batch and makes room for `count` answers, in the arrays that it has when they are long enough. */

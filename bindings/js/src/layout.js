@@ -66,6 +66,19 @@ export const FEATURE_NAMES = Object.freeze([
     'vertex',
 ]);
 
+/** By the numbers of firma_mover_kind. */
+export const MOVER_KIND_NAMES = Object.freeze([
+    'sphere',
+    'capsule',
+    'hull',
+]);
+
+/** By the numbers of firma_cast_order. */
+export const CAST_ORDER_NAMES = Object.freeze([
+    'best',
+    'given',
+]);
+
 /** By the numbers of firma_shape. */
 export const SHAPE_NAMES = Object.freeze([
     'rocky',
@@ -537,6 +550,67 @@ export const CAST_COUNTS = Object.freeze({
     boxes: 8,
     faces: 16,
     precise: 24,
+});
+
+/** firma_mover */
+export const MOVER = Object.freeze({
+    sizeof: 72,
+    size: 0,
+    kind: 4,
+    at: 8,
+    to: 32,
+    radius: 56,
+    hull: 64,
+});
+
+/** firma_casts */
+export const CASTS = Object.freeze({
+    sizeof: 68,
+    size: 0,
+    kind: 4,
+    count: 8,
+    stride: 12,
+    x: 16,
+    y: 20,
+    z: 24,
+    pathX: 28,
+    pathY: 32,
+    pathZ: 36,
+    toX: 40,
+    toY: 44,
+    toZ: 48,
+    radius: 52,
+    hulls: 56,
+    hullCount: 60,
+    hullOf: 64,
+});
+
+/** firma_answers */
+export const ANSWERS = Object.freeze({
+    sizeof: 48,
+    size: 0,
+    reserved: 4,
+    hits: 8,
+    status: 12,
+    fraction: 16,
+    safeFraction: 20,
+    normalX: 24,
+    normalY: 28,
+    normalZ: 32,
+    face: 36,
+    portal: 40,
+    material: 44,
+});
+
+/** firma_many_options */
+export const MANY_OPTIONS = Object.freeze({
+    sizeof: 24,
+    size: 0,
+    order: 4,
+    any: 8,
+    reserved: 12,
+    progress: 16,
+    user: 20,
 });
 
 /** firma_near */

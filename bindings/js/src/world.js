@@ -27,6 +27,7 @@ import { applyCommand } from './commands.js';
 import { getShownFace, onlyFace, putFaceFilter, putFaceRef, takeDiff, takeFaces } from './faces.js';
 import { countMatters, matterAt, matterOf, mattersOf } from './matters.js';
 import { takeRegionMeshes } from './regions.js';
+import { castMany, castManyAny, contactPoints, isOther, putMover, putMoving } from './movers.js';
 import { applyPatch, listFaces, makePatch } from './patches.js';
 import { findByName, getNeighbours, getPath, getPortal, getRoom, locate, NO_ROOM } from './rooms.js';
 import { putRules } from './rules.js';
@@ -52,6 +53,27 @@ function notAsked(core, id, options, place) {
     if (typeof room === 'number' && room < NO_ROOM && core.call('firma_world_room', id, room, core.at.room) !== 0)
         throw new FirmaError('INVALID', `${place}: the world has no room ${room}`);
     throw new FirmaError('OUT_OF_RANGE', `${place}: a number is not finite or too large, or the radius negative`);
+}
+
+function overlaps(world, shape, options, place) {
+    const core = world[CORE];
+    const ask = (at, room) => {
+        const mover = putMover(core, shape, place);
+        const chosen = putNearOptions(core, options, place);
+        core.run('firma_overlap_mover', world[ID], mover, chosen, at, room, core.at.out);
+        return core.getU32(core.at.out);
+    };
+    return getList(core, ask, NEAR.sizeof, getOverlap);
+}
+
+function eachOverlap(world, shape, visit, options, place) {
+    const core = world[CORE];
+    if (typeof visit !== 'function') throw badCall(place, 'visit must be a function');
+    const mover = putMover(core, shape, place);
+    const chosen = putNearOptions(core, options, place);
+    const ask = (at) => (visit(getOverlap(core, at)) === false ? 0 : 1);
+    core.runVisited(ask, 'firma_wasm_overlap_mover_each', world[ID], mover, chosen, core.at.out);
+    return core.getU32(core.at.out) !== 0;
 }
 
 export class World extends Handle {
@@ -217,11 +239,13 @@ export class World extends Handle {
     cast(input, options) {
         const core = this[CORE];
         const at = core.at.hit;
-        const given = putInput(core, input, 'cast');
+        const other = isOther(input);
+        const given = other ? putMoving(core, input, 'cast')[0] : putInput(core, input, 'cast');
         const chosen = putCastOptions(core, options, 'cast', ['counts', 'passed', 'passedPortals']);
         const counts = clearCounts(core, options, 'cast');
         const code = withPassed(core, options, chosen, (asked) => {
             try {
+                if (other) return core.exports.firma_cast_mover(this[ID], given, core.at.input, asked, at, counts);
                 return core.exports.firma_cast(this[ID], given, asked, at, counts);
             } catch (error) {
                 throw core.stop(error);
@@ -242,11 +266,13 @@ export class World extends Handle {
 
     castAny(input, options) {
         const core = this[CORE];
-        const given = putInput(core, input, 'castAny');
+        const other = isOther(input);
+        const given = other ? putMoving(core, input, 'castAny')[0] : putInput(core, input, 'castAny');
         const chosen = putCastOptions(core, options, 'castAny');
         let code;
         try {
-            code = core.exports.firma_cast_any(this[ID], given, chosen, core.at.out);
+            if (other) code = core.exports.firma_cast_mover_any(this[ID], given, core.at.input, chosen, core.at.out);
+            else code = core.exports.firma_cast_any(this[ID], given, chosen, core.at.out);
         } catch (error) {
             throw core.stop(error);
         }
@@ -260,9 +286,9 @@ export class World extends Handle {
     castAll(input, options) {
         const core = this[CORE];
         const ask = (at, room) => {
-            const given = putInput(core, input, 'castAll');
+            const [mover, path] = putMoving(core, input, 'castAll');
             const chosen = putCastOptions(core, options, 'castAll');
-            core.run('firma_cast_all', this[ID], given, chosen, at, room, core.at.out);
+            core.run('firma_cast_mover_all', this[ID], mover, path, chosen, at, room, core.at.out);
             return core.getU32(core.at.out);
         };
         return getList(core, ask, HIT.sizeof, getHit);
@@ -271,7 +297,7 @@ export class World extends Handle {
     castEach(input, visit, options) {
         const core = this[CORE];
         if (typeof visit !== 'function') throw badCall('castEach', 'visit must be a function');
-        const given = putInput(core, input, 'castEach');
+        const [mover, path] = putMoving(core, input, 'castEach');
         const chosen = putCastOptions(core, options, 'castEach');
         const ask = (at) => {
             const answer = visit(getHit(core, at));
@@ -280,7 +306,7 @@ export class World extends Handle {
             return number(answer, 'castEach', 'what visit returns');
         };
         const id = this[ID]; // the visitor may release the world
-        core.runVisited(ask, 'firma_wasm_cast_each', id, given, chosen, core.at.out);
+        core.runVisited(ask, 'firma_wasm_cast_mover_each', id, mover, path, chosen, core.at.out);
         const status = core.getU32(core.at.out);
         if (status === 3) notAsked(core, id, options, 'castEach');
         return status !== 0;
@@ -310,29 +336,32 @@ export class World extends Handle {
         return out;
     }
 
+    castMany(casts, options, out = new HitBatch()) {
+        return castMany(this, casts, options, out);
+    }
+
+    castManyAny(casts, options) {
+        return castManyAny(this, casts, options);
+    }
+
+    contactPoints(hull, hit) {
+        return contactPoints(this, hull, hit);
+    }
+
     overlap(centre, radius, options) {
-        const core = this[CORE];
-        vector(centre, 3, 'overlap', 'centre');
-        number(radius, 'overlap', 'radius');
-        const ask = (at, room) => {
-            core.setVector(core.at.input, centre);
-            const chosen = putNearOptions(core, options, 'overlap');
-            core.run('firma_overlap', this[ID], core.at.input, radius, chosen, at, room, core.at.out);
-            return core.getU32(core.at.out);
-        };
-        return getList(core, ask, NEAR.sizeof, getOverlap);
+        return overlaps(this, { centre, radius }, options, 'overlap');
     }
 
     overlapEach(centre, radius, visit, options) {
-        const core = this[CORE];
-        vector(centre, 3, 'overlapEach', 'centre');
-        number(radius, 'overlapEach', 'radius');
-        if (typeof visit !== 'function') throw badCall('overlapEach', 'visit must be a function');
-        core.setVector(core.at.input, centre);
-        const chosen = putNearOptions(core, options, 'overlapEach');
-        const ask = (at) => (visit(getOverlap(core, at)) === false ? 0 : 1);
-        core.runVisited(ask, 'firma_wasm_overlap_each', this[ID], core.at.input, radius, chosen, core.at.out);
-        return core.getU32(core.at.out) !== 0;
+        return eachOverlap(this, { centre, radius }, visit, options, 'overlapEach');
+    }
+
+    overlapShape(shape, options) {
+        return overlaps(this, shape, options, 'overlapShape');
+    }
+
+    overlapShapeEach(shape, visit, options) {
+        return eachOverlap(this, shape, visit, options, 'overlapShapeEach');
     }
 
     closest(point, reach = Infinity, options = undefined) {

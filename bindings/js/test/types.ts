@@ -25,6 +25,7 @@ import {
     type Faces,
     type Hit,
     type HitInfo,
+    type Hull,
     type Level,
     type Location,
     type LogFacts,
@@ -109,6 +110,23 @@ firma.unpackWorld(world.pack({ exact: true }), 'name');
 firma.worldFromBsp('text');
 // @ts-expect-error an option that is none
 firma.worldFromObj('', { skn: 1 });
+
+const hull: Hull = firma.hullFromPoints([0, 0, 1, 1, 1, -1, -1, 1, -1, 0, -1, -1]);
+const crate: Hull = firma.hullBox([1, 1, 1], [1, 0, 0, 0, 1, 0, 0, 0, 1]);
+const hullCorners: Float64Array = hull.corners();
+const pill = { from: [0, 0, 0], to: [0, 0, 1], radius: 0.3 };
+const resting: Hit = world.cast({ hull: crate, at: [0, 0, 0], path: [0, 0, -1] }, { room: 0 });
+const points: [number, number, number][] = world.contactPoints(crate, resting);
+const grazes: boolean = world.castAny({ ...pill, path: [1, 0, 0] });
+const stuck: Overlap[] = world.overlapShape({ hull, at: [0, 0, 0] }, { mask: 1 });
+const inside: boolean = world.overlapShapeEach(pill, (found) => found.depth < 1);
+const columns = { x: [0], y: [0], z: new Float32Array(1), pathX: [1], pathY: [0], pathZ: [0] };
+const manyHits: HitBatch = world.castMany({ ...columns, hulls: [hull], hullOf: [0] }, { order: 'given', counts: {} });
+const statuses: Uint8Array = world.castManyAny(columns, { progress: (done, count) => done < count });
+// @ts-expect-error a path is missing
+world.cast(pill);
+// @ts-expect-error no such order
+world.castMany(columns, { order: 'random' });
 
 const level: Level = await firma.levelFromMap('{}', { name: 'a', scale: 1 });
 const entity: Entity | undefined = level.entities()[0];
@@ -300,4 +318,11 @@ export const used = [
     ofObj,
     mould,
     numbers,
+    hullCorners,
+    points,
+    grazes,
+    stuck,
+    inside,
+    manyHits,
+    statuses,
 ];
