@@ -204,7 +204,7 @@ export function castsInAir(world, low, high, radius, shortest, longest, count, s
     for (let k = 0; k < count; ) {
         const centre = low.map((from, axis) => rng.uniform(from, high[axis]));
         const near = k % 2 === 1;
-        if (world.inSolid(centre) !== false || world.closest(centre, radius + 0.01) !== null) continue;
+        if (world.locate(centre).where === 'solid' || world.closest(centre, radius + 0.01) !== null) continue;
         if (near && world.closest(centre, radius + 0.3) === null) continue;
         const direction = [0, 1, 2].map(() => rng.uniform(-1, 1));
         const square = Math.hypot(...direction);

@@ -9,6 +9,7 @@
 // Williams, Algorithm 232: Heapsort, 1964; R. W. Floyd, Algorithm 245: Treesort 3, 1964.
 #pragma once
 
+#include <__algorithm/comp.h>
 #include <__config>
 #include <cstddef>
 #include <utility>
@@ -50,6 +51,16 @@ _LIBCPP_HIDE_FROM_ABI void __sort_dispatch(T* first, T* last, Less& less) {
         }
         first[at] = std::move(moving);
     }
+}
+
+// libc++ has these compiled already, its way: three thousand bytes each.
+template <class Policy>
+_LIBCPP_HIDE_FROM_ABI void __sort_dispatch(unsigned* first, unsigned* last, __less<>& less) {
+    std::__sort_dispatch<Policy, unsigned, __less<>>(first, last, less);
+}
+template <class Policy>
+_LIBCPP_HIDE_FROM_ABI void __sort_dispatch(unsigned long long* first, unsigned long long* last, __less<>& less) {
+    std::__sort_dispatch<Policy, unsigned long long, __less<>>(first, last, less);
 }
 
 _LIBCPP_END_NAMESPACE_STD

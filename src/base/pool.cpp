@@ -14,6 +14,10 @@
 #include "base/lock.h"
 #include "firma/memory.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace firma {
 namespace {
 
@@ -61,6 +65,12 @@ public:
         return memory;
     }
 
+    /// Whether operator new serves.
+    bool is_general() {
+        settle();
+        return !source_.take;
+    }
+
     void give_back(void* memory, std::size_t bytes) {
         if (!source_.take) return ::operator delete(memory);
         if (memory) source_.give_back(memory, bytes, kAlignment, source_.user);
@@ -83,6 +93,52 @@ private:
 Source& general() {
     static auto& source = *new Source;
     return source;
+}
+
+#if defined(__linux__)
+/// Regions of one large page each, in which slabs lie side by side.
+class LargePages {
+public:
+    static constexpr std::size_t kPage = 2 << 20;
+    std::atomic<int> wanted = 0;
+
+    /// @param bytes  a part of a page
+    /// @return null: to be had elsewhere
+    void* take(std::size_t bytes) {
+        const std::lock_guard<Lock> guard(lock_);
+        if (left_ < bytes) {
+            void* const region = ::operator new(kPage, std::align_val_t(kPage), std::nothrow);
+            if (!region) return nullptr;
+            madvise(region, kPage, MADV_HUGEPAGE);  // where that is refused, the pages are small
+            fresh_ = static_cast<std::byte*>(region);
+            left_ = kPage;
+        }
+        void* const slab = fresh_;
+        fresh_ += bytes;
+        left_ -= bytes;
+        return slab;
+    }
+
+private:
+    Lock lock_;
+    std::byte* fresh_ = nullptr;
+    std::size_t left_ = 0;
+};
+
+/// Never destroyed, as above.
+LargePages& large_pages() {
+    static auto& pages = *new LargePages;
+    return pages;
+}
+#endif
+
+void* take_slab(std::size_t bytes) {
+#if defined(__linux__)
+    static_assert(LargePages::kPage % kLargestSlab == 0);
+    if (bytes == kLargestSlab && large_pages().wanted.load(std::memory_order_relaxed) > 0 && general().is_general())
+        if (void* const slab = large_pages().take(bytes)) return slab;
+#endif
+    return general().take(bytes);
 }
 
 class Shelf {
@@ -114,7 +170,7 @@ private:
 
     void open_slab(std::size_t bytes) {
         const std::size_t size = std::min(std::max(next_slab_ * 2, 4 * bytes), kLargestSlab);
-        fresh_ = static_cast<std::byte*>(general().take(size));
+        fresh_ = static_cast<std::byte*>(take_slab(size));
         left_ = next_slab_ = size;
         // Small pieces that fill lines of a cache then share none; of large ones a slab would hold one less.
         if (bytes > kSmall || bytes % kLine != 0) return;
@@ -141,6 +197,18 @@ bool is_pooled(std::size_t bytes) {
 }
 
 }  // namespace
+
+#if defined(__linux__)
+PoolInLargePages::PoolInLargePages() {
+    large_pages().wanted.fetch_add(1, std::memory_order_relaxed);
+}
+PoolInLargePages::~PoolInLargePages() {
+    large_pages().wanted.fetch_sub(1, std::memory_order_relaxed);
+}
+#else
+PoolInLargePages::PoolInLargePages() = default;
+PoolInLargePages::~PoolInLargePages() = default;
+#endif
 
 void* pool_take(std::size_t bytes) {
     if (!is_pooled(bytes)) return general().take(bytes);

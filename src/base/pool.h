@@ -39,6 +39,18 @@ std::size_t pool_size(std::size_t bytes);
 /// What pool_take() ends in when there is no more.
 [[noreturn]] void pool_exhausted();
 
+/// While one of these lives, in any thread, large slabs lie side by side in regions that the system is asked to hold in
+/// pages of 2 MiB (Linux; where the pool has a source of its own, nothing is asked). For whole levels as they are made:
+/// casts through a level of a hundred megabytes then wait for fewer addresses. The first touch of such a page clears
+/// all of it, some 100 us: too long for an edit.
+class PoolInLargePages {
+public:
+    PoolInLargePages();
+    ~PoolInLargePages();
+    PoolInLargePages(const PoolInLargePages&) = delete;
+    PoolInLargePages& operator=(const PoolInLargePages&) = delete;
+};
+
 /// Base of classes whose objects live in the pool.
 struct Pooled {
     static void* operator new(std::size_t bytes) { return pool_take(bytes); }

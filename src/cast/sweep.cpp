@@ -17,6 +17,12 @@ double power_of_two_below(double value) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & kExponentBits);
 }
 
+/// Of a power of two that is neither the smallest nor the largest.
+double inverse_of_power(double power) {
+    constexpr std::uint64_t kTwiceTheBias = std::uint64_t(2 * 1023) << 52;
+    return std::bit_cast<double>(kTwiceTheBias - std::bit_cast<std::uint64_t>(power));
+}
+
 /// Parts too small to matter become zero, so that exact products never underflow.
 double without_dust(double part) {
     return std::fabs(part) < kSmallestNumber ? 0 : part;
@@ -30,19 +36,19 @@ bool usable(const Vec3& v) {
     return std::fabs(v.x) <= kLargestNumber && std::fabs(v.y) <= kLargestNumber && std::fabs(v.z) <= kLargestNumber;
 }
 
+/// Without branches: which axis is the longest cannot be foreseen.
 void set_projection(Sweep& sweep) {
-    const Vec3& d = sweep.direction;
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    sweep.axis_k = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-    sweep.axis_u = sweep.axis_k == 2 ? 0 : sweep.axis_k + 1;
-    sweep.axis_v = sweep.axis_u == 2 ? 0 : sweep.axis_u + 1;
-    if (d[sweep.axis_k] < 0) {  // keeps front faces counter-clockwise in the projection
-        const int swap = sweep.axis_u;
-        sweep.axis_u = sweep.axis_v;
-        sweep.axis_v = swap;
-    }
-    sweep.shear_u = d[sweep.axis_u] / d[sweep.axis_k];
-    sweep.shear_v = d[sweep.axis_v] / d[sweep.axis_k];
+    const double d[3] = {sweep.direction.x, sweep.direction.y, sweep.direction.z};
+    const double x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
+    const int x_first = int(x >= y) & int(x >= z);
+    const int k = (1 - x_first) * (2 - int(y >= z));
+    constexpr std::uint8_t kNext[] = {1, 2, 0, 1, 2};
+    const int swap = d[k] < 0;  // keeps front faces counter-clockwise in the projection
+    sweep.axis_k = k;
+    sweep.axis_u = kNext[k + swap];
+    sweep.axis_v = kNext[k + 1 - swap];
+    sweep.shear_u = d[sweep.axis_u] / d[k];
+    sweep.shear_v = d[sweep.axis_v] / d[k];
 }
 
 }  // namespace
@@ -56,7 +62,7 @@ Status make_sweep(const Sphere& sphere, const Vec3& path, Sweep& sweep) {
     sweep.start = without_dust(sphere.centre);
     sweep.radius = sphere.radius < kSmallestNumber ? 0 : sphere.radius;
     sweep.end = power_of_two_below(size);
-    sweep.direction = without_dust(path * (1 / sweep.end));
+    sweep.direction = without_dust(path * inverse_of_power(sweep.end));
     sweep.direction_square = dot(sweep.direction, sweep.direction);
     sweep.direction_length = std::sqrt(sweep.direction_square);
     set_projection(sweep);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/pool.h"
 #include "index/join_nodes.h"
 #include "solid/append_faces.h"
 
@@ -150,6 +151,7 @@ Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
 std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options) {
     std::vector<PartIndex> parts;
     if (faces.faces.empty()) return parts;
+    const PoolInLargePages large_pages;
     BlockBuilder builder;
     const auto part_of = [](const FaceSet::Entry& face) { return face.part; };
     const std::uint32_t first = faces.faces[0].part;

@@ -19,8 +19,9 @@ struct FaceLanes {
     const Block* block = nullptr;
     float corner[3][3][kLanes];  ///< by corner and axis: metres from the origin
     GridPoint origin;
-    float size = 0;         ///< no corner is farther from the origin, by the sum of its coordinates
-    float uneven = 0;       ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
+    std::int32_t fourth = 0;  ///< so that four numbers may be read in a row
+    float size = 0;           ///< no corner is farther from the origin, by the sum of its coordinates
+    float uneven = 0;         ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
     float shifted = 0;      ///< nor from where the facet has it, in its plane, by more: not 0 where floats, or rounding
                             ///< in polygons, turn a triangle's normal away from its facet's, metres
     std::uint8_t used = 0;  ///< lanes that hold a triangle, a bit each; the others repeat the last one

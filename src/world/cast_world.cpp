@@ -28,7 +28,7 @@ struct HullMover {
         const SumFacet::Name name = SumFacet::Name::of(contact.index);
         return make_hull_hit(sweep, *hull, polygon, {contact, HullAgainstPolygon(sweep, *hull, polygon).facet(name)});
     }
-    const ShapeExtent& extent(const Sweep&) const { return hull->extent; }
+    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep, hull->extent); }
 };
 
 /// A capsule as what moves; the sweep is that of the ball around it.
@@ -42,7 +42,7 @@ struct CapsuleMover {
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
         return make_capsule_hit(sweep, capsule, polygon, contact);
     }
-    ShapeExtent extent(const Sweep&) const { return extent_of(capsule); }
+    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep, extent_of(capsule)); }
 };
 
 /// Goes as the options say.
@@ -105,10 +105,10 @@ void put_face(const SweepContact& found, Hit& hit) {
     hit.material = face.material;
 }
 
+/// @param hit  one that says nothing yet
 template <class Mover>
-Hit hit_of(const World& world, const Sweep& sweep, const Mover& mover, const CastOptions& options,
-           const SweepContact& found) {
-    Hit hit;
+void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const CastOptions& options,
+             const SweepContact& found, Hit& hit) {
     const auto make = [&](const PolygonShape& polygon) {
         static_cast<PolygonHit&>(hit) = mover.hit(sweep, polygon, found.contact);
         hit.safe_fraction = safe_fraction(
@@ -126,7 +126,6 @@ Hit hit_of(const World& world, const Sweep& sweep, const Mover& mover, const Cas
         hit.portal = {found.portal};
         hit.material = portal.material;
     }
-    return hit;
 }
 
 /// Hands each touch on.
@@ -142,7 +141,9 @@ struct VisitEach {
 
     bool operator()(const SweepContact& contact) {
         any = true;
-        const double wanted = visit(hit_of(world, sweep, mover, options, contact));
+        Hit hit;
+        put_hit(world, sweep, mover, options, contact, hit);
+        const double wanted = visit(hit);
         if (!(wanted > 0)) return true;
         if (wanted < 1 && wanted * sweep.end < latest) latest = wanted * sweep.end;
         return false;
@@ -168,15 +169,21 @@ struct Question {
     const CastOptions& options;
 
     Hit first() const {
+        Hit hit;
         Sweep sweep;
         const Status ready = prepare(world, around, path, options, sweep);
-        KeepFirst first{sweep.end, {}};
-        if (ready == Status::kHit) sweep_rooms(world, around.centre, sweep, mover, options, first);
-        if (first.best.contact.touched()) return hit_of(world, sweep, mover, options, first.best);
-        if (ready == Status::kInvalid) return invalid_hit(around.centre);
-        Hit none;
-        none.centre = around.centre + path;
-        return none;
+        if (ready == Status::kHit) {
+            KeepFirst first{sweep.end, {}};
+            sweep_rooms(world, around.centre, sweep, mover, options, first);
+            if (first.best.contact.touched()) {
+                put_hit(world, sweep, mover, options, first.best, hit);
+                return hit;
+            }
+        } else if (ready == Status::kInvalid) {
+            return invalid_hit(around.centre);
+        }
+        hit.centre = around.centre + path;
+        return hit;
     }
 
     Status any() const {

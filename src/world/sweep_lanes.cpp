@@ -92,6 +92,8 @@ HWY_INLINE void make_ready(LaneSweep& sweep) {
         const auto low = hn::DemoteTo(floats, hn::Sub(from, grown)), high = hn::DemoteTo(floats, hn::Add(from, grown));
         hn::StoreU(way, floats, sweep.along + k);
         hn::StoreU(slope, floats, sweep.inverse + k);
+        hn::StoreU(hn::Mul(slope, hn::Set(floats, kLess)), floats, sweep.early + k);
+        hn::StoreU(hn::Mul(slope, hn::Set(floats, kMore)), floats, sweep.late + k);
         hn::StoreU(hn::IfThenElse(down, low, high), floats, sweep.ahead + k);
         hn::StoreU(hn::IfThenElse(down, high, low), floats, sweep.behind + k);
         hn::StoreU(hn::BitCast(numbers, hn::VecFromMask(floats, down)), numbers, sweep.turned + k);
@@ -99,35 +101,92 @@ HWY_INLINE void make_ready(LaneSweep& sweep) {
     sweep.ready = true;
 }
 
-/// Times at which the sphere is in a node's boxes, by `latest`; a bit for each that it is in.
-HWY_INLINE unsigned enter(const WideNode& node, const LaneSweep& sweep, float latest, float* times) {
-    const hn::CappedTag<float, 4> coordinates;
-    alignas(16) float steps[4], ins[4], outs[4];
-    for (std::size_t k = 0; k < 4; k += hn::Lanes(coordinates)) {
-        const auto slope = hn::LoadU(coordinates, sweep.inverse + k);
-        const auto ahead = hn::LoadU(coordinates, sweep.ahead + k), behind = hn::LoadU(coordinates, sweep.behind + k);
-        const auto base = hn::LoadU(coordinates, node.base + k);
-        const auto step = hn::Mul(hn::LoadU(coordinates, node.scale + k), slope);
-        const auto unsure = hn::Mul(hn::Abs(step), hn::Set(coordinates, 0x1p-13f));
-        hn::Store(step, coordinates, steps + k);
-        hn::Store(hn::Sub(hn::Mul(hn::Sub(base, ahead), slope), unsure), coordinates, ins + k);
-        hn::Store(hn::Add(hn::Mul(hn::Sub(base, behind), slope), unsure), coordinates, outs + k);
+/// A point's coordinates: four in a row, as often as they fit.
+#if HWY_TARGET == HWY_SCALAR
+struct Point {
+    float at[4];
+};
+HWY_INLINE Point load_point(const float* from) {
+    return {{from[0], from[1], from[2], 0}};
+}
+template <class Compute>
+HWY_INLINE Point by_coordinate(const Compute& compute, const Point& a, const Point& b, const Point& c, const Point& d) {
+    Point result{};
+    for (int k = 0; k < 3; ++k)
+        result.at[k] = hn::GetLane(compute(all(a.at[k]), all(b.at[k]), all(c.at[k]), all(d.at[k])));
+    return result;
+}
+template <int axis>
+HWY_INLINE Floats spread(const Point& point) {
+    return all(point.at[axis]);
+}
+#else
+using Point = Floats;
+HWY_INLINE Point load_point(const float* from) {
+    return hn::LoadDup128(kFloats, from);
+}
+template <class Compute>
+HWY_INLINE Point by_coordinate(const Compute& compute, Point a, Point b, Point c, Point d) {
+    return compute(a, b, c, d);
+}
+template <int axis>
+HWY_INLINE Floats spread(Point point) {
+    return hn::Broadcast<axis>(point);
+}
+#endif
+
+/// What every node asks of a sweep, in registers.
+struct Way {
+    Point early, late;  ///< the inverse of the direction, less and more by what times are lowered and raised
+    Point ahead, behind;
+    std::uint32_t near[3], far[3];  ///< by axis: which of a node's sides is passed first, and last
+
+    HWY_INLINE explicit Way(const LaneSweep& sweep)
+        : early(load_point(sweep.early)),
+          late(load_point(sweep.late)),
+          ahead(load_point(sweep.ahead)),
+          behind(load_point(sweep.behind)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            near[axis] = sweep.turned[axis] != 0;
+            far[axis] = 1 - near[axis];
+        }
     }
+};
+
+/// Times at which the sphere is in a node's boxes, by `latest`; a bit for each that it is in.
+HWY_INLINE unsigned enter(const WideNode& node, const Way& way, float latest, float* times) {
+    const Point base = load_point(node.base), scale = load_point(node.scale);
+    const auto first = [](Floats corner, Floats size, Floats ahead, Floats slope) HWY_ATTR {
+        const Floats unsure = hn::Mul(hn::Abs(hn::Mul(size, slope)), all(0x1p-13f));
+        return hn::Sub(hn::Mul(hn::Sub(corner, ahead), slope), unsure);
+    };
+    const auto last = [](Floats corner, Floats size, Floats behind, Floats slope) HWY_ATTR {
+        const Floats unsure = hn::Mul(hn::Abs(hn::Mul(size, slope)), all(0x1p-13f));
+        return add(hn::Mul(hn::Sub(corner, behind), slope), unsure);
+    };
+    const auto one_step = [](Floats, Floats size, Floats, Floats slope) HWY_ATTR { return hn::Mul(size, slope); };
+    const Point from = by_coordinate(first, base, scale, way.ahead, way.early);
+    const Point to = by_coordinate(last, base, scale, way.behind, way.late);
+    const Point early = by_coordinate(one_step, base, scale, way.behind, way.early);
+    const Point late = by_coordinate(one_step, base, scale, way.behind, way.late);
+    const Floats strides_in[3] = {spread<0>(early), spread<1>(early), spread<2>(early)};
+    const Floats strides_out[3] = {spread<0>(late), spread<1>(late), spread<2>(late)};
+    const Floats ins[3] = {spread<0>(from), spread<1>(from), spread<2>(from)};
+    const Floats outs[3] = {spread<0>(to), spread<1>(to), spread<2>(to)};
     unsigned met = 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
-        Floats in = hn::Zero(kFloats), out = all(latest);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto passed = [&](std::uint32_t which, float from) HWY_ATTR {
-                const auto at = hn::PromoteTo(kInts, hn::LoadU(kBytes, node.side[which][axis] + part));
-                return add(hn::Mul(hn::ConvertTo(kFloats, at), all(steps[axis])), all(from));
-            };
-            const std::uint32_t turned = sweep.turned[axis] != 0;
-            in = hn::Max(in, passed(turned, ins[axis]));
-            out = hn::Min(out, passed(1 - turned, outs[axis]));
-        }
-        in = hn::Mul(in, all(kLess));
-        hn::StoreU(in, kFloats, times + part);
-        met |= bits(hn::Le(in, hn::Mul(out, all(kMore)))) << part;
+        const auto passed = [&](int axis, std::uint32_t which, Floats stride, Floats start) HWY_ATTR {
+            const auto at = hn::PromoteTo(kInts, hn::LoadU(kBytes, node.side[which][axis] + part));
+            return add(hn::Mul(hn::ConvertTo(kFloats, at), stride), start);
+        };
+        const auto enters = [&](int axis)
+                                HWY_ATTR { return passed(axis, way.near[axis], strides_in[axis], ins[axis]); };
+        const auto leaves = [&](int axis)
+                                HWY_ATTR { return passed(axis, way.far[axis], strides_out[axis], outs[axis]); };
+        const Floats in = hn::Max(hn::Max(enters(0), enters(1)), hn::Max(enters(2), hn::Zero(kFloats)));
+        const Floats out = hn::Min(hn::Min(leaves(0), leaves(1)), hn::Min(leaves(2), all(latest)));
+        hn::Store(in, kFloats, times + part);
+        met |= bits(hn::Le(in, out)) << part;
     }
     return met & ((1u << node.count) - 1);
 }
@@ -219,69 +278,90 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
     return met & lanes.used;
 }
 
-/// The same for a particle: triangles seen along its path, as in Sweep's projection. Times are those of boxes.
-HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
-                               float* times) {
-    const LaneSweep& sweep = query.sweep;
-    float o[3], size = lanes.size;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
-        o[axis] = float(from + double(enter) * sweep.direction[axis]);
-        size += std::fabs(o[axis]);
+/// The start as seen from the origin of lanes, rounded; the fourth number is 0.
+HWY_INLINE void start_from(const FaceLanes& lanes, const LaneSweep& sweep, float* point) {
+    const hn::CappedTag<double, 4> doubles;
+    const hn::Rebind<float, decltype(doubles)> floats;
+    const hn::Rebind<std::int32_t, decltype(doubles)> ints;
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+        const auto origin = hn::PromoteTo(doubles, hn::LoadU(ints, &lanes.origin.x + k));
+        const auto from =
+            hn::Sub(hn::LoadU(doubles, sweep.start + k), hn::Mul(origin, hn::Set(doubles, 1 / kSurfaceSteps)));
+        hn::StoreU(hn::DemoteTo(floats, from), floats, point + k);
     }
+}
+
+/// The same for a particle, seen from its start: triangles along its path, as in Sweep's projection. Times are those of
+/// boxes, and count from the start.
+HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, float latest, float* times) {
+    const LaneSweep& sweep = query.sweep;
+    alignas(16) float o[4];
+    start_from(lanes, sweep, o);
+    const float size = lanes.size + (std::fabs(o[0]) + std::fabs(o[1]) + std::fabs(o[2]));
     const float reach = (lanes.uneven + sweep.margin + 8 * kRoundoff * size) * kMore;
-    const float bent = 1024 * lanes.uneven;
+    const float extent = 3 * lanes.size;  // no triangle's is larger
+    const float rounding = 64 * kRoundoff * extent;
+    const Floats g = all(extent * (8 * reach + rounding));
+    const Floats shear[2] = {all(sweep.shear[0]), all(sweep.shear[1])};
+    const float deep = o[sweep.longest];
+    const Floats from[2] = {all(o[sweep.aside[0]] - sweep.shear[0] * deep),
+                            all(o[sweep.aside[1]] - sweep.shear[1] * deep)};
     unsigned met = 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
-        Floats p[3][3];  // corners seen from there
-        for (int c = 0; c < 3; ++c)
-            for (int axis = 0; axis < 3; ++axis)
-                p[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[c][axis] + part), all(o[axis]));
-        Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore), extent = hn::Zero(kFloats);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Floats low = hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]);
-            const Floats high = hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]);
-            extent = add(extent, hn::Sub(high, low));
-            const Floats from = hn::Sub(low, all(reach)), to = add(high, all(reach));
-            const Floats slope = all(sweep.inverse[axis]);
-            in = hn::Max(in, hn::Mul(sweep.turned[axis] ? to : from, slope));
-            out = hn::Min(out, hn::Mul(sweep.turned[axis] ? from : to, slope));
-        }
-        in = hn::Sub(hn::Mul(in, all(kLess)), all(bent));
-        unsigned left = bits(hn::Le(in, add(hn::Mul(out, all(kMore)), all(bent))));
-        if ((left << part & lanes.used) == 0) continue;
-        Floats flat[3][2];
-        for (int c = 0; c < 3; ++c)
+        Floats flat[3][2];  // corners along the path, seen from there
+        for (int c = 0; c < 3; ++c) {
+            const Floats ahead = hn::LoadU(kFloats, lanes.corner[c][sweep.longest] + part);
             for (int axis = 0; axis < 2; ++axis)
-                flat[c][axis] = hn::Sub(p[c][sweep.aside[axis]], hn::Mul(all(sweep.shear[axis]), p[c][sweep.longest]));
+                flat[c][axis] = hn::Sub(
+                    hn::Sub(hn::LoadU(kFloats, lanes.corner[c][sweep.aside[axis]] + part), hn::Mul(shear[axis], ahead)),
+                    from[axis]);
+        }
         Floats turns[3];  // twice the area with the path, by side
         for (int c = 0; c < 3; ++c) {
             const Floats *a = flat[c], *b = flat[(c + 1) % 3];
             turns[c] = hn::Sub(hn::Mul(a[0], hn::Sub(b[1], a[1])), hn::Mul(a[1], hn::Sub(b[0], a[0])));
         }
-        const Floats rounding = hn::Mul(extent, all(64 * kRoundoff));
-        const Floats g = hn::Mul(extent, add(all(8 * reach), rounding));
         const Floats least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
         const Floats most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
-        left &= ~bits(hn::And(hn::Lt(least, hn::Neg(g)), hn::Gt(most, g)));
+        unsigned left = bits(hn::Or(hn::Ge(least, hn::Neg(g)), hn::Le(most, g)));
         if (query.front_only) {
             const Floats area = add(add(turns[0], turns[1]), turns[2]);
             const float tilted = reach + lanes.uneven + lanes.shifted;
-            const unsigned away = bits(hn::Gt(area, hn::Mul(extent, add(all(32 * tilted), rounding))));
+            const unsigned away = bits(hn::Gt(area, all(extent * (32 * tilted + rounding))));
             left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
         }
+        if ((left << part & lanes.used) == 0) continue;
+        const float bent = 1024 * lanes.uneven;
+        Floats in = hn::Zero(kFloats), out = all(latest);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Floats a = hn::LoadU(kFloats, lanes.corner[0][axis] + part),
+                         b = hn::LoadU(kFloats, lanes.corner[1][axis] + part),
+                         c = hn::LoadU(kFloats, lanes.corner[2][axis] + part);
+            const Floats low = hn::Sub(hn::Min(hn::Min(a, b), c), all(o[axis] + reach));
+            const Floats high = hn::Sub(hn::Max(hn::Max(a, b), c), all(o[axis] - reach));
+            const Floats slope = all(sweep.inverse[axis]);
+            in = hn::Max(in, hn::Mul(sweep.turned[axis] ? high : low, slope));
+            out = hn::Min(out, hn::Mul(sweep.turned[axis] ? low : high, slope));
+        }
+        in = hn::Sub(hn::Mul(in, all(kLess)), all(bent));
+        left &= bits(hn::Le(in, add(hn::Mul(out, all(kMore)), all(bent))));
         hn::StoreU(in, kFloats, times + part);
         met |= left << part;
     }
     return met & lanes.used;
 }
 
+/// Times count from the start.
 HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
                                  float* times) {
-    if (query.sweep.particle) return look_along(lanes, query, enter, latest, times);
-    if (query.sweep.axes == 0) return look<0>(lanes, query, enter, latest, times);
-    if (query.sweep.axes == 1) return look<1>(lanes, query, enter, latest, times);
-    return look<3>(lanes, query, enter, latest, times);
+    if (query.sweep.particle) return look_along(lanes, query, latest, times);
+    const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, query, enter, latest, times)
+                         : query.sweep.axes == 1 ? look<1>(lanes, query, enter, latest, times)
+                                                 : look<3>(lanes, query, enter, latest, times);
+    if (met == 0) return 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce)
+        hn::Store(add(hn::Load(kFloats, times + part), all(enter)), kFloats, times + part);
+    return met;
 }
 
 /// Rounded up.
@@ -293,9 +373,11 @@ HWY_INLINE std::uint32_t first_bit(unsigned bits) {
     return std::uint32_t(__builtin_ctz(bits));
 }
 
-/// The first lines of what will be looked at.
-HWY_INLINE void fetch(const void* memory, std::uint32_t bytes) {
-    for (std::uint32_t k = 0; k < bytes; k += 64) __builtin_prefetch(static_cast<const char*>(memory) + k);
+/// What will be looked at. Without a branch: which of both it is cannot be foreseen.
+HWY_INLINE void fetch(const void* child, bool faces) {
+    const auto* const from = static_cast<const char*>(child);
+    const std::size_t last = faces ? sizeof(FaceLanes) - 1 : sizeof(WideNode) - 1;
+    for (std::size_t at = 0; at < sizeof(FaceLanes); at += 64) __builtin_prefetch(from + (at < last ? at : last));
 }
 
 /// Looks at facets side by side; true when that ends the sweep.
@@ -310,7 +392,7 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
             for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
                 if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
             met &= ~(1u << lane);
-            if (enter + times[lane] > latest) break;
+            if (times[lane] > latest) break;
             const std::uint64_t bit = std::uint64_t(1) << lanes->slot[lane];
             if (looked_at & bit) continue;
             looked_at |= bit;
@@ -334,6 +416,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
     Waiting now{root.wide.data(), 0, 0};
     float latest = to_float(query.latest);
     alignas(64) float times[kLanes];
+    const Way way(query.sweep);
     for (;;) {
         if (now.facets) {
             const auto* const lanes = static_cast<const FaceLanes*>(now.child);
@@ -341,7 +424,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
         } else {
             const WideNode& node = *static_cast<const WideNode*>(now.child);
             query.counts.nodes += node.count;
-            unsigned met = enter(node, query.sweep, latest, times);
+            unsigned met = enter(node, way, latest, times);
             if (met) {
                 std::uint32_t lane = first_bit(met);
                 Waiting next{node.child[lane], node.facets[lane], times[lane]};
@@ -350,7 +433,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
                 for (met &= met - 1; met; met &= met - 1) {
                     lane = first_bit(met);
                     Waiting other{node.child[lane], node.facets[lane], times[lane]};
-                    fetch(other.child, other.facets ? sizeof(FaceLanes) : sizeof(WideNode));
+                    fetch(other.child, other.facets > 0);
                     if (other.time < next.time) std::swap(other, next);
                     FIRMA_ASSERT(count < kMost, "an index is deeper than any that is built");
                     std::size_t k = count++;
@@ -424,51 +507,78 @@ bool sweep_by_best(const Node& root, LaneQuery& query) {
 
 }  // namespace
 
-LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape) {
-    constexpr double kFarthest = 0x1p+20;
-    if (!taken.load(std::memory_order_relaxed)) return;
-    const double rounding_error = 0x1p-44 * (max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim);
-    usable = max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
-    if (!usable) return;
+namespace {
+
+constexpr double kFarthest = 0x1p+20;
+
+bool near_enough(const Sweep& sweep) {
+    return max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
+}
+
+/// Of doubles on the way, metres.
+double rounding_error_of(const Sweep& sweep) {
+    return 0x1p-44 * (max_abs(sweep.start) + 2 * sweep.end + sweep.radius + kWorldRim);
+}
+
+/// Floats of boxes' sides are exact; their distance from the start is off by a roundoff of its own, and by those of the
+/// start.
+double grown_by(double reach, double whole, double middle, double rounding_error) {
+    return reach + (rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(middle) + whole));
+}
+
+}  // namespace
+
+LaneSweep::LaneSweep(const Sweep& sweep) {
+    if (!taken.load(std::memory_order_relaxed) || !near_enough(sweep)) return;
+    usable = true;
     particle = sweep.radius == 0;
+    const double rounding_error = rounding_error_of(sweep);
+    radius = size = float(sweep.radius);
+    margin = float(rounding_error) + size * 0x1p-22f;
+    set_path(sweep, sweep.start);
+    const auto grow = [&](double middle) { return grown_by(sweep.radius, sweep.radius, middle, rounding_error); };
+    put({grow(sweep.start.x), grow(sweep.start.y), grow(sweep.start.z)}, grown);
+}
+
+LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape) {
+    if (!taken.load(std::memory_order_relaxed) || !near_enough(sweep)) return;
+    usable = true;
+    particle = false;
+    const double rounding_error = rounding_error_of(sweep);
     axes = shape.axes;
     double whole = shape.radius;
+    Vec3 reach{shape.radius, shape.radius, shape.radius};
     for (int k = 0; k < axes; ++k) {
         const Vec3& a = shape.axis[std::size_t(k)];
         whole += length(a);
         for (int coordinate = 0; coordinate < 3; ++coordinate) axis[k][coordinate] = float(a[coordinate]);
+        reach += Vec3{std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
     }
     radius = float(shape.radius);
     size = float(whole);
     margin = float(rounding_error) + size * 0x1p-22f;
+    const Vec3 middle = sweep.start + shape.middle;
+    set_path(sweep, middle);
+    const auto grow = [&](double by, double at) { return grown_by(by, whole, at, rounding_error); };
+    put({grow(reach.x, middle.x), grow(reach.y, middle.y), grow(reach.z, middle.z)}, grown);
+    for (int coordinate = 0; coordinate < 3; ++coordinate) extent[coordinate] = float(reach[coordinate]);
+}
+
+void LaneSweep::put(const Vec3& values, double (&into)[4]) {
+    into[0] = values.x;
+    into[1] = values.y;
+    into[2] = values.z;
+    into[3] = 0;
+}
+
+void LaneSweep::set_path(const Sweep& sweep, const Vec3& middle) {
+    put(middle, start);
+    put(sweep.direction, direction);
     longest = sweep.axis_k;
     aside[0] = sweep.axis_u;
     aside[1] = sweep.axis_v;
     shear[0] = float(sweep.shear_u);
     shear[1] = float(sweep.shear_v);
-    // Floats of boxes' sides are exact; their distance from the start is off by a roundoff of its own, and by those of
-    // the start.
-    const Vec3 middle = sweep.start + shape.middle;
-    const double more = rounding_error + 0x1p-20;
-    Vec3 reach{shape.radius, shape.radius, shape.radius};
-    for (int k = 0; k < axes; ++k) {
-        const Vec3& a = shape.axis[std::size_t(k)];
-        reach += Vec3{std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
-    }
-    const auto put = [](const Vec3& values, double(&into)[4]) {
-        into[0] = values.x;
-        into[1] = values.y;
-        into[2] = values.z;
-        into[3] = 0;
-    };
-    put(middle, start);
-    put(sweep.direction, direction);
-    put({reach.x + more + 0x1p-21 * (std::fabs(middle.x) + whole),
-         reach.y + more + 0x1p-21 * (std::fabs(middle.y) + whole),
-         reach.z + more + 0x1p-21 * (std::fabs(middle.z) + whole)},
-        grown);
-    if (axes == 0) return;
-    for (int coordinate = 0; coordinate < 3; ++coordinate) extent[coordinate] = float(reach[coordinate]);
 }
 
 std::span<const LaneKernel> lane_kernels() {
@@ -489,6 +599,8 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
 #else  // FIRMA_SIMD
 
 namespace firma {
+
+LaneSweep::LaneSweep(const Sweep&) {}
 
 LaneSweep::LaneSweep(const Sweep&, const ShapeExtent&) {}
 

@@ -50,8 +50,8 @@ namespace firma {
 
 /// A sweep as the lanes want it.
 struct LaneSweep {
-    /// Of a sphere.
-    explicit LaneSweep(const Sweep& sweep) : LaneSweep(sweep, {{}, {}, 0, sweep.radius}) {}
+    /// Of a particle or a sphere.
+    explicit LaneSweep(const Sweep& sweep);
     /// @param extent  holds what moves, and lies near the sweep's sphere
     LaneSweep(const Sweep& sweep, const ShapeExtent& extent);
 
@@ -60,21 +60,27 @@ struct LaneSweep {
     bool ready = false;  ///< whether what follows from the rest is set: a kernel does that, at its first look
     double start[4];     ///< of the extent's middle; of all these the fourth is not used
     double direction[4];
-    double grown[4];            ///< the extent along the world's axes, and more than the rounding of boxes' sides
-    int longest = 0, aside[2];  ///< axes of the projection along the path, and its shear: as in Sweep
+    double grown[4];        ///< the extent along the world's axes, and more than the rounding of boxes' sides
+    int longest, aside[2];  ///< axes of the projection along the path, and its shear: as in Sweep
     float shear[2];
     bool particle = true;
     int axes = 0;      ///< of the extent
     float axis[3][3];  ///< by axis of the extent and coordinate
-    float radius = 0;  ///< on top of these
+    float radius;      ///< on top of these
     float extent[3];   ///< of all of it along the world's axes; of a ball not set
-    float size = 0;    ///< no point of the extent is farther from its middle
-    float margin = 0;  ///< more than the rounding of doubles on the way, metres
+    float size;        ///< no point of the extent is farther from its middle
+    float margin;      ///< more than the rounding of doubles on the way, metres
 
     // Once it is ready:
-    float along[4];                         ///< the direction
-    float inverse[4], ahead[4], behind[4];  ///< of the boxes' sides
-    std::uint32_t turned[4];                ///< not 0 where the path runs down an axis
+    float along[4];             ///< the direction
+    float inverse[4];           ///< of that
+    float early[4], late[4];    ///< the same, less and more by what times are lowered and raised
+    float ahead[4], behind[4];  ///< of the boxes' sides
+    std::uint32_t turned[4];    ///< not 0 where the path runs down an axis
+
+private:
+    static void put(const Vec3& values, double (&into)[4]);
+    void set_path(const Sweep& sweep, const Vec3& middle);
 };
 
 /// What a sweep asks for.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <type_traits>
 
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
@@ -19,6 +20,7 @@
 #include "index/sweep_box.h"
 #include "index/traverse.h"
 #include "world/block_faces.h"
+#include "world/particle_triangle.h"
 #include "world/reach_portal.h"
 #include "world/rooms_on_the_way.h"
 #include "world/sweep_lanes.h"
@@ -103,7 +105,7 @@ struct SphereMover {
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
         return make_hit(sweep, polygon, contact);
     }
-    ShapeExtent extent(const Sweep& sweep) const { return {{}, {}, 0, sweep.radius}; }
+    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep); }
 };
 
 /// Goes through one index. `Found` is told of every touch up to `latest` and returns true to end the traversal; it may
@@ -155,12 +157,7 @@ template <class Found, class Mover>
 class WorldSweep {
 public:
     WorldSweep(const WorldData& data, const Sweep& sweep, const Mover& mover, const CastOptions& options, Found& found)
-        : data_(data),
-          sweep_(sweep),
-          mover_(mover),
-          lanes_(sweep, mover.extent(sweep)),
-          options_(options),
-          found_(found) {}
+        : data_(data), sweep_(sweep), mover_(mover), lanes_(mover.lanes(sweep)), options_(options), found_(found) {}
 
     /// Through all rooms at once.
     void ask_all() {
@@ -229,6 +226,18 @@ private:
         if (lanes.whole >> lane & 1) {
             met.whole = &lanes;
             met.lane = lane;
+            if constexpr (std::is_same_v<Mover, SphereMover>) {
+                if (it.lanes_.particle) {
+                    const auto told =
+                        cast_particle_triangle(it.sweep_, lanes, lane, sides == Sides::kFront, it.found_.latest);
+                    if (told) {
+                        met.contact = *told;
+                        ends = met.contact.touched() && it.found_(met);
+                        query.latest = it.found_.latest;
+                        return ends;
+                    }
+                }
+            }
             ends = it.meet(query, LaneShape(lanes, lane).polygon, sides, met);
         } else {
             ends = it.meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);
