@@ -113,7 +113,7 @@ class FirmaFile(CliTest):
         damaged[-100] ^= 1
         self.write('bad.firma', bytes(damaged))
         for verb in ['info', 'check']:
-            self.refuse(verb, 'bad.firma', says=['bad.firma: section ICHI', 'checksum'])
+            self.refuse(verb, 'bad.firma', says=['bad.firma: section MTTR', 'checksum'])
         self.write('short.firma', bytes(bytes_before[:-8]))
         self.refuse('check', 'short.firma', says=['short.firma: it is not as long as its head says'])
         self.write('text.firma', 'o level\n')

@@ -36,7 +36,7 @@ class Info(CliTest):
         whole = self.firma_json('info', FIRST)['tree']
         self.assertLessEqual(whole['largest_bin'], 8)
         flat = self.firma_json('info', FIRST, '--max-depth', '0')['tree']
-        self.assertLess(flat['depth'], whole['depth'])
+        self.assertGreater(flat['largest_bin'], whole['largest_bin'])
         self.assertLess(flat['bins'], whole['bins'])
         self.assertLessEqual(flat['largest_bin'], 64)
         coarse = self.firma_json('info', FIRST, '--faces-per-bin', '100')['tree']
