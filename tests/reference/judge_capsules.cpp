@@ -29,7 +29,7 @@ struct CapsuleKind {
     double step;      ///< metres
     double away;      ///< from the origin, metres
     double thinness;  ///< of the radius
-    enum Way { kAny, kParallel, kAlongSide, kNearlyParallel, kThrough } way = kAny;
+    enum Way { kAny, kToFace, kAlongSide, kNearlyToFace, kThrough } way = kAny;
 };
 
 Vec3 on_lattice(Rng& rng, int reach, double step) {
@@ -80,7 +80,7 @@ CapsuleScene make_capsule_scene(Rng& rng, const CapsuleKind& kind) {
     switch (kind.way) {
         case CapsuleKind::kAny:
             break;
-        case CapsuleKind::kParallel:
+        case CapsuleKind::kToFace:
             s = side * part + other * more;
             if (rng.chance(0.4)) to = side * more + other * part;
             break;
@@ -88,7 +88,7 @@ CapsuleScene make_capsule_scene(Rng& rng, const CapsuleKind& kind) {
             s = side * (rng.chance(0.2) ? 0x1p-20 : part);
             if (rng.chance(0.4)) to = side * more;
             break;
-        case CapsuleKind::kNearlyParallel:
+        case CapsuleKind::kNearlyToFace:
             s = side * part + other * (rng.chance(0.5) ? more : 0) +
                 rng.direction() * (kind.step * std::pow(2.0, -double(rng.below(60))));
             if (rng.chance(0.3)) to = s * rng.uniform(-2, 2);
@@ -242,18 +242,18 @@ constexpr ShapeFamily kCapsuleFamilies[] = {
     {"FarAway", judge_kind<CapsuleKind{false, 1, 8000, 1}>},
     {"Small", judge_kind<CapsuleKind{false, 0x1p-8, 100, 1}>},
     {"Large", judge_kind<CapsuleKind{false, 500, 4000, 1}>},
-    {"ParallelToThePlane", judge_kind<CapsuleKind{true, 0.25, 4, 1, CapsuleKind::kParallel}>},
-    {"ParallelAnywhere", judge_kind<CapsuleKind{false, 0.5, 4, 1, CapsuleKind::kParallel}>},
+    {"ParallelToThePlane", judge_kind<CapsuleKind{true, 0.25, 4, 1, CapsuleKind::kToFace}>},
+    {"ParallelAnywhere", judge_kind<CapsuleKind{false, 0.5, 4, 1, CapsuleKind::kToFace}>},
     {"AlongSides", judge_kind<CapsuleKind{true, 0.25, 4, 1, CapsuleKind::kAlongSide}>},
     {"AlongSidesAnywhere", judge_kind<CapsuleKind{false, 0.5, 4, 1, CapsuleKind::kAlongSide}>},
-    {"NearlyParallel", judge_kind<CapsuleKind{false, 0.5, 4, 1, CapsuleKind::kNearlyParallel}>},
-    {"NearlyParallelOnALattice", judge_kind<CapsuleKind{true, 0.5, 4, 1, CapsuleKind::kNearlyParallel}>},
+    {"NearlyParallel", judge_kind<CapsuleKind{false, 0.5, 4, 1, CapsuleKind::kNearlyToFace}>},
+    {"NearlyParallelOnALattice", judge_kind<CapsuleKind{true, 0.5, 4, 1, CapsuleKind::kNearlyToFace}>},
     {"ThroughThePolygon", judge_kind<CapsuleKind{true, 0.25, 4, 1, CapsuleKind::kThrough}>},
     {"ThroughAnywhere", judge_kind<CapsuleKind{false, 0.5, 4, 1, CapsuleKind::kThrough}>},
     {"Thin", judge_kind<CapsuleKind{false, 0.5, 4, 1e-7}>},
     {"NearRounding", judge_kind<CapsuleKind{false, 0.5, 4, 1e-14}>},
     {"Segments", judge_kind<CapsuleKind{true, 0.25, 4, 0}>},
-    {"SegmentsInThePlane", judge_kind<CapsuleKind{true, 0.25, 4, 0, CapsuleKind::kParallel}>},
+    {"SegmentsInThePlane", judge_kind<CapsuleKind{true, 0.25, 4, 0, CapsuleKind::kToFace}>},
     {"SegmentsAnywhere", judge_kind<CapsuleKind{false, 0.5, 4, 0}>},
     {"Spheres", judge_spheres<true>},
     {"SpheresAnywhere", judge_spheres<false>},
