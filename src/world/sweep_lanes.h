@@ -28,10 +28,11 @@
 // much for that of a: below 32 u E^2 S in all, with S above the sum of the lengths |a|; along m by the same times a
 // side's length. So it has 64 u E^2 S where a sphere has 32.
 //
-// A particle needs no normal: seen along its path, corners p and q have twice the area p x q with it, a positive factor
-// of d.n in sum. With the projection a corner is off by 17 u S and by twice what else is in R, which is below 2.2 R.
-// With L the sum of the triangle's extents, no side is longer than 2 L there, and an area is off by 24 u L^2 and the
-// like: so where the particle meets the triangle, the three areas are not below -g or none is above g, with g = L (8 R
+// A particle needs no normal, and is seen from its start. Along its path corners p and q have twice the area p x q with
+// it, a positive factor of d.n in sum. With the projection a corner is off by 17 u S and by twice what else is in R,
+// which is below 2.2 R. With L three times `size` of the lanes, above the sum of any of their triangles' extents, no
+// side is longer than 2 L there, and an area is off by 24 u L^2 and the like: so where the particle meets the triangle,
+// the three areas are not below -g or none is above g, with g = L (8 R
 // + 64 u L). Where a facet is bent, the point met lies before or behind its triangles by as much over the sine of the
 // path's angle: times are widened by 1,024 times that. (A box around all corners, as casts one by one ask, is not
 // widened so.)
