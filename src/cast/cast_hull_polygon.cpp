@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "cast/hull_glance.h"
+#include "cast/time_range.h"
 #include "geometry/exact_predicates.h"
 #include "geometry/rounding.h"
 
@@ -20,22 +22,6 @@ struct HullGuess {
     HullContact found;
     double earliest = 0;  ///< of kBlurred, a hit for sure: a lower bound on when
 };
-
-/// A time of more error than this share of all sizes, in metres along the path, is computed once more.
-constexpr double kTimeError = 0x1p-46;
-
-/// Between which times something happens.
-struct TimeRange {
-    double low, high;
-};
-
-/// When a facet's plane is crossed that is `now` away, for a change that is surely not 0.
-TimeRange crossing(const Estimate& now, const Estimate& change) {
-    const double distance = std::fabs(now.value), speed = std::fabs(change.value);
-    const double t = distance / speed;
-    const double error = (now.error + t * change.error) / (speed - change.error) + rounding(8) * t;
-    return {t - error, t + error};
-}
 
 HullGuess guess(const HullAgainstPolygon& pair, double latest) {
     const Sweep& sweep = pair.sweep();
@@ -82,26 +68,35 @@ HullGuess guess(const HullAgainstPolygon& pair, double latest) {
     return answer;
 }
 
+DoubleDouble when_met(const HullAgainstPolygon& pair, const SumFacet& facet) {
+    const HullAgainstPolygon::Precise precise = pair.precisely(facet);
+    return -precise.outside / precise.change;
+}
+
+HullContact met_at(const HullAgainstPolygon& pair, const SumFacet& facet, const DoubleDouble& entry) {
+    const double t = rounded(entry), end = pair.sweep().end;
+    HullContact met{{}, facet};
+    met.contact.t = t < 0 ? 0 : t > end ? end : t;
+    met.contact.status = met.contact.t > 0 ? Status::kHit : Status::kInitialOverlap;
+    return met;
+}
+
 /// The time of a sure hit by the facets that may be entered last.
 HullContact sharpened(const HullAgainstPolygon& pair, double earliest) {
-    HullContact last;
+    SumFacet last;
     DoubleDouble entry;
     bool any = false;
     pair.each_facet([&](const SumFacet& facet) {
         const Estimate now = pair.outside(facet);
         if (!(now.value > 0) || crossing(now, pair.change(facet)).high < earliest) return true;
-        const HullAgainstPolygon::Precise precise = pair.precisely(facet);
-        const DoubleDouble t = -precise.outside / precise.change;
+        const DoubleDouble t = when_met(pair, facet);
         if (!any || entry < t) {
             entry = t;
-            last.facet = facet;
+            last = facet;
         }
         return any = true;
     });
-    const double t = rounded(entry), end = pair.sweep().end;
-    last.contact.t = t < 0 ? 0 : t > end ? end : t;
-    last.contact.status = last.contact.t > 0 ? Status::kHit : Status::kInitialOverlap;
-    return last;
+    return met_at(pair, last, entry);
 }
 
 /// Equal depths to rounding in double-double count as equal.
@@ -180,10 +175,7 @@ HullContact decide(const HullAgainstPolygon& pair, int facing) {
         return {{Status::kInitialOverlap, Feature::kFace, 0, 0}, touched};
     }
     if (!pair.line_meets(facing)) return {};
-    const double t = rounded(latest_entry);
-    first.contact.t = t < 0 ? 0 : t > sweep.end ? sweep.end : t;
-    first.contact.status = first.contact.t > 0 ? Status::kHit : Status::kInitialOverlap;
-    return first;
+    return met_at(pair, first.facet, latest_entry);
 }
 
 }  // namespace
@@ -193,6 +185,14 @@ HullContact cast_hull_polygon(const Sweep& sweep, const HullShape& hull, const P
     const int facing = exact_facing(sweep.direction, polygon);
     if (facing >= 0 && sides == Sides::kFront) return {};
     const HullAgainstPolygon pair(sweep, hull, polygon);
+    const HullGlance seen = glance(pair, facing, latest);
+    if (seen.kind == HullGlance::kBeside) return {};
+    if (seen.kind == HullGlance::kOnIt) return {{Status::kHit, Feature::kFace, 0, seen.t}, pair.facet(seen.by)};
+    if (seen.kind == HullGlance::kBlurred) {
+        if (counts) ++counts->precise;
+        const SumFacet facet = pair.facet(seen.by);
+        return met_at(pair, facet, when_met(pair, facet));
+    }
     const HullGuess guessed = guess(pair, latest);
     if (guessed.kind == HullGuess::kMiss) return {};
     if (guessed.kind == HullGuess::kHit) return guessed.found;

@@ -82,6 +82,8 @@ public:
 
     /// How far outside of the facet the hull is after `travelled` of the path, which is 0 or sweep.end; by double.
     Estimate outside(const SumFacet& facet) const;
+    /// The same, told how low the hull's lowest corner is less the polygon's highest, along the facet's direction.
+    Estimate outside_by(const SumFacet& facet, double support) const;
     /// How that changes with the sweep's parameter.
     Estimate change(const SumFacet& facet) const;
     /// The sign of the same, exactly.
@@ -94,6 +96,8 @@ public:
         VectorOf<DoubleDouble> direction;
     };
     Precise precisely(const SumFacet& facet) const;
+    /// Its direction alone.
+    VectorOf<DoubleDouble> direction_precisely(const SumFacet::Name& name) const;
 
     /// Whether the particle's line meets the sum, exactly: by the shadows of hull and polygon along the path.
     /// @param facing  sign of direction . normal
@@ -102,6 +106,10 @@ public:
     const HullShape& hull() const { return hull_; }
     const PolygonShape& polygon() const { return polygon_; }
     const Sweep& sweep() const { return sweep_; }
+    /// Where the hull is put at the start, from the polygon's first corner, rounded once.
+    const Vec3& seen() const { return seen_; }
+    /// Of that, of the hull's corners and of the polygon's from its first, in sum.
+    const Vec3& sizes() const { return sizes_; }
 
 private:
     /// Exact: corners lie on the grid.
@@ -118,8 +126,7 @@ private:
     const Sweep& sweep_;
     const HullShape& hull_;
     const PolygonShape& polygon_;
-    Vec3 seen_;   ///< where the hull is put, from the polygon's first corner, rounded once
-    Vec3 sizes_;  ///< of that, of the hull's corners and of the polygon's from its first, in sum
+    Vec3 seen_, sizes_;
 };
 
 }  // namespace firma

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "cast/sizes_of.h"
 #include "geometry/rounding.h"
 
 namespace firma {
@@ -81,16 +82,6 @@ private:
     std::span<const Vec3> points_;
     std::vector<HullCorners> triangles_;
 };
-
-Vec3 sizes_of(const Vec3& v) {
-    return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
-}
-
-/// |a| b| + |b| a| of a cross product, coordinate by coordinate.
-Vec3 sizes_of_cross(const Vec3& a, const Vec3& b) {
-    const Vec3 p = sizes_of(a), q = sizes_of(b);
-    return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
-}
 
 void keep_used_corners(std::span<const Vec3> points, const std::vector<HullCorners>& triangles, HullShape& shape) {
     std::array<int, kMaxHullCorners> place;

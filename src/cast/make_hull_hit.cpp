@@ -219,10 +219,14 @@ private:
 
 PolygonHit make_hull_hit(const Sweep& sweep, const HullShape& hull, const PolygonShape& polygon,
                          const HullContact& found) {
-    const HullAgainstPolygon::Precise precise = HullAgainstPolygon(sweep, hull, polygon).precisely(found.facet);
-    const auto& u = precise.direction;
-    Vec3 unit{rounded(u.x / precise.length), rounded(u.y / precise.length), rounded(u.z / precise.length)};
-    if (found.facet.kind() == SumFacet::kPlane) unit = polygon.unit_normal() * found.facet.name.turn;
+    Vec3 unit;
+    if (found.facet.kind() == SumFacet::kPlane) {
+        unit = polygon.unit_normal() * found.facet.name.turn;
+    } else {
+        const auto u = HullAgainstPolygon(sweep, hull, polygon).direction_precisely(found.facet.name);
+        const DoubleDouble size = square_root(dot(u, u));
+        unit = {rounded(u.x / size), rounded(u.y / size), rounded(u.z / size)};
+    }
 
     PolygonHit hit;
     hit.status = found.contact.status;
