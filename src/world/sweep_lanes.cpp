@@ -237,8 +237,9 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
             const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), aside);
             const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), aside);
             const Floats slope = all(sweep.inverse[axis]);
-            in = hn::Max(in, hn::Mul(sweep.turned[axis] ? high : low, slope));
-            out = hn::Min(out, hn::Mul(sweep.turned[axis] ? low : high, slope));
+            const Floats one = hn::Mul(low, slope), other = hn::Mul(high, slope);
+            in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
+            out = hn::Min(out, hn::Max(one, other));
         }
         unsigned left = bits(hn::Le(hn::Mul(in, all(kLess)), hn::Mul(out, all(kMore))));
         if ((left << part & lanes.used) == 0) continue;
@@ -340,8 +341,9 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
             const Floats low = hn::Sub(hn::Min(hn::Min(a, b), c), all(o[axis] + reach));
             const Floats high = hn::Sub(hn::Max(hn::Max(a, b), c), all(o[axis] - reach));
             const Floats slope = all(sweep.inverse[axis]);
-            in = hn::Max(in, hn::Mul(sweep.turned[axis] ? high : low, slope));
-            out = hn::Min(out, hn::Mul(sweep.turned[axis] ? low : high, slope));
+            const Floats one = hn::Mul(low, slope), other = hn::Mul(high, slope);
+            in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
+            out = hn::Min(out, hn::Max(one, other));
         }
         in = hn::Sub(hn::Mul(in, all(kLess)), all(bent));
         left &= bits(hn::Le(in, add(hn::Mul(out, all(kMore)), all(bent))));
@@ -352,9 +354,10 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
 }
 
 /// Times count from the start.
+template <bool particle>
 HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
                                  float* times) {
-    if (query.sweep.particle) return look_along(lanes, query, latest, times);
+    if (particle) return look_along(lanes, query, latest, times);
     const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, query, enter, latest, times)
                          : query.sweep.axes == 1 ? look<1>(lanes, query, enter, latest, times)
                                                  : look<3>(lanes, query, enter, latest, times);
@@ -381,12 +384,13 @@ HWY_INLINE void fetch(const void* child, bool faces) {
 }
 
 /// Looks at facets side by side; true when that ends the sweep.
+template <bool particle>
 HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter, LaneQuery& query, float& latest) {
     std::uint64_t looked_at = 0;  // facets of the block: one may be in several lanes
     alignas(64) float times[kLanes];
     for (const FaceLanes* lanes = first; lanes != first + count; ++lanes) {
         query.counts.boxes += std::uint32_t(__builtin_popcount(lanes->used));
-        unsigned met = look_by_kind(*lanes, query, enter, latest, times);
+        unsigned met = look_by_kind<particle>(*lanes, query, enter, latest, times);
         while (met) {  // by rising bound
             std::uint32_t lane = first_bit(met);
             for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
@@ -403,8 +407,8 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
     return false;
 }
 
-bool sweep_lanes(const Node& root, LaneQuery& query) {
-    if (!query.sweep.ready) make_ready(query.sweep);
+template <bool particle>
+HWY_NOINLINE bool sweep_through(const Node& root, LaneQuery& query) {
     struct Waiting {
         const void* child;
         std::uint32_t facets;
@@ -420,7 +424,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
     for (;;) {
         if (now.facets) {
             const auto* const lanes = static_cast<const FaceLanes*>(now.child);
-            if (look_at(lanes, now.facets, now.time, query, latest)) return true;
+            if (look_at<particle>(lanes, now.facets, now.time, query, latest)) return true;
         } else {
             const WideNode& node = *static_cast<const WideNode*>(now.child);
             query.counts.nodes += node.count;
@@ -449,6 +453,11 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
             now = waiting[--count];
         } while (now.time > latest);
     }
+}
+
+bool sweep_lanes(const Node& root, LaneQuery& query) {
+    if (!query.sweep.ready) make_ready(query.sweep);
+    return query.sweep.particle ? sweep_through<true>(root, query) : sweep_through<false>(root, query);
 }
 
 }  // namespace firma::HWY_NAMESPACE
