@@ -138,7 +138,7 @@ private:
             if (k != lowest.corner && dot(u, hull_.corners[k]) <= lowest.height + 2 * unsure) return false;
         return true;
     }
-    /// Whether no corners but their own are as far along u as the edge and the side of a facet.
+    /// Whether no corners but their own are as far along u as the edge and the side of a facet, to rounding.
     bool touch_alone(const Vec3& u, const SumFacet::Name& name, double unsure) const {
         const HullShape::Edge& edge = hull_.edges[name.hull];
         const double low = dot(u, hull_.corners[edge.from]) + 2 * unsure;
@@ -204,10 +204,7 @@ private:
         if (!(max_abs(facet.error) * 0x1p+30 < max_abs(u))) return {};
         const Estimate height = pair_.outside(facet);
         const std::optional<Landing> landing = Landing::on(pair_, height, pair_.change(facet));
-        if (!landing || LowestCorner(hull_, u).height < dot(u, o) - landing->unsure ||
-            Reach(polygon_, u).high > dot(u, v) + landing->unsure)
-            return {};
-        if (!landing->sharp && !touch_alone(u, name, landing->unsure)) return {};
+        if (!landing || !touch_alone(u, name, landing->unsure)) return {};
         // x along the hull's edge and y along the side, times uu.
         const Vec3 at = pair_.seen() + o + sweep_.direction * landing->t - v;
         const double x = name.turn * dot(cross(at, e), u), y = name.turn * dot(cross(at, edge.along), u);

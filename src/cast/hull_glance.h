@@ -7,9 +7,10 @@
 // both may meet; where no time is in all of them they do not.
 //
 // On it: the hull meets the polygon's plane first with its lowest corner, and where that corner is surely within all
-// sides then, that is where it meets the polygon. Likewise with an edge that supports the hull along e x g, where it
-// surely crosses the side e. How such an edge was found does not matter. Another corner may be as low, to rounding:
-// then the time is off by no more than it is anyway; where that is much, no other may be.
+// sides then, that is where it meets the polygon. Another corner may be as low, to rounding: then the time is off by no
+// more than it is anyway; where that is much, no other may be. Likewise with an edge g that alone supports the hull
+// along e x g, as the side e alone does the polygon, where both surely cross. How such an edge was found does not
+// matter.
 #pragma once
 
 #include <cstdint>
