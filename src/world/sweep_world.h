@@ -228,10 +228,9 @@ private:
             met.lane = lane;
             if constexpr (std::is_same_v<Mover, SphereMover>) {
                 if (it.lanes_.particle) {
-                    const auto told =
+                    met.contact =
                         cast_particle_triangle(it.sweep_, lanes, lane, sides == Sides::kFront, it.found_.latest);
-                    if (told) {
-                        met.contact = *told;
+                    if (met.contact.t >= 0) {
                         ends = met.contact.touched() && it.found_(met);
                         query.latest = it.found_.latest;
                         return ends;
