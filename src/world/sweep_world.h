@@ -226,6 +226,7 @@ private:
         if (lanes.whole >> lane & 1) {
             met.whole = &lanes;
             met.lane = lane;
+#if !defined(__wasm__)  // the module, which has to be small, has no lanes
             if constexpr (std::is_same_v<Mover, SphereMover>) {
                 if (it.lanes_.particle) {
                     met.contact =
@@ -237,6 +238,7 @@ private:
                     }
                 }
             }
+#endif
             ends = it.meet(query, LaneShape(lanes, lane).polygon, sides, met);
         } else {
             ends = it.meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);
