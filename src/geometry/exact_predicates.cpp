@@ -2,8 +2,12 @@
 // Signs that must never be wrong.
 #include "geometry/exact_predicates.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
+#include "geometry/exact_integer.h"
 #include "geometry/expansion.h"
 #include "geometry/rounding.h"
 
@@ -39,6 +43,67 @@ void add_triple(Sum& sum, double a, const DoubleDouble& b, const DoubleDouble& c
             sum.add_product(a, xy.high);
         }
 }
+
+int edge_side_in_parts(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
+    DoubleDouble wa[3], wb[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        wa[axis] = two_difference(a[axis], start[axis]);
+        wb[axis] = two_difference(b[axis], start[axis]);
+    }
+    Expansion<6 * 16> sum;  // six triple products of at most 4 x 2 x 2 parts
+    for (int k = 0; k < 3; ++k) {
+        const int u = (k + 1) % 3, v = (k + 2) % 3;
+        add_triple(sum, direction[k], wa[u], wb[v]);
+        add_triple(sum, -direction[k], wa[v], wb[u]);
+    }
+    return sum.sign();
+}
+
+struct WholeVec {
+    std::int64_t x, y, z;
+};
+
+WholeVec operator-(const WholeVec& a, const WholeVec& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// The power of two that takes numbers of at most a size to 60 bits.
+/// @param size  at most 2^202
+double whole_scale(double size) {
+    constexpr std::uint64_t kExponentBits = 0x7ff0000000000000ull, kBias = 1023;
+    const auto bits = std::bit_cast<std::uint64_t>(std::max(size, kSmallestNumber));
+    return std::bit_cast<double>(((2 * kBias + 59) << 52) - (bits & kExponentBits));
+}
+
+/// @param scale  |v| * scale is at most 2^60
+/// @return what is left of v * scale: 0 where that is whole
+double to_whole(const Vec3& v, double scale, WholeVec& whole) {
+    const Vec3 scaled = v * scale;
+    whole = {std::int64_t(scaled.x), std::int64_t(scaled.y), std::int64_t(scaled.z)};
+    return std::fabs(scaled.x - double(whole.x)) + std::fabs(scaled.y - double(whole.y)) +
+           std::fabs(scaled.z - double(whole.z));
+}
+
+/// A line's moment about a corner: w = corner - start, of 61 bits, and the direction, of 60, make 122.
+struct Moment {
+    Int128 x, y, z;
+
+    Moment(const WholeVec& direction, const WholeVec& w)
+        : x(Int128(direction.y) * w.z - Int128(direction.z) * w.y),
+          y(Int128(direction.z) * w.x - Int128(direction.x) * w.z),
+          z(Int128(direction.x) * w.y - Int128(direction.y) * w.x) {}
+
+    bool is_zero() const { return (x | y | z) == 0; }
+    /// Sign of edge . moment, for an edge of 61 bits. Of moment = high * 2^64 + low, 0 <= low < 2^64, the sum of the
+    /// highs' products has 58 + 61 + 2 bits, that of the lows' 64 + 61 + 2.
+    int sign_along(const WholeVec& edge) const {
+        const Int128 low =
+            Int128(edge.x) * std::uint64_t(x) + Int128(edge.y) * std::uint64_t(y) + Int128(edge.z) * std::uint64_t(z);
+        const Int128 high = Int128(edge.x) * std::int64_t(x >> 64) + Int128(edge.y) * std::int64_t(y >> 64) +
+                            Int128(edge.z) * std::int64_t(z >> 64) + (low >> 64);
+        return high < 0 ? -1 : (high | std::uint64_t(low)) != 0;
+    }
+};
 
 }  // namespace
 
@@ -81,19 +146,46 @@ int exact_plane_side(const Vec3& point, const Vec3& offset, const PolygonShape& 
     return exact_dot_sign(parts, exact_normal(polygon.corners));
 }
 
+// With e = b - a and w the corner a or b as seen from the start, direction . ((a - start) x (b - start)) is
+// e . (direction x w). Start and corners times one power of two, and the direction times another, mostly are whole
+// numbers of 60 bits: of floats those where none but 0 is below 2^-34 of the largest, of doubles 2^-5. Then all of it
+// is whole, and exact. Where the line runs through a corner the moment is 0, and so are both edges there.
+
 int exact_edge_side(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
-    DoubleDouble wa[3], wb[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        wa[axis] = two_difference(a[axis], start[axis]);
-        wb[axis] = two_difference(b[axis], start[axis]);
+    const double scale = whole_scale(std::max({max_abs(start), max_abs(a), max_abs(b)}));
+    WholeVec s, d, p, q;
+    const double left = to_whole(start, scale, s) + to_whole(direction, whole_scale(max_abs(direction)), d) +
+                        to_whole(a, scale, p) + to_whole(b, scale, q);
+    if (left == 0) return Moment(d, p - s).sign_along(q - p);
+    return edge_side_in_parts(start, direction, a, b);
+}
+
+unsigned exact_triangle_sides(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3], double size,
+                              unsigned open) {
+    const double scale = whole_scale(max_abs(start) + size);
+    WholeVec s, d;
+    const double left = to_whole(start, scale, s) + to_whole(direction, 0x1p59, d);
+    const auto bit_of = [](int sign) { return sign > 0 ? unsigned(kSomePositive) : sign < 0 ? kSomeNegative : 0u; };
+    unsigned signs = 0;
+    if (left != 0) {
+        for (int k = 0; k < 3; ++k)
+            if (open >> k & 1) signs |= bit_of(edge_side_in_parts(start, direction, corners[k], corners[(k + 1) % 3]));
+        return signs;
     }
-    Expansion<6 * 16> sum;  // six triple products of at most 4 x 2 x 2 parts
-    for (int k = 0; k < 3; ++k) {
-        const int u = (k + 1) % 3, v = (k + 2) % 3;
-        add_triple(sum, direction[k], wa[u], wb[v]);
-        add_triple(sum, -direction[k], wa[v], wb[u]);
-    }
-    return sum.sign();
+    const auto whole = [scale](const Vec3& corner) {
+        return WholeVec{std::int64_t(corner.x * scale), std::int64_t(corner.y * scale), std::int64_t(corner.z * scale)};
+    };
+    // The corner that two open edges share, or that the only one begins at.
+    static constexpr std::uint8_t kShared[] = {0, 0, 1, 1, 2, 0, 2, 0}, kNext[] = {1, 2, 0, 1};
+    const unsigned at = kShared[open], after = kNext[at], before = kNext[at + 1];
+    const WholeVec corner = whole(corners[at]);
+    const Moment moment(d, corner - s);
+    if (moment.is_zero() && open != 7) return 0;
+    const WholeVec next = whole(corners[after]), last = whole(corners[before]);
+    signs |= bit_of(moment.sign_along(next - corner));
+    if (open >> before & 1) signs |= bit_of(moment.sign_along(corner - last));
+    if (open == 7) signs |= bit_of(Moment(d, next - s).sign_along(last - next));
+    return signs;
 }
 
 }  // namespace firma

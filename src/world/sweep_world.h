@@ -226,18 +226,19 @@ private:
         if (lanes.whole >> lane & 1) {
             met.whole = &lanes;
             met.lane = lane;
+#if !defined(__wasm__)  // the module, which has to be small, has no lanes
             if constexpr (std::is_same_v<Mover, SphereMover>) {
                 if (it.lanes_.particle) {
-                    const auto told =
+                    met.contact =
                         cast_particle_triangle(it.sweep_, lanes, lane, sides == Sides::kFront, it.found_.latest);
-                    if (told) {
-                        met.contact = *told;
+                    if (met.contact.t >= 0) {
                         ends = met.contact.touched() && it.found_(met);
                         query.latest = it.found_.latest;
                         return ends;
                     }
                 }
             }
+#endif
             ends = it.meet(query, LaneShape(lanes, lane).polygon, sides, met);
         } else {
             ends = it.meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <vector>
 
 #include "firma/grid.h"
 #include "scenes/rng.h"
+#include "tests/sample.h"
 
 namespace firma {
 namespace {
@@ -101,6 +103,120 @@ TEST_P(ExactPredicates, AgreeWithRationals) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, ExactPredicates, testing::Values(kInputSteps, kSurfaceSteps));
+
+int edge_side_of_rationals(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
+    const Exact s(start);
+    return sign(dot(Exact(direction), cross(Exact(a) - s, Exact(b) - s)));
+}
+
+/// Numbers whose lowest bits lie any way from their highest.
+double random_number(scenes::Rng& rng, double size) {
+    const double any = rng.uniform(-size, size);
+    switch (rng.below(5)) {
+        case 0:
+            return double(float(any));
+        case 1:
+            return std::floor(any * kInputSteps) / kInputSteps;
+        case 2:
+            return any * std::ldexp(1.0, -int(rng.below(70)));
+        case 3:
+            return 0;
+        default:
+            return any;
+    }
+}
+
+Vec3 random_point(scenes::Rng& rng, double size) {
+    const double x = random_number(rng, size), y = random_number(rng, size), z = random_number(rng, size);
+    return {x, y, z};
+}
+
+/// The largest coordinate in [1, 2), by a power of two: as a Sweep has it.
+Vec3 as_direction(const Vec3& path) {
+    return path * std::ldexp(1.0, -std::ilogb(max_abs(path)));
+}
+
+struct EdgeTally {
+    int all = 0, zeros = 0;
+};
+
+void check_edges(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3], EdgeTally& tally) {
+    int side[3];
+    double size = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 &a = corners[k], &b = corners[(k + 1) % 3];
+        side[k] = edge_side_of_rationals(start, direction, a, b);
+        ASSERT_EQ(exact_edge_side(start, direction, a, b), side[k]);
+        ASSERT_EQ(exact_edge_side(start, direction, b, a), -side[k]);
+        size = std::max(size, max_abs(a - start));
+        ++tally.all;
+        tally.zeros += side[k] == 0;
+    }
+    if (max_abs(start) > 0x1p35) return;
+    for (unsigned open = 1; open < 8; ++open) {
+        unsigned signs = 0;
+        for (int k = 0; k < 3; ++k)
+            if (open >> k & 1) signs |= side[k] > 0 ? kSomePositive : side[k] < 0 ? kSomeNegative : 0u;
+        ASSERT_EQ(exact_triangle_sides(start, direction, corners, size, open), signs) << "edges " << open;
+        ASSERT_EQ(exact_triangle_sides(start, direction, corners, size * 7, open), signs) << "edges " << open;
+    }
+}
+
+TEST(ExactEdges, AgreeWithRationals) {
+    scenes::Rng rng(13);
+    EdgeTally tally;
+    for (int k = 0; k < test::sample(30000); ++k) {
+        const double steps = rng.chance(0.5) ? kInputSteps : kSurfaceSteps;
+        const double size = std::ldexp(1.0, int(rng.below(22)) - 8);  // up to 8192 m
+        Vec3 corners[3] = {random_corner(rng, steps, size), random_corner(rng, steps, size),
+                           random_corner(rng, steps, size)};
+        if (rng.chance(0.3)) corners[1][int(rng.below(3))] = corners[0].x;
+        if (rng.chance(0.1)) corners[0] = {kWorldRim, -kWorldRim, kWorldRim};
+        if (rng.chance(0.1)) corners[1] = {-kWorldRim, kWorldRim, 1 / kSurfaceSteps - kWorldRim};
+        Vec3 start = random_point(rng, rng.chance(0.8) ? size * 2 : 0x1p20);
+        if (rng.chance(0.1)) start[int(rng.below(3))] = std::ldexp(rng.uniform(-1, 1), int(rng.below(90)) - 245);
+        // Through a corner, an edge's middle or end, a hair beside them, or anywhere.
+        const double share = std::ldexp(double(rng.below(5)), -2);
+        Vec3 path = corners[0] + (corners[1] - corners[0]) * share - start;
+        if (rng.chance(0.3)) path[int(rng.below(3))] *= 1 + std::ldexp(rng.uniform(-1, 1), -int(rng.below(60)));
+        if (rng.chance(0.2)) path = {double(float(path.x)), double(float(path.y)), double(float(path.z))};
+        if (rng.chance(0.2)) path = random_point(rng, 1);
+        if (rng.chance(0.1)) path = corners[1] - corners[0];
+        if (rng.chance(0.1)) path[int(rng.below(3))] = std::ldexp(rng.uniform(1, 2), int(rng.below(90)) - 245);
+        if (!(max_abs(path) > 0)) continue;
+        check_edges(start, as_direction(path), corners, tally);
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(tally.zeros, tally.all / 20);
+    EXPECT_LT(tally.zeros, tally.all / 2);
+}
+
+/// From starts so far away, or so near to nothing, that no whole numbers hold them beside the corners.
+TEST(ExactEdges, AgreeWithRationalsAtTheRangesEnds) {
+    scenes::Rng rng(14);
+    EdgeTally tally;
+    const auto number = [&] {
+        const double size = rng.chance(0.5) ? rng.uniform(1, 2) : 1;
+        return std::ldexp(rng.chance(0.5) ? size : -size, int(rng.below(450)) - 250);
+    };
+    for (int k = 0; k < test::sample(5000); ++k) {
+        const Vec3 corners[3] = {random_corner(rng, kSurfaceSteps, 8191), random_corner(rng, kInputSteps, 2),
+                                 rng.chance(0.5) ? Vec3{} : random_corner(rng, kSurfaceSteps, 1)};
+        Vec3 start, path;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (rng.chance(0.7)) start[axis] = number();
+            if (rng.chance(0.7)) path[axis] = number();
+        }
+        if (rng.chance(0.4)) path = corners[rng.below(3)] - start;
+        if (!(max_abs(path) > 0)) continue;
+        Vec3 direction = as_direction(path);
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::fabs(direction[axis]) < 0x1p-250) direction[axis] = 0;
+        check_edges(start, direction, corners, tally);
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(tally.zeros, 100);
+}
 
 TEST(ExactNormal, IsExactAtTheRangesRim) {
     const double end = kWorldRim - 1 / kSurfaceSteps;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// A particle against a triangle of lanes: the polygon's answer to the bit, or none; above all where the path runs
+// through edges, through corners, along the plane, or begins on it.
+#include "world/particle_triangle.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "cast/cast_sphere_polygon.h"
+#include "scenes/rng.h"
+#include "solid/face_shape.h"
+#include "tests/sample.h"
+
+namespace firma {
+namespace {
+
+/// A triangle alone in its lanes.
+struct OneTriangle {
+    FaceLanes lanes;
+
+    /// @param step  of coordinates, a multiple of the surface step
+    OneTriangle(scenes::Rng& rng, const GridPoint& origin, double size, double step) {
+        lanes.origin = origin;
+        lanes.used = lanes.whole = 1;
+        const bool flat = rng.chance(0.4);
+        const int axis_of_plane = int(rng.below(3));
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                double at = std::floor(rng.uniform(-size, size) / step) * step;
+                if (flat && axis == axis_of_plane) at = step;
+                if (flat && c > 0 && rng.chance(0.4)) at = lanes.corner[c - 1][axis][0];  // along an axis
+                // Floats hold 24 bits, and corners lie in the world.
+                at = double(float(at));
+                const double whole = double(origin[axis]) / kSurfaceSteps + at;
+                if (std::floor(at * kSurfaceSteps) != at * kSurfaceSteps || std::fabs(whole) > kWorldRim) at = 0;
+                lanes.corner[c][axis][0] = float(at);
+                sum += std::fabs(at);
+            }
+            lanes.size = std::max(lanes.size, float(sum) * (1 + 0x1p-20f));
+        }
+    }
+    Vec3 corner(std::uint32_t k) const { return lanes.corner_at(k, 0); }
+};
+
+Vec3 as_floats(const Vec3& v) {
+    return {double(float(v.x)), double(float(v.y)), double(float(v.z))};
+}
+
+/// Where a path is aimed.
+Vec3 target_in(scenes::Rng& rng, const OneTriangle& it) {
+    const std::uint32_t k = rng.below(3);
+    const Vec3 a = it.corner(k), b = it.corner((k + 1) % 3), c = it.corner((k + 2) % 3);
+    const double share = std::ldexp(double(rng.below(64)), -6);
+    switch (rng.below(4)) {
+        case 0:
+            return a;
+        case 1:
+            return a + (b - a) * share;  // on an edge, maybe exactly
+        case 2:
+            return a + (b - a) * rng.uniform(0, 1);  // a hair off
+        default:
+            return a + (b - a) * 0.25 + (c - a) * 0.25;  // within
+    }
+}
+
+struct Tally {
+    int told = 0, asked = 0;
+    int through_rim = 0;  ///< met where an edge or a corner is, exactly
+};
+
+void compare(const OneTriangle& it, const Vec3& start, const Vec3& path, double part_of_path, Tally& tally) {
+    Sweep sweep;
+    if (make_sweep({start, 0}, path, sweep) != Status::kHit || max_abs(start) > 0x1p20) return;
+    const LaneShape shape(it.lanes, 0);
+    if (!shape.polygon.has_area()) return;
+    for (const bool front_only : {false, true}) {
+        const Sides sides = front_only ? Sides::kFront : Sides::kBoth;
+        const double latest = part_of_path * sweep.end;
+        const Contact told = cast_particle_triangle(sweep, it.lanes, 0, front_only, latest);
+        if (told.t < 0) {
+            ++tally.asked;
+            continue;
+        }
+        ++tally.told;
+        const Contact wanted = cast_sweep_polygon(sweep, shape.polygon, sides, latest);
+        const bool later = !told.touched() && wanted.touched() && wanted.t > latest;
+        if (!later) {
+            ASSERT_EQ(told.status, wanted.status);
+            if (!wanted.touched()) continue;
+            ASSERT_EQ(told.feature, wanted.feature);
+            ASSERT_EQ(told.index, wanted.index);
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(told.t), std::bit_cast<std::uint64_t>(wanted.t));
+            bool through_rim = false;
+            for (std::uint32_t k = 0; k < 3; ++k)
+                through_rim |= exact_edge_side(start, path, it.corner(k), it.corner((k + 1) % 3)) == 0;
+            tally.through_rim += through_rim;
+        }
+    }
+}
+
+void run(Tally& tally, bool floats, double far, double size, double step, int count, std::uint64_t seed) {
+    scenes::Rng rng(seed);
+    for (int k = 0; k < count; ++k) {
+        const auto steps = [&] {
+            return std::int32_t(std::floor(rng.uniform(-far, far))) * std::int32_t(kSurfaceSteps);
+        };
+        const GridPoint origin{steps(), steps(), steps()};
+        const OneTriangle it(rng, origin, size, step);
+        for (int ray = 0; ray < 6; ++ray) {
+            const Vec3 target = target_in(rng, it);
+            Vec3 start = target + rng.direction() * (size * rng.uniform(0.1, 8));
+            const double kind = rng.uniform(0, 1);
+            if (kind < 0.1) start = target_in(rng, it);  // on the plane, as far as numbers go
+            if (kind > 0.9) start[int(rng.below(3))] = target[int(rng.below(3))];
+            if (kind > 0.8 && kind < 0.9) {
+                const int axis = int(rng.below(3));  // along an axis
+                const double away = start[axis];
+                start = target;
+                start[axis] = away;
+            }
+            if (floats) start = as_floats(start);
+            Vec3 path = (floats ? as_floats(target) : target) - start;
+            if (floats) path = as_floats(path);
+            path = path * std::ldexp(1.0, int(rng.below(4)) - 1);
+            compare(it, start, path, rng.chance(0.7) ? 1 : rng.uniform(0, 1), tally);
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    }
+}
+
+TEST(ParticleTriangle, SaysWhatThePolygonSays) {
+    Tally tally;
+    std::uint64_t seed = 1;
+    for (const bool floats : {false, true})
+        for (const double far : {0.0, 20.0, 8191.0})
+            for (const double size : {0.01, 1.0, 30.0})
+                for (const double step : {1 / kInputSteps, 1 / kSurfaceSteps, 0.25}) {
+                    run(tally, floats, far, size, step, test::sample(1000), ++seed);
+                    if (HasFatalFailure()) return;
+                }
+    EXPECT_GT(tally.told, 2 * tally.asked);
+    EXPECT_GT(tally.through_rim, tally.told / 20) << "the test must meet the rims it is for";
+}
+
+}  // namespace
+}  // namespace firma
