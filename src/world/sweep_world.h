@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
-#include <type_traits>
 
+#include "base/seldom.h"
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
 #include "cast/shape_extent.h"
@@ -98,6 +98,8 @@ struct PathBox {
 /// What moves: how it meets a polygon, what a touch then looks like, and a simple body around it. Its sweep's radius
 /// holds all of it.
 struct SphereMover {
+    static constexpr bool kMayBeParticle = true;
+
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const {
         return cast_sweep_polygon(sweep, polygon, sides, latest, counts);
@@ -193,7 +195,13 @@ private:
     }
 
     void look_into(const Node& index) {
-        if (lanes_.usable) return look_at_lanes(index);
+        if (lanes_.usable)
+            look_at_lanes(index);
+        else
+            look_one_by_one(index);
+    }
+
+    FIRMA_SELDOM void look_one_by_one(const Node& index) {
         SweepVisitor<Found, Mover> visitor(sweep_, mover_, boxes(), options_, found_);
         traverse(index, visitor);
         ended_ = visitor.ended;
@@ -226,7 +234,7 @@ private:
         if (lanes.whole >> lane & 1) {
             met.whole = &lanes;
             met.lane = lane;
-            if constexpr (std::is_same_v<Mover, SphereMover>) {
+            if constexpr (Mover::kMayBeParticle) {
                 if (it.lanes_.particle) {
                     const auto told =
                         cast_particle_triangle(it.sweep_, lanes, lane, sides == Sides::kFront, it.found_.latest);
