@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FIRMA_SELDOM: before a function that few calls reach, in a source that is compiled for speed. It is a call, and in the
-// module for browsers, which has to be small, compiled for size.
+// FIRMA_SELDOM: before a function that few calls reach, in a source that is compiled for speed. It is a call, and in
+// the module for browsers, which has to be small, compiled for size.
 #pragma once
 
 #if defined(__wasm__)

@@ -308,7 +308,7 @@ private:
         return any;
     }
 
-    void meet_closed_portals() {
+    FIRMA_SELDOM void meet_closed_portals() {
         if (ended_) return;
         const auto meets = [&](const GridBox& box) {
             const Vec3 low = to_metres(box.low), high = to_metres(box.high);
@@ -322,7 +322,7 @@ private:
 
     /// A closed portal counts once, however many polygons it has: by the one met first.
     /// @return whether this ended the cast
-    bool meet_portal(std::uint32_t index, const Portal& portal) {
+    FIRMA_SELDOM bool meet_portal(std::uint32_t index, const Portal& portal) {
         SweepContact first;
         first.portal = index;
         const auto polygons = portal.polygons();
