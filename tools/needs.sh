@@ -39,7 +39,7 @@ need_build() {
 # npm then cannot be installed beside them.
 need_module() {
     need cmake ninja-build clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 binaryen \
-        libfast-float-dev libboost-dev
+        libfast-float-dev libboost-dev libhwy-dev
     command -v node >/dev/null || need nodejs
     command -v npm >/dev/null || need npm
 }

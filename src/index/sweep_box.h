@@ -43,7 +43,12 @@ public:
     /// @param latest  in the sweep's parameter
     /// @param nearest set to a lower bound for when the sphere is in the box, when it is by `latest`
     template <class AnyBox>
-    [[gnu::always_inline]] bool enters(const AnyBox& box, double latest, double& nearest) const {
+#if defined(__wasm__)  // which has to be small
+    [[gnu::noinline]]
+#else
+    [[gnu::always_inline]]
+#endif
+    bool enters(const AnyBox& box, double latest, double& nearest) const {
 #if defined(__wasm_simd128__)
         // Two at a time, and by pmax and pmin, which are what is written below, but an instruction each: engines turn
         // a selection of one of two doubles into a branch.

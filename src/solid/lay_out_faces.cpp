@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/seldom.h"
 #include "solid/face_shape.h"
 
 namespace firma {
@@ -31,7 +32,7 @@ bool within(const GridBox& box, const GridPoint& point, std::int64_t steps) {
 }
 
 /// How far corners lie from the plane of casts: that of the normal, through the first one. Metres, rounded up.
-double unevenness(const PolygonShape& polygon) {
+FIRMA_SELDOM double unevenness(const PolygonShape& polygon) {
     if (!polygon.has_area()) return 0;
     const Vec3 normal = polygon.unit_normal();
     double most = 0;

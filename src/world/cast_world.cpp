@@ -22,7 +22,7 @@ public:
     virtual Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                             CastCounts* counts) const = 0;
     virtual PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const = 0;
-    virtual ShapeExtent extent() const = 0;
+    virtual LaneSweep lanes(const Sweep& sweep) const = 0;
 
 protected:
     ~OtherMover() = default;
@@ -30,6 +30,11 @@ protected:
 
 /// One of them, held elsewhere.
 struct MoverRef {
+#if defined(__wasm__)
+    static constexpr bool kMayBeParticle = true;
+#else
+    static constexpr bool kMayBeParticle = false;
+#endif
     const OtherMover* mover;
 
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
@@ -39,14 +44,13 @@ struct MoverRef {
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
         return mover->hit(sweep, polygon, contact);
     }
-    LaneSweep lanes(const Sweep& sweep) const { return LaneSweep(sweep, mover->extent()); }
+    LaneSweep lanes(const Sweep& sweep) const { return mover->lanes(sweep); }
 };
 
 #if defined(__wasm__)
+/// A sphere as what moves. The module has to be small: there one traversal serves spheres, too.
 class SphereAsOther final : public OtherMover {
 public:
-    explicit SphereAsOther(double radius) : radius_(radius) {}
-
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const override {
         return SphereMover().against(sweep, polygon, sides, latest, counts);
@@ -54,10 +58,7 @@ public:
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
         return SphereMover().hit(sweep, polygon, contact);
     }
-    ShapeExtent extent() const override { return {{}, {}, 0, radius_}; }
-
-private:
-    double radius_;
+    LaneSweep lanes(const Sweep& sweep) const override { return SphereMover().lanes(sweep); }
 };
 #endif
 
@@ -76,7 +77,7 @@ public:
         const SumFacet::Name name = SumFacet::Name::of(contact.index);
         return make_hull_hit(sweep, *hull_, polygon, {contact, HullAgainstPolygon(sweep, *hull_, polygon).facet(name)});
     }
-    ShapeExtent extent() const override { return hull_->extent; }
+    LaneSweep lanes(const Sweep& sweep) const override { return LaneSweep(sweep, hull_->extent); }
 
 private:
     const HullShape* hull_;
@@ -94,7 +95,7 @@ public:
     PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
         return make_capsule_hit(sweep, capsule_, polygon, contact);
     }
-    ShapeExtent extent() const override { return extent_of(capsule_); }
+    LaneSweep lanes(const Sweep& sweep) const override { return LaneSweep(sweep, extent_of(capsule_)); }
 
 private:
     const CapsuleShape capsule_;
@@ -294,14 +295,7 @@ struct Question {
     }
 
 private:
-    /// In the module, which has to be small, by one traversal for all that moves.
     void find(const Sweep& sweep, TellAny& told) const {
-#if defined(__wasm__)
-        if constexpr (std::is_same_v<Mover, SphereMover>) {
-            const SphereAsOther other(sweep.radius);
-            return sweep_rooms(world, around.centre, sweep, MoverRef{&other}, options, told);
-        }
-#endif
         sweep_rooms(world, around.centre, sweep, mover, options, told);
     }
     /// Of a sphere by a traversal of its own, as nothing is asked more often.
@@ -313,9 +307,16 @@ private:
     }
 };
 
+#if defined(__wasm__)
+Question<MoverRef> ask(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
+    static const SphereAsOther mover;
+    return {world, sphere, path, {&mover}, options};
+}
+#else
 Question<SphereMover> ask(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
     return {world, sphere, path, {}, options};
 }
+#endif
 
 /// @param mover  lives as long as the question
 Question<MoverRef> ask(const World& world, const Sphere& around, const OtherMover& mover, const Vec3& path,

@@ -72,14 +72,32 @@ HWY_INLINE void cross(const Floats* a, const Floats* b, Floats* c) {
     c[2] = hn::Sub(hn::Mul(a[0], b[1]), hn::Mul(a[1], b[0]));
 }
 HWY_INLINE unsigned bits(hn::Mask<decltype(kFloats)> mask) {
+#if HWY_TARGET == HWY_WASM  // Highway has several instructions here, and no doubles
+    return wasm_i32x4_bitmask(mask.raw);
+#else
     std::uint8_t bytes[8];
     hn::StoreMaskBits(kFloats, mask, bytes);
     return bytes[0];
+#endif
 }
 
 /// What follows from a sweep, all coordinates together.
 HWY_INLINE void make_ready(LaneSweep& sweep) {
     constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
+#if HWY_TARGET == HWY_WASM
+    for (int k = 0; k < 3; ++k) {
+        const double from = sweep.start[k], grown = sweep.grown[k];
+        const float way = float(sweep.direction[k]), low = float(from - grown), high = float(from + grown);
+        const float slope = std::fabs(way) * kSteepest > 1 ? 1 / way : kSteepest;
+        sweep.along[k] = way;
+        sweep.inverse[k] = slope;
+        sweep.early[k] = slope * kLess;
+        sweep.late[k] = slope * kMore;
+        sweep.turned[k] = slope < 0;
+        sweep.ahead[k] = slope < 0 ? low : high;
+        sweep.behind[k] = slope < 0 ? high : low;
+    }
+#else
     const hn::CappedTag<double, 4> doubles;
     const hn::Rebind<float, decltype(doubles)> floats;
     const hn::RebindToUnsigned<decltype(floats)> numbers;
@@ -98,6 +116,7 @@ HWY_INLINE void make_ready(LaneSweep& sweep) {
         hn::StoreU(hn::IfThenElse(down, high, low), floats, sweep.behind + k);
         hn::StoreU(hn::BitCast(numbers, hn::VecFromMask(floats, down)), numbers, sweep.turned + k);
     }
+#endif
     sweep.ready = true;
 }
 
@@ -201,9 +220,17 @@ HWY_INLINE void clip(Floats b, Floats w, Floats& in, Floats& out) {
     out = hn::IfThenElse(falls, out, hn::Min(out, t));
 }
 
+/// How many axes an extent has, where that is not known when this is compiled.
+constexpr int kAnyAxes = -1;
+template <int known>
+HWY_INLINE int axes_of(const LaneSweep& sweep) {
+    return known == kAnyAxes ? sweep.axes : known;
+}
+
 /// What the extent's axes add to a reach along n.
-template <int axes>
+template <int known>
 HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) {
+    const int axes = axes_of<known>(sweep);
     for (int k = 0; k < axes; ++k) {
         const Floats a[3] = {all(sweep.axis[k][0]), all(sweep.axis[k][1]), all(sweep.axis[k][2])};
         reach = add(reach, hn::Mul(hn::Abs(dot(n, a)), all(kMore)));
@@ -212,10 +239,11 @@ HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) 
 }
 
 /// Lower bounds for when triangles are met, from the time `enter` on, a bit for each that may be by `latest`.
-/// @tparam axes  of the extent that moves
-template <int axes>
+/// @tparam known  how many axes the extent that moves has, or kAnyAxes
+template <int known>
 HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest, float* times) {
     const LaneSweep& sweep = query.sweep;
+    const int axes = axes_of<known>(sweep);
     float o[3], size = lanes.size + sweep.size;
     for (int axis = 0; axis < 3; ++axis) {
         const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
@@ -254,7 +282,7 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         const Floats g =
             add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
         const Floats d[3] = {all(sweep.along[0]), all(sweep.along[1]), all(sweep.along[2])};
-        const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<axes>(sweep, n, g);
+        const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
         // -height + rise t lies between -far and far.
         clip(rise, hn::Add(far, height), in, out);
         clip(hn::Neg(rise), hn::Sub(far, height), in, out);
@@ -262,7 +290,7 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
             Floats m[3];
             cross(e[c], n, m);
             const Floats grown = hn::Mul(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g);
-            clip(dot(m, d), add(beside<axes>(sweep, m, grown), dot(m, p[c])), in, out);
+            clip(dot(m, d), add(beside<known>(sweep, m, grown), dot(m, p[c])), in, out);
         }
         in = hn::Mul(in, all(kLess));
         left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
@@ -281,6 +309,9 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
 
 /// The start as seen from the origin of lanes, rounded; the fourth number is 0.
 HWY_INLINE void start_from(const FaceLanes& lanes, const LaneSweep& sweep, float* point) {
+#if HWY_TARGET == HWY_WASM
+    for (int k = 0; k < 3; ++k) point[k] = float(sweep.start[k] - lanes.origin[k] * (1 / kSurfaceSteps));
+#else
     const hn::CappedTag<double, 4> doubles;
     const hn::Rebind<float, decltype(doubles)> floats;
     const hn::Rebind<std::int32_t, decltype(doubles)> ints;
@@ -290,6 +321,7 @@ HWY_INLINE void start_from(const FaceLanes& lanes, const LaneSweep& sweep, float
             hn::Sub(hn::LoadU(doubles, sweep.start + k), hn::Mul(origin, hn::Set(doubles, 1 / kSurfaceSteps)));
         hn::StoreU(hn::DemoteTo(floats, from), floats, point + k);
     }
+#endif
 }
 
 /// The same for a particle, seen from its start: triangles along its path, as in Sweep's projection. Times are those of
@@ -354,13 +386,16 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
 }
 
 /// Times count from the start.
-template <bool particle>
 HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
                                  float* times) {
-    if (particle) return look_along(lanes, query, latest, times);
+    if (query.sweep.particle) return look_along(lanes, query, latest, times);
+#if HWY_TARGET == HWY_WASM  // the module has to be small
+    const unsigned met = look<kAnyAxes>(lanes, query, enter, latest, times);
+#else
     const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, query, enter, latest, times)
                          : query.sweep.axes == 1 ? look<1>(lanes, query, enter, latest, times)
                                                  : look<3>(lanes, query, enter, latest, times);
+#endif
     if (met == 0) return 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce)
         hn::Store(add(hn::Load(kFloats, times + part), all(enter)), kFloats, times + part);
@@ -384,13 +419,12 @@ HWY_INLINE void fetch(const void* child, bool faces) {
 }
 
 /// Looks at facets side by side; true when that ends the sweep.
-template <bool particle>
 HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter, LaneQuery& query, float& latest) {
     std::uint64_t looked_at = 0;  // facets of the block: one may be in several lanes
     alignas(64) float times[kLanes];
     for (const FaceLanes* lanes = first; lanes != first + count; ++lanes) {
         query.counts.boxes += std::uint32_t(__builtin_popcount(lanes->used));
-        unsigned met = look_by_kind<particle>(*lanes, query, enter, latest, times);
+        unsigned met = look_by_kind(*lanes, query, enter, latest, times);
         while (met) {  // by rising bound
             std::uint32_t lane = first_bit(met);
             for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
@@ -407,8 +441,8 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
     return false;
 }
 
-template <bool particle>
-HWY_NOINLINE bool sweep_through(const Node& root, LaneQuery& query) {
+bool sweep_lanes(const Node& root, LaneQuery& query) {
+    if (!query.sweep.ready) make_ready(query.sweep);
     struct Waiting {
         const void* child;
         std::uint32_t facets;
@@ -424,7 +458,7 @@ HWY_NOINLINE bool sweep_through(const Node& root, LaneQuery& query) {
     for (;;) {
         if (now.facets) {
             const auto* const lanes = static_cast<const FaceLanes*>(now.child);
-            if (look_at<particle>(lanes, now.facets, now.time, query, latest)) return true;
+            if (look_at(lanes, now.facets, now.time, query, latest)) return true;
         } else {
             const WideNode& node = *static_cast<const WideNode*>(now.child);
             query.counts.nodes += node.count;
@@ -453,11 +487,6 @@ HWY_NOINLINE bool sweep_through(const Node& root, LaneQuery& query) {
             now = waiting[--count];
         } while (now.time > latest);
     }
-}
-
-bool sweep_lanes(const Node& root, LaneQuery& query) {
-    if (!query.sweep.ready) make_ready(query.sweep);
-    return query.sweep.particle ? sweep_through<true>(root, query) : sweep_through<false>(root, query);
 }
 
 }  // namespace firma::HWY_NAMESPACE

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
-#include <type_traits>
 
+#include "base/seldom.h"
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
 #include "cast/shape_extent.h"
@@ -98,6 +98,8 @@ struct PathBox {
 /// What moves: how it meets a polygon, what a touch then looks like, and a simple body around it. Its sweep's radius
 /// holds all of it.
 struct SphereMover {
+    static constexpr bool kMayBeParticle = true;
+
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const {
         return cast_sweep_polygon(sweep, polygon, sides, latest, counts);
@@ -193,7 +195,13 @@ private:
     }
 
     void look_into(const Node& index) {
-        if (lanes_.usable) return look_at_lanes(index);
+        if (lanes_.usable)
+            look_at_lanes(index);
+        else
+            look_one_by_one(index);
+    }
+
+    FIRMA_SELDOM void look_one_by_one(const Node& index) {
         SweepVisitor<Found, Mover> visitor(sweep_, mover_, boxes(), options_, found_);
         traverse(index, visitor);
         ended_ = visitor.ended;
@@ -226,8 +234,7 @@ private:
         if (lanes.whole >> lane & 1) {
             met.whole = &lanes;
             met.lane = lane;
-#if !defined(__wasm__)  // the module, which has to be small, has no lanes
-            if constexpr (std::is_same_v<Mover, SphereMover>) {
+            if constexpr (Mover::kMayBeParticle) {
                 if (it.lanes_.particle) {
                     met.contact =
                         cast_particle_triangle(it.sweep_, lanes, lane, sides == Sides::kFront, it.found_.latest);
@@ -238,7 +245,6 @@ private:
                     }
                 }
             }
-#endif
             ends = it.meet(query, LaneShape(lanes, lane).polygon, sides, met);
         } else {
             ends = it.meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);
@@ -301,7 +307,7 @@ private:
         return any;
     }
 
-    void meet_closed_portals() {
+    FIRMA_SELDOM void meet_closed_portals() {
         if (ended_) return;
         const auto meets = [&](const GridBox& box) {
             const Vec3 low = to_metres(box.low), high = to_metres(box.high);
@@ -315,7 +321,7 @@ private:
 
     /// A closed portal counts once, however many polygons it has: by the one met first.
     /// @return whether this ended the cast
-    bool meet_portal(std::uint32_t index, const Portal& portal) {
+    FIRMA_SELDOM bool meet_portal(std::uint32_t index, const Portal& portal) {
         SweepContact first;
         first.portal = index;
         const auto polygons = portal.polygons();

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { HitBatch, NO_FACE } from '../src/index.js';
-import { boxMesh, firma, releasing, throwsCode, withLevel } from './helpers.js';
+import { boxMesh, firma, levelBytes, readers, releasing, throwsCode, withLevel } from './helpers.js';
 import { randomCasts } from './scenario.js';
 
 const inBox = (work) => releasing([firma.worldFromMesh(boxMesh()), firma.hullBox([0.5, 0.5, 0.5])], work);
@@ -68,6 +68,33 @@ test('a box and a capsule fall on the floor', () => {
             const seen = [];
             assert.ok(world.castEach({ ...shape, path }, (hit) => void seen.push(hit), through));
             assert.deepEqual(seen.sort((a, b) => a.fraction - b.fraction), all);
+        }
+    });
+});
+
+test('paths of more than a thousand kilometres, which go box by box, meet the same', () => {
+    const LONGER = 2 ** 22;
+    releasing([firma.hullBox([0.5, 0.3, 0.4], [0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1]), readers.worldFromObj(levelBytes)], (hull, world) => {
+        const inputs = randomCasts(400, world.facts(), 9, 60);
+        const shapes = [
+            (centre) => ({ centre, radius: 0 }),
+            (centre, radius) => ({ centre, radius }),
+            (from, radius) => ({ from, to: from.map((value, axis) => value + [0.4, -0.3, 1][axis]), radius }),
+            (at) => ({ hull, at }),
+        ];
+        for (const shape of shapes) {
+            let met = 0;
+            for (let at = 0; at < inputs.length; at += 7) {
+                const mover = shape(Array.from(inputs.subarray(at, at + 3)), inputs[at + 3]);
+                const path = Array.from(inputs.subarray(at + 4, at + 7));
+                const near = world.cast({ ...mover, path });
+                if (near.status !== 'hit') continue;
+                const far = world.cast({ ...mover, path: path.map((along) => along * LONGER) });
+                const { status, fraction, face, normal } = near;
+                assert.deepEqual({ ...far, fraction: far.fraction * LONGER }, { ...far, status, fraction, face, normal });
+                ++met;
+            }
+            assert.ok(met > 150, `${met} met something`);
         }
     });
 });

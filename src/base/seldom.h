@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// FIRMA_SELDOM: before a function that few calls reach, in a source that is compiled for speed. It is a call, and in
+// the module for browsers, which has to be small, compiled for size.
+#pragma once
+
+#if defined(__wasm__)
+#define FIRMA_SELDOM [[gnu::noinline, clang::minsize]]
+#else
+#define FIRMA_SELDOM [[gnu::noinline]]
+#endif
