@@ -20,6 +20,24 @@ namespace firma {
 /// Says by its time that the polygon is to be asked.
 inline constexpr Contact kAskThePolygon{Status::kMiss, Feature::kFace, 0, -1};
 
+/// One that is met at t if the open edges let the path through. Apart, as few are asked.
+/// @param edges     those, bits as of exact_triangle_sides()
+/// @param height    of the start over the plane, on its side
+[[gnu::noinline]] inline Contact cast_past_open_edges(const Sweep& sweep, const FaceLanes& lanes, std::uint32_t lane,
+                                                      unsigned edges, int facing, double size, double height,
+                                                      double approach, double t, double latest) {
+    const Vec3 corners[3] = {lanes.corner_at(0, lane), lanes.corner_at(1, lane), lanes.corner_at(2, lane)};
+    if (t > latest) {
+        // Triangles at one corner are met at one time but for rounding: so far later ones are told of, as polygons are.
+        const double error = rounding(16) * length(sweep.start - corners[0]);
+        const double fall = (approach + rounding(16) * sweep.direction_length) * latest;
+        if (height - error > fall * (1 + rounding(8))) return Contact{};
+    }
+    const unsigned signs = exact_triangle_sides(sweep.start, sweep.direction, corners, size, edges);
+    if (signs & (facing > 0 ? kSomeNegative : kSomePositive)) return Contact{};
+    return Contact{Status::kHit, Feature::kFace, 0, t > sweep.end ? sweep.end : t};
+}
+
 /// @param sweep   of radius 0, from within 2^20 m
 /// @param lane    one of lanes.whole
 /// @param latest  nothing after it is wanted, but by rounding
@@ -52,7 +70,10 @@ inline Contact cast_particle_triangle(const Sweep& sweep, const FaceLanes& lanes
     const double unsure = 128 * kRoundoff * size * size;
     if (least < -unsure && most > unsure) return Contact{};
     // Where an edge is open, what follows supposes that the line meets the triangle: where it does not, nothing is met.
-    const bool open = !(least > unsure || most < -unsure);
+    unsigned open = 0;
+    if (!(least > unsure || most < -unsure))
+        open = unsigned(std::fabs(one) <= unsure) | unsigned(std::fabs(two) <= unsure) << 1 |
+               unsigned(std::fabs(three) <= unsure) << 2;
     int facing;
     if (most > unsure)
         facing = 1;
@@ -80,20 +101,8 @@ inline Contact cast_particle_triangle(const Sweep& sweep, const FaceLanes& lanes
     if (!(approach >= sweep.direction_length * 0.125)) return kAskThePolygon;
     const double t = height * scale / approach;
     if (near_end(t, sweep.end) || !(t > 0)) return kAskThePolygon;
-    if (t > latest) {
-        if (!open) return Contact{};
-        // Triangles at one corner are met at one time but for rounding: so far later ones are told of, as polygons are.
-        const double error = rounding(16) * length(sweep.start - a);
-        const double fall = (approach + rounding(16) * sweep.direction_length) * latest;
-        if (height * scale - error > fall * (1 + rounding(8))) return Contact{};
-    }
-    if (open) {
-        const unsigned edges = unsigned(std::fabs(one) <= unsure) | unsigned(std::fabs(two) <= unsure) << 1 |
-                               unsigned(std::fabs(three) <= unsure) << 2;
-        const Vec3 corners[3] = {a, b, c};
-        const unsigned signs = exact_triangle_sides(sweep.start, sweep.direction, corners, size, edges);
-        if (signs & (facing > 0 ? kSomeNegative : kSomePositive)) return Contact{};
-    }
+    if (open) return cast_past_open_edges(sweep, lanes, lane, open, facing, size, height * scale, approach, t, latest);
+    if (t > latest) return Contact{};
     return Contact{Status::kHit, Feature::kFace, 0, t > sweep.end ? sweep.end : t};
 }
 
