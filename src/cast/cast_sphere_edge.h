@@ -9,6 +9,7 @@
 // counts when it lies between the ends: 0 <= (w + t d).e <= e.e.
 #pragma once
 
+#include "base/seldom.h"
 #include "cast/entry.h"
 #include "cast/sweep.h"
 #include "cast/vector_of.h"
@@ -64,8 +65,8 @@ inline Entry enter_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
 }
 
 /// The same in double-double: never kDoubtful. A discriminant of zero, to the last digit, is a graze and counts.
-inline Entry enter_cylinder_precisely(const Sweep& sweep, const VectorOf<DoubleDouble>& w,
-                                      const VectorOf<DoubleDouble>& e) {
+FIRMA_SELDOM inline Entry enter_cylinder_precisely(const Sweep& sweep, const VectorOf<DoubleDouble>& w,
+                                                   const VectorOf<DoubleDouble>& e) {
     using Real = DoubleDouble;
     const VectorOf<Real> d = exactly<Real>(sweep.direction);
     const VectorOf<Real> m = cross(w, e), n = cross(d, e);

@@ -8,6 +8,7 @@
 //     r^2 - |c|^2 = (r - |c|) (r + |c|).
 #pragma once
 
+#include "base/seldom.h"
 #include "cast/entry.h"
 #include "cast/sweep.h"
 #include "cast/vector_of.h"
@@ -40,7 +41,7 @@ inline Entry enter_vertex(const Sweep& sweep, const Vec3& vertex) {
 }
 
 /// The same in double-double: never kDoubtful. A discriminant of zero, to the last digit, is a graze and counts.
-inline Entry enter_vertex_precisely(const Sweep& sweep, const Vec3& vertex) {
+FIRMA_SELDOM inline Entry enter_vertex_precisely(const Sweep& sweep, const Vec3& vertex) {
     using Real = DoubleDouble;
     const VectorOf<Real> w = difference<Real>(sweep.start, vertex), d = exactly<Real>(sweep.direction);
     const Real closing = dot(w, d);
