@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/seldom.h"
 #include "cast/sizes_of.h"
 #include "cast/time_range.h"
 #include "geometry/rounding.h"
@@ -37,7 +38,7 @@ struct LowestCorner {
     double height = 0;
     std::size_t corner = 0;
 
-    LowestCorner(const HullShape& hull, const Vec3& u) : height(dot(u, hull.corners[0])) {
+    FIRMA_SELDOM LowestCorner(const HullShape& hull, const Vec3& u) : height(dot(u, hull.corners[0])) {
         for (std::size_t k = 1; k < hull.corners.size(); ++k) {
             const double here = dot(u, hull.corners[k]);
             if (here < height) {
@@ -52,7 +53,7 @@ struct LowestCorner {
 struct Reach {
     double low = 0, high = 0;
 
-    Reach(const PolygonShape& polygon, const Vec3& u) {
+    FIRMA_SELDOM Reach(const PolygonShape& polygon, const Vec3& u) {
         for (const Vec3& corner : polygon.corners.subspan(1)) {
             const double here = dot(u, corner - polygon.corners[0]);
             low = std::min(low, here);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/seldom.h"
 #include "geometry/exact_integer.h"
 #include "geometry/expansion.h"
 #include "geometry/rounding.h"
@@ -44,7 +45,7 @@ void add_triple(Sum& sum, double a, const DoubleDouble& b, const DoubleDouble& c
         }
 }
 
-int edge_side_in_parts(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
+FIRMA_SELDOM int edge_side_in_parts(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
     DoubleDouble wa[3], wb[3];
     for (int axis = 0; axis < 3; ++axis) {
         wa[axis] = two_difference(a[axis], start[axis]);
@@ -77,7 +78,7 @@ double whole_scale(double size) {
 
 /// @param scale  |v| * scale is at most 2^60
 /// @return what is left of v * scale: 0 where that is whole
-double to_whole(const Vec3& v, double scale, WholeVec& whole) {
+FIRMA_SELDOM double to_whole(const Vec3& v, double scale, WholeVec& whole) {
     const Vec3 scaled = v * scale;
     whole = {std::int64_t(scaled.x), std::int64_t(scaled.y), std::int64_t(scaled.z)};
     return std::fabs(scaled.x - double(whole.x)) + std::fabs(scaled.y - double(whole.y)) +
@@ -88,7 +89,7 @@ double to_whole(const Vec3& v, double scale, WholeVec& whole) {
 struct Moment {
     Int128 x, y, z;
 
-    Moment(const WholeVec& direction, const WholeVec& w)
+    FIRMA_SELDOM Moment(const WholeVec& direction, const WholeVec& w)
         : x(Int128(direction.y) * w.z - Int128(direction.z) * w.y),
           y(Int128(direction.z) * w.x - Int128(direction.x) * w.z),
           z(Int128(direction.x) * w.y - Int128(direction.y) * w.x) {}
@@ -96,7 +97,7 @@ struct Moment {
     bool is_zero() const { return (x | y | z) == 0; }
     /// Sign of edge . moment, for an edge of 61 bits. Of moment = high * 2^64 + low, 0 <= low < 2^64, the sum of the
     /// highs' products has 58 + 61 + 2 bits, that of the lows' 64 + 61 + 2.
-    int sign_along(const WholeVec& edge) const {
+    FIRMA_SELDOM int sign_along(const WholeVec& edge) const {
         const Int128 low =
             Int128(edge.x) * std::uint64_t(x) + Int128(edge.y) * std::uint64_t(y) + Int128(edge.z) * std::uint64_t(z);
         const Int128 high = Int128(edge.x) * std::int64_t(x >> 64) + Int128(edge.y) * std::int64_t(y >> 64) +
@@ -151,7 +152,7 @@ int exact_plane_side(const Vec3& point, const Vec3& offset, const PolygonShape& 
 // numbers of 60 bits: of floats those where none but 0 is below 2^-34 of the largest, of doubles 2^-5. Then all of it
 // is whole, and exact. Where the line runs through a corner the moment is 0, and so are both edges there.
 
-int exact_edge_side(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
+FIRMA_SELDOM int exact_edge_side(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
     const double scale = whole_scale(std::max({max_abs(start), max_abs(a), max_abs(b)}));
     WholeVec s, d, p, q;
     const double left = to_whole(start, scale, s) + to_whole(direction, whole_scale(max_abs(direction)), d) +
@@ -160,8 +161,8 @@ int exact_edge_side(const Vec3& start, const Vec3& direction, const Vec3& a, con
     return edge_side_in_parts(start, direction, a, b);
 }
 
-unsigned exact_triangle_sides(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3], double size,
-                              unsigned open) {
+FIRMA_SELDOM unsigned exact_triangle_sides(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3],
+                                           double size, unsigned open) {
     const double scale = whole_scale(max_abs(start) + size);
     WholeVec s, d;
     const double left = to_whole(start, scale, s) + to_whole(direction, 0x1p59, d);

@@ -101,7 +101,11 @@ inline Contact cast_particle_triangle(const Sweep& sweep, const FaceLanes& lanes
     if (!(approach >= sweep.direction_length * 0.125)) return kAskThePolygon;
     const double t = height * scale / approach;
     if (near_end(t, sweep.end) || !(t > 0)) return kAskThePolygon;
+#if defined(__wasm__)  // which has to be small
+    if (open) return kAskThePolygon;
+#else
     if (open) return cast_past_open_edges(sweep, lanes, lane, open, facing, size, height * scale, approach, t, latest);
+#endif
     if (t > latest) return Contact{};
     return Contact{Status::kHit, Feature::kFace, 0, t > sweep.end ? sweep.end : t};
 }
