@@ -11,13 +11,15 @@
 namespace firma {
 
 class Block;
+struct FaceRecord;
 
 /// Facets of one block. One of more than three corners is a fan of triangles, side by side, maybe in several of these.
 struct FaceLanes {
     static constexpr std::uint32_t kLanes = 8;
 
     const Block* block = nullptr;
-    float corner[3][3][kLanes];  ///< by corner and axis: metres from the origin
+    const FaceRecord* faces = nullptr;  ///< of the block: one place less to wait for than by way of it
+    float corner[3][3][kLanes];         ///< by corner and axis: metres from the origin
     GridPoint origin;
     std::int32_t fourth = 0;  ///< so that four numbers may be read in a row
     float size = 0;           ///< no corner is farther from the origin, by the sum of its coordinates

@@ -132,6 +132,7 @@ private:
     void start() {
         last_ = next_++;
         last_->block = &block_;
+        last_->faces = block_.faces.data();
         last_->origin = origin_;
         last_->mask_of_all = ~0u;
         lane_ = 0;

@@ -127,7 +127,7 @@ private:
 
     /// @param first, end  slots of the faces that the lanes are of
     void check_lanes(const Block& block, const FaceLanes& it, std::uint32_t first, std::uint32_t end) {
-        if (it.block != &block) return report("lanes name another block than theirs");
+        if (it.block != &block || it.faces != block.faces.data()) return report("lanes name another block than theirs");
         if (it.used == 0 || (it.used & (it.used + 1)) != 0) return report("lanes are not in use from the first on");
         for (std::uint32_t lane = 0; lane < std::uint32_t(std::popcount(it.used)) && !fault_; ++lane) {
             const std::uint32_t slot = it.slot[lane];

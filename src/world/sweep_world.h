@@ -36,8 +36,9 @@ struct SweepContact {
     std::uint32_t portal = ~0u;
     const FaceLanes* whole = nullptr;  ///< lanes one of which has all that the facet's shape is, or null
     std::uint32_t lane = 0;
+    const FaceRecord* record = nullptr;  ///< of a face
 
-    const FaceRecord& face() const { return block->faces[slot]; }
+    const FaceRecord& face() const { return *record; }
     /// In the order of faces by id, then portals.
     bool comes_before(const SweepContact& other) const {
         if (block && other.block) return face().id < other.face().id;
@@ -138,7 +139,7 @@ public:
             if (!shape.polygon.has_area()) continue;
             const Sides sides = face.two_sided ? Sides::kBoth : options_.sides;
             const Contact contact = mover_.against(sweep_, shape.polygon, sides, found_.latest, &counts);
-            if (contact.touched() && found_({contact, &block, slot, ~0u, nullptr, 0})) return ended = true;
+            if (contact.touched() && found_({contact, &block, slot, ~0u, nullptr, 0, &face})) return ended = true;
         }
         return false;
     }
@@ -226,7 +227,8 @@ private:
     static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
         WorldSweep& it = *static_cast<WorldSweep*>(query.whose);
         SweepContact met{{}, lanes.block, lanes.slot[lane]};
-        __builtin_prefetch(&met.face());  // what a hit tells of it, far from the lanes
+        met.record = lanes.faces + met.slot;
+        __builtin_prefetch(met.record);  // what a hit tells of it, far from the lanes
         if (!(lanes.mask_of_all & it.options_.mask) && !(met.face().mask & it.options_.mask)) return false;
         ++query.counts.faces;
         const Sides sides = lanes.two_sided >> lane & 1 ? Sides::kBoth : it.options_.sides;
