@@ -37,7 +37,7 @@ PARTS = {
     "single faces, exactly": r"::(cast_\w+polygon|cast_particle_triangle|look_at_facet|KeepFirst|LaneShape|FaceShape|make_shape"
                              r"|line_meets\w*|exact_\w+|view_plane|enter_\w+|foot_inside|start_\w+|near\w*|out_of_reach|counted"
                              r"|side_crossing|cross_\w+|touch_sides|axis_meets|AxisSides|AroundCapsule|Capsule(Sweep|Start)|capsule_\w+"
-                             r"|precise\w*|least_nearness|SumFacet|sum_\w+|SumVec|HullAgainstPolygon|judge_\w+|guess"
+                             r"|precise\w*|least_nearness|SumFacet|sum_\w+|SumVec|HullAgainstPolygon|HullLook|LowestCorner|glance|Landing|judge_\w+|guess"
                              r"|Expansion|DoubleDouble|VectorOf|dot|cross|difference\w*|square_root)\b|fm(ax|in)|operator[-+*/]",
     "set-up": r"",
 }
