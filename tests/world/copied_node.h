@@ -38,7 +38,10 @@ inline Block& own_block(Node& leaf) {
     made->corner_vertices = from.corner_vertices;
     made->owners = from.owners;
     made->lanes = from.lanes;
-    for (FaceLanes& lanes : made->lanes) lanes.block = made.get();
+    for (FaceLanes& lanes : made->lanes) {
+        lanes.block = made.get();
+        lanes.faces = made->faces.data();
+    }
     for (WideNode& wide : leaf.wide)
         for (std::uint32_t lane = 0; lane < wide.count; ++lane)
             if (wide.leads_to_facets(lane) && wide.child[lane])

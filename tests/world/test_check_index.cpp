@@ -279,6 +279,10 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
         lanes.block = nullptr;
         return true;
     });
+    expect_lanes("lanes name another block than theirs", false, [](Node&, Block& block, FaceLanes& lanes) {
+        lanes.faces = block.faces.data() + 1;
+        return true;
+    });
     expect_lanes("lanes are not in use from the first on", false, [](Node&, Block&, FaceLanes& lanes) {
         lanes.used = 0;
         return true;
