@@ -32,16 +32,14 @@ HullGuess guess(const HullAgainstPolygon& pair, double latest) {
     const bool may_meet = pair.each_facet([&](const SumFacet& facet) {
         const Estimate now = pair.outside(facet);
         const Estimate change = pair.change(facet);
-        const double gain = sweep.end * change.value, last = now.value + gain;
-        const double last_error =
-            now.error + sweep.end * change.error + rounding(4) * (std::fabs(now.value) + std::fabs(gain));
-        if (now.value > now.error && last > last_error) return false;
-        if (now.value < -now.error && last < -last_error) return true;
+        const int last = at_end(now, change, sweep.end).sign();
+        if (now.value > now.error && last > 0) return false;
+        if (now.value < -now.error && last < 0) return true;
         if (std::fabs(now.value) <= now.error || !(std::fabs(change.value) > 4 * change.error)) return open = true;
         const TimeRange crossed = crossing(now, change);
         if (now.value > 0) {
             if (crossed.low > latest) return false;
-            if (last >= -last_error) open = true;
+            if (last >= 0) open = true;
             const double t = now.value / -change.value;
             if (t > first) {
                 first = t;

@@ -13,6 +13,10 @@
 namespace firma {
 namespace {
 
+/// Edge and side that are so nearly parallel that their common perpendicular is off by more than this share are left to
+/// all facets.
+constexpr double kDirectionError = 0x1p-30;
+
 /// Between which times the hull may touch, as far as directions told.
 struct MayTouch {
     double from = 0, to = 0;
@@ -71,10 +75,8 @@ struct Landing {
 
     static std::optional<Landing> on(const HullAgainstPolygon& pair, const Estimate& height, const Estimate& fall) {
         const Sweep& sweep = pair.sweep();
-        const double gain = sweep.end * fall.value, last = height.value + gain;
-        const double last_error =
-            height.error + sweep.end * fall.error + rounding(4) * (std::fabs(height.value) + std::fabs(gain));
-        if (!(height.value > height.error && fall.value < -4 * fall.error && last < -last_error)) return {};
+        if (!(height.value > height.error && fall.value < -4 * fall.error)) return {};
+        if (at_end(height, fall, sweep.end).sign() >= 0) return {};
         const TimeRange crossed = crossing(height, fall);
         const double size = max_abs(pair.seen()) + pair.hull().reach;
         const double blur = crossed.high - crossed.low;
@@ -202,7 +204,7 @@ private:
         const Vec3 &u = facet.direction, &o = hull_.corners[edge.from];
         const Vec3 v = polygon_.corners[name.side] - polygon_.corners[0], e = side(name.side);
         const double uu = dot(u, u);
-        if (!(max_abs(facet.error) * 0x1p+30 < max_abs(u))) return {};
+        if (!(max_abs(facet.error) < kDirectionError * max_abs(u))) return {};
         const Estimate height = pair_.outside(facet);
         const std::optional<Landing> landing = Landing::on(pair_, height, pair_.change(facet));
         if (!landing || !touch_alone(u, name, landing->unsure)) return {};
@@ -210,7 +212,7 @@ private:
         const Vec3 at = pair_.seen() + o + sweep_.direction * landing->t - v;
         const double x = name.turn * dot(cross(at, e), u), y = name.turn * dot(cross(at, edge.along), u);
         const Vec3 off = (pair_.sizes() + speeds_ * landing->t) * rounding(32) + speeds_ * (2 * landing->blur);
-        const double blur = 0x1p-28 * uu;  // of u
+        const double blur = 4 * kDirectionError * uu;  // of u
         const double x_unsure = dot(sizes_of_cross(off, e), sizes_of(u)) + blur;
         const double y_unsure = dot(sizes_of_cross(off, edge.along), sizes_of(u)) + blur;
         if (x > x_unsure && x < uu - x_unsure && y > y_unsure && y < uu - y_unsure) return landing;

@@ -17,6 +17,12 @@ struct TimeRange {
 /// A time of more error than this share of all sizes, in metres along the path, is computed once more.
 inline constexpr double kTimeError = 0x1p-46;
 
+/// How far away something is at the end of a path.
+inline Estimate at_end(const Estimate& now, const Estimate& change, double end) {
+    const double gain = end * change.value;
+    return {now.value + gain, now.error + end * change.error + rounding(4) * (std::fabs(now.value) + std::fabs(gain))};
+}
+
 /// When a facet's plane is crossed that is `now` away, for a change that is surely not 0.
 inline TimeRange crossing(const Estimate& now, const Estimate& change) {
     const double distance = std::fabs(now.value), speed = std::fabs(change.value);
