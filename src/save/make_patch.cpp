@@ -139,16 +139,31 @@ private:
         list_.regions.erase(std::unique(list_.regions.begin(), list_.regions.end()), list_.regions.end());
     }
 
-    /// Exact faces that stay, and share edges or vertices with those added, or with portals'.
+    /// Calls `function(address)` for each edge and vertex of a face.
+    template <class Function>
+    static void for_each_object(const SolidFace& face, const Function& function) {
+        for (const SolidUse& use : face.uses) {
+            function(reinterpret_cast<std::uintptr_t>(use.address()));
+            function(reinterpret_cast<std::uintptr_t>(&use.from()));
+        }
+    }
+
+    template <class Function>
+    void for_each_portal_face(const Function& function) const {
+        data_.cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
+            for (std::size_t k = 0; k < state.portal->all_polygons().size(); ++k)
+                if (const SolidFace* face = state.portal->exact(k)) function(*face);
+        });
+    }
+
+    /// Exact faces that stay, and share edges or vertices with those added, or with portals'. Where portals share some
+    /// with faces added, they go along, though they be the same: those that the reader has share with what it removes.
     void import_neighbours() {
         FlatMap wanted;  // addresses of edges and vertices of faces added
         FlatMap added;   // addresses of these
         std::vector<FacetPlace> near;
         const auto want = [&](const SolidFace& face) {
-            for (const SolidUse& use : face.uses) {
-                wanted.at(reinterpret_cast<std::uintptr_t>(use.address())) = 0;
-                wanted.at(reinterpret_cast<std::uintptr_t>(&use.from())) = 0;
-            }
+            for_each_object(face, [&](std::uintptr_t address) { wanted.at(address) = 0; });
             gather_facets(solid(), face.box, near);
         };
         for (const FacetPlace& facet : added_) {
@@ -159,11 +174,10 @@ private:
             mark = 0;
             want(*owner);
         }
-        if (has_cells_)
-            data_.cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
-                for (std::size_t k = 0; k < state.portal->all_polygons().size(); ++k)
-                    if (const SolidFace* face = state.portal->exact(k)) want(*face);
-            });
+        for_each_portal_face([&](const SolidFace& face) {
+            for_each_object(face, [&](std::uintptr_t address) { has_cells_ |= wanted.find(address) == 0; });
+        });
+        if (has_cells_) for_each_portal_face(want);
         sort_range(near, [](const FacetPlace& a, const FacetPlace& b) {
             return a.record().id != b.record().id ? a.record().id < b.record().id : a.slot < b.slot;
         });
@@ -175,13 +189,11 @@ private:
             if (mark != FlatMap::kNone) continue;
             mark = 0;
             bool shares = false;
-            for (const SolidUse& use : owner->uses)
-                for (const std::uintptr_t address :
-                     {reinterpret_cast<std::uintptr_t>(use.address()), reinterpret_cast<std::uintptr_t>(&use.from())})
-                    if (wanted.find(address) == 0) {
-                        shares = true;
-                        wanted.at(address) = 1;  // one face that brings it is enough
-                    }
+            for_each_object(*owner, [&](std::uintptr_t address) {
+                if (wanted.find(address) != 0) return;
+                shares = true;
+                wanted.at(address) = 1;  // one face that brings it is enough
+            });
             if (!shares) continue;
             exact_.import(*owner);
             imports_.push_back({facet.record().id, facet.block->corner(facet.record(), 0), owner->hash});
@@ -239,7 +251,8 @@ private:
     const World& world_;
     const WorldData& data_;
     FaceList list_;
-    const bool has_cells_, same_anchors_;
+    bool has_cells_;
+    const bool same_anchors_;
     std::vector<NewSection> cells_;
     std::vector<FaceId> removed_;
     std::vector<FacetPlace> added_;  ///< by id

@@ -39,6 +39,11 @@ std::uint64_t hash_cells(const Cells& cells) {
         add_text(hasher, record.name);
     }
     hasher.add(cells.hash());
+    // A world's hash knows corners of portals only as they are rounded.
+    cells.portals().for_each([&](std::uint32_t, const PortalState& state) {
+        for (std::size_t k = 0; k < state.portal->all_polygons().size(); ++k)
+            if (const SolidFace* face = state.portal->exact(k)) hasher.add(face->hash);
+    });
     return hasher.value();
 }
 
