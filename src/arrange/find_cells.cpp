@@ -80,8 +80,8 @@ bool CellFinder::divide_face(std::uint32_t face) {
     return flat_.trace(uses_, loops_, ends_) && add_cells(face);
 }
 
-PhaseEnd CellFinder::step(WorkSlice& slice) {
-    for (; next_ < overlay_.faces.size(); ++next_) {
+PhaseEnd CellFinder::step(WorkSlice& slice, std::size_t faces) {
+    for (; next_ < faces; ++next_) {
         if (slice.used_up()) return PhaseEnd::kGoesOn;
         slice.take(1 + lines_.of_face(next_).size());
         if (!divide_face(next_)) return PhaseEnd::kBroken;

@@ -37,9 +37,11 @@ public:
         : overlay_(overlay), spans_(spans), lines_(lines), flat_(overlay, lines) {}
 
     /// Broken when some face does not divide: it, or what it met, crosses itself.
-    PhaseEnd step(WorkSlice& slice);
+    /// @param faces  how many of the overlay, from the first on
+    PhaseEnd step(WorkSlice& slice, std::size_t faces);
+    PhaseEnd step(WorkSlice& slice) { return step(slice, overlay_.faces.size()); }
 
-    /// Of all faces, once it is done.
+    /// Of these faces, once it is done.
     const CellSet& cells() const { return cells_; }
 
 private:

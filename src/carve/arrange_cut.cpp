@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/sort.h"
@@ -166,7 +167,9 @@ CutArranger::End CutArranger::add_cutter(WorkSlice& slice) {
     patch_edge_.resize(overlay_.edges.size(), kNotYet);
     if (overlay_.tables.planes.size() >= kMostPlanes) return End::kTooLarge;
     spans_.start();
-    pairs_.start(in_.cutter, overlay_, std::move(face_of), first);
+    std::vector<std::uint32_t> faces(first);
+    std::iota(faces.begin(), faces.end(), 0u);
+    pairs_.start(in_.cutter, overlay_, std::move(face_of), std::move(faces));
     return go_to(Phase::kPairs);
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What a placed cutter leaves of polygons that bound nothing: an arrangement of both. A polygon is divided where the
-// cutter's surface meets it, and each cell lies in the cutter or does not, by a point within it.
+// What placed cutters leave of polygons that bound nothing: an arrangement of all. A polygon is divided where cutters'
+// surfaces meet it, and each cell lies in a cutter or does not, by a point within it. Cutters are not divided by each
+// other.
 #include "carve/trim_polygons.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/sort.h"
+#include "carve/side_of_solid.h"
 #include "geometry/exact_plane.h"
 #include "geometry/surface_plane.h"
 #include "solid/append_faces.h"
@@ -19,6 +22,18 @@ constexpr std::size_t kMostTrimPlanes = 1u << 21;  // see arrange/point_table.cp
 /// Input steps: what of a polygon is thinner everywhere goes only where it lies as deep in the cutter, as rounding
 /// makes such slivers at its surface. Four surface steps.
 constexpr double kThinCell = 4.0 / kSurfacePerInput;
+
+/// @param middle  input steps
+bool may_hold(const CutterSolid& cutter, const Vec3& middle) {
+    constexpr double kBeside =
+        64;  // surface steps: more than a Solid's facets lie beside its faces, and what is rounded
+    static_assert(kBeside > kFacetReach + 2);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double at = middle[axis] * kSurfacePerInput;
+        if (at < double(cutter.box.low[axis]) - kBeside || at > double(cutter.box.high[axis]) + kBeside) return false;
+    }
+    return true;
+}
 
 /// Along the normal of a polygon, with numbers too large for a plane.
 FlatView view_of(std::span<const GridPoint> corners) {
@@ -47,12 +62,21 @@ GridPoint point_at(GridPoint a, GridPoint b, int axis, std::int32_t at) {
 
 }  // namespace
 
-PolygonTrimmer::PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs)
-    : cutter_(cutter),
-      facets_(std::move(facets)),
-      budget_(max_pairs),
+PolygonTrimmer::PolygonTrimmer(std::vector<FacetPlace> facets, std::vector<Trim> trims, std::uint64_t max_pairs)
+    : facets_(std::move(facets)),
+      trims_(std::move(trims)),
+      first_cutter_(facets_.size() + 1, 0),
+      max_pairs_(max_pairs),
       fate_(facets_.size(), Fate::kStays),
-      loses_(facets_.size(), 0) {}
+      loses_(facets_.size(), 0) {
+    for (const Trim& trim : trims_)
+        for (const std::uint32_t facet : trim.facets) ++first_cutter_[facet + 1];
+    std::partial_sum(first_cutter_.begin(), first_cutter_.end(), first_cutter_.begin());
+    cutters_.resize(first_cutter_.back());
+    std::vector<std::uint32_t> next = first_cutter_;
+    for (std::uint32_t k = 0; k < trims_.size(); ++k)
+        for (const std::uint32_t facet : trims_[k].facets) cutters_[next[facet]++] = k;
+}
 
 PolygonTrimmer::End PolygonTrimmer::step() {
     WorkSlice slice(kTrimUnitsAStep);
@@ -61,14 +85,11 @@ PolygonTrimmer::End PolygonTrimmer::step() {
             if (!go_on(next_, facets_.size(), slice, [&](std::uint32_t facet) { add_facet(facet); }))
                 return End::kGoesOn;
             if (facet_of_.empty()) return finish();
-            if (cutter_.turned)
-                solid_ = std::make_unique<PatchAdder>(cutter_.turned->boundary, 1, overlay_);
-            else
-                mesh_ = std::make_unique<MeshAdder>(cutter_, 1, overlay_);
-            phase_ = Phase::kCutter;
+            first_face_.push_back(std::uint32_t(facet_of_.size()));
+            phase_ = Phase::kCutters;
             return End::kGoesOn;
-        case Phase::kCutter:
-            return add_cutter(slice);
+        case Phase::kCutters:
+            return add_cutters(slice);
         case Phase::kPairs:
             return meet_next();
         case Phase::kSpans:
@@ -78,7 +99,7 @@ PolygonTrimmer::End PolygonTrimmer::step() {
             if (lines_.divide(slice)) phase_ = Phase::kCells;
             return End::kGoesOn;
         case Phase::kCells: {
-            const PhaseEnd end = cells_.step(slice);
+            const PhaseEnd end = cells_.step(slice, facet_of_.size());
             if (end == PhaseEnd::kBroken) return End::kBroken;
             if (end == PhaseEnd::kDone) phase_ = Phase::kPlaces;
             return End::kGoesOn;
@@ -109,6 +130,7 @@ void PolygonTrimmer::for_each_facet(std::span<const GridPoint> points, FlatView 
 }
 
 void PolygonTrimmer::add_facet(std::uint32_t facet) {
+    first_face_.push_back(std::uint32_t(facet_of_.size()));
     const FaceRecord& record = facets_[facet].record();
     std::vector<GridPoint> corners;
     for (std::uint32_t k = 0; k < record.corner_count; ++k) corners.push_back(facets_[facet].block->corner(record, k));
@@ -137,11 +159,13 @@ std::uint32_t PolygonTrimmer::point(const GridPoint& p) {
     return overlay_.tables.points.add(planes[0], planes[1], planes[2]);
 }
 
-/// In the middle of its longest extent. Parts clear of the cutter stay as they are; others may be divided again.
+/// In the middle of its longest extent. Parts clear of all cutters stay as they are; others may be divided again.
 void PolygonTrimmer::divide(std::uint32_t facet, const std::vector<GridPoint>& corners) {
     GridBox box;
     for (const GridPoint& corner : corners) box.add(corner);
-    if (!boxes_meet(box, cutter_.box)) {
+    const auto cutters = cutters_of(facet);
+    if (std::none_of(cutters.begin(), cutters.end(),
+                     [&](std::uint32_t k) { return boxes_meet(box, trims_[k].cutter->box); })) {
         add_left(facet, corners);
         return;
     }
@@ -171,26 +195,60 @@ void PolygonTrimmer::divide(std::uint32_t facet, const std::vector<GridPoint>& c
     }
 }
 
-PolygonTrimmer::End PolygonTrimmer::add_cutter(WorkSlice& slice) {
-    const auto first = std::uint32_t(facet_of_.size());
-    std::vector<std::uint32_t> face_of;
-    if (solid_) {
-        if (!solid_->add(slice)) return End::kGoesOn;
-        for (const std::uint32_t face : cutter_.turned->face_of) face_of.push_back(first + face);
-    } else {
-        if (!mesh_->add(slice)) return End::kGoesOn;
-        face_of = mesh_->face_of();
-    }
+PolygonTrimmer::End PolygonTrimmer::add_cutters(WorkSlice& slice) {
+    if (!add_cutter(slice)) return End::kGoesOn;
     if (overlay_.tables.planes.size() >= kMostTrimPlanes) return End::kTooLarge;
+    if (faces_of_.size() < trims_.size()) return End::kGoesOn;
     spans_.start();
-    pairs_.start(cutter_, overlay_, std::move(face_of), first);
+    next_ = 0;
+    start_pairs();
     phase_ = Phase::kPairs;
     return End::kGoesOn;
 }
 
+/// The next one.
+/// @return whether all of it is done
+bool PolygonTrimmer::add_cutter(WorkSlice& slice) {
+    const CutterSolid& cutter = *trims_[faces_of_.size()].cutter;
+    if (cutter.turned) {
+        const auto first = std::uint32_t(overlay_.faces.size());
+        if (!solid_) {
+            solid_ = std::make_unique<PatchAdder>(cutter.turned->boundary, 1, overlay_);
+            first_of_solid_ = first;
+        }
+        if (!solid_->add(slice)) return false;
+        faces_of_.emplace_back();
+        for (const std::uint32_t face : cutter.turned->face_of) faces_of_.back().push_back(first_of_solid_ + face);
+        solid_.reset();
+    } else {
+        if (!mesh_) mesh_ = std::make_unique<MeshAdder>(cutter, 1, overlay_);
+        if (!mesh_->add(slice)) return false;
+        faces_of_.push_back(mesh_->face_of());
+        mesh_.reset();
+    }
+    return true;
+}
+
+/// Of the cutter at hand with the facets that it may take of.
+void PolygonTrimmer::start_pairs() {
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t facet : trims_[next_].facets)
+        for (std::uint32_t face = first_face_[facet]; face < first_face_[facet + 1]; ++face) faces.push_back(face);
+    budget_ = PairBudget(max_pairs_);
+    pairs_.start(*trims_[next_].cutter, overlay_, std::move(faces_of_[next_]), std::move(faces));
+}
+
 PolygonTrimmer::End PolygonTrimmer::meet_next() {
-    if (!pairs_.step(spans_, budget_)) phase_ = Phase::kSpans;
-    return budget_.spent() ? End::kPairs : End::kGoesOn;
+    const bool goes_on = pairs_.step(spans_, budget_);
+    if (budget_.spent()) return End::kPairs;
+    if (goes_on) return End::kGoesOn;
+    if (++next_ < trims_.size()) {
+        start_pairs();
+    } else {
+        next_ = 0;
+        phase_ = Phase::kSpans;
+    }
+    return End::kGoesOn;
 }
 
 void PolygonTrimmer::place_cells(std::uint32_t face) {
@@ -221,7 +279,7 @@ void PolygonTrimmer::find_facets(const Plane& plane, std::span<const PieceUse> u
         facet_maker_.make_folded(points_, exact_, ends, plane.front_view(), made_);
 }
 
-/// By a point within its widest triangle; on the cutter's surface by points in front of it and behind.
+/// By a point within its widest triangle; on a cutter's surface by points in front of it and behind.
 bool PolygonTrimmer::lies_in(const Cell& cell) {
     const Plane& plane = overlay_.plane(overlay_.faces[cell.face].plane);
     find_facets(plane, cells_.cells().uses(cell), cells_.cells().ends(cell));
@@ -237,24 +295,30 @@ bool PolygonTrimmer::lies_in(const Cell& cell) {
             widest = width;
             middle = (a + b + d) * (1.0 / 3);
         }
-    if (widest < kThinCell) return widest >= 0 && lies_deep(middle);
+    if (widest < 0) return false;
     const FlatView view = plane.front_view();
     const Plane u = fine_plane(view.u(), middle[view.u()]), v = fine_plane(view.v(), middle[view.v()]);
-    const auto side = [&](const Plane& at) {
-        return meet_in_world(at, u, v) ? side_of_cutter(cutter_, ExactPoint(at, u, v)) : -1;
+    const auto holds = [&](const CutterSolid& cutter) {
+        if (!may_hold(cutter, middle)) return false;
+        if (widest < kThinCell) return lies_deep(cutter, middle);
+        const auto side = [&](const Plane& at) {
+            return meet_in_world(at, u, v) ? side_of_cutter(cutter, ExactPoint(at, u, v)) : -1;
+        };
+        const int on = side(plane);
+        return on > 0 || (on == 0 && side(plane_beside(plane, -1)) > 0);
     };
-    const int on = side(plane);
-    return on > 0 || (on == 0 && side(plane_beside(plane, -1)) > 0);
+    const auto cutters = cutters_of(facet_of_[cell.face]);
+    return std::any_of(cutters.begin(), cutters.end(), [&](std::uint32_t k) { return holds(*trims_[k].cutter); });
 }
 
-/// Whether all around a point lies in the cutter.
-bool PolygonTrimmer::lies_deep(const Vec3& middle) const {
+/// Whether all around a point lies in a cutter.
+bool PolygonTrimmer::lies_deep(const CutterSolid& cutter, const Vec3& middle) {
     for (int axis = 0; axis < 3; ++axis)
         for (const double step : {-kThinCell, kThinCell}) {
             Vec3 at = middle;
             at[axis] += step;
             const Plane x = fine_plane(0, at.x), y = fine_plane(1, at.y), z = fine_plane(2, at.z);
-            if (!meet_in_world(x, y, z) || side_of_cutter(cutter_, ExactPoint(x, y, z)) <= 0) return false;
+            if (!meet_in_world(x, y, z) || side_of_cutter(cutter, ExactPoint(x, y, z)) <= 0) return false;
         }
     return true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polygons that bound nothing (sheets, decals, clips), and what a placed cutter leaves of them: each without what lies
-// in the cutter, with no cap.
+// Polygons that bound nothing (sheets, decals, clips), and what placed cutters leave of them: each without what lies in
+// a cutter, with no cap.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,16 @@
 
 namespace firma {
 
-/// Of facets with corners on the surface grid. All is decided exactly, also where the cutter touches; corners that come
-/// are rounded once to that grid, and neighbours get the same ones. What of a polygon lies on the cutter's surface goes
-/// where both look the same way, as of solids. Slivers of some micrometres at that surface, which come of rounding,
-/// stay: so the same cut again takes nothing.
+/// A placed cutter, and what it may take of.
+struct Trim {
+    const CutterSolid* cutter = nullptr;
+    std::vector<std::uint32_t> facets;  ///< numbers, ascending
+};
+
+/// Of facets with corners on the surface grid, by any number of cutters at once, which may overlap. All is decided
+/// exactly, also where a cutter touches; corners that come are rounded once to that grid, and neighbours get the same
+/// ones. What of a polygon lies on a cutter's surface goes where both look the same way, as of solids. Slivers of some
+/// micrometres at that surface, which come of rounding, stay: so the same cut again takes nothing.
 ///
 /// A slanted polygon longer than 16 m whose corners lie off the input grid may have no exact plane: it is divided
 /// first.
@@ -29,14 +35,15 @@ public:
     enum class End : std::uint8_t {
         kGoesOn,  ///< call step() again
         kDone,
-        kPairs,     ///< the budget is spent
+        kPairs,     ///< a cutter's budget is spent
         kTooLarge,  ///< more planes than one arrangement holds
-        kBroken,    ///< the cutter crosses itself
+        kBroken,    ///< a cutter crosses itself
     };
     enum class Fate : std::uint8_t { kStays, kTrimmed, kGoes };
 
-    /// @param facets  kept alive by the caller, as is the cutter
-    PolygonTrimmer(const CutterSolid& cutter, std::vector<FacetPlace> facets, std::uint64_t max_pairs);
+    /// @param facets     kept alive by the caller, as are the cutters
+    /// @param max_pairs  for each cutter
+    PolygonTrimmer(std::vector<FacetPlace> facets, std::vector<Trim> trims, std::uint64_t max_pairs);
 
     /// Does one piece of work.
     End step();
@@ -49,22 +56,28 @@ public:
     void append_left(std::size_t facet, FaceSet& set) const;
 
 private:
-    enum class Phase : std::uint8_t { kPolygons, kCutter, kPairs, kSpans, kLines, kCells, kPlaces };
+    enum class Phase : std::uint8_t { kPolygons, kCutters, kPairs, kSpans, kLines, kCells, kPlaces };
     /// A polygon that is left.
     struct Left {
         std::uint32_t facet = 0;
         std::uint32_t first = 0, count = 0;  ///< in left_corners_
     };
 
+    /// Cutters that may take of a facet, by number.
+    std::span<const std::uint32_t> cutters_of(std::uint32_t facet) const {
+        return {cutters_.data() + first_cutter_[facet], first_cutter_[facet + 1] - first_cutter_[facet]};
+    }
     void add_facet(std::uint32_t facet);
     void add_polygon(std::uint32_t facet, const std::vector<GridPoint>& corners);
     void divide(std::uint32_t facet, const std::vector<GridPoint>& corners);
     std::uint32_t point(const GridPoint& p);
-    End add_cutter(WorkSlice& slice);
+    End add_cutters(WorkSlice& slice);
+    bool add_cutter(WorkSlice& slice);
+    void start_pairs();
     End meet_next();
     void place_cells(std::uint32_t face);
     bool lies_in(const Cell& cell);
-    bool lies_deep(const Vec3& middle) const;
+    static bool lies_deep(const CutterSolid& cutter, const Vec3& middle);
     void write_cells(std::uint32_t face);
     bool join_kept(std::uint32_t face);
     void write(std::uint32_t facet, const Plane& plane, std::span<const PieceUse> uses,
@@ -79,15 +92,20 @@ private:
         return use.forward ? piece.from : piece.to;
     }
 
-    const CutterSolid& cutter_;
     const std::vector<FacetPlace> facets_;
+    const std::vector<Trim> trims_;
+    std::vector<std::uint32_t> first_cutter_, cutters_;  ///< of each facet
+    const std::uint64_t max_pairs_;
     PairBudget budget_;
     Phase phase_ = Phase::kPolygons;
     std::uint32_t next_ = 0;  ///< in the loop of the phase
 
     Overlay overlay_;
-    std::vector<std::uint32_t> facet_of_;  ///< of the overlay's first faces; the cutter's follow
+    std::vector<std::uint32_t> facet_of_;               ///< of the overlay's first faces; the cutters' follow
+    std::vector<std::uint32_t> first_face_;             ///< of each facet, and one more
+    std::vector<std::vector<std::uint32_t>> faces_of_;  ///< the overlay's, of each cutter's triangles or facets
     std::unique_ptr<PatchAdder> solid_;
+    std::uint32_t first_of_solid_ = 0;  ///< its first face of the overlay
     std::unique_ptr<MeshAdder> mesh_;
     CutterPairs pairs_;
     SpanFinder spans_{overlay_};

@@ -70,6 +70,12 @@ std::vector<Vec3> bends_of(std::span<const Vec3> outline) {
 WallHole::WallHole(const WallOutlines& outlines, const WallPlane& wall)
     : wall_(wall), axis_(steepest_axis(wall.normal)) {
     snap(outlines);
+    for (const Vec3& p : outlines_.points) flat_outlines_.push_back(flat(p));
+    if (!flat_outlines_.empty()) low_ = high_ = flat_outlines_[0];
+    for (const Flat& p : flat_outlines_) {
+        low_ = {std::min(low_.u, p.u), std::min(low_.v, p.v)};
+        high_ = {std::max(high_.u, p.u), std::max(high_.v, p.v)};
+    }
     if (!outlines_.ends.empty() && !divide_into_triangles()) divide_into_trapezoids();
 }
 
@@ -225,18 +231,12 @@ bool WallHole::may_be_over(std::span<const Vec3> polygon) const {
     if (std::all_of(polygon.begin(), polygon.end(),
                     [&](const Vec3& p) { return wall_.height(p) < -2 * kUnderSlanted; }))
         return false;
-    std::vector<Flat> other, own;
+    std::vector<Flat> other;
     for (const Vec3& p : polygon) other.push_back(flat(p));
-    for (const Vec3& p : outlines_.points) own.push_back(flat(p));
     // A polygon that is seen from its side is a line, whose width says as much as that of any.
     constexpr double kNear = 4 * kInputStep;
-    Flat low = own[0], high = own[0];
-    for (const Flat& p : own) {
-        low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-        high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-    }
-    const Flat box[4] = {low, {high.u, low.v}, high, {low.u, high.v}};
-    return gap(other, own) < kNear && gap(box, other) < kNear;
+    const Flat box[4] = {low_, {high_.u, low_.v}, high_, {low_.u, high_.v}};
+    return gap(box, other) < kNear && gap(other, flat_outlines_) < kNear;
 }
 
 std::optional<PlacedCutter> WallHole::raise_whole(const Vec3& under, const Vec3& over) const {

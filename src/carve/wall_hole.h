@@ -58,8 +58,10 @@ private:
 
     WallPlane wall_;
     int axis_ = 2;
-    WallOutlines outlines_;      ///< on the input grid
-    std::vector<Vec3> corners_;  ///< of the parts
+    WallOutlines outlines_;            ///< on the input grid
+    std::vector<Flat> flat_outlines_;  ///< all points of these
+    Flat low_, high_;                  ///< around them
+    std::vector<Vec3> corners_;        ///< of the parts
     std::vector<Part> parts_;
     bool whole_ = false;  ///< parts are triangles of the outlines' corners, side by side
 };

@@ -87,9 +87,16 @@ Plane surface_edge_plane(const GridPoint& a, const GridPoint& b, const Plane& fa
 }
 
 Plane surface_axis_plane(int axis, std::int32_t at) {
-    Int128 normal[3] = {0, 0, 0};
-    normal[axis] = 1;
-    return plane_of_surface(normal, -Int128(at));
+    // 64 p - at = 0, p in input steps: divided by as many twos as both numbers have.
+    static_assert((kSurfacePerInput & (kSurfacePerInput - 1)) == 0);
+    const std::int32_t both = at | kSurfacePerInput;
+    const std::int32_t divisor = both & -both;
+    Plane plane;
+    plane.normal[axis] = kSurfacePerInput / divisor;
+    plane.set_offset(-Int128(at / divisor));
+    plane.d = double(-(std::int64_t(at) / divisor));
+    plane.size = double(plane.normal[axis]);
+    return plane;
 }
 
 Plane plane_beside(const Plane& plane, int way) {

@@ -28,11 +28,7 @@ const CarveRules& rules_of(const WorldData& data) {
 }  // namespace
 
 OpenFaceEdit::OpenFaceEdit(const WorldData& before, const CutterSolid& cutter, bool carves)
-    : before_(before),
-      cutter_(cutter),
-      rules_(rules_of(before)),
-      carves_(carves && rules_.open_faces),
-      takes_(&cutter) {
+    : before_(before), cutter_(cutter), rules_(rules_of(before)), carves_(carves && rules_.open_faces) {
     sort_out();
 }
 
@@ -54,7 +50,6 @@ void OpenFaceEdit::sort_out() {
     gather_facets(before_.castable.root.get(), grown(cutter_.box, 1), cutter_.bevelled, 1, ~std::size_t(0), near,
                   others);
     for (const FacetPlace& facet : near) (carves_ && may_be_carved(facet.record()) ? trimmed_ : stay).push_back(facet);
-    of_world_ = trimmed_.size();
     stay_.emplace(std::move(stay), cutter_, rules_.max_pairs);
 }
 
@@ -82,22 +77,13 @@ bool OpenFaceEdit::step() {
             break;
         case Phase::kCarried:
             if (carried_ && carried_->step()) break;
-            if (carried_)
-                for (const FacetPlace& facet : carried_->faces()) {
-                    if (is_taken(facet)) continue;
-                    if (const auto matter = pane_matter(facet.record()))
-                        take_pane(facet, *matter);
-                    else
-                        take(facet);
-                }
-            std::erase_if(trimmed_, [&](const FacetPlace& facet) { return is_taken(facet); });
-            of_world_ = trimmed_.size();
+            take_carried();
             phase_ = Phase::kColumns;
             break;
         case Phase::kColumns:
-            phase_ = find_columns();
+            if (!columns_ || !columns_->step()) phase_ = Phase::kPlace;
             break;
-        case Phase::kNear:
+        case Phase::kPlace:
             phase_ = place_next();
             break;
         case Phase::kTrim:
@@ -112,61 +98,82 @@ bool OpenFaceEdit::step() {
     return phase_ != Phase::kEnd;
 }
 
-OpenFaceEdit::Phase OpenFaceEdit::start_trimmer() {
-    if (trimmed_.empty()) return Phase::kNear;
-    trimmer_ = std::make_unique<PolygonTrimmer>(*takes_, std::move(trimmed_), rules_.max_pairs);
-    return Phase::kTrim;
-}
-
-OpenFaceEdit::Phase OpenFaceEdit::find_columns() {
-    return columns_ && columns_->step() ? Phase::kColumns : start_trimmer();
+/// And what the cutter may take of, from then on, has numbers.
+void OpenFaceEdit::take_carried() {
+    if (carried_)
+        for (const FacetPlace& facet : carried_->faces()) {
+            if (is_taken(facet)) continue;
+            if (const auto matter = pane_matter(facet.record()))
+                take_pane(facet, *matter);
+            else
+                take(facet);
+        }
+    std::erase_if(trimmed_, [&](const FacetPlace& facet) { return is_taken(facet); });
+    Trim trim{&cutter_, {}};
+    for (std::uint32_t k = 0; k < trimmed_.size(); ++k) {
+        number_of_.at(key_of(trimmed_[k])) = k;
+        trim.facets.push_back(k);
+    }
+    trims_.push_back(std::move(trim));
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::place_next() {
-    if (columns_ && next_column_ < columns_->columns().size()) return place_column(columns_->columns()[next_column_++]);
-    return next_piece_ < pieces_.size() ? place_piece(pieces_[next_piece_++]) : end();
+    if (columns_ && next_column_ < columns_->columns().size()) {
+        place_column(columns_->columns()[next_column_++]);
+        return Phase::kPlace;
+    }
+    if (next_piece_ == pieces_.size()) return start_trimmer();
+    if (std::optional<Error> fault = place_piece(pieces_[next_piece_++]))
+        return refuse(fault->code, std::move(fault->reason));
+    return Phase::kPlace;
 }
 
-/// What is left of faces that meet a box.
-/// @param takes  of a facet, and the id of the face of the world that it is, or is left of
+/// Numbers of faces that meet a box and may go, ascending.
 template <class Takes>
-void OpenFaceEdit::gather_near(const GridBox& box, const Takes& takes) {
-    trimmed_.clear();
-    gather_facets(before_.castable.root.get(), box, trimmed_);
-    std::erase_if(trimmed_, [&](const FacetPlace& facet) {
-        return is_taken(facet) || !may_be_carved(facet.record()) || !takes(facet, facet.record().id.value);
-    });
-    of_world_ = trimmed_.size();
-    FaceSet left = added_;
-    for (std::uint32_t k = 0; k < left.faces.size(); ++k) left.faces[k].id = {k};
-    left_ = left.faces.empty() ? FaceStore() : build_store(left, before_.tree_options).store;
-    std::vector<FacetPlace> near_left;
-    gather_facets(left_.root.get(), box, near_left);
-    for (const FacetPlace& facet : near_left)
-        if (takes(facet, from_[facet.record().id.value])) trimmed_.push_back(facet);
+std::vector<std::uint32_t> OpenFaceEdit::find_near(const GridBox& box, const Takes& takes) {
+    std::vector<FacetPlace> near;
+    gather_facets(before_.castable.root.get(), box, near);
+    std::vector<std::uint32_t> numbers;
+    for (const FacetPlace& facet : near) {
+        if (is_taken(facet) || !may_be_carved(facet.record()) || !takes(facet)) continue;
+        std::uint32_t& number = number_of_.at(key_of(facet));
+        if (number == FlatMap::kNone) {
+            number = std::uint32_t(trimmed_.size());
+            trimmed_.push_back(facet);
+        }
+        numbers.push_back(number);
+    }
+    sort_range(numbers);
+    return numbers;
 }
 
 /// Of the clips that stand on one wall, what stands straight over its hole.
-OpenFaceEdit::Phase OpenFaceEdit::place_column(const ClipColumn& column) {
-    make_cutter_solid(column.cutter, piece_);
-    gather_near(grown(piece_.box, 1), [&](const FacetPlace& facet, std::uint32_t face) {
-        return columns_->stands_on(column.wall, face) && columns_->may_be_over(column.wall, facet);
+void OpenFaceEdit::place_column(const ClipColumn& column) {
+    GridBox box;
+    for (const InputPoint& p : column.cutter.vertices) box.add(to_surface(p));
+    std::vector<std::uint32_t> facets = find_near(grown(box, 1), [&](const FacetPlace& facet) {
+        return columns_->stands_on(column.wall, facet.record().id.value) && columns_->may_be_over(column.wall, facet);
     });
-    if (trimmed_.empty()) return Phase::kNear;
-    takes_ = &piece_;
-    return start_trimmer();
+    if (facets.empty()) return;
+    make_cutter_solid(column.cutter, placed_.emplace_back());
+    trims_.push_back({&placed_.back(), std::move(facets)});
 }
 
 /// Where it meets faces: as a cutter, where it lies.
-OpenFaceEdit::Phase OpenFaceEdit::place_piece(const CutPiece& piece) {
-    gather_near(grown(piece.box, 1), [](const FacetPlace&, std::uint32_t) { return true; });
-    if (trimmed_.empty()) return Phase::kNear;
+std::optional<Error> OpenFaceEdit::place_piece(const CutPiece& piece) {
+    std::vector<std::uint32_t> facets = find_near(grown(piece.box, 1), [](const FacetPlace&) { return true; });
+    if (facets.empty()) return {};
     const Result<Cutter> cutter = cutter_from_solid(solid_of_cut_piece(piece, before_.solid));
-    if (!cutter) return refuse(cutter.error().code, cutter.error().reason);
-    if (std::optional<Error> fault = place_any_cutter(cutter.value(), {}, piece_))
-        return refuse(fault->code, std::move(fault->reason));
-    takes_ = &piece_;
-    return start_trimmer();
+    if (!cutter) return cutter.error();
+    if (std::optional<Error> fault = place_any_cutter(cutter.value(), {}, placed_.emplace_back())) return fault;
+    trims_.push_back({&placed_.back(), std::move(facets)});
+    return {};
+}
+
+OpenFaceEdit::Phase OpenFaceEdit::start_trimmer() {
+    if (trimmed_.empty()) return end();
+    trimmer_ = std::make_unique<PolygonTrimmer>(std::move(trimmed_), std::move(trims_), rules_.max_pairs);
+    return Phase::kTrim;
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::refuse(ErrorCode code, std::string reason) {
@@ -200,29 +207,21 @@ bool OpenFaceEdit::is_taken(const FacetPlace& facet) const {
     return taken_.find(key_of(facet)) != FlatMap::kNone;
 }
 
-/// Panes whole, of all others what the cutter or the piece holds.
+/// Panes whole, of all others what is held by the cutter, a column or a piece.
 OpenFaceEdit::Phase OpenFaceEdit::take_trimmed() {
     const std::vector<FacetPlace>& facets = trimmer_->facets();
-    lost_.assign(added_.faces.size(), 0);
     for (std::size_t k = 0; k < facets.size(); ++k) {
-        if (trimmer_->fate(k) == PolygonTrimmer::Fate::kStays) continue;
-        std::uint32_t from = facets[k].record().id.value;
-        if (k >= of_world_) {
-            lost_[from] = 1;
-            from = from_[from];
-        } else if (is_taken(facets[k])) {
-            continue;
-        } else if (const auto matter = pane_matter(facets[k].record())) {
+        if (trimmer_->fate(k) == PolygonTrimmer::Fate::kStays || is_taken(facets[k])) continue;
+        if (const auto matter = pane_matter(facets[k].record())) {
             take_pane(facets[k], *matter);
             continue;
-        } else {
-            take(facets[k]);
         }
-        if (trimmer_->fate(k) == PolygonTrimmer::Fate::kTrimmed) trimmer_->append_left(k, added_);
-        from_.resize(added_.faces.size(), from);
+        take(facets[k]);
+        if (trimmer_->fate(k) != PolygonTrimmer::Fate::kTrimmed) continue;
+        ++cut_;
+        trimmer_->append_left(k, added_);
     }
-    forget_lost();
-    return Phase::kNear;
+    return end();
 }
 
 /// All faces of one matter that hang together by corners.
@@ -244,25 +243,8 @@ void OpenFaceEdit::take_pane(const FacetPlace& seed, std::uint32_t matter) {
     }
 }
 
-/// What was left of faces, and then taken.
-void OpenFaceEdit::forget_lost() {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < added_.faces.size(); ++k) {
-        if (k < lost_.size() && lost_[k]) continue;
-        from_[kept] = from_[k];
-        added_.faces[kept++] = added_.faces[k];
-    }
-    added_.faces.resize(kept);
-    from_.resize(kept);
-}
-
 OpenFaceEdit::Phase OpenFaceEdit::end() {
     sort_range(removed_, [](const FacetPlace& a, const FacetPlace& b) { return a.record().id < b.record().id; });
-    for (const std::uint32_t id : from_) {
-        std::uint32_t& left = taken_.at(id);
-        cut_ += left == 0;
-        left = 1;
-    }
     whole_ = removed_.size() - cut_;
     if (added_.faces.size() > rules_.max_new_faces)
         return refuse(ErrorCode::kTooLarge, "it makes more than the " + std::to_string(rules_.max_new_faces) +

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -54,17 +55,17 @@ public:
     StoreEdit& store() { return *store_; }
 
 private:
-    enum class Phase : std::uint8_t { kCount, kCarried, kColumns, kNear, kTrim, kTake, kEnd };
+    enum class Phase : std::uint8_t { kCount, kCarried, kColumns, kPlace, kTrim, kTake, kEnd };
 
     void sort_out();
     bool may_be_carved(const FaceRecord& record) const;
     std::optional<std::uint32_t> pane_matter(const FaceRecord& record) const;
-    Phase find_columns();
+    void take_carried();
     Phase place_next();
-    Phase place_column(const ClipColumn& column);
-    Phase place_piece(const CutPiece& piece);
+    void place_column(const ClipColumn& column);
+    std::optional<Error> place_piece(const CutPiece& piece);
     template <class Takes>
-    void gather_near(const GridBox& box, const Takes& takes);
+    std::vector<std::uint32_t> find_near(const GridBox& box, const Takes& takes);
     Phase start_trimmer();
     Phase trim_on();
     Phase refuse(PolygonTrimmer::End end);
@@ -74,7 +75,6 @@ private:
     void take_pane(const FacetPlace& seed, std::uint32_t matter);
     void take(const FacetPlace& facet);
     bool is_taken(const FacetPlace& facet) const;
-    void forget_lost();
 
     const WorldData& before_;
     const CutterSolid& cutter_;
@@ -89,18 +89,15 @@ private:
     std::unique_ptr<ClipColumns> columns_;
     std::size_t next_column_ = 0;
     std::size_t next_piece_ = 0;
-    CutterSolid piece_;                ///< the one at hand
-    const CutterSolid* takes_;         ///< the cutter, then one column or piece after the other
-    std::vector<FacetPlace> trimmed_;  ///< near it, and may be: faces of the world, then `left_`
-    std::size_t of_world_ = 0;         ///< of these
-    FaceStore left_;                   ///< `added_`, for the next to take from; ids are their numbers
+    std::vector<FacetPlace> trimmed_;  ///< that the cutter, columns and pieces may take of
+    FlatMap number_of_;                ///< by their ids
+    std::deque<CutterSolid> placed_;   ///< columns and pieces
+    std::vector<Trim> trims_;
     std::unique_ptr<PolygonTrimmer> trimmer_;
 
     std::vector<FacetPlace> removed_;  ///< in order of ids once all is done
     FlatMap taken_;                    ///< their ids
     FaceSet added_;
-    std::vector<std::uint32_t> from_;  ///< of each of `added_`: the id of the face that it is left of
-    std::vector<std::uint8_t> lost_;   ///< whether it was taken, too
     std::unique_ptr<StoreEdit> store_;
     std::size_t cut_ = 0, whole_ = 0, panes_ = 0, clips_ = 0;
 };
