@@ -5,9 +5,12 @@
 // The machine's speed changes from minute to minute: in turn with each, a plain crater in the rooms of ten thousand
 // triangles that bench_carve measures, and all times beside its median.
 //
+// Each level has a process of its own, as a game has: where others came and went, the pool's pieces lie scattered.
+//
 // bench_living [--csv FOLDER]; of OpenArena's maps where FIRMA_OPENARENA names their folder.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -16,6 +19,7 @@
 #include "firma/rooms.h"
 #include "scenes/level_cuts.h"
 #include "support/craters.h"
+#include "support/own_process.h"
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
@@ -56,8 +60,10 @@ double median_of(const std::vector<double>& all, std::size_t first, std::size_t 
 constexpr int kPlainRooms = 2;
 
 /// The same craters in turn in a world without the rest and in one with all of it, and a plain one in rooms.
+/// @return a row of the table
 template <class PoseOf>
-void measure_level(const std::string& name, const World& level, std::size_t cuts, const PoseOf& pose_of, Table& table) {
+std::vector<std::string> measure_level(const std::string& name, const World& level, std::size_t cuts,
+                                       const PoseOf& pose_of) {
     World plain = level, whole = with_anchors(level), rooms = carvable_world(crater_level(kPlainRooms));
     Row without, with, in_rooms;
     const Cutter cutter = crater();
@@ -73,11 +79,25 @@ void measure_level(const std::string& name, const World& level, std::size_t cuts
     const std::vector<double>& all = with.milliseconds;
     const std::size_t part = std::min<std::size_t>(100, all.size() / 4);
     const double first = median_of(all, 0, part), last = median_of(all, all.size() - part, part);
-    table.add({name, count(level.face_count()), count(all.size()), count(with.nothing), count(with.refused),
-               number(median(without.milliseconds)), number(median(all)), number(quantile(without.milliseconds, 0.99)),
-               number(quantile(all, 0.99)), number(yard), times(median(all) / yard), times(quantile(all, 0.99) / yard),
-               number(quantile(all, 1)), number(with.slowest_search), number(first), number(last), times(last / first),
-               count(with.chunks), count(portal_count(whole) - portals)});
+    return {name,
+            count(level.face_count()),
+            count(all.size()),
+            count(with.nothing),
+            count(with.refused),
+            number(median(without.milliseconds)),
+            number(median(all)),
+            number(quantile(without.milliseconds, 0.99)),
+            number(quantile(all, 0.99)),
+            number(yard),
+            times(median(all) / yard),
+            times(quantile(all, 0.99) / yard),
+            number(quantile(all, 1)),
+            number(with.slowest_search),
+            number(first),
+            number(last),
+            times(last / first),
+            count(with.chunks),
+            count(portal_count(whole) - portals)};
 }
 
 /// Craters of 0.4 to 1.6 m on the walls of rooms.
@@ -100,23 +120,28 @@ int measure(const Settings& settings) {
     const std::size_t cuts = settings.quick ? 20 : 1000;
     std::vector<int> sizes{2, 20};
     if (settings.quick) sizes = {1};
-    for (const int rooms : sizes) {
-        const World level = carvable_world(crater_level(rooms));
+    for (const int rooms : sizes)
         for (const CraterPlaces places : {CraterPlaces::kSpread, CraterPlaces::kCorner})
-            measure_level(
-                places == CraterPlaces::kCorner ? "rooms, in one corner" : "rooms", level, 2 * cuts,
-                [&](std::size_t k) { return crater_pose(rooms, places, k); }, table);
-    }
+            table.add(in_own_process([&] {
+                return measure_level(places == CraterPlaces::kCorner ? "rooms, in one corner" : "rooms",
+                                     carvable_world(crater_level(rooms)), 2 * cuts,
+                                     [&](std::size_t k) { return crater_pose(rooms, places, k); });
+            }));
     std::vector<std::string> files{settings.repository + "/levels/depot.map"};
     const char* folder = std::getenv("FIRMA_OPENARENA");
     if (folder != nullptr && !settings.quick)
         for (std::size_t k = 0; k < kCarvedMaps; ++k)
             files.push_back(std::string(folder) + "/" + kRoomMaps[k] + ".bsp");
-    for (const std::string& file : files) {
-        const Result<World> world = read_world(file);
-        if (!world) return std::fprintf(stderr, "%s\n", world.error().text().c_str()), 1;
-        measure_level(std::filesystem::path(file).stem().string(), world.value(), cuts, on_walls(world.value()), table);
-    }
+    for (const std::string& file : files)
+        table.add(in_own_process([&]() -> std::vector<std::string> {
+            const Result<World> world = read_world(file);
+            if (!world) {
+                std::fprintf(stderr, "%s\n", world.error().text().c_str());
+                std::_Exit(1);
+            }
+            return measure_level(std::filesystem::path(file).stem().string(), world.value(), cuts,
+                                 on_walls(world.value()));
+        }));
     return table.finish(settings.csv) ? 0 : 1;
 }
 

@@ -49,7 +49,9 @@ ChunkMaker::ChunkMaker(const CutPiece& piece, const Solid& solid, double density
     chunk_.origin = to_metres(to_surface(middle));
     const MatterTable& table = matters_.pieces ? matters_.pieces->table : default_matters();
     const double usual = table.matters[only.value_or(0)].density;
-    chunk_.mass = mass_properties(chunk_.solid, density_ > 0 ? density_ : usual);
+    const double weight = density_ > 0 ? density_ : usual;
+    // The middle is its frame's origin.
+    chunk_.mass = shares_ ? mass_of(shares_->total(), {}, weight) : mass_properties(chunk_.solid, weight);
     if (only) chunk_.matters = {{*only, chunk_.mass.volume}};
 }
 
@@ -65,7 +67,7 @@ bool ChunkMaker::step() {
     shares_.reset();
     if (density_ > 0) return false;
     const double volume = chunk_.mass.volume;
-    chunk_.mass = mass_of(weighted, {}, 1);  // the middle is its frame's origin
+    chunk_.mass = mass_of(weighted, {}, 1);
     chunk_.mass.volume = volume;
     return false;
 }

@@ -67,8 +67,10 @@ void MatterShares::list_pieces(const GridBox& box, const CarveRules* rules, cons
                 const int side = exact_side(plane->plane, vertex.point);
                 behind = behind || side < 0;
                 all = all && side <= 0;
+                if (behind && !all) break;
             }
-            clear = clear || !behind;
+            clear = !behind;
+            if (clear) break;
         }
         if (clear) continue;
         if (all) {

@@ -3,32 +3,48 @@
 // facet beside it; of each facet there with that side, its face is asked for the edge.
 #include "solid/edge_key.h"
 
-#include "index/traverse.h"
+#include "index/node.h"
 
 namespace firma {
 namespace {
+
+/// Half a step around it, where it lies between two.
+GridBox around_middle(const GridPoint& from, const GridPoint& to) {
+    GridBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t twice = std::int64_t(from[axis]) + to[axis];
+        box.low[axis] = std::int32_t(twice >> 1);
+        box.high[axis] = std::int32_t((twice + 1) >> 1);
+    }
+    return box;
+}
 
 bool has_grid_ends(const SolidEdge& edge) {
     return edge.vertex[0]->point.on_grid() && edge.vertex[1]->point.on_grid();
 }
 
 /// From `from` to `to`: the other way around than who asks.
-struct AcrossVisitor {
+struct AcrossSearch {
     const EdgeKey& key;
     const bool forward;
     const GridPoint from, to;
-    const Vec3 middle;  ///< exact: two 32-bit numbers and their mean fit a double
+    const GridBox middle;
     FacetPlace found{};
 
-    bool enter(const BoxF& box, double& nearest) const {
-        nearest = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            if (middle[axis] < double(box.low[axis]) || middle[axis] > double(box.high[axis])) return false;
-        return true;
+    bool below(const Node& node, const WideNode& wide) {
+        const unsigned met = lanes_meeting(wide, middle);
+        for (std::uint32_t lane = 0; met >> lane; ++lane) {
+            if (!(met >> lane & 1)) continue;
+            if (wide.leads_to_facets(lane)) {
+                if (facets(as_block(*node.facets), wide.first[lane], wide.items(lane))) return true;
+                continue;
+            }
+            const auto& child = *static_cast<const WideNode*>(wide.child[lane]);
+            if (below(wide.leads_to_node(lane) ? *node.children[wide.first[lane]] : node, child)) return true;
+        }
+        return false;
     }
-    bool still(double) const { return true; }
-    bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
-        const Block& block = as_block(facets);
+    bool facets(const Block& block, std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot)
             if (block.faces[slot].solid && has_side(block, block.faces[slot]) && has_edge(block, block.faces[slot])) {
                 found = {&block, slot};
@@ -81,9 +97,9 @@ KeyedUse keyed_use(const SolidEdge& edge, bool reversed) {
 }
 
 FacetPlace find_across(const Node& root, const KeyedUse& use) {
-    AcrossVisitor visitor{use.key, !use.forward, use.to, use.from, (to_metres(use.from) + to_metres(use.to)) * 0.5};
-    traverse(root, visitor);
-    return visitor.found;
+    AcrossSearch search{use.key, !use.forward, use.to, use.from, around_middle(use.from, use.to)};
+    search.below(root, root.wide[0]);
+    return search.found;
 }
 
 }  // namespace firma
