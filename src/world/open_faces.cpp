@@ -147,6 +147,13 @@ std::vector<std::uint32_t> OpenFaceEdit::find_near(const GridBox& box, const Tak
     return numbers;
 }
 
+/// @param facets  that it takes of
+CutterSolid& OpenFaceEdit::add_cutter(std::vector<std::uint32_t> facets) {
+    placed_.push_back(std::make_unique<CutterSolid>());
+    trims_.push_back({placed_.back().get(), std::move(facets)});
+    return *placed_.back();
+}
+
 /// Of the clips that stand on one wall, what stands straight over its hole.
 void OpenFaceEdit::place_column(const ClipColumn& column) {
     GridBox box;
@@ -155,8 +162,7 @@ void OpenFaceEdit::place_column(const ClipColumn& column) {
         return columns_->stands_on(column.wall, facet.record().id.value) && columns_->may_be_over(column.wall, facet);
     });
     if (facets.empty()) return;
-    make_cutter_solid(column.cutter, placed_.emplace_back());
-    trims_.push_back({&placed_.back(), std::move(facets)});
+    make_cutter_solid(column.cutter, add_cutter(std::move(facets)));
 }
 
 /// Where it meets faces: as a cutter, where it lies.
@@ -165,9 +171,7 @@ std::optional<Error> OpenFaceEdit::place_piece(const CutPiece& piece) {
     if (facets.empty()) return {};
     const Result<Cutter> cutter = cutter_from_solid(solid_of_cut_piece(piece, before_.solid));
     if (!cutter) return cutter.error();
-    if (std::optional<Error> fault = place_any_cutter(cutter.value(), {}, placed_.emplace_back())) return fault;
-    trims_.push_back({&placed_.back(), std::move(facets)});
-    return {};
+    return place_any_cutter(cutter.value(), {}, add_cutter(std::move(facets)));
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::start_trimmer() {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -62,6 +61,7 @@ private:
     std::optional<std::uint32_t> pane_matter(const FaceRecord& record) const;
     void take_carried();
     Phase place_next();
+    CutterSolid& add_cutter(std::vector<std::uint32_t> facets);
     void place_column(const ClipColumn& column);
     std::optional<Error> place_piece(const CutPiece& piece);
     template <class Takes>
@@ -89,9 +89,9 @@ private:
     std::unique_ptr<ClipColumns> columns_;
     std::size_t next_column_ = 0;
     std::size_t next_piece_ = 0;
-    std::vector<FacetPlace> trimmed_;  ///< that the cutter, columns and pieces may take of
-    FlatMap number_of_;                ///< by their ids
-    std::deque<CutterSolid> placed_;   ///< columns and pieces
+    std::vector<FacetPlace> trimmed_;                   ///< that the cutter, columns and pieces may take of
+    FlatMap number_of_;                                 ///< by their ids
+    std::vector<std::unique_ptr<CutterSolid>> placed_;  ///< columns and pieces
     std::vector<Trim> trims_;
     std::unique_ptr<PolygonTrimmer> trimmer_;
 
