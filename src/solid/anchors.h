@@ -38,7 +38,9 @@ struct Anchors {
 
 /// The keys of all faces that bound bodies which nothing else of the solid holds: shells that look outward. Not of one
 /// that bounds something else as well: a side of a brush that reaches from a hall through its wall.
+/// @param root  of all faces, or of some: then shells that these do not close hang from others
+/// @param edit  only shells all of whose faces it made; 0: all
 /// Costs all faces.
-std::vector<std::uint64_t> find_hanging(const Node* root);
+std::vector<std::uint64_t> find_hanging(const Node* root, std::uint32_t edit = 0);
 
 }  // namespace firma

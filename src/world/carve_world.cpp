@@ -39,11 +39,14 @@ std::optional<Solid> solid_of_piece(const MatterPieces& pieces, const MatterPiec
     return piece.mesh ? piece.mesh : solid_of_planes(pieces.planes_of(piece));
 }
 
-/// What was filled in where nothing was stays there by intent.
-std::shared_ptr<const Anchors> with_edit(const std::shared_ptr<const Anchors>& anchors, std::uint32_t edit) {
-    if (!anchors) return anchors;
-    auto more = std::make_shared<Anchors>(*anchors);
-    more->edits.push_back(edit);
+/// What was filled in where nothing was stays there by intent; of a fill that swallowed or joined something, those
+/// bodies of it that hang free.
+/// @param hanging  keys of these; empty: all of the edit
+std::shared_ptr<const Anchors> with_fill(const Anchors& anchors, std::uint32_t edit,
+                                         const std::vector<std::uint64_t>& hanging) {
+    auto more = std::make_shared<Anchors>(anchors);
+    for (const std::uint64_t key : hanging) more->hanging.push_back(key);  // no edit before has as high ones
+    if (hanging.empty()) more->edits.push_back(edit);
     return more;
 }
 
@@ -249,6 +252,9 @@ private:
 
     void place_faces_of_solid(SolidChange& change) {
         stands_free_ = cut_.fills() && change.removed.empty();
+        if (anchors_ && cut_.fills() && !stands_free_)
+            hanging_ =
+                find_hanging(build_store(change.added, world_.data().tree_options).store.root.get(), change.edit);
         for (const FacetPlace& facet : change.removed) rooms_.take(facet.block->part);
         for (const FaceSet::Entry& face : change.added.faces)
             if (face.part != kUnsetPart) rooms_.keep(face.part);
@@ -324,7 +330,9 @@ private:
         if (changes_open_faces()) data->castable = open_->store().result();
         rooms_.publish(*data);
         data->materials = names_;
-        data->anchors = stands_free_ ? with_edit(anchors_, data->edits()) : anchors_;
+        data->anchors = anchors_;
+        if (anchors_ && (stands_free_ || !hanging_.empty()))
+            data->anchors = with_fill(*anchors_, data->edits(), hanging_);
         after_ = World(std::move(data));
         published_ = true;
         return Phase::kEnd;
@@ -344,7 +352,8 @@ private:
     std::unique_ptr<SolidEdit> solid_;
     World after_;
     bool published_ = false;
-    bool stands_free_ = false;  ///< filled in where nothing was
+    bool stands_free_ = false;            ///< filled in where nothing was
+    std::vector<std::uint64_t> hanging_;  ///< keys of what of it does, else
     std::vector<Chunk> chunks_;
     std::unique_ptr<ChunkMaker> chunk_;  ///< the one at hand
     std::size_t next_piece_ = 0;

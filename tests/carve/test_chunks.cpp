@@ -126,6 +126,34 @@ TEST(Chunks, WhatHangsFreeStays) {
     EXPECT_TRUE(result.chunks.empty());
 }
 
+/// A fill that swallows what hung there, or joins something else as well: the bodies that its faces bound alone hang
+/// free, and no others.
+TEST(Chunks, BodiesOfAFillThatHangFreeStay) {
+    World world = make_world(test::box_level({0, 0, 0}, {20, 12, 8}, true)).value();
+    world = with_anchors(world, {.hanging = false});
+    const World pebble = with_anchors(put_box(world, {6, 5.5, 3.25}, {7, 6.5, 3.75}), {.hanging = false});
+    CarveResult result;
+    World cut = take_box(put_box(pebble, {5, 5, 3}, {9, 7, 4}), {6, 4, 2}, {7, 8, 5}, result);
+    EXPECT_TRUE(result.chunks.empty()) << "it swallowed the pebble";
+    EXPECT_EQ(locate(cut.solid(), {5.5, 6, 3.5}), Where::kSolid);
+    EXPECT_EQ(locate(cut.solid(), {8, 6, 3.5}), Where::kSolid);
+
+    // Two boxes in one cutter: one in the air, one into the wall.
+    test::TriangleMesh two = test::box_mesh({5, 5, 3}, {9, 7, 4});
+    const test::TriangleMesh other = test::box_mesh({15, 5, 3}, {21, 7, 4});
+    const auto first = std::uint32_t(two.vertices.size());
+    two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const CutterTriangle& t : other.triangles) two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    const CarveResult filled = fill(world, two.cutter().value(), {});
+    ASSERT_TRUE(filled.done()) << filled.error.reason;
+    cut = take_box(filled.world, {6, 4, 2}, {7, 8, 5}, result);
+    EXPECT_TRUE(result.chunks.empty());
+    take_box(cut, {17, 4, 2}, {18, 8, 5}, result);
+    ASSERT_EQ(result.chunks.size(), 1u) << "what the wall held";
+    EXPECT_EQ(result.chunks[0].mass.volume, 2 * 2 * 1.0);
+    test::expect_sound_world(cut);
+}
+
 TEST(Chunks, TheAuthorSaysWhatHolds) {
     // A slab in the open, with a tower on it.
     World world = make_world(test::box_level({0, 0, 0}, {20, 20, 1})).value();
