@@ -29,7 +29,7 @@ constexpr std::size_t parts_of(std::size_t count, std::size_t size) {
 class ManyRun {
 public:
     ManyRun(const World& world, const ManyCasts& casts, const ManyOptions& options)
-        : world_(world), casts_(casts), options_(options), pieces_(parts_of(casts.count, kCastsAPiece)) {
+        : casts_(casts), options_(options), pieces_(parts_of(casts.count, kCastsAPiece)) {
         options_.cast.trail = nullptr;
         if (options.cast.counts) counts_.resize(pieces_);
         if (options.progress) made_.resize(pieces_);
@@ -107,7 +107,6 @@ private:
         if (!stopped_ && !options_.progress(done_, casts_.count, options_.user)) stopped_ = true;
     }
 
-    const World& world_;
     const ManyCasts& casts_;
     ManyOptions options_;
     const std::size_t pieces_;
