@@ -15,7 +15,8 @@ void CutterPairs::start(const CutterSolid& cutter, const Overlay& overlay, std::
     overlay_ = &overlay;
     face_of_ = std::move(face_of);
     faces_ = std::move(faces);
-    met_.assign(overlay.faces.size(), ~0u);
+    met_.resize(overlay.faces.size());
+    for (const std::uint32_t face : face_of_) met_[face] = ~0u;  // of many cutters each has its own
     next_ = 0;
 }
 

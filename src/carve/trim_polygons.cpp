@@ -18,7 +18,7 @@ namespace firma {
 namespace {
 
 constexpr std::size_t kTrimUnitsAStep = 32;
-constexpr std::size_t kMostTrimPlanes = 1u << 21;  // see arrange/point_table.cpp
+constexpr std::size_t kMostTrimPlanes = (1u << 21) - 4096;  // see arrange/point_table.cpp; a step adds fewer than that
 /// Input steps: what of a polygon is thinner everywhere goes only where it lies as deep in the cutter, as rounding
 /// makes such slivers at its surface. Four surface steps.
 constexpr double kThinCell = 4.0 / kSurfacePerInput;
@@ -66,7 +66,7 @@ PolygonTrimmer::PolygonTrimmer(std::vector<FacetPlace> facets, std::vector<Trim>
     : facets_(std::move(facets)),
       trims_(std::move(trims)),
       first_cutter_(facets_.size() + 1, 0),
-      max_pairs_(max_pairs),
+      budget_(max_pairs),
       fate_(facets_.size(), Fate::kStays),
       loses_(facets_.size(), 0) {
     for (const Trim& trim : trims_)
@@ -196,8 +196,9 @@ void PolygonTrimmer::divide(std::uint32_t facet, const std::vector<GridPoint>& c
 }
 
 PolygonTrimmer::End PolygonTrimmer::add_cutters(WorkSlice& slice) {
-    if (!add_cutter(slice)) return End::kGoesOn;
+    const bool is_whole = add_cutter(slice);
     if (overlay_.tables.planes.size() >= kMostTrimPlanes) return End::kTooLarge;
+    if (!is_whole) return End::kGoesOn;
     if (faces_of_.size() < trims_.size()) return End::kGoesOn;
     spans_.start();
     next_ = 0;
@@ -234,7 +235,6 @@ void PolygonTrimmer::start_pairs() {
     std::vector<std::uint32_t> faces;
     for (const std::uint32_t facet : trims_[next_].facets)
         for (std::uint32_t face = first_face_[facet]; face < first_face_[facet + 1]; ++face) faces.push_back(face);
-    budget_ = PairBudget(max_pairs_);
     pairs_.start(*trims_[next_].cutter, overlay_, std::move(faces_of_[next_]), std::move(faces));
 }
 
@@ -300,7 +300,6 @@ bool PolygonTrimmer::lies_in(const Cell& cell) {
     const Plane u = fine_plane(view.u(), middle[view.u()]), v = fine_plane(view.v(), middle[view.v()]);
     const auto holds = [&](const CutterSolid& cutter) {
         if (!may_hold(cutter, middle)) return false;
-        if (widest < kThinCell) return lies_deep(cutter, middle);
         const auto side = [&](const Plane& at) {
             return meet_in_world(at, u, v) ? side_of_cutter(cutter, ExactPoint(at, u, v)) : -1;
         };
@@ -308,17 +307,22 @@ bool PolygonTrimmer::lies_in(const Cell& cell) {
         return on > 0 || (on == 0 && side(plane_beside(plane, -1)) > 0);
     };
     const auto cutters = cutters_of(facet_of_[cell.face]);
+    if (widest < kThinCell) return lies_deep(cutters, middle);
     return std::any_of(cutters.begin(), cutters.end(), [&](std::uint32_t k) { return holds(*trims_[k].cutter); });
 }
 
-/// Whether all around a point lies in a cutter.
-bool PolygonTrimmer::lies_deep(const CutterSolid& cutter, const Vec3& middle) {
+/// Whether all around a point lies in some of the cutters.
+bool PolygonTrimmer::lies_deep(std::span<const std::uint32_t> cutters, const Vec3& middle) const {
     for (int axis = 0; axis < 3; ++axis)
         for (const double step : {-kThinCell, kThinCell}) {
             Vec3 at = middle;
             at[axis] += step;
             const Plane x = fine_plane(0, at.x), y = fine_plane(1, at.y), z = fine_plane(2, at.z);
-            if (!meet_in_world(x, y, z) || side_of_cutter(cutter, ExactPoint(x, y, z)) <= 0) return false;
+            if (!meet_in_world(x, y, z)) return false;
+            const ExactPoint point(x, y, z);
+            if (std::none_of(cutters.begin(), cutters.end(),
+                             [&](std::uint32_t k) { return side_of_cutter(*trims_[k].cutter, point) > 0; }))
+                return false;
         }
     return true;
 }

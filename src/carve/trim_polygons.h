@@ -35,14 +35,14 @@ public:
     enum class End : std::uint8_t {
         kGoesOn,  ///< call step() again
         kDone,
-        kPairs,     ///< a cutter's budget is spent
+        kPairs,     ///< the budget is spent
         kTooLarge,  ///< more planes than one arrangement holds
         kBroken,    ///< a cutter crosses itself
     };
     enum class Fate : std::uint8_t { kStays, kTrimmed, kGoes };
 
     /// @param facets     kept alive by the caller, as are the cutters
-    /// @param max_pairs  for each cutter
+    /// @param max_pairs  of all cutters
     PolygonTrimmer(std::vector<FacetPlace> facets, std::vector<Trim> trims, std::uint64_t max_pairs);
 
     /// Does one piece of work.
@@ -77,7 +77,7 @@ private:
     End meet_next();
     void place_cells(std::uint32_t face);
     bool lies_in(const Cell& cell);
-    static bool lies_deep(const CutterSolid& cutter, const Vec3& middle);
+    bool lies_deep(std::span<const std::uint32_t> cutters, const Vec3& middle) const;
     void write_cells(std::uint32_t face);
     bool join_kept(std::uint32_t face);
     void write(std::uint32_t facet, const Plane& plane, std::span<const PieceUse> uses,
@@ -95,7 +95,6 @@ private:
     const std::vector<FacetPlace> facets_;
     const std::vector<Trim> trims_;
     std::vector<std::uint32_t> first_cutter_, cutters_;  ///< of each facet
-    const std::uint64_t max_pairs_;
     PairBudget budget_;
     Phase phase_ = Phase::kPolygons;
     std::uint32_t next_ = 0;  ///< in the loop of the phase

@@ -114,7 +114,7 @@ void OpenFaceEdit::take_carried() {
         number_of_.at(key_of(trimmed_[k])) = k;
         trim.facets.push_back(k);
     }
-    trims_.push_back(std::move(trim));
+    if (!trimmed_.empty()) trims_.push_back(std::move(trim));
 }
 
 OpenFaceEdit::Phase OpenFaceEdit::place_next() {
