@@ -69,8 +69,10 @@ private:
             return damage_.report(
                 ErrorCode::kUnsupported, "",
                 "it is a patch of version " + std::to_string(version) + "; this Firma reads version 1");
-        if (flags & ~kPatchHasCells) return damage_.report(head.type(), "has flags that mean nothing");
+        if (flags & ~(kPatchHasCells | kPatchNoAnchors))
+            return damage_.report(head.type(), "has flags that mean nothing");
         has_cells_ = flags & kPatchHasCells;
+        no_anchors_ = flags & kPatchNoAnchors;
         if (read_u64(at + 8) != hash_world(world_))
             return damage_.report(ErrorCode::kInvalid, "", "the patch was made for another world");
         hash_after_ = read_u64(at + 16);
@@ -172,7 +174,8 @@ private:
     }
 
     bool read_anchors() {
-        anchors_ = unpack_anchors(sections_, damage_);
+        if (!no_anchors_)
+            anchors_ = sections_.has(kAnchorsSection) ? unpack_anchors(sections_, damage_) : data_.anchors;
         return !damage_.error();
     }
 
@@ -296,7 +299,7 @@ private:
         data->cells = cells_;
         data->materials = after.materials;
         data->version = after.version;
-        if (anchors_) data->anchors = anchors_;
+        data->anchors = anchors_;
         if (!checks_.whole && rooms_stay(data_, *data)) {
             data->set_faces(changed_rooms(*data));
             made_ = World(data);
@@ -349,7 +352,7 @@ private:
     Sections sections_;
     FaceStore solid_after_, castable_after_;  ///< until exchange(): before
     StoreEdit solid_edit_, castable_edit_;
-    bool has_cells_ = false;
+    bool has_cells_ = false, no_anchors_ = false;
     std::uint64_t hash_after_ = 0;
     UnpackedData unpacked_;
     Cells cells_;
@@ -359,7 +362,7 @@ private:
     ExactImports imports_;
     std::vector<Ref<SolidFace>> exact_;
     FaceSet added_;
-    std::shared_ptr<const Anchors> anchors_;  ///< null: as they were
+    std::shared_ptr<const Anchors> anchors_;  ///< of the world that it makes
     std::vector<FacetPlace> made_facets_;     ///< the faces added, in blocks
     World made_;
 };

@@ -207,7 +207,7 @@ private:
         };
         ByteWriter head, regions, removed, imports, counters;
         head.u32(kPatchVersion);
-        head.u32(has_cells_ ? kPatchHasCells : 0);
+        head.u32((has_cells_ ? kPatchHasCells : 0) | (!data_.anchors && !same_anchors_ ? kPatchNoAnchors : 0));
         head.u64(list_.world);
         head.u64(hash_world(world_));
         put_regions(regions, list_.regions);

@@ -31,6 +31,7 @@ inline constexpr std::size_t kPatchBytes = 24;
 inline constexpr std::size_t kImportBytes = 24;
 inline constexpr std::uint32_t kPatchVersion = 1;
 inline constexpr std::uint32_t kPatchHasCells = 1;
+inline constexpr std::uint32_t kPatchNoAnchors = 2;  ///< of the world that it makes; else they stay, or are a section
 
 /// What differs only where rooms and portals do.
 std::uint64_t hash_cells(const Cells& cells);

@@ -45,8 +45,12 @@ std::optional<Solid> solid_of_piece(const MatterPieces& pieces, const MatterPiec
 std::shared_ptr<const Anchors> with_fill(const Anchors& anchors, std::uint32_t edit,
                                          const std::vector<std::uint64_t>& hanging) {
     auto more = std::make_shared<Anchors>(anchors);
-    for (const std::uint64_t key : hanging) more->hanging.push_back(key);  // no edit before has as high ones
-    if (hanging.empty()) more->edits.push_back(edit);
+    const auto insert = [](auto& list, auto value) {  // a patch that took edits back may have left higher ones
+        const auto at = std::lower_bound(list.begin(), list.end(), value);
+        if (at == list.end() || *at != value) list.insert(at, value);
+    };
+    for (const std::uint64_t key : hanging) insert(more->hanging, key);
+    if (hanging.empty()) insert(more->edits, edit);
     return more;
 }
 

@@ -9,6 +9,7 @@
 #include "firma/chunk.h"
 #include "firma/edit_log.h"
 #include "firma/rooms.h"
+#include "firma/save.h"
 #include "firma/world_patch.h"
 #include "save/patch_sections.h"
 #include "scenes/rng.h"
@@ -293,6 +294,43 @@ TEST(WorldPatch, AnchorsTravelAndAreTakenAsHostile) {
         }
     }
     EXPECT_GT(refused, 24u) << "kinds, edits where there is none, and the order";
+}
+
+/// A world of which nothing was said comes out of one of which something was.
+TEST(WorldPatch, TakesAnchorsAway) {
+    const World level = two_halves();
+    const World held = with_anchors(level, {.hanging = false, .materials = {}, .sources = {1, 5}});
+    const std::vector<std::byte> away = make_patch(held, level);
+    const Result<World> made = apply_patch(held, away, "patch");
+    ASSERT_TRUE(made) << made.error().text();
+    EXPECT_FALSE(made.value().data().anchors);
+    // Not both: a patch that brings some and says that there are none.
+    std::vector<std::byte> both = make_patch(level, held);
+    for (const SectionPlace& place : section_places(both))
+        if (section_name(place.type) == "PTCH") both[place.first + 4] |= std::byte(2);
+    fix_checksums(both);
+    EXPECT_FALSE(apply_patch(level, both, "patch"));
+}
+
+/// A patch may leave what held in edits that it takes back: the next fill's number is lower than theirs.
+TEST(WorldPatch, AnchorsStayInOrderWhereItTakesEditsBack) {
+    const World level = two_halves();
+    const auto fill_at = [](const World& world, double x, std::uint32_t edit) {
+        CarveOptions options;
+        options.edit = edit;
+        return fill(world, make_crater(CutterShape::kWedge, 1), {.position = {x, 2, 2}, .scale = 0.2}, options).world;
+    };
+    const World before = fill_at(level, 0.6, 5), after = fill_at(with_anchors(before), 1.2, 9);
+    ASSERT_EQ(after.data().anchors->edits, std::vector<std::uint32_t>{9});
+    // Between worlds of which nothing was said: what the reader's says of what holds stays.
+    const World mute = fill_at(before, 1.2, 9);
+    ASSERT_EQ(hash_world(mute), hash_world(after));
+    const Result<World> back = apply_patch(after, make_patch(mute, before), "patch");
+    ASSERT_TRUE(back) << back.error().text();
+    const World again = fill_at(back.value(), 3, 7);
+    EXPECT_EQ(again.data().anchors->edits, (std::vector<std::uint32_t>{7, 9}));
+    const Result<World> read = unpack_world(pack_world(again), "world");
+    EXPECT_TRUE(read) << read.error().text();
 }
 
 TEST(WorldPatch, ListsAreTakenAsHostile) {
