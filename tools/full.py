@@ -94,6 +94,10 @@ def shapes(what):
     return lambda seed, count: [f'{BUILD}/full_shapes', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
 
+def world_shapes(seed, count):
+    return [f'{BUILD}/full_world_shapes', '--count', str(count), '--seed', str(seed)]
+
+
 def watertight(seed, count):
     return [f'{BUILD}/full_watertight', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
@@ -203,6 +207,9 @@ CLAIMS = [
           CAST_SOURCES + SCENES + SHAPES + reference('exact_capsule') + ['tests/reference/judge_capsules.cpp'], 'test', shapes('capsules'), 'full_shapes'),
     Claim('hulls_vs_twin', 'boxes and convex hulls against polygons, judged by the exact oracle, none wrong', 1_000_000, 100_000, 'casts',
           CAST_SOURCES + SCENES + SHAPES + ['tests/reference/judge_hulls.cpp'], 'test', shapes('hulls'), 'full_shapes'),
+    Claim('shapes_by_kernel', 'casts of capsules, boxes and hulls through worlds by each kernel of the lanes, as without lanes', 1_000_000, 100_000, 'casts',
+          CAST_SOURCES + SCENES + LEVEL + ['levels/first.obj', 'tests/full/full_world_shapes.cpp', 'tests/full/options.h', 'tests/every_kernel.h', 'tests/world/any_shape.h',
+                                   'tests/world/hit_bits.h'], 'test', world_shapes, 'full_world_shapes'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',

@@ -25,6 +25,8 @@
 #include "solid/face_shape.h"
 #include "tests/every_kernel.h"
 #include "tests/sample.h"
+#include "tests/world/any_shape.h"
+#include "tests/world/hit_bits.h"
 #include "world/sweep_lanes.h"
 #include "world/world_data.h"
 
@@ -106,39 +108,6 @@ TEST_P(SweepLanes, LookAtAllThatIsMet) {
     EXPECT_LT(looked_at, asked) << "nothing is left out";
 }
 
-/// A capsule, a box turned any way, or a hull, in a ball of some size.
-struct AnyShape {
-    Hull hull;
-    Capsule capsule;  ///< where no hull is valid
-
-    AnyShape(scenes::Rng& rng, const Vec3& at, double size) {
-        const double kind = rng.uniform(0, 1);
-        if (kind < 0.4) {
-            const double half = rng.uniform(0, 0.9) * size;
-            capsule = make_capsule(at, rng.direction(), half, rng.chance(0.2) ? 0 : size - half);
-        } else if (kind < 0.7) {
-            const Vec3 x = rng.chance(0.3) ? Vec3{1, 0, 0} : rng.direction(), aside = cross(x, rng.direction());
-            const Vec3 y = aside * (1 / length(aside));
-            hull =
-                make_box({rng.uniform(0.05, 0.5) * size, rng.uniform(0.05, 0.5) * size, rng.uniform(0.05, 0.5) * size},
-                         {x, y, cross(x, y)})
-                    .value();
-        } else {
-            std::vector<Vec3> points{{0, 0, 0}};
-            for (int k = 4 + int(rng.below(10)); k > 0; --k) points.push_back(rng.direction() * size);
-            hull = make_hull(points).value();
-        }
-    }
-    Sphere around(const Vec3& at) const {
-        return hull.valid() ? Sphere{at, hull.shape()->reach} : ball_around(capsule);
-    }
-    ShapeExtent extent() const { return hull.valid() ? hull.shape()->extent : extent_of(shape_of_capsule(capsule)); }
-    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides) const {
-        if (hull.valid()) return cast_hull_polygon(sweep, *hull.shape(), polygon, sides, sweep.end).contact;
-        return cast_capsule_polygon(sweep, shape_of_capsule(capsule), polygon, sides, sweep.end);
-    }
-};
-
 /// The same of capsules, boxes and hulls, which lanes know by what is around them.
 TEST_P(SweepLanes, LookAtAllThatShapesMeet) {
     if (lane_kernels().empty()) GTEST_SKIP() << "compiled without lanes";
@@ -216,16 +185,6 @@ std::vector<AnyCast> casts_in(const World& world, int count, std::uint64_t seed)
         casts.push_back(it);
     }
     return casts;
-}
-
-void add_bits(std::vector<std::uint64_t>& bits, const Hit& hit) {
-    bits.push_back(std::uint64_t(hit.status) | std::uint64_t(hit.feature) << 8 |
-                   std::uint64_t(hit.feature_index) << 16);
-    bits.push_back(hit.face.id.value | std::uint64_t(hit.material) << 32);
-    bits.push_back(hit.portal.value);
-    for (const double number : {hit.fraction, hit.safe_fraction}) bits.push_back(std::bit_cast<std::uint64_t>(number));
-    for (const Vec3& v : {hit.centre, hit.point, hit.normal, hit.face_normal})
-        for (int axis = 0; axis < 3; ++axis) bits.push_back(std::bit_cast<std::uint64_t>(v[axis]));
 }
 
 /// Two kinds of answers: what every way of casting gives alike, and what only the lanes do, as it follows from the
@@ -311,8 +270,7 @@ TEST(LaneKernels, GiveTheAnswersOfShapesOneByOneInEveryFamily) {
                 const double size = query.sphere.radius > 1e-6 && query.sphere.radius < 1e6 ? query.sphere.radius : 0.5;
                 const AnyShape shape(rng, at, size);
                 for (const Sides sides : {Sides::kFront, Sides::kBoth}) {
-                    const Hit hit = shape.hull.valid() ? cast(world, shape.hull, at, query.path, {.sides = sides})
-                                                       : cast(world, shape.capsule, query.path, {.sides = sides});
+                    const Hit hit = shape.cast_through(world, at, query.path, sides);
                     add_bits(bits, hit);
                     touched += bool(hit);
                 }
