@@ -33,7 +33,8 @@ void fetch_contents_ahead(const Block& block) {
 
 /// The leaves that may have faces in a box. Level by level, as nodes lie scattered in memory: those of a level are
 /// waited for together.
-std::vector<const Node*> leaves_near(const Node* root, const GridBox& box) {
+/// @param lacked  not 0: of blocks whose faces' masks may lack some of these bits
+std::vector<const Node*> leaves_near(const Node* root, const GridBox& box, std::uint32_t lacked = 0) {
     std::vector<const Node*> nodes, below;
     if (!root) return nodes;
     nodes.push_back(root);
@@ -56,6 +57,8 @@ std::vector<const Node*> leaves_near(const Node* root, const GridBox& box) {
         }
         nodes.swap(below);
     }
+    if (lacked != 0)
+        std::erase_if(nodes, [&](const Node* leaf) { return (block_of(*leaf).mask_of_all & lacked) == lacked; });
     for (const Node* leaf : nodes) fetch_contents_ahead(block_of(*leaf));
     return nodes;
 }
@@ -73,12 +76,13 @@ void sort_by_id(std::vector<FacetPlace>& facets, std::size_t first) {
 
 }  // namespace
 
-void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets) {
+void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets, std::uint32_t lacked) {
     const std::size_t first = facets.size();
-    for (const Node* leaf : leaves_near(root, box)) {
+    for (const Node* leaf : leaves_near(root, box, lacked)) {
         const Block& block = block_of(*leaf);
         for_each_item_meeting(*leaf, box, [&](const WideNode& wide, std::uint32_t lane) {
             for_each_face(block, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
+                if (lacked != 0 && (face.mask & lacked) == lacked) return;
                 if (boxes_meet(block.box_of(face), box)) facets.push_back({&block, slot});
             });
         });

@@ -16,7 +16,8 @@ namespace firma {
 /// The facets whose boxes meet a box.
 /// @param root    null for no faces
 /// @param facets  added to
-void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets);
+/// @param lacked  not 0: only those whose masks lack some of these bits. Blocks of which none does cost next to nothing
+void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>& facets, std::uint32_t lacked = 0);
 
 /// Those of them that may reach into a bevelled box as well (see BevelledBox::clear_of()).
 /// @param most_faces  of which there may be facets among them

@@ -63,6 +63,7 @@ public:
 
     /// Faces of different parts never share a block. What a part is, says whoever holds the faces: to a world, a room.
     std::uint32_t part = 0;
+    std::uint32_t mask_of_all = ~0u;  ///< bits that the masks of all faces have
     PoolVector<FaceRecord> faces;
     PoolVector<GridPoint> vertices;             ///< each once
     PoolVector<std::uint16_t> corner_vertices;  ///< of all faces in a row

@@ -73,6 +73,7 @@ void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, Ve
     record.corner_count = std::uint8_t(face.corner_count);
     for (std::uint32_t c = 0; c < face.corner_count; ++c)
         block.corner_vertices.push_back(vertices.index_of(faces.corner(face, c)));
+    block.mask_of_all &= face.mask;
     block.faces.push_back(record);
 }
 

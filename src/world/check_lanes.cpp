@@ -189,9 +189,12 @@ private:
 
     void check_all_there() {
         const Block& block = block_of(node_);
-        for (std::size_t slot = 0; slot < block.faces.size(); ++slot)
-            if (triangles_[slot] + 2u != block.faces[slot].corner_count)
-                report("lanes hold fewer triangles than their face", block.faces[slot].id);
+        for (std::size_t slot = 0; slot < block.faces.size(); ++slot) {
+            const FaceRecord& face = block.faces[slot];
+            if (triangles_[slot] + 2u != face.corner_count)
+                report("lanes hold fewer triangles than their face", face.id);
+            if (block.mask_of_all & ~face.mask) report("a block has bits in its mask that a face has not", face.id);
+        }
     }
 
     const Node& node_;

@@ -23,6 +23,9 @@ constexpr double kNarrowest = 16 / kSurfaceSteps;
 /// Metres: so far a column reaches beyond the highest corner of its clips, whatever was rounded.
 constexpr double kOverClips = 8 / kInputSteps;
 
+/// A clip stops only one of both.
+constexpr std::uint32_t kLackedByClips = kStopsWalk | kStopsShots;
+
 Vec3 corner_of(const FacetPlace& facet, std::uint32_t k) {
     return to_metres(facet.block->corner(facet.record(), k));
 }
@@ -121,7 +124,7 @@ bool ClipColumns::step() {
 }
 
 void ClipColumns::find_clips() {
-    gather_facets(open_.root.get(), near_box_, near_);
+    gather_facets(open_.root.get(), near_box_, near_, kLackedByClips);
     std::erase_if(near_, [&](const FacetPlace& facet) { return !is_clip(facet.record()) || !may_go_(facet.record()); });
 }
 
@@ -240,7 +243,7 @@ void ClipColumns::grow(const FacetPlace& seed, Clip& clip) {
     for (std::size_t next = 0; next < clip.faces.size(); ++next) {
         const FacetPlace facet = clip.faces[next];
         beside_.clear();
-        gather_facets(open_.root.get(), facet.block->box_of(facet.record()), beside_);
+        gather_facets(open_.root.get(), facet.block->box_of(facet.record()), beside_, kLackedByClips);
         for (const FacetPlace& other : beside_) {
             if (in_clip_.find(other.record().id.value) != FlatMap::kNone) continue;
             if (!is_clip(other.record()) || !may_go_(other.record())) continue;

@@ -33,6 +33,7 @@ inline Block& own_block(Node& leaf) {
     const Block& from = block_of(leaf);
     Ref<Block> made(new Block);
     made->part = from.part;
+    made->mask_of_all = from.mask_of_all;
     made->faces = from.faces;
     made->vertices = from.vertices;
     made->corner_vertices = from.corner_vertices;

@@ -363,6 +363,11 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
         block.faces[lanes.slot[0]].mask = 1;
         return true;
     });
+    expect_lanes("a block has bits in its mask that a face has not", true, [](Node&, Block& block, FaceLanes&) {
+        block.faces[0].mask = 1;
+        for (FaceLanes& lanes : block.lanes) lanes.mask_of_all = 1;
+        return true;
+    });
 }
 
 }  // namespace
