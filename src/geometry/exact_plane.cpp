@@ -2,8 +2,8 @@
 // Planes through points of the input grid, as integers.
 #include "geometry/exact_plane.h"
 
-#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "base/assert.h"
 #include "geometry/rounding.h"
@@ -13,21 +13,6 @@ namespace {
 
 std::uint64_t magnitude(std::int64_t value) {
     return std::uint64_t(value < 0 ? -value : value);
-}
-
-/// As std::gcd. Steps of four instructions after each other, none of them a branch: which of two is larger is hard to
-/// predict. Source: J. Stein, Computational problems associated with Racah algebra, 1967.
-std::uint64_t common_divisor(std::uint64_t a, std::uint64_t b) {
-    if (a == 0 || b == 0) return a | b;
-    const int twos = std::countr_zero(a | b);
-    a >>= std::countr_zero(a);
-    b >>= std::countr_zero(b);
-    while (a != b) {
-        const std::uint64_t apart = a > b ? a - b : b - a;
-        b = a < b ? a : b;
-        a = apart >> std::countr_zero(apart);
-    }
-    return a << twos;
 }
 
 [[maybe_unused]] bool in_world(const InputPoint& p) {
@@ -49,8 +34,8 @@ Plane with_doubles(Plane plane) {
 /// The plane with a normal along `normal` that holds a grid point; not valid for a zero one. What divides the normal
 /// divides normal . point as well, so the offset has no part in the common divisor.
 Plane plane_at(const std::int64_t (&normal)[3], const InputPoint& point) {
-    std::uint64_t divisor = common_divisor(magnitude(normal[0]), magnitude(normal[1]));
-    if (divisor != 1) divisor = common_divisor(divisor, magnitude(normal[2]));
+    std::uint64_t divisor = std::gcd(magnitude(normal[0]), magnitude(normal[1]));
+    if (divisor != 1) divisor = std::gcd(divisor, magnitude(normal[2]));
     Plane plane;
     if (divisor == 0) return plane;
     Int128 offset = 0;
@@ -84,7 +69,7 @@ Plane plane_of_numbers(const std::int64_t (&normal)[3], Int128 offset) {
         const std::uint64_t magnitude_of_n = n < 0 ? -std::uint64_t(n) : std::uint64_t(n);
         if (magnitude_of_n > kMost) return {};
         size += Int128(magnitude_of_n);
-        divisor = common_divisor(divisor, magnitude_of_n);
+        divisor = std::gcd(divisor, magnitude_of_n);
     }
     if (divisor != 1 || offset > size * kRimSteps || offset < -size * kRimSteps) return {};
     Plane plane;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/fetch_ahead.h"
 #include "base/pool.h"
 #include "index/join_nodes.h"
 #include "solid/append_faces.h"
@@ -120,18 +119,8 @@ Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
 
 Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch) {
     Ref<Block> block(new Block);
-    // Faces lie scattered, and so do their corners.
-    for (const std::uint32_t number : numbers) fetch_ahead(&faces.faces[number]);
     std::size_t corners = 0;
-    for (const std::uint32_t number : numbers) {
-        const FaceSet::Entry& face = faces.faces[number];
-        corners += face.corner_count;
-        fetch_ahead(&faces.corners[face.first_corner]);
-    }
-    for (const std::uint32_t number : numbers) {
-        const FaceSet::Entry& face = faces.faces[number];
-        for (std::uint32_t c = 0; c < face.corner_count; ++c) fetch_ahead(&faces.corner(face, c));
-    }
+    for (const std::uint32_t number : numbers) corners += faces.faces[number].corner_count;
     scratch.start(corners);
     block->part = faces.faces[numbers[0]].part;
     block->faces.reserve(numbers.size());
