@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace firma {
 
@@ -24,7 +23,7 @@ struct EdgeSide {
 
 /// Sorts by both ends; sides of one edge stay in their order. In proportion to sides and points, for a fan of a million
 /// triangles too.
-void sort_sides(std::vector<EdgeSide>& sides, std::size_t point_count);
+void sort_sides(std::span<EdgeSide> sides, std::size_t point_count);
 
 /// All sides of one edge.
 /// @param sorted  by sort_sides()

@@ -157,6 +157,35 @@ bool folded(const MeshPolygon& p, const MeshPolygon& q) {
     return false;
 }
 
+/// Whether all that a triangle does not share with another lies strictly on one side of a plane through that.
+/// @param shared  a bit for each corner of the triangle that it shares
+inline bool on_one_side(std::span<const InputPoint> points, const MeshPolygon& triangle, unsigned shared,
+                        const MeshPolygon& other) {
+    const InputPoint& in_plane = points[other.corners[0]];
+    bool front = false, back = false;
+    for (unsigned k = 0; k < 3; ++k) {
+        if ((shared >> k & 1) != 0) continue;
+        const Int128 above = height(in_plane, other.normal, points[triangle.corners[k]]);
+        if (above == 0) return false;
+        front |= above > 0;
+        back |= above < 0;
+    }
+    return front != back;
+}
+
+/// Whether two triangles have a corner or an edge in common, or nothing, as one lies on one side of the other: the
+/// usual case, and all that this finds.
+bool triangles_apart(std::span<const InputPoint> points, const MeshPolygon& p, const MeshPolygon& q) {
+    unsigned of_p = 0, of_q = 0;
+    for (unsigned k = 0; k < 3; ++k)
+        for (unsigned j = 0; j < 3; ++j) {
+            const auto same = unsigned(p.corners[k] == q.corners[j]);
+            of_p |= same << k;
+            of_q |= same << j;
+        }
+    return on_one_side(points, p, of_p, q) || on_one_side(points, q, of_q, p);
+}
+
 }  // namespace
 
 AreaVector polygon_normal(std::span<const InputPoint> points, std::span<const std::uint32_t> corners) {
@@ -168,6 +197,7 @@ AreaVector polygon_normal(std::span<const InputPoint> points, std::span<const st
 }
 
 bool polygons_cross(std::span<const InputPoint> points, const MeshPolygon& p, const MeshPolygon& q) {
+    if (p.corners.size() == 3 && q.corners.size() == 3 && triangles_apart(points, p, q)) return false;
     const CornerSides of_p(points, p, q);
     if (of_p.apart(q)) return false;
     const CornerSides of_q(points, q, p);

@@ -5,6 +5,7 @@
 // be built quickly: about as long as a hundred searches take.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -69,11 +70,24 @@ public:
         return false;
     }
 
+    /// Calls `function(number, other)` once for each two boxes that meet, number < other, until it returns true: for
+    /// each `number` in the order of items(), and for each of these in the same order. Searches once for several
+    /// neighbours in the tree: a fraction of the time that a search for each takes.
+    /// @return whether `function` did
+    template <class Function>
+    bool for_each_pair(const Function& function) const {
+        if (nodes_.empty()) return false;
+        std::vector<Item> near;
+        std::vector<std::uint32_t> met;
+        return pairs_below(0, 0, std::uint32_t(items_.size()), near, met, function);
+    }
+
 private:
     /// Below this depth bins are halved by count, so 2^32 boxes stay within kDeepest.
     static constexpr int kFreeDepth = 40;
     static constexpr int kDeepest = kFreeDepth + 32;
     static constexpr std::uint32_t kLeafItems = 4;
+    static constexpr std::uint32_t kTogether = 16;  ///< at most, that for_each_pair() searches for at once
 
     /// With a count: a leaf of items first .. first + count. Without: the parent of the node after it and of `first`.
     struct Node {
@@ -81,6 +95,38 @@ private:
         std::uint32_t first = 0;
         std::uint32_t count = 0;
     };
+
+    /// The pairs of items begin .. end, which are those below the node.
+    template <class Function>
+    bool pairs_below(std::uint32_t at, std::uint32_t begin, std::uint32_t end, std::vector<Item>& near,
+                     std::vector<std::uint32_t>& met, const Function& function) const {
+        if (end - begin > kTogether && nodes_[at].count == 0) {
+            const std::uint32_t middle = first_item(nodes_[at].first);
+            return pairs_below(at + 1, begin, middle, near, met, function) ||
+                   pairs_below(nodes_[at].first, middle, end, near, met, function);
+        }
+        std::uint32_t least = items_[begin].number;
+        for (std::uint32_t k = begin + 1; k < end; ++k) least = items_[k].number < least ? items_[k].number : least;
+        const std::span<const Item> found(near.data(), find_near(nodes_[at].box, least, near));
+        met.resize(std::max(met.size(), found.size()));
+        for (std::uint32_t k = begin; k < end; ++k) {
+            const Item item = items_[k];
+            const std::size_t count = those_meeting(item, found, met.data());
+            for (std::size_t m = 0; m < count; ++m)
+                if (function(item.number, met[m])) return true;
+        }
+        return false;
+    }
+    std::uint32_t first_item(std::uint32_t at) const {
+        while (nodes_[at].count == 0) ++at;
+        return nodes_[at].first;
+    }
+    /// Puts the items that meet a node's box and have a greater number than `least` first, in order.
+    /// @param near  some items, of which there may be more than it is left with
+    /// @return how many
+    std::size_t find_near(const GridBox& box, std::uint32_t least, std::vector<Item>& near) const;
+    /// The numbers of those that an item meets and that are greater than its own, in order.
+    static std::size_t those_meeting(const Item& item, std::span<const Item> near, std::uint32_t* met);
 
     void build(std::uint32_t first, std::uint32_t count, int depth);
     std::uint32_t divide(std::uint32_t first, std::uint32_t count, const GridBox& centres);

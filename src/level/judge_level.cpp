@@ -14,6 +14,16 @@ std::string missing(const char* what, std::size_t index, std::size_t count) {
            std::to_string(count);
 }
 
+/// Whether three points are surely not on one line: of products that wrap around, what differs does differ.
+bool have_area(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+    std::uint64_t u[3], v[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        u[axis] = std::uint64_t(std::int64_t(b[axis]) - a[axis]);
+        v[axis] = std::uint64_t(std::int64_t(c[axis]) - a[axis]);
+    }
+    return u[1] * v[2] != u[2] * v[1] || u[2] * v[0] != u[0] * v[2] || u[0] * v[1] != u[1] * v[0];
+}
+
 /// Why a face cannot be used; empty when it can.
 std::string fault_of(const Level& level, const LevelFace& face) {
     if (face.corner_count < 3 || face.corner_count > std::uint32_t(kMaxCorners))
@@ -24,12 +34,13 @@ std::string fault_of(const Level& level, const LevelFace& face) {
     if (face.group >= name_count(level.groups)) return missing("group", face.group, name_count(level.groups));
     if (face.texture != kNoTexture && face.texture >= level.textures.size())
         return missing("texture", face.texture, level.textures.size());
+    const std::uint32_t* const numbers = level.corners.data() + face.first_corner;
+    for (std::uint32_t c = 0; c < face.corner_count; ++c)
+        if (numbers[c] >= level.vertices.size()) return "a corner names no vertex";
+    const auto corner = [&](std::uint32_t c) -> const GridPoint& { return level.vertices[numbers[c]]; };
+    if (face.corner_count == 3 && have_area(corner(0), corner(1), corner(2))) return "";
     Vec3 corners[kMaxCorners];
-    for (std::uint32_t c = 0; c < face.corner_count; ++c) {
-        const std::uint32_t vertex = level.corners[face.first_corner + c];
-        if (vertex >= level.vertices.size()) return "a corner names no vertex";
-        corners[c] = to_metres(level.vertices[vertex]);
-    }
+    for (std::uint32_t c = 0; c < face.corner_count; ++c) corners[c] = to_metres(corner(c));
     if (check_polygon({corners, face.corner_count}) != PolygonFault::kNone)
         return "it is not convex and planar, with area";
     return "";

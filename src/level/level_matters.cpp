@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "base/sort.h"
-#include "geometry/exact_integer.h"
-#include "geometry/exact_plane.h"
+#include "geometry/grid_orient.h"
 #include "solid/append_faces.h"
 #include "solid/solid_data.h"
 
@@ -38,6 +38,30 @@ std::vector<std::uint32_t> matter_by_material(const Level& level, const MatterTa
     return matters;
 }
 
+/// How many say what. Many say in a row the same.
+class Votes {
+public:
+    void add(std::uint32_t what) {
+        if (count_ > 0 && what != what_) flush();
+        what_ = what;
+        ++count_;
+    }
+    const std::map<std::uint32_t, std::size_t>& finish() {
+        if (count_ > 0) flush();
+        return said_;
+    }
+
+private:
+    void flush() {
+        said_[what_] += count_;
+        count_ = 0;
+    }
+
+    std::map<std::uint32_t, std::size_t> said_;
+    std::uint32_t what_ = 0;
+    std::size_t count_ = 0;
+};
+
 /// What most say; of equally many the lowest.
 std::uint32_t most_said(const std::map<std::uint32_t, std::size_t>& said) {
     std::uint32_t best = 0;
@@ -62,44 +86,44 @@ bool looks_out(const Level& level, std::span<const std::uint32_t> faces) {
     const auto corner = [&](const LevelFace& face, std::uint32_t k) {
         return to_input(level.vertices[level.corners[face.first_corner + k]]);
     };
-    const InputPoint o = corner(level.faces[faces[0]], 0);
+    const InputPoint apex = corner(level.faces[faces[0]], 0);
     Int128 volume = 0;
     for (const std::uint32_t f : faces) {
         const LevelFace& face = level.faces[f];
-        for (std::uint32_t k = 2; k < face.corner_count; ++k) {
-            const InputPoint p[3] = {corner(face, 0), corner(face, k - 1), corner(face, k)};
-            std::int64_t d[3][3];
-            for (int row = 0; row < 3; ++row)
-                for (int axis = 0; axis < 3; ++axis) d[row][axis] = std::int64_t(p[row][axis]) - o[axis];
-            volume += Int128(d[0][0]) * (Int128(d[1][1]) * d[2][2] - Int128(d[1][2]) * d[2][1]) +
-                      Int128(d[0][1]) * (Int128(d[1][2]) * d[2][0] - Int128(d[1][0]) * d[2][2]) +
-                      Int128(d[0][2]) * (Int128(d[1][0]) * d[2][1] - Int128(d[1][1]) * d[2][0]);
-        }
+        const InputPoint first = corner(face, 0);
+        for (std::uint32_t k = 2; k < face.corner_count; ++k)
+            volume += height(apex, area_vector(first, corner(face, k - 1), corner(face, k)), first);
     }
     return volume > 0;
 }
 
+constexpr std::uint32_t kNoShell = ~0u;
+
 std::vector<Shell> shells_of(const Level& level, const LevelSolids& solids,
                              const std::vector<std::uint32_t>& matter_of_material) {
-    std::map<std::uint32_t, std::size_t> number;
+    std::vector<std::uint32_t> number;  // of each piece's shell
     std::vector<Shell> shells;
     for (std::uint32_t f = 0; f < level.faces.size(); ++f) {
         if (!solids.solid[f]) continue;
-        const auto [at, is_new] = number.try_emplace(solids.piece[f], shells.size());
-        if (is_new) shells.emplace_back();
-        shells[at->second].faces.push_back(f);
+        const std::uint32_t piece = solids.piece[f];
+        if (piece >= number.size()) number.resize(piece + 1, kNoShell);
+        if (number[piece] == kNoShell) {
+            number[piece] = std::uint32_t(shells.size());
+            shells.emplace_back();
+        }
+        shells[number[piece]].faces.push_back(f);
     }
     for (Shell& shell : shells) {
-        std::map<std::uint32_t, std::size_t> matters, looks;
+        Votes matters, looks;
         for (const std::uint32_t f : shell.faces) {
             const std::uint32_t material = level.faces[f].material;
-            ++looks[material];
-            if (matter_of_material[material] != 0) ++matters[matter_of_material[material]];
+            looks.add(material);
+            if (matter_of_material[material] != 0) matters.add(matter_of_material[material]);
             shell.box.add(box_of(level, level.faces[f]));
         }
-        shell.matter = most_said(matters);
-        shell.look = most_said(looks);
-        for (const auto& [material, times] : looks) shell.materials.push_back(material);
+        shell.matter = most_said(matters.finish());
+        shell.look = most_said(looks.finish());
+        for (const auto& [material, times] : looks.finish()) shell.materials.push_back(material);
     }
     return shells;
 }
@@ -110,14 +134,20 @@ void add_source(MatterPieces& made, std::uint32_t first, std::uint32_t matter) {
 
 void add_sources(const Level& level, const LevelSolids& solids, const std::vector<Shell>& shells,
                  const std::vector<std::uint32_t>& matter_of_material, MatterPieces& made) {
-    std::map<std::uint32_t, std::uint32_t> of_piece;
-    for (const Shell& shell : shells) of_piece[solids.piece[shell.faces[0]]] = shell.matter;
-    std::vector<std::uint32_t> by_source;
-    for (std::uint32_t f = 0; f < level.faces.size(); ++f) by_source.push_back(f);
+    std::vector<std::uint32_t> of_piece;
+    for (const Shell& shell : shells) {
+        const std::uint32_t piece = solids.piece[shell.faces[0]];
+        if (piece >= of_piece.size()) of_piece.resize(piece + 1);
+        of_piece[piece] = shell.matter;
+    }
+    std::vector<std::uint32_t> by_source(level.faces.size());
+    std::iota(by_source.begin(), by_source.end(), 0u);
     const auto source = [&](std::uint32_t face) { return level.faces[face].source; };
-    sort_range(by_source, [&](std::uint32_t a, std::uint32_t b) {
+    const auto goes_before = [&](std::uint32_t a, std::uint32_t b) {
         return source(a) != source(b) ? source(a) < source(b) : a < b;
-    });
+    };
+    // Most levels have them in order.
+    if (!std::is_sorted(by_source.begin(), by_source.end(), goes_before)) sort_range(by_source, goes_before);
     for (std::size_t k = 0; k < by_source.size(); ++k) {
         const std::uint32_t face = by_source[k];
         if (k > 0 && source(face) == source(by_source[k - 1])) continue;
@@ -162,9 +192,17 @@ MatterPieces matters_of_level(const Level& level, const LevelSolids& solids, con
     if (shells.empty()) return made;
     // Of the rest: what most of the faces around it are of.
     std::map<std::uint32_t, std::size_t> rests, looks;
-    bool is_one = true;
-    for (Shell& shell : shells) {
+    bool is_one = true, looks_one = true;
+    for (const Shell& shell : shells) {
         is_one = is_one && shell.matter == shells[0].matter;
+        looks_one = looks_one && shell.look == shells[0].look;
+    }
+    if (is_one && looks_one) {  // whichever way they look
+        made.rest = shells[0].matter;
+        made.rest_look = shells[0].look;
+        return made;
+    }
+    for (Shell& shell : shells) {
         shell.looks_out = looks_out(level, shell.faces);
         if (shell.looks_out) continue;
         rests[shell.matter] += shell.faces.size();

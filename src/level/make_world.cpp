@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a level to a world: one room, its faces in a tree.
+#include <algorithm>
+
 #include "firma/level.h"
 #include "firma/world.h"
 #include "level/find_solids.h"
@@ -14,6 +16,15 @@
 
 namespace firma {
 namespace {
+
+/// What find_solids() says but for its notes: of faces that are all two-sided none bounds a solid.
+LevelSolids solids_of(const Level& level) {
+    const auto two_sided = [](const LevelFace& face) { return face.two_sided; };
+    if (!std::all_of(level.faces.begin(), level.faces.end(), two_sided)) return find_solids(level);
+    LevelSolids none;
+    none.solid.resize(level.faces.size());
+    return none;
+}
 
 FaceSet face_set(const Level& level, const LevelSolids& solids) {
     FaceSet set;
@@ -56,7 +67,7 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (auto error = judge_level(level, level.name)) return *std::move(error);
     if (auto error = judge_options(options, level.name)) return *std::move(error);
     if (level.faces.empty()) return nothing_left(level.name, "", level.omissions);
-    const LevelSolids solids = find_solids(level);
+    const LevelSolids solids = solids_of(level);
     WorldParts parts;
     parts.name = level.name;
     parts.rooms.push_back({face_set(level, solids), {}, false});

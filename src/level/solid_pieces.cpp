@@ -3,10 +3,9 @@
 #include "level/solid_pieces.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/disjoint_sets.h"
-#include "base/sort.h"
+#include "base/flat_map.h"
 #include "level/pair_edges.h"
 #include "level/slab_tree.h"
 
@@ -15,25 +14,25 @@ namespace {
 
 /// A number for each vertex's position, by the first vertex there; ascending with it.
 std::vector<std::uint32_t> number_positions(const std::vector<GridPoint>& vertices, std::vector<InputPoint>& points) {
-    std::vector<std::uint32_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
-    sort_range(order, [&](std::uint32_t a, std::uint32_t b) {
-        return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
-    });
-    std::vector<std::uint32_t> first(vertices.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const bool same = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
-        first[order[k]] = same ? first[order[k - 1]] : order[k];
-    }
+    FlatMap vertex_at;  // the first one
+    vertex_at.reserve(vertices.size());
+    std::vector<std::uint32_t> number(vertices.size());
+    points.reserve(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        if (first[v] == v) {
-            first[v] = std::uint32_t(points.size());
-            points.push_back(to_input(vertices[v]));
-        } else {
-            first[v] = first[first[v]];  // already a number, as the first one comes before
+        for (std::uint64_t key = point_key(vertices[v]);; key = next_key(key)) {
+            std::uint32_t& first = vertex_at.at(key);
+            if (first == FlatMap::kNone) {
+                first = v;
+                number[v] = std::uint32_t(points.size());
+                points.push_back(to_input(vertices[v]));
+                break;
+            }
+            if (vertices[first] != vertices[v]) continue;
+            number[v] = number[first];
+            break;
         }
     }
-    return first;
+    return number;
 }
 
 /// A corner off the line of a side; any does.
@@ -130,15 +129,10 @@ public:
     /// @return false when they leave too many pairs
     bool with_boxes() {
         const std::uint64_t most = pieces_.limits.pairs_with_boxes * (good_.faces.size() + 1024);
-        // In the order of the tree, so that one search finds in the cache what the last one looked at.
-        for (const BoxTree::Item& item : good_.tree.items()) {
-            good_.tree.for_each_meeting(item.box, [&](std::uint32_t other) {
-                judge(item.number, other);
-                return pieces_.work.pairs > most;
-            });
-            if (pieces_.work.pairs > most) return false;
-        }
-        return true;
+        return !good_.tree.for_each_pair([&](std::uint32_t number, std::uint32_t other) {
+            judge(number, other);
+            return pieces_.work.pairs > most;
+        });
     }
 
     void with_slabs() {
@@ -151,13 +145,14 @@ public:
             if (work.of_pairs() > most)
                 refuse(number, number, SolidNoteKind::kTooComplex);
             else
-                work.compared += slabs.for_each_meeting(place, [&](std::uint32_t other) { judge(number, other); });
+                work.compared += slabs.for_each_meeting(place, [&](std::uint32_t other) {
+                    if (other > number) judge(number, other);
+                });
         }
     }
 
 private:
     void judge(std::uint32_t number, std::uint32_t other) {
-        if (other <= number) return;
         if (!pieces_.good(good_.faces[number]) && !pieces_.good(good_.faces[other])) return;
         ++pieces_.work.pairs;
         if (!polygons_cross(mesh_.points, polygons_[number], polygons_[other])) return;

@@ -26,8 +26,10 @@ std::uint64_t hash_plane(const Plane& plane) {
 
 LineDirection LineDirection::along(const GridPoint& from, const GridPoint& to) {
     LineDirection direction;
-    for (int axis = 0; axis < 3; ++axis)
-        direction.along_[axis] = residue_of(Int128(std::int64_t(to[axis]) - from[axis]));
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t steps = std::int64_t(to[axis]) - from[axis];
+        direction.along_[axis] = std::uint64_t(steps) + (steps < 0 ? kPrime : 0);
+    }
     return direction;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "scenes/rng.h"
@@ -33,9 +34,28 @@ std::vector<std::uint32_t> found_by(const BoxTree& tree, const GridBox& box) {
     return found;
 }
 
+/// In the order that for_each_pair() says.
+void expect_pairs(const BoxTree& tree) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found, expected;
+    EXPECT_FALSE(tree.for_each_pair([&](std::uint32_t one, std::uint32_t other) {
+        found.emplace_back(one, other);
+        return false;
+    }));
+    for (const BoxTree::Item& item : tree.items())
+        for (const BoxTree::Item& other : tree.items())
+            if (other.number > item.number && boxes_meet(item.box, other.box))
+                expected.emplace_back(item.number, other.number);
+    ASSERT_EQ(found, expected);
+    std::size_t calls = 0;
+    EXPECT_EQ(tree.for_each_pair([&](std::uint32_t, std::uint32_t) { return 2 * ++calls > expected.size(); }),
+              !expected.empty());
+    EXPECT_EQ(calls, expected.empty() ? 0 : expected.size() / 2 + 1);
+}
+
 void expect_same_as_looking(const std::vector<GridBox>& boxes, const std::vector<GridBox>& asked) {
     const BoxTree tree(boxes);
     ASSERT_EQ(tree.size(), boxes.size());
+    expect_pairs(tree);
     for (const GridBox& box : asked) {
         std::vector<std::uint32_t> found = found_by(tree, box), expected;
         std::sort(found.begin(), found.end());
