@@ -2,7 +2,7 @@
 # Casts and cuts are compiled for speed, the rest of the module for size.
 # Capsules and hulls are not: for speed they were 20 KB more.
 take_part(firma_other_shapes "cast/(capsule[a-z_]*|cast_capsule_polygon|cast_hull_polygon|hull[a-z_]*|make_hull_hit)" -Oz)
-take_part(firma_hot "cast/[a-z_]*|geometry/(closest_point|polygon_shape|texture|triangulate_convex)|world/(cast_world|sweep_lanes)" -O3)
+take_part(firma_hot "cast/[a-z_]*|geometry/(closest_point|polygon_shape|texture|triangulate_convex)|world/(cast_world|lane_sweep|sweep_lanes)" -O3)
 # Of the folders that follow, what no cut runs (checking, comparing and measuring solids, making cutters), and what few cuts
 # spend time in: pieces that come loose and come to rest, matter, solids as cutters, and what a profile of craters in rooms
 # shows with less than 0.25% of the time.
