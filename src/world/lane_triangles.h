@@ -44,11 +44,58 @@ HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) 
     return reach;
 }
 
+/// Corners of lanes, metres from their origin.
+#if HWY_TARGET == HWY_WASM  // read at once: the module has to be small
+struct Corners {
+    alignas(16) float at[3][3][kLanes];
+
+    HWY_INLINE explicit Corners(const FaceLanes& lanes) {
+        const bool wide = lanes.is_wide();
+        const auto* const upper = &lanes.corner[0][0][0];
+        const auto* const lower = &(&lanes)[wide].corner[0][0][0];
+        for (std::uint32_t k = 0; k < 9 * kLanes; k += kAtOnce) {
+            auto steps = hn::PromoteTo(kInts, hn::LoadU(kShorts, upper + k));
+            if (wide) {
+                const auto low = hn::PromoteTo(kInts, hn::LoadU(kShorts, lower + k));
+                steps = hn::Or(hn::ShiftLeft<16>(steps), hn::And(low, hn::Set(kInts, 0xFFFF)));
+            }
+            hn::Store(hn::Mul(hn::ConvertTo(kFloats, steps), all(lanes.step)), kFloats, &at[0][0][0] + k);
+        }
+    }
+    HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
+        return hn::Load(kFloats, at[c][axis] + part);
+    }
+};
+#else
+template <bool wide>
+struct Corners {
+    const FaceLanes& lanes;
+    Floats step;
+
+    HWY_INLINE explicit Corners(const FaceLanes& of) : lanes(of), step(all(of.step)) {}
+    HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
+        auto steps = hn::PromoteTo(kInts, hn::LoadU(kShorts, lanes.corner[c][axis] + part));
+        if constexpr (wide) {
+            const auto low = hn::PromoteTo(kInts, hn::LoadU(kShorts, (&lanes)[1].corner[c][axis] + part));
+            steps = hn::Or(hn::ShiftLeft<16>(steps), hn::And(low, hn::Set(kInts, 0xFFFF)));
+        }
+        return hn::Mul(hn::ConvertTo(kFloats, steps), step);
+    }
+};
+#endif
+
+/// Bits of the lanes that hold a triangle.
+HWY_INLINE unsigned used(const FaceLanes& lanes) {
+    return (2u << (lanes.count() - 1)) - 1;
+}
+
 /// Lower bounds for when triangles are met, from the time `enter` on, a bit for each that may be by `latest`.
 /// @tparam known  how many axes the extent that moves has, or kAnyAxes
-template <int known>
-HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest, float* times) {
+template <int known, class Read>
+HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float enter, float latest,
+                         float* times) {
     const LaneSweep& sweep = query.sweep;
+    const unsigned filled = used(lanes);
     const int axes = axes_of<known>(sweep);
     float o[3], size = lanes.size + sweep.size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -56,15 +103,14 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         o[axis] = float(from + double(enter) * sweep.direction[axis]);
         size += std::fabs(o[axis]);
     }
-    const float unsure = lanes.uneven + sweep.margin + 8 * kRoundoff * size;
+    const float unsure = lanes.uneven() + sweep.margin + 8 * kRoundoff * size;
     const float reach = (sweep.radius + unsure) * kMore;
     const float error = (axes ? 64 : 32) * kRoundoff * size;
     unsigned met = 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
         Floats p[3][3];  // corners seen from there
         for (int c = 0; c < 3; ++c)
-            for (int axis = 0; axis < 3; ++axis)
-                p[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[c][axis] + part), all(o[axis]));
+            for (int axis = 0; axis < 3; ++axis) p[c][axis] = hn::Sub(corner(c, axis, part), all(o[axis]));
         Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore);
         for (int axis = 0; axis < 3; ++axis) {
             const Floats aside = all(axes ? (sweep.extent[axis] + unsure) * kMore : reach);
@@ -76,12 +122,11 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
             out = hn::Min(out, hn::Max(one, other));
         }
         unsigned left = bits(hn::Le(hn::Mul(in, all(kLess)), hn::Mul(out, all(kMore))));
-        if ((left << part & lanes.used) == 0) continue;
+        if ((left << part & filled) == 0) continue;
         Floats e[3][3], n[3];
         for (int c = 0; c < 3; ++c)
             for (int axis = 0; axis < 3; ++axis)
-                e[c][axis] = hn::Sub(hn::LoadU(kFloats, lanes.corner[(c + 1) % 3][axis] + part),
-                                     hn::LoadU(kFloats, lanes.corner[c][axis] + part));
+                e[c][axis] = hn::Sub(corner((c + 1) % 3, axis, part), corner(c, axis, part));
         cross(e[0], e[1], n);
         const Floats squares[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
         const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
@@ -102,7 +147,7 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
         if (query.front_only) {
             Floats doubt = hn::Mul(longest, all(128 * kRoundoff));
-            if (const float tilted = lanes.uneven + lanes.shifted; tilted > 0)
+            if (const float tilted = lanes.uneven() + lanes.shifted(); tilted > 0)
                 doubt = add(doubt, hn::Mul(hn::Sqrt(longest), all(32 * tilted)));
             const unsigned away = bits(hn::Gt(rise, doubt));
             left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
@@ -110,7 +155,7 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const LaneQuery& query, float e
         hn::StoreU(in, kFloats, times + part);
         met |= left << part;
     }
-    return met & lanes.used;
+    return met & filled;
 }
 
 /// The start as seen from the origin of lanes, rounded; the fourth number is 0.
@@ -132,12 +177,15 @@ HWY_INLINE void start_from(const FaceLanes& lanes, const LaneSweep& sweep, float
 
 /// The same for a particle, seen from its start: triangles along its path, as in Sweep's projection. Times are those of
 /// boxes, and count from the start.
-HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, float latest, float* times) {
+template <class Read>
+HWY_INLINE unsigned look_along(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float latest,
+                               float* times) {
     const LaneSweep& sweep = query.sweep;
+    const unsigned filled = used(lanes);
     alignas(16) float o[4];
     start_from(lanes, sweep, o);
     const float size = lanes.size + (std::fabs(o[0]) + std::fabs(o[1]) + std::fabs(o[2]));
-    const float reach = (lanes.uneven + sweep.margin + 8 * kRoundoff * size) * kMore;
+    const float reach = (lanes.uneven() + sweep.margin + 8 * kRoundoff * size) * kMore;
     const float extent = 3 * lanes.size;  // no triangle's is larger
     const float rounding = 64 * kRoundoff * extent;
     const Floats g = all(extent * (8 * reach + rounding));
@@ -149,11 +197,10 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
         Floats flat[3][2];  // corners along the path, seen from there
         for (int c = 0; c < 3; ++c) {
-            const Floats ahead = hn::LoadU(kFloats, lanes.corner[c][sweep.longest] + part);
+            const Floats ahead = corner(c, sweep.longest, part);
             for (int axis = 0; axis < 2; ++axis)
-                flat[c][axis] = hn::Sub(
-                    hn::Sub(hn::LoadU(kFloats, lanes.corner[c][sweep.aside[axis]] + part), hn::Mul(shear[axis], ahead)),
-                    from[axis]);
+                flat[c][axis] =
+                    hn::Sub(hn::Sub(corner(c, sweep.aside[axis], part), hn::Mul(shear[axis], ahead)), from[axis]);
         }
         Floats turns[3];  // twice the area with the path, by side
         for (int c = 0; c < 3; ++c) {
@@ -165,17 +212,15 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
         unsigned left = bits(hn::Or(hn::Ge(least, hn::Neg(g)), hn::Le(most, g)));
         if (query.front_only) {
             const Floats area = add(add(turns[0], turns[1]), turns[2]);
-            const float tilted = reach + lanes.uneven + lanes.shifted;
+            const float tilted = reach + lanes.uneven() + lanes.shifted();
             const unsigned away = bits(hn::Gt(area, all(extent * (32 * tilted + rounding))));
             left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
         }
-        if ((left << part & lanes.used) == 0) continue;
-        const float bent = 1024 * lanes.uneven;
+        if ((left << part & filled) == 0) continue;
+        const float bent = 1024 * lanes.uneven();
         Floats in = hn::Zero(kFloats), out = all(latest);
         for (int axis = 0; axis < 3; ++axis) {
-            const Floats a = hn::LoadU(kFloats, lanes.corner[0][axis] + part),
-                         b = hn::LoadU(kFloats, lanes.corner[1][axis] + part),
-                         c = hn::LoadU(kFloats, lanes.corner[2][axis] + part);
+            const Floats a = corner(0, axis, part), b = corner(1, axis, part), c = corner(2, axis, part);
             const Floats low = hn::Sub(hn::Min(hn::Min(a, b), c), all(o[axis] + reach));
             const Floats high = hn::Sub(hn::Max(hn::Max(a, b), c), all(o[axis] - reach));
             const Floats slope = all(sweep.inverse[axis]);
@@ -188,24 +233,35 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const LaneQuery& query, f
         hn::StoreU(in, kFloats, times + part);
         met |= left << part;
     }
-    return met & lanes.used;
+    return met & filled;
 }
 
-/// Times count from the start.
-HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
-                                 float* times) {
-    if (query.sweep.particle) return look_along(lanes, query, latest, times);
+template <class Read>
+HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float enter,
+                                 float latest, float* times) {
+    if (query.sweep.particle) return look_along(lanes, corner, query, latest, times);
 #if HWY_TARGET == HWY_WASM  // the module has to be small
-    const unsigned met = look<kAnyAxes>(lanes, query, enter, latest, times);
+    const unsigned met = look<kAnyAxes>(lanes, corner, query, enter, latest, times);
 #else
-    const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, query, enter, latest, times)
-                         : query.sweep.axes == 1 ? look<1>(lanes, query, enter, latest, times)
-                                                 : look<3>(lanes, query, enter, latest, times);
+    const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, corner, query, enter, latest, times)
+                         : query.sweep.axes == 1 ? look<1>(lanes, corner, query, enter, latest, times)
+                                                 : look<3>(lanes, corner, query, enter, latest, times);
 #endif
     if (met == 0) return 0;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce)
         hn::Store(add(hn::Load(kFloats, times + part), all(enter)), kFloats, times + part);
     return met;
+}
+
+/// Times count from the start.
+HWY_INLINE unsigned look_at_triangles(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
+                                      float* times) {
+#if HWY_TARGET == HWY_WASM
+    return look_by_kind(lanes, Corners(lanes), query, enter, latest, times);
+#else
+    if (lanes.is_wide()) return look_by_kind(lanes, Corners<true>(lanes), query, enter, latest, times);
+    return look_by_kind(lanes, Corners<false>(lanes), query, enter, latest, times);
+#endif
 }
 
 }  // namespace firma::HWY_NAMESPACE

@@ -24,6 +24,7 @@ constexpr float kLess = 1 - 16 * kRoundoff, kMore = 1 + 16 * kRoundoff;
 const hn::CappedTag<float, kLanes> kFloats;
 using Floats = hn::Vec<decltype(kFloats)>;
 const hn::Rebind<std::uint8_t, decltype(kFloats)> kBytes;
+const hn::Rebind<std::int16_t, decltype(kFloats)> kShorts;
 const hn::Rebind<std::int32_t, decltype(kFloats)> kInts;
 constexpr std::uint32_t kAtOnce = std::uint32_t(hn::MaxLanes(kFloats));
 

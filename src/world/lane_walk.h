@@ -40,16 +40,16 @@ HWY_INLINE void fetch(const void* child, bool faces) {
 HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter, LaneQuery& query, float& latest) {
     std::uint64_t looked_at = 0;  // facets of the block: one may be in several lanes
     alignas(64) float times[kLanes];
-    for (const FaceLanes* lanes = first; lanes != first + count; ++lanes) {
-        query.counts.boxes += std::uint32_t(__builtin_popcount(lanes->used));
-        unsigned met = look_by_kind(*lanes, query, enter, latest, times);
+    for (const FaceLanes* lanes = first; lanes != first + count; lanes += lanes->in_a_row()) {
+        query.counts.boxes += lanes->count();
+        unsigned met = look_at_triangles(*lanes, query, enter, latest, times);
         while (met) {  // by rising bound
             std::uint32_t lane = first_bit(met);
             for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
                 if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
             met &= ~(1u << lane);
             if (times[lane] > latest) break;
-            const std::uint64_t bit = std::uint64_t(1) << lanes->slot[lane];
+            const std::uint64_t bit = std::uint64_t(1) << lanes->slot(lane);
             if (looked_at & bit) continue;
             looked_at |= bit;
             if (query.look(query, *lanes, lane)) return true;
@@ -84,6 +84,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
             if (met) {
                 std::uint32_t lane = first_bit(met);
                 Waiting next{node.child[lane], node.facets[lane], times[lane]};
+                fetch(next.child, next.facets > 0);
                 const std::size_t base = count;
                 // The nearest goes on, the others wait, the farthest deepest.
                 for (met &= met - 1; met; met &= met - 1) {
