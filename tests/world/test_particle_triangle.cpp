@@ -48,12 +48,12 @@ struct OneTriangle {
         }
         lanes.origin = origin;
         lanes.whole = 1;
-        // In lanes of either kind, where they fit both; an input step has 64 of the surface's.
-        std::int32_t in_a_step = most < 32768 ? 1 : 64;
+        // In lanes of either kind, where they fit both.
+        const std::int32_t in_a_step = most < 32768 ? 1 : 64;  // of an input step
+        bool fits = most / in_a_step < 32768;
         for (const auto& corner : steps)
-            for (const std::int32_t at : corner)
-                if (at % in_a_step != 0 || at / in_a_step < -32768 || at / in_a_step > 32767) in_a_step = 0;
-        const bool wide = in_a_step == 0 || rng.chance(0.3);
+            for (const std::int32_t at : corner) fits = fits && at % in_a_step == 0;
+        const bool wide = !fits || rng.chance(0.3);
         if (wide) lanes.packed |= FaceLanes::kWide;
         lanes.step = float((wide ? 1 : in_a_step) / kSurfaceSteps);
         for (int c = 0; c < 3; ++c)
