@@ -172,9 +172,10 @@ private:
         const std::size_t size = std::min(std::max(next_slab_ * 2, 4 * bytes), kLargestSlab);
         fresh_ = static_cast<std::byte*>(take_slab(size));
         left_ = next_slab_ = size;
-        // Small pieces that fill lines of a cache then share none; of large ones a slab would hold one less.
-        if (bytes > kSmall || bytes % kLine != 0) return;
+        // Pieces that fill lines of a cache then share none, unless a slab would hold one large piece less.
+        if (bytes % kLine != 0) return;
         const std::size_t aside = (kLine - reinterpret_cast<std::uintptr_t>(fresh_) % kLine) % kLine;
+        if (bytes > kSmall && left_ % bytes < aside) return;
         fresh_ += aside;
         left_ -= aside;
     }

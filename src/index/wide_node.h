@@ -25,9 +25,10 @@ struct WideNode {
     /// Of facets the first FaceLanes, null where Firma is compiled without; of a node its first wide node; else a wide
     /// node of the same Node.
     const void* child[kLanes];
-    std::uint16_t facets[kLanes];    ///< of facets how many FaceLanes in a row, 1 without; else 0
-    std::uint8_t first[kLanes + 1];  ///< rising; the last stands after the lanes in use
-    std::uint8_t count = 0;          ///< lanes in use, from the first on
+    std::uint16_t facets[kLanes];                      ///< of facets how many FaceLanes in a row, 1 without; else 0
+    std::uint8_t first[kLanes + 1];                    ///< rising; the last stands after the lanes in use
+    std::uint8_t count = 0;                            ///< lanes in use, from the first on
+    std::uint8_t unused[sizeof(void*) == 8 ? 22 : 0];  // so that nodes fill lines of a cache
 
     /// A side as every reader computes it.
     float at(int which, int axis, std::uint32_t lane) const {

@@ -3,6 +3,7 @@
 // eight at a time and fetches nothing else for those that are not met.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "firma/grid.h"
@@ -14,30 +15,69 @@ class Block;
 struct FaceRecord;
 
 /// Facets of one block. One of more than three corners is a fan of triangles, side by side, maybe in several of these.
+///
+/// Corners are whole multiples of a step from an origin. Mostly 16 bits hold them: corners lie on a coarse grid, and
+/// facets beside each other are small. Where they do not, two of these in a row hold eight triangles: the second has
+/// the lower halves of the numbers, and of all else only `size`.
 struct FaceLanes {
     static constexpr std::uint32_t kLanes = 8;
 
     const Block* block = nullptr;
     const FaceRecord* faces = nullptr;  ///< of the block: one place less to wait for than by way of it
-    float corner[3][3][kLanes];         ///< by corner and axis: metres from the origin
     GridPoint origin;
-    std::int32_t fourth = 0;  ///< so that four numbers may be read in a row
-    float size = 0;           ///< no corner is farther from the origin, by the sum of its coordinates
-    float uneven = 0;         ///< nor farther from its facet's plane: not 0 where rounding bent one, metres
-    float shifted = 0;      ///< nor from where the facet has it, in its plane, by more: not 0 where floats, or rounding
-                            ///< in polygons, turn a triangle's normal away from its facet's, metres
-    std::uint8_t used = 0;  ///< lanes that hold a triangle, a bit each; the others repeat the last one
-    std::uint8_t whole = 0;  ///< lanes whose corners are all that the facet has, and exact
-    std::uint8_t two_sided = 0;
-    std::uint8_t slot[kLanes];      ///< in the block
+    float step = 0;  ///< metres, a power of two; here, so that four numbers may be read in a row
+    float size = 0;  ///< no corner is farther from the origin, by the sum of its coordinates; of a second: `shifted()`
     std::uint32_t mask_of_all = 0;  ///< bits that all facets have
+    std::uint32_t packed = 0;       ///< see below
+    std::uint16_t uneven_high = 0;  ///< the upper half of uneven()
+    std::uint8_t whole = 0;         ///< lanes whose corners are all that the facet has, and exact in float
+    std::uint8_t two_sided = 0;
+    std::int16_t corner[3][3][kLanes] = {};  ///< by corner and axis; of two in a row the upper halves
 
-    /// A corner of a whole lane, metres, exact.
-    Vec3 corner_at(std::uint32_t k, std::uint32_t lane) const {
-        const Vec3 from = to_metres(origin);
-        return {from.x + double(corner[k][0][lane]), from.y + double(corner[k][1][lane]),
-                from.z + double(corner[k][2][lane])};
+    // Packed: from the lowest bit on, how far the slots of lanes 1 to 7 lie behind the first one's, three bits each;
+    // that one's slot, six; how many lanes hold a triangle less one, three; whether there are fans; whether a second
+    // follows.
+    static constexpr std::uint32_t kFirstSlot = 21, kCount = 27, kFans = 1u << 30, kWide = 1u << 31;
+
+    /// Lanes that hold a triangle, from the first on; the others repeat the last one.
+    std::uint32_t count() const { return (packed >> kCount & 7) + 1; }
+    std::uint32_t slot(std::uint32_t lane) const {
+        return (packed >> kFirstSlot & 63) + ((packed << 3) >> (3 * lane) & 7);  // in the block
+    }
+    bool is_wide() const { return (packed & kWide) != 0; }
+    /// How many of these in a row hold the triangles.
+    std::uint32_t in_a_row() const { return (packed >> 31) + 1; }
+
+    /// No corner is farther from its facet's plane: not 0 where rounding bent one, metres.
+    float uneven() const { return std::bit_cast<float>(std::uint32_t(uneven_high) << 16); }
+    /// Nor from where the facet has it, in its plane, by more: not 0 where floats, or rounding in polygons, turn a
+    /// triangle's normal away from its facet's, metres.
+    float shifted() const {
+        if (is_wide()) return this[1].size;
+        return packed & kFans ? float(1 / kSurfaceSteps) : 0;
+    }
+
+    /// A coordinate of a corner, in steps from the origin.
+    std::int32_t steps(std::uint32_t k, int axis, std::uint32_t lane) const {
+        const std::int32_t upper = corner[k][axis][lane];
+        return is_wide() ? upper * 65536 + std::uint16_t(this[1].corner[k][axis][lane]) : upper;
+    }
+    /// The corners of a lane, metres, exact.
+    void read_corners(std::uint32_t lane, Vec3 (&corners)[3]) const {
+        const int shift = int(std::bit_cast<std::uint32_t>(step) >> 23) - (127 - 18);
+        static_assert(kSurfaceSteps == 0x1p18);
+        const auto read = [&](const auto& upper) {
+            for (int k = 0; k < 3; ++k)
+                for (int axis = 0; axis < 3; ++axis)
+                    corners[k][axis] = double(origin[axis] + upper(k, axis)) * (1 / kSurfaceSteps);
+        };
+        if (!is_wide()) [[likely]]
+            read([&](int k, int axis) { return std::int32_t(corner[k][axis][lane]) << shift; });
+        else
+            read([&](int k, int axis) { return steps(std::uint32_t(k), axis, lane); });
     }
 };
+
+static_assert(sizeof(void*) != 8 || sizeof(FaceLanes) == 192);  // three lines of a cache
 
 }  // namespace firma

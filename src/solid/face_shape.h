@@ -33,7 +33,7 @@ private:
 class LaneShape {
 public:
     LaneShape(const FaceLanes& lanes, std::uint32_t lane) {
-        for (std::uint32_t k = 0; k < 3; ++k) corners_[k] = lanes.corner_at(k, lane);
+        lanes.read_corners(lane, corners_);
         polygon.corners = corners_;
         // Added to zero as make_shape() does, so that no zero is negative.
         polygon.normal = Vec3{} + cross(corners_[1] - corners_[0], corners_[2] - corners_[0]);

@@ -3,7 +3,10 @@
 #include "solid/lay_out_faces.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 
 #include "base/seldom.h"
 #include "solid/face_shape.h"
@@ -15,21 +18,6 @@ constexpr float kUp = 1 + 0x1p-20f;  ///< far more than the rounding of a few fl
 
 /// Up to so many steps differences of corners, and what is made of their products, have no rounding in floats.
 constexpr std::int64_t kExactSteps = std::int64_t(1) << 23;
-
-GridPoint origin_for(const GridBox& box) {
-    GridPoint middle;
-    for (int axis = 0; axis < 3; ++axis)
-        middle[axis] = std::int32_t((std::int64_t(box.low[axis]) + box.high[axis]) >> 1);
-    return middle;
-}
-
-/// Whether all of a box lies within so many steps of a point, axis by axis.
-bool within(const GridBox& box, const GridPoint& point, std::int64_t steps) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (point[axis] - std::int64_t(box.low[axis]) > steps || box.high[axis] - std::int64_t(point[axis]) > steps)
-            return false;
-    return true;
-}
 
 /// How far corners lie from the plane of casts: that of the normal, through the first one. Metres, rounded up.
 FIRMA_SELDOM double unevenness(const PolygonShape& polygon) {
@@ -67,110 +55,144 @@ double unevenness(const Block& block, const FaceRecord& face) {
     return (most + farthest * off) / long_as * (1 + 0x1p-28) + (max_abs(first) + 2 * farthest) * 0x1p-44;
 }
 
-/// Triangles into lanes, one after the other.
-class LaneWriter {
-public:
-    /// @param box  around the facets that are added
-    LaneWriter(const Block& block, const GridBox& box, FaceLanes* lanes)
-        : block_(block), origin_(origin_for(box)), exact_(within(box, origin_, kExactSteps)), next_(lanes) {}
+/// Of steps of lanes, so that they and their sums stay far from the ends of whole numbers.
+constexpr int kMostStepBits = 16;
 
-    void add(std::uint32_t slot) {
+/// Rounded up to its upper half.
+std::uint16_t upper_half(float x) {
+    return std::uint16_t((std::bit_cast<std::uint32_t>(x) + 0xFFFF) >> 16);
+}
+
+/// Eight triangles that become lanes.
+class LaneGroup {
+public:
+    explicit LaneGroup(const Block& block) : block_(block) {}
+
+    bool is_full() const { return count_ == FaceLanes::kLanes; }
+
+    /// @param k       which triangle of the facet's fan
+    /// @param uneven  of the facet
+    void add(std::uint32_t slot, std::uint32_t k, float uneven) {
         const FaceRecord& face = block_.faces[slot];
-        Corner corners[kMaxCorners];
-        Measure measure;
-        for (std::uint32_t k = 0; k < face.corner_count; ++k)
-            corners[k] =
-                exact_ ? exact_corner(block_.corner(face, k), measure) : corner(block_.corner(face, k), measure);
-        if (face.corner_count > 3) {
-            measure.uneven = float(unevenness(block_, face)) * kUp;
-            // Outlines of more corners are convex but for the rounding to the grid.
-            measure.shifted = std::max(measure.shifted, float(1 / kSurfaceSteps));
+        Triangle& it = triangles_[count_];
+        it.slot = slot;
+        it.corners[0] = block_.corner(face, 0);
+        it.corners[1] = block_.corner(face, k + 1);
+        it.corners[2] = block_.corner(face, k + 2);
+        for (const GridPoint& corner : it.corners) {
+            box_.add(corner);
+            for (int axis = 0; axis < 3; ++axis)
+                differ_ |= std::uint32_t(corner[axis]) ^ std::uint32_t(triangles_[0].corners[0][axis]);
         }
-        const bool whole = face.corner_count == 3 && measure.exact;
-        for (std::uint32_t k = 2; k < face.corner_count; ++k) {
-            if (lane_ == FaceLanes::kLanes) start();
-            FaceLanes& it = *last_;
-            it.size = std::max(it.size, measure.size);
-            it.uneven = std::max(it.uneven, measure.uneven);
-            it.shifted = std::max(it.shifted, measure.shifted);
-            it.mask_of_all &= face.mask;
-            it.slot[lane_] = std::uint8_t(slot);
-            const auto bit = std::uint8_t(1u << lane_);
-            it.used |= bit;
-            if (face.two_sided) it.two_sided |= bit;
-            if (whole) it.whole |= bit;
-            for (int axis = 0; axis < 3; ++axis) {
-                it.corner[0][axis][lane_] = corners[0].at[axis];
-                it.corner[1][axis][lane_] = corners[k - 1].at[axis];
-                it.corner[2][axis][lane_] = corners[k].at[axis];
-            }
-            ++lane_;
+        ++count_;
+        if (face.corner_count > 3) {
+            fans_ = true;
+            uneven_ = std::max(uneven_, uneven);
         }
     }
 
-    /// Lanes that are left repeat the last triangle.
-    void finish() {
-        FaceLanes& it = *last_;
-        for (; lane_ < FaceLanes::kLanes; ++lane_) {
-            it.slot[lane_] = it.slot[lane_ - 1];
-            for (auto& corner : it.corner)
-                for (float(&axis)[FaceLanes::kLanes] : corner) axis[lane_] = axis[lane_ - 1];
+    /// How many FaceLanes it takes.
+    std::uint32_t lanes() const { return is_wide() ? 2 : 1; }
+
+    /// Where `lanes()` of them are, as they were made.
+    void write(FaceLanes* lanes) const {
+        FaceLanes& it = *lanes;
+        it.block = &block_;
+        it.faces = block_.faces.data();
+        const bool wide = is_wide();
+        const int shift = wide ? 0 : step_bits();
+        it.origin = origin(shift);
+        it.step = float(std::int32_t(1) << shift) * float(1 / kSurfaceSteps);
+        it.mask_of_all = ~0u;
+        it.uneven_high = upper_half(uneven_);
+        it.packed = triangles_[0].slot << FaceLanes::kFirstSlot | (count_ - 1) << FaceLanes::kCount |
+                    (fans_ ? FaceLanes::kFans : 0) | (wide ? FaceLanes::kWide : 0);
+        float shifted = fans_ ? float(1 / kSurfaceSteps) : 0;
+        for (std::uint32_t lane = 0; lane < FaceLanes::kLanes; ++lane) {
+            const Triangle& from = triangles_[std::min(lane, count_ - 1)];
+            const FaceRecord& face = block_.faces[from.slot];
+            if (lane > 0) it.packed |= (from.slot - triangles_[0].slot) << (3 * (lane - 1));
+            bool exact = face.corner_count == 3;
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                double sum = 0, off = 0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const auto steps = std::int32_t(std::int64_t(from.corners[c][axis]) - it.origin[axis]);
+                    exact = exact && std::abs(std::int64_t(steps)) <= kExactSteps;
+                    sum += std::fabs(double(steps));
+                    if (wide) {
+                        off += std::fabs(double(steps) - double(float(steps)));
+                        it.corner[c][axis][lane] = std::int16_t(steps >> 16);
+                        lanes[1].corner[c][axis][lane] = std::int16_t(std::uint16_t(steps));
+                    } else {
+                        it.corner[c][axis][lane] = std::int16_t(steps >> shift);
+                    }
+                }
+                it.size = std::max(it.size, float(sum / kSurfaceSteps) * kUp);
+                if (off > 0) shifted = std::max(shifted, float((off + 1) / kSurfaceSteps) * kUp);
+            }
+            if (lane >= count_) continue;
+            it.mask_of_all &= face.mask;
+            if (exact) it.whole |= std::uint8_t(1u << lane);
+            if (face.two_sided) it.two_sided |= std::uint8_t(1u << lane);
         }
+        if (wide) lanes[1].size = shifted;
     }
 
 private:
-    /// Metres from the origin.
-    struct Corner {
-        float at[3];
-    };
-    /// What FaceLanes says of all, of one facet.
-    struct Measure {
-        float size = 0, uneven = 0, shifted = 0;
-        bool exact = true;
+    struct Triangle {
+        std::uint32_t slot;
+        GridPoint corners[3];
     };
 
-    void start() {
-        last_ = next_++;
-        last_->block = &block_;
-        last_->faces = block_.faces.data();
-        last_->origin = origin_;
-        last_->mask_of_all = ~0u;
-        lane_ = 0;
+    /// Bits below which corners do not differ.
+    int step_bits() const { return differ_ ? std::min(std::countr_zero(differ_), kMostStepBits) : 0; }
+    bool is_wide() const {
+        const int shift = step_bits();
+        for (int axis = 0; axis < 3; ++axis)
+            if ((std::int64_t(box_.high[axis]) - box_.low[axis]) >> shift > 0xFFFF) return true;
+        return false;
     }
-
-    Corner exact_corner(const GridPoint& point, Measure& measure) const {
-        Corner made;
-        float sum = 0;
+    /// In the middle, steps away from all corners.
+    GridPoint origin(int shift) const {
+        GridPoint made;
         for (int axis = 0; axis < 3; ++axis) {
-            made.at[axis] = float(point[axis] - origin_[axis]) * float(1 / kSurfaceSteps);
-            sum += std::fabs(made.at[axis]);
+            const std::int64_t steps = (std::int64_t(box_.high[axis]) - box_.low[axis]) >> shift;
+            made[axis] = std::int32_t(box_.low[axis] + ((steps + 1) / 2 << shift));
         }
-        measure.size = std::max(measure.size, sum * kUp);
-        return made;
-    }
-    Corner corner(const GridPoint& point, Measure& measure) const {
-        Corner made;
-        double sum = 0, off = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t steps = std::int64_t(point[axis]) - origin_[axis];
-            const double from = double(steps) / kSurfaceSteps;
-            made.at[axis] = float(from);
-            measure.exact = measure.exact && std::abs(steps) <= kExactSteps;
-            sum += std::fabs(from);
-            off += std::fabs(from - double(made.at[axis]));
-        }
-        measure.size = std::max(measure.size, float(sum) * kUp);
-        if (off > 0) measure.shifted = std::max(measure.shifted, float(off + 1 / kSurfaceSteps) * kUp);
         return made;
     }
 
     const Block& block_;
-    const GridPoint origin_;
-    const bool exact_;
-    FaceLanes* next_;
-    FaceLanes* last_ = nullptr;
-    std::uint32_t lane_ = FaceLanes::kLanes;
+    std::uint32_t count_ = 0;
+    std::uint32_t differ_ = 0;
+    GridBox box_;
+    float uneven_ = 0;
+    bool fans_ = false;
+    Triangle triangles_[FaceLanes::kLanes];
 };
+
+/// Facets in a row into lanes.
+void lay_out(const Block& block, std::uint32_t first, std::uint32_t count, std::vector<FaceLanes>& lanes) {
+    std::optional<LaneGroup> group;
+    const auto finish = [&] {
+        const std::size_t at = lanes.size();
+        lanes.resize(at + group->lanes());
+        group->write(lanes.data() + at);
+    };
+    for (std::uint32_t slot = first; slot < first + count; ++slot) {
+        const FaceRecord& face = block.faces[slot];
+        const float uneven = face.corner_count > 3 ? float(unevenness(block, face)) * kUp : 0;
+        for (std::uint32_t k = 0; k + 2 < face.corner_count; ++k) {
+            if (group && group->is_full()) {
+                finish();
+                group.reset();
+            }
+            if (!group) group.emplace(block);
+            group->add(slot, k, uneven);
+        }
+    }
+    finish();
+}
 
 }  // namespace
 
@@ -180,26 +202,18 @@ void FaceLayout::make(Node& leaf, [[maybe_unused]] Block& block, const BinTree& 
     const std::span<const BinWidener::Item> items = widener_.widen(leaf, tree, top, is_item, facets_of);
 #ifdef FIRMA_SIMD
     const std::uint32_t before = tree.nodes[top].first;
-    std::size_t all = 0;
-    for (const BinWidener::Item& item : items) {
+    scratch_.clear();
+    std::size_t starts[kNodeItems];
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        const BinWidener::Item& item = items[k];
         const BinNode& bin = tree.nodes[item.what];
-        std::uint32_t triangles = 0;
-        for (std::uint32_t k = 0; k < bin.count; ++k)
-            triangles += block.faces[bin.first - before + k].corner_count - 2u;
-        const std::uint32_t lanes = (triangles + FaceLanes::kLanes - 1) / FaceLanes::kLanes;
-        leaf.wide[item.above].facets[item.lane] = std::uint16_t(lanes);
-        all += lanes;
+        starts[k] = scratch_.size();
+        lay_out(block, bin.first - before, bin.count, scratch_);
+        leaf.wide[item.above].facets[item.lane] = std::uint16_t(scratch_.size() - starts[k]);
     }
-    block.lanes.resize(all);
-    FaceLanes* next = block.lanes.data();
-    for (const BinWidener::Item& item : items) {
-        const BinNode& bin = tree.nodes[item.what];
-        leaf.wide[item.above].child[item.lane] = next;
-        LaneWriter writer(block, bin.box, next);
-        for (std::uint32_t k = 0; k < bin.count; ++k) writer.add(bin.first - before + k);
-        writer.finish();
-        next += leaf.wide[item.above].facets[item.lane];
-    }
+    block.lanes.assign(scratch_.begin(), scratch_.end());
+    for (std::size_t k = 0; k < items.size(); ++k)
+        leaf.wide[items[k].above].child[items[k].lane] = block.lanes.data() + starts[k];
 #else
     for (const BinWidener::Item& item : items) leaf.wide[item.above].facets[item.lane] = 1;
 #endif

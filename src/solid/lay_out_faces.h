@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "index/node.h"
 #include "index/widen_bins.h"
@@ -21,6 +22,7 @@ public:
 
 private:
     BinWidener widener_;
+    std::vector<FaceLanes> scratch_;
 };
 
 }  // namespace firma

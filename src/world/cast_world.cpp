@@ -164,7 +164,8 @@ FaceRef name_of(const SweepContact& found) {
     if (!found.whole) return ref_to(*found.block, found.slot);
     GridPoint corner = found.whole->origin;
     for (int axis = 0; axis < 3; ++axis)
-        corner[axis] += std::int32_t(double(found.whole->corner[0][axis][found.lane]) * kSurfaceSteps);
+        corner[axis] +=
+            found.whole->steps(0, axis, found.lane) * std::int32_t(found.whole->step * float(kSurfaceSteps));
     return {found.face().id, corner};
 }
 

@@ -119,21 +119,25 @@ private:
         }
         const std::size_t first = place_in(block.lanes, wide.child[lane]);
         if (first + wide.facets[lane] > block.lanes.size()) return report("a wide node leads out of its lanes");
-        for (std::size_t k = first; k < first + wide.facets[lane] && !fault_; ++k) {
-            ++lanes_[k];
-            check_lanes(block, block.lanes[k], wide.first[lane], next_item_);
+        const std::size_t end = first + wide.facets[lane];
+        for (std::size_t k = first; k < end && !fault_;) {
+            const FaceLanes& it = block.lanes[k];
+            if (k + it.in_a_row() > end) return report("lanes lack their second half");
+            for (const std::size_t next = k + it.in_a_row(); k < next; ++k) ++lanes_[k];
+            check_lanes(block, it, wide.first[lane], next_item_);
         }
     }
 
     /// @param first, end  slots of the faces that the lanes are of
     void check_lanes(const Block& block, const FaceLanes& it, std::uint32_t first, std::uint32_t end) {
         if (it.block != &block || it.faces != block.faces.data()) return report("lanes name another block than theirs");
-        if (it.used == 0 || (it.used & (it.used + 1)) != 0) return report("lanes are not in use from the first on");
-        for (std::uint32_t lane = 0; lane < std::uint32_t(std::popcount(it.used)) && !fault_; ++lane) {
-            const std::uint32_t slot = it.slot[lane];
+        int exponent;
+        if (!(std::frexp(it.step, &exponent) == 0.5f)) return report("a step of lanes is not a power of two");
+        for (std::uint32_t lane = 0; lane < it.count() && !fault_; ++lane) {
+            const std::uint32_t slot = it.slot(lane);
             if (slot < first || slot >= end) return report("a lane names a face that does not lie there");
             const FaceRecord& face = block.faces[slot];
-            if (lane == 0 || it.slot[lane - 1] != slot) check_plane(block, it, face);
+            if (lane == 0 || it.slot(lane - 1) != slot) check_plane(block, it, face);
             const std::uint32_t k = triangles_[slot]++;
             if (k + 2 >= face.corner_count) return report("lanes hold more triangles than their face", face.id);
             check_triangle(block, it, lane, face, k);
@@ -155,7 +159,7 @@ private:
         if (!shape.polygon.has_area()) return;
         const Vec3 normal = shape.polygon.unit_normal();
         for (const Vec3& corner : shape.polygon.corners)
-            if (!(std::fabs(dot(corner - shape.polygon.corners[0], normal)) <= double(it.uneven)))
+            if (!(std::fabs(dot(corner - shape.polygon.corners[0], normal)) <= double(it.uneven())))
                 return report("a face is less even than its lanes say", face.id);
     }
 
@@ -170,7 +174,7 @@ private:
             double size = 0, shift = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 const double from = double(std::int64_t(point[axis]) - it.origin[axis]) / kSurfaceSteps;
-                if (it.corner[c][axis][lane] != float(from))
+                if (double(it.steps(c, axis, lane)) * double(it.step) != from)
                     return report("a lane has another triangle than its face", face.id);
                 size += std::fabs(from);
                 shift += std::fabs(from - double(float(from)));
@@ -179,7 +183,8 @@ private:
             if (!(size <= double(it.size))) return report("a lane's corner is farther than its lanes say", face.id);
             off = std::max(off, shift);
         }
-        if (!(off <= double(it.shifted))) return report("a lane's corner is shifted more than its lanes say", face.id);
+        if (!(off <= double(it.shifted())))
+            return report("a lane's corner is shifted more than its lanes say", face.id);
         if ((it.whole >> lane & 1) && (off != 0 || !exact))
             return report("a lane says it is exact and is not", face.id);
         if ((it.two_sided >> lane & 1) != face.two_sided)

@@ -26,7 +26,8 @@ inline constexpr Contact kAskThePolygon{Status::kMiss, Feature::kFace, 0, -1};
 [[gnu::noinline]] inline Contact cast_past_open_edges(const Sweep& sweep, const FaceLanes& lanes, std::uint32_t lane,
                                                       unsigned edges, int facing, double size, double height,
                                                       double approach, double t, double latest) {
-    const Vec3 corners[3] = {lanes.corner_at(0, lane), lanes.corner_at(1, lane), lanes.corner_at(2, lane)};
+    Vec3 corners[3];
+    lanes.read_corners(lane, corners);
     if (t > latest) {
         // Triangles at one corner are met at one time but for rounding: so far later ones are told of, as polygons are.
         const double error = rounding(16) * length(sweep.start - corners[0]);
@@ -45,13 +46,12 @@ inline constexpr Contact kAskThePolygon{Status::kMiss, Feature::kFace, 0, -1};
 inline Contact cast_particle_triangle(const Sweep& sweep, const FaceLanes& lanes, std::uint32_t lane, bool front_only,
                                       double latest) {
     const double start[3] = {sweep.start.x, sweep.start.y, sweep.start.z};
-    const double origin[3] = {double(lanes.origin.x) / kSurfaceSteps, double(lanes.origin.y) / kSurfaceSteps,
-                              double(lanes.origin.z) / kSurfaceSteps};
-    double corner[3][3], seen[3][3];  // seen from the start, each coordinate rounded once
+    Vec3 corner[3];
+    lanes.read_corners(lane, corner);
+    double seen[3][3];  // seen from the start, each coordinate rounded once
     double size = 0;
     for (int c = 0; c < 3; ++c)
         for (int axis = 0; axis < 3; ++axis) {
-            corner[c][axis] = origin[axis] + double(lanes.corner[c][axis][lane]);
             seen[c][axis] = corner[c][axis] - start[axis];
             size = std::max(size, std::fabs(seen[c][axis]));
         }
@@ -84,8 +84,7 @@ inline Contact cast_particle_triangle(const Sweep& sweep, const FaceLanes& lanes
     if (facing > 0 && front_only) return Contact{};
 
     // The plane, as view_plane() and enter_plane() have it.
-    const Vec3 a{corner[0][0], corner[0][1], corner[0][2]};
-    const Vec3 b{corner[1][0], corner[1][1], corner[1][2]}, c{corner[2][0], corner[2][1], corner[2][2]};
+    const Vec3 &a = corner[0], &b = corner[1], &c = corner[2];
     const Vec3 normal = Vec3{} + cross(b - a, c - a);
     const double normal_length = length(normal);
     const double height = dot(sweep.start - a, normal), rise = dot(sweep.direction, normal);

@@ -108,6 +108,8 @@ struct LaneKernel {
 /// Those that this processor runs, the one that sweep_lanes() takes first. None where Firma is compiled without lanes
 /// (FIRMA_SIMD).
 std::span<const LaneKernel> lane_kernels();
+/// Whether sweeps may go by lanes.
+bool lanes_in_use();
 /// For tests: sweep_lanes() takes this one from now on; null makes no sweep usable, so that all go triangle by
 /// triangle.
 void take_lane_kernel(const LaneKernel* kernel);

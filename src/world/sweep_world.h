@@ -226,7 +226,7 @@ private:
 
     static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
         WorldSweep& it = *static_cast<WorldSweep*>(query.whose);
-        SweepContact met{{}, lanes.block, lanes.slot[lane]};
+        SweepContact met{{}, lanes.block, lanes.slot(lane)};
         met.record = lanes.faces + met.slot;
         __builtin_prefetch(met.record);  // what a hit tells of it, far from the lanes
         if (!(lanes.mask_of_all & it.options_.mask) && !(met.face().mask & it.options_.mask)) return false;

@@ -283,32 +283,33 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
         lanes.faces = block.faces.data() + 1;
         return true;
     });
-    expect_lanes("lanes are not in use from the first on", false, [](Node&, Block&, FaceLanes& lanes) {
-        lanes.used = 0;
+    expect_lanes("a step of lanes is not a power of two", false, [](Node&, Block&, FaceLanes& lanes) {
+        lanes.step *= 3;
         return true;
     });
-    expect_lanes("lanes are not in use from the first on", false, [](Node&, Block&, FaceLanes& lanes) {
-        lanes.used = 2;
+    expect_lanes("lanes lack their second half", false, [](Node&, Block& block, FaceLanes& lanes) {
+        if (&lanes != &block.lanes.back() || lanes.is_wide()) return false;
+        lanes.packed |= FaceLanes::kWide;
         return true;
     });
     expect_lanes("a lane names a face that does not lie there", false, [](Node&, Block&, FaceLanes& lanes) {
-        lanes.slot[0] = 200;
+        lanes.packed ^= 63u << FaceLanes::kFirstSlot;
         return true;
     });
     expect_lanes("lanes hold fewer triangles than their face", true, [](Node&, Block& block, FaceLanes& lanes) {
-        if (&lanes != &block.lanes.back()) return false;
-        lanes.used >>= 1;
-        return lanes.used != 0;
+        if (&lanes != &block.lanes.back() || lanes.is_wide() || lanes.count() == 1) return false;
+        lanes.packed -= 1u << FaceLanes::kCount;
+        return true;
     });
     expect_lanes("lanes hold more triangles than their face", true, [](Node&, Block& block, FaceLanes& lanes) {
         // The next face of the same number of corners is taken for the first one once more.
-        if (lanes.used < 3 || lanes.slot[0] == lanes.slot[1] || block.faces[lanes.slot[0]].corner_count != 3)
+        if (lanes.count() < 2 || lanes.slot(0) == lanes.slot(1) || block.faces[lanes.slot(0)].corner_count != 3)
             return false;
-        lanes.slot[1] = lanes.slot[0];
+        lanes.packed &= ~7u;  // of the second lane
         return true;
     });
     expect_lanes("a lane has another triangle than its face", true, [](Node&, Block&, FaceLanes& lanes) {
-        lanes.corner[2][1][0] += 0.25f;
+        ++lanes.corner[2][1][0];
         return true;
     });
     expect_lanes("a lane has another triangle than its face", true, [](Node&, Block&, FaceLanes& lanes) {
@@ -320,17 +321,17 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
         return true;
     });
     expect_lanes("a lane's corner is shifted more than its lanes say", true, [](Node&, Block& block, FaceLanes& lanes) {
-        if (block.faces[lanes.slot[0]].corner_count == 3) return false;
-        lanes.shifted = 0;
+        if (block.faces[lanes.slot(0)].corner_count == 3 || lanes.is_wide()) return false;
+        lanes.packed &= ~FaceLanes::kFans;
         return true;
     });
     expect_lanes("a face is less even than its lanes say", true, [](Node&, Block& block, FaceLanes& lanes) {
-        if (block.faces[lanes.slot[0]].corner_count == 3) return false;
-        lanes.uneven = -1;
+        if (block.faces[lanes.slot(0)].corner_count == 3) return false;
+        lanes.uneven_high = 0xBF80;  // -1
         return true;
     });
     expect_lanes("a lane says it is exact and is not", true, [](Node&, Block& block, FaceLanes& lanes) {
-        if (block.faces[lanes.slot[0]].corner_count == 3) return false;
+        if (block.faces[lanes.slot(0)].corner_count == 3) return false;
         lanes.whole |= 1;
         return true;
     });
@@ -344,7 +345,7 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
             for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
                 if (wide.child[lane] != &lanes || wide.facets[lane] < 2) continue;
                 const FaceLanes& second = (&lanes)[wide.facets[lane] - 1];
-                if (second.slot[0] != (&second)[-1].slot[7]) continue;
+                if (second.slot(0) != (&second)[-1].slot(7)) continue;
                 static_cast<void>(block);
                 --wide.facets[lane];
                 for (WideNode& other : node.wide)
@@ -360,7 +361,7 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
     });
     index_alone_ = false;
     expect_lanes("lanes have bits in their mask that a face has not", true, [](Node&, Block& block, FaceLanes& lanes) {
-        block.faces[lanes.slot[0]].mask = 1;
+        block.faces[lanes.slot(0)].mask = 1;
         return true;
     });
     expect_lanes("a block has bits in its mask that a face has not", true, [](Node&, Block& block, FaceLanes&) {

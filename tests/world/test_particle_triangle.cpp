@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include "cast/cast_sphere_polygon.h"
 #include "scenes/rng.h"
@@ -19,31 +21,56 @@ namespace {
 
 /// A triangle alone in its lanes.
 struct OneTriangle {
-    FaceLanes lanes;
+    FaceLanes both[2];
+    FaceLanes& lanes = both[0];
 
     /// @param step  of coordinates, a multiple of the surface step
     OneTriangle(scenes::Rng& rng, const GridPoint& origin, double size, double step) {
-        lanes.origin = origin;
-        lanes.used = lanes.whole = 1;
         const bool flat = rng.chance(0.4);
         const int axis_of_plane = int(rng.below(3));
+        std::int32_t steps[3][3];
+        std::int32_t most = 0;
         for (int c = 0; c < 3; ++c) {
             double sum = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 double at = std::floor(rng.uniform(-size, size) / step) * step;
                 if (flat && axis == axis_of_plane) at = step;
-                if (flat && c > 0 && rng.chance(0.4)) at = lanes.corner[c - 1][axis][0];  // along an axis
+                if (flat && c > 0 && rng.chance(0.4)) at = steps[c - 1][axis] / kSurfaceSteps;  // along an axis
                 // Floats hold 24 bits, and corners lie in the world.
                 at = double(float(at));
                 const double whole = double(origin[axis]) / kSurfaceSteps + at;
                 if (std::floor(at * kSurfaceSteps) != at * kSurfaceSteps || std::fabs(whole) > kWorldRim) at = 0;
-                lanes.corner[c][axis][0] = float(at);
+                steps[c][axis] = std::int32_t(at * kSurfaceSteps);
+                most = std::max(most, std::abs(steps[c][axis]));
                 sum += std::fabs(at);
             }
             lanes.size = std::max(lanes.size, float(sum) * (1 + 0x1p-20f));
         }
+        lanes.origin = origin;
+        lanes.whole = 1;
+        // In lanes of either kind, where they fit both.
+        const std::int32_t in_a_step = most < 32768 ? 1 : 64;  // of an input step
+        bool fits = most / in_a_step < 32768;
+        for (const auto& corner : steps)
+            for (const std::int32_t at : corner) fits = fits && at % in_a_step == 0;
+        const bool wide = !fits || rng.chance(0.3);
+        if (wide) lanes.packed |= FaceLanes::kWide;
+        lanes.step = float((wide ? 1 : in_a_step) / kSurfaceSteps);
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis) {
+                const std::int32_t at = steps[c][axis];
+                lanes.corner[c][axis][0] = std::int16_t(wide ? at >> 16 : at / in_a_step);
+                both[1].corner[c][axis][0] = std::int16_t(std::uint16_t(at));
+            }
     }
-    Vec3 corner(std::uint32_t k) const { return lanes.corner_at(k, 0); }
+    OneTriangle(const OneTriangle&) = delete;
+    OneTriangle& operator=(const OneTriangle&) = delete;
+
+    Vec3 corner(std::uint32_t k) const {
+        Vec3 corners[3];
+        lanes.read_corners(0, corners);
+        return corners[k];
+    }
 };
 
 Vec3 as_floats(const Vec3& v) {

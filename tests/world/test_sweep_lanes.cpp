@@ -43,7 +43,7 @@ struct FacetsSeen {
     static bool look(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
         auto& seen = *static_cast<FacetsSeen*>(query.whose);
         ++seen.count;
-        seen.found = seen.found || (lanes.block == seen.block && lanes.slot[lane] == seen.slot);
+        seen.found = seen.found || (lanes.block == seen.block && lanes.slot(lane) == seen.slot);
         return false;
     }
 };

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// A sweep against eight triangles; compiled once for each kind of processor.
+#include <hwy/highway.h>
+
+#include "solid/face_lanes.h"
+#include "world/lane_vectors.h"
+#include "world/sweep_lanes.h"
+
+#if defined(FIRMA_LANE_TRIANGLES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRMA_LANE_TRIANGLES_H
+#undef FIRMA_LANE_TRIANGLES_H
+#else
+#define FIRMA_LANE_TRIANGLES_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firma::HWY_NAMESPACE {
+
+/// Narrows [in, out] to the times t with b t <= w.
+HWY_INLINE void clip(Floats b, Floats w, Floats& in, Floats& out) {
+    constexpr float kLevel = 0x1p-120f;
+    b = hn::IfThenElse(hn::Lt(hn::Abs(b), all(kLevel)), all(kLevel), b);
+    const Floats t = hn::Div(w, b);
+    const auto falls = hn::Lt(b, hn::Zero(kFloats));
+    in = hn::IfThenElse(falls, hn::Max(in, t), in);
+    out = hn::IfThenElse(falls, out, hn::Min(out, t));
+}
+
+/// How many axes an extent has, where that is not known when this is compiled.
+constexpr int kAnyAxes = -1;
+template <int known>
+HWY_INLINE int axes_of(const LaneSweep& sweep) {
+    return known == kAnyAxes ? sweep.axes : known;
+}
+
+/// What the extent's axes add to a reach along n.
+template <int known>
+HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) {
+    const int axes = axes_of<known>(sweep);
+    for (int k = 0; k < axes; ++k) {
+        const Floats a[3] = {all(sweep.axis[k][0]), all(sweep.axis[k][1]), all(sweep.axis[k][2])};
+        reach = add(reach, hn::Mul(hn::Abs(dot(n, a)), all(kMore)));
+    }
+    return reach;
+}
+
+/// Corners of lanes, metres from their origin.
+#if HWY_TARGET == HWY_WASM  // read at once: the module has to be small
+struct Corners {
+    alignas(16) float at[3][3][kLanes];
+
+    HWY_INLINE explicit Corners(const FaceLanes& lanes) {
+        const bool wide = lanes.is_wide();
+        const auto* const upper = &lanes.corner[0][0][0];
+        const auto* const lower = &(&lanes)[wide].corner[0][0][0];
+        for (std::uint32_t k = 0; k < 9 * kLanes; k += kAtOnce) {
+            auto steps = hn::PromoteTo(kInts, hn::LoadU(kShorts, upper + k));
+            if (wide) {
+                const auto low = hn::PromoteTo(kInts, hn::LoadU(kShorts, lower + k));
+                steps = hn::Or(hn::ShiftLeft<16>(steps), hn::And(low, hn::Set(kInts, 0xFFFF)));
+            }
+            hn::Store(hn::Mul(hn::ConvertTo(kFloats, steps), all(lanes.step)), kFloats, &at[0][0][0] + k);
+        }
+    }
+    HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
+        return hn::Load(kFloats, at[c][axis] + part);
+    }
+};
+#else
+template <bool wide>
+struct Corners {
+    const FaceLanes& lanes;
+    Floats step;
+
+    HWY_INLINE explicit Corners(const FaceLanes& of) : lanes(of), step(all(of.step)) {}
+    HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
+        auto steps = hn::PromoteTo(kInts, hn::LoadU(kShorts, lanes.corner[c][axis] + part));
+        if constexpr (wide) {
+            const auto low = hn::PromoteTo(kInts, hn::LoadU(kShorts, (&lanes)[1].corner[c][axis] + part));
+            steps = hn::Or(hn::ShiftLeft<16>(steps), hn::And(low, hn::Set(kInts, 0xFFFF)));
+        }
+        return hn::Mul(hn::ConvertTo(kFloats, steps), step);
+    }
+};
+#endif
+
+/// Bits of the lanes that hold a triangle.
+HWY_INLINE unsigned used(const FaceLanes& lanes) {
+    return (2u << (lanes.count() - 1)) - 1;
+}
+
+/// Lower bounds for when triangles are met, from the time `enter` on, a bit for each that may be by `latest`.
+/// @tparam known  how many axes the extent that moves has, or kAnyAxes
+template <int known, class Read>
+HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float enter, float latest,
+                         float* times) {
+    const LaneSweep& sweep = query.sweep;
+    const unsigned filled = used(lanes);
+    const int axes = axes_of<known>(sweep);
+    float o[3], size = lanes.size + sweep.size;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
+        o[axis] = float(from + double(enter) * sweep.direction[axis]);
+        size += std::fabs(o[axis]);
+    }
+    const float unsure = lanes.uneven() + sweep.margin + 8 * kRoundoff * size;
+    const float reach = (sweep.radius + unsure) * kMore;
+    const float error = (axes ? 64 : 32) * kRoundoff * size;
+    unsigned met = 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+        Floats p[3][3];  // corners seen from there
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis) p[c][axis] = hn::Sub(corner(c, axis, part), all(o[axis]));
+        Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Floats aside = all(axes ? (sweep.extent[axis] + unsure) * kMore : reach);
+            const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), aside);
+            const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), aside);
+            const Floats slope = all(sweep.inverse[axis]);
+            const Floats one = hn::Mul(low, slope), other = hn::Mul(high, slope);
+            in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
+            out = hn::Min(out, hn::Max(one, other));
+        }
+        unsigned left = bits(hn::Le(hn::Mul(in, all(kLess)), hn::Mul(out, all(kMore))));
+        if ((left << part & filled) == 0) continue;
+        Floats e[3][3], n[3];
+        for (int c = 0; c < 3; ++c)
+            for (int axis = 0; axis < 3; ++axis)
+                e[c][axis] = hn::Sub(corner((c + 1) % 3, axis, part), corner(c, axis, part));
+        cross(e[0], e[1], n);
+        const Floats squares[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
+        const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
+        const Floats g =
+            add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
+        const Floats d[3] = {all(sweep.along[0]), all(sweep.along[1]), all(sweep.along[2])};
+        const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
+        // -height + rise t lies between -far and far.
+        clip(rise, hn::Add(far, height), in, out);
+        clip(hn::Neg(rise), hn::Sub(far, height), in, out);
+        for (int c = 0; c < 3; ++c) {
+            Floats m[3];
+            cross(e[c], n, m);
+            const Floats grown = hn::Mul(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g);
+            clip(dot(m, d), add(beside<known>(sweep, m, grown), dot(m, p[c])), in, out);
+        }
+        in = hn::Mul(in, all(kLess));
+        left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
+        if (query.front_only) {
+            Floats doubt = hn::Mul(longest, all(128 * kRoundoff));
+            if (const float tilted = lanes.uneven() + lanes.shifted(); tilted > 0)
+                doubt = add(doubt, hn::Mul(hn::Sqrt(longest), all(32 * tilted)));
+            const unsigned away = bits(hn::Gt(rise, doubt));
+            left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
+        }
+        hn::StoreU(in, kFloats, times + part);
+        met |= left << part;
+    }
+    return met & filled;
+}
+
+/// The start as seen from the origin of lanes, rounded; the fourth number is 0.
+HWY_INLINE void start_from(const FaceLanes& lanes, const LaneSweep& sweep, float* point) {
+#if HWY_TARGET == HWY_WASM
+    for (int k = 0; k < 3; ++k) point[k] = float(sweep.start[k] - lanes.origin[k] * (1 / kSurfaceSteps));
+#else
+    const hn::CappedTag<double, 4> doubles;
+    const hn::Rebind<float, decltype(doubles)> floats;
+    const hn::Rebind<std::int32_t, decltype(doubles)> ints;
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+        const auto origin = hn::PromoteTo(doubles, hn::LoadU(ints, &lanes.origin.x + k));
+        const auto from =
+            hn::Sub(hn::LoadU(doubles, sweep.start + k), hn::Mul(origin, hn::Set(doubles, 1 / kSurfaceSteps)));
+        hn::StoreU(hn::DemoteTo(floats, from), floats, point + k);
+    }
+#endif
+}
+
+/// The same for a particle, seen from its start: triangles along its path, as in Sweep's projection. Times are those of
+/// boxes, and count from the start.
+template <class Read>
+HWY_INLINE unsigned look_along(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float latest,
+                               float* times) {
+    const LaneSweep& sweep = query.sweep;
+    const unsigned filled = used(lanes);
+    alignas(16) float o[4];
+    start_from(lanes, sweep, o);
+    const float size = lanes.size + (std::fabs(o[0]) + std::fabs(o[1]) + std::fabs(o[2]));
+    const float reach = (lanes.uneven() + sweep.margin + 8 * kRoundoff * size) * kMore;
+    const float extent = 3 * lanes.size;  // no triangle's is larger
+    const float rounding = 64 * kRoundoff * extent;
+    const Floats g = all(extent * (8 * reach + rounding));
+    const Floats shear[2] = {all(sweep.shear[0]), all(sweep.shear[1])};
+    const float deep = o[sweep.longest];
+    const Floats from[2] = {all(o[sweep.aside[0]] - sweep.shear[0] * deep),
+                            all(o[sweep.aside[1]] - sweep.shear[1] * deep)};
+    unsigned met = 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+        Floats flat[3][2];  // corners along the path, seen from there
+        for (int c = 0; c < 3; ++c) {
+            const Floats ahead = corner(c, sweep.longest, part);
+            for (int axis = 0; axis < 2; ++axis)
+                flat[c][axis] =
+                    hn::Sub(hn::Sub(corner(c, sweep.aside[axis], part), hn::Mul(shear[axis], ahead)), from[axis]);
+        }
+        Floats turns[3];  // twice the area with the path, by side
+        for (int c = 0; c < 3; ++c) {
+            const Floats *a = flat[c], *b = flat[(c + 1) % 3];
+            turns[c] = hn::Sub(hn::Mul(a[0], hn::Sub(b[1], a[1])), hn::Mul(a[1], hn::Sub(b[0], a[0])));
+        }
+        const Floats least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
+        const Floats most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
+        unsigned left = bits(hn::Or(hn::Ge(least, hn::Neg(g)), hn::Le(most, g)));
+        if (query.front_only) {
+            const Floats area = add(add(turns[0], turns[1]), turns[2]);
+            const float tilted = reach + lanes.uneven() + lanes.shifted();
+            const unsigned away = bits(hn::Gt(area, all(extent * (32 * tilted + rounding))));
+            left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
+        }
+        if ((left << part & filled) == 0) continue;
+        const float bent = 1024 * lanes.uneven();
+        Floats in = hn::Zero(kFloats), out = all(latest);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Floats a = corner(0, axis, part), b = corner(1, axis, part), c = corner(2, axis, part);
+            const Floats low = hn::Sub(hn::Min(hn::Min(a, b), c), all(o[axis] + reach));
+            const Floats high = hn::Sub(hn::Max(hn::Max(a, b), c), all(o[axis] - reach));
+            const Floats slope = all(sweep.inverse[axis]);
+            const Floats one = hn::Mul(low, slope), other = hn::Mul(high, slope);
+            in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
+            out = hn::Min(out, hn::Max(one, other));
+        }
+        in = hn::Sub(hn::Mul(in, all(kLess)), all(bent));
+        left &= bits(hn::Le(in, add(hn::Mul(out, all(kMore)), all(bent))));
+        hn::StoreU(in, kFloats, times + part);
+        met |= left << part;
+    }
+    return met & filled;
+}
+
+template <class Read>
+HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float enter,
+                                 float latest, float* times) {
+    if (query.sweep.particle) return look_along(lanes, corner, query, latest, times);
+#if HWY_TARGET == HWY_WASM  // the module has to be small
+    const unsigned met = look<kAnyAxes>(lanes, corner, query, enter, latest, times);
+#else
+    const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, corner, query, enter, latest, times)
+                         : query.sweep.axes == 1 ? look<1>(lanes, corner, query, enter, latest, times)
+                                                 : look<3>(lanes, corner, query, enter, latest, times);
+#endif
+    if (met == 0) return 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce)
+        hn::Store(add(hn::Load(kFloats, times + part), all(enter)), kFloats, times + part);
+    return met;
+}
+
+/// Times count from the start.
+HWY_INLINE unsigned look_at_triangles(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
+                                      float* times) {
+#if HWY_TARGET == HWY_WASM
+    return look_by_kind(lanes, Corners(lanes), query, enter, latest, times);
+#else
+    if (lanes.is_wide()) return look_by_kind(lanes, Corners<true>(lanes), query, enter, latest, times);
+    return look_by_kind(lanes, Corners<false>(lanes), query, enter, latest, times);
+#endif
+}
+
+}  // namespace firma::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
