@@ -107,7 +107,8 @@ private:
         }
         std::uint32_t least = items_[begin].number;
         for (std::uint32_t k = begin + 1; k < end; ++k) least = items_[k].number < least ? items_[k].number : least;
-        const std::span<const Item> found(near.data(), find_near(nodes_[at].box, least, near));
+        const std::size_t found_count = find_near(nodes_[at].box, least, near);  // `near` may move
+        const std::span<const Item> found(near.data(), found_count);
         met.resize(std::max(met.size(), found.size()));
         for (std::uint32_t k = begin; k < end; ++k) {
             const Item item = items_[k];
