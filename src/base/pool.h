@@ -40,9 +40,9 @@ std::size_t pool_size(std::size_t bytes);
 [[noreturn]] void pool_exhausted();
 
 /// While one of these lives, in any thread, large slabs lie side by side in regions that the system is asked to hold in
-/// pages of 2 MiB (Linux; where the pool has a source of its own, nothing is asked). For whole levels as they are made:
-/// casts through a level of a hundred megabytes then wait for fewer addresses. The first touch of such a page clears
-/// all of it, some 100 us: too long for an edit.
+/// pages of 2 MiB (Linux; where the pool has a source of its own, nothing is asked). For levels that are only cast
+/// against, as they are made: casts through a hundred megabytes then wait for fewer addresses. Edits are slower in such
+/// pages where the system maps memory in software (docs/performance.md), and the first touch of one clears all of it.
 class PoolInLargePages {
 public:
     PoolInLargePages();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "base/pool.h"
 #include "index/join_nodes.h"
@@ -152,7 +153,9 @@ Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
 std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options) {
     std::vector<PartIndex> parts;
     if (faces.faces.empty()) return parts;
-    const PoolInLargePages large_pages;
+    std::optional<PoolInLargePages> large_pages;  // of what no crater will change
+    if (std::none_of(faces.faces.begin(), faces.faces.end(), [](const FaceSet::Entry& face) { return face.solid; }))
+        large_pages.emplace();
     BlockBuilder builder;
     const auto part_of = [](const FaceSet::Entry& face) { return face.part; };
     const std::uint32_t first = faces.faces[0].part;
