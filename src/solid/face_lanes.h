@@ -57,15 +57,16 @@ struct FaceLanes {
         return packed & kFans ? float(1 / kSurfaceSteps) : 0;
     }
 
+    static constexpr std::int32_t kHalves = 1 << 16;  ///< what an upper half counts
+
     /// A coordinate of a corner, in steps from the origin.
     std::int32_t steps(std::uint32_t k, int axis, std::uint32_t lane) const {
         const std::int32_t upper = corner[k][axis][lane];
-        return is_wide() ? upper * 65536 + std::uint16_t(this[1].corner[k][axis][lane]) : upper;
+        return is_wide() ? upper * kHalves + std::uint16_t(this[1].corner[k][axis][lane]) : upper;
     }
     /// The corners of a lane, metres, exact.
     void read_corners(std::uint32_t lane, Vec3 (&corners)[3]) const {
-        const int shift = int(std::bit_cast<std::uint32_t>(step) >> 23) - (127 - 18);
-        static_assert(kSurfaceSteps == 0x1p18);
+        const int shift = exponent(step) - exponent(float(1 / kSurfaceSteps));
         const auto read = [&](const auto& upper) {
             for (int k = 0; k < 3; ++k)
                 for (int axis = 0; axis < 3; ++axis)
@@ -76,6 +77,10 @@ struct FaceLanes {
         else
             read([&](int k, int axis) { return steps(std::uint32_t(k), axis, lane); });
     }
+
+private:
+    /// Of a power of two, counted from that of the smallest float.
+    static constexpr int exponent(float power) { return int(std::bit_cast<std::uint32_t>(power) >> 23); }
 };
 
 static_assert(sizeof(void*) != 8 || sizeof(FaceLanes) == 192);  // three lines of a cache
