@@ -90,6 +90,10 @@ def casts_by(kernel):
     return lambda seed, count: casts(seed, count) + ['--kernel', kernel]
 
 
+def casts_neon(seed, count):
+    return ['tests/full/casts_neon.sh', '--count', str(count), '--seed', str(seed), '--threads', '2']
+
+
 def shapes(what):
     return lambda seed, count: [f'{BUILD}/full_shapes', '--what', what, '--count', str(count), '--seed', str(seed), '--threads', '2']
 
@@ -201,6 +205,9 @@ CLAIMS = [
           CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('AVX2'), 'full_casts'),
     Claim('casts_sse4', 'the same by lanes of SSE4', 1_000_000, 50_000, 'casts',
           CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('SSE4'), 'full_casts'),
+    Claim('casts_neon', 'the same by lanes of NEON, in a program for 64-bit ARM that qemu runs', 1_000_000, 50_000, 'casts',
+          CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/casts_neon.sh', 'tests/full/options.h', 'cmake/aarch64.cmake'] + ORACLE, 'test',
+          casts_neon, 'full_casts'),
     Claim('casts_one_by_one', 'the same without lanes', 1_000_000, 50_000, 'casts',
           CAST_SOURCES + SCENES + ['tests/full/full_casts.cpp', 'tests/full/options.h'] + ORACLE, 'test', casts_by('none'), 'full_casts'),
     Claim('capsules_vs_twin', 'capsules against polygons, judged by the exact oracle, none wrong', 1_000_000, 100_000, 'casts',
