@@ -19,11 +19,8 @@ quiet() { "$@" >"$build/build.log" 2>&1 || { tail -n 40 "$build/build.log" >&2; 
 quiet cmake --preset aarch64 -B "$build" -DFIRMA_BUILD_COUNTS=ON -DFIRMA_UNITE=ON
 quiet cmake --build "$build" --target firma firma_scenes
 program=$build/full_casts
-aarch64-linux-gnu-nm -C "$build/libfirma.a" 2>/dev/null | grep -q 'N_NEON::sweep_lanes' || { echo "casts_neon.sh: no lanes of NEON in $build/libfirma.a" >&2; exit 1; }
-sources=(tests/full/full_casts.cpp)
-for name in exact_number exact_polygon exact_oracle judge judge_scene surely_apart; do
-    [ ! -f "tests/reference/$name.cpp" ] || sources+=("tests/reference/$name.cpp")
-done
+aarch64-linux-gnu-nm -C "$build/libfirma.a" 2>/dev/null | grep -c 'N_NEON::sweep_lanes' >/dev/null || { echo "casts_neon.sh: no lanes of NEON in $build/libfirma.a" >&2; exit 1; }
+sources=(tests/full/full_casts.cpp tests/reference/{exact_number,exact_polygon,exact_oracle,judge,judge_scene,surely_apart}.cpp)
 quiet aarch64-linux-gnu-g++ -std=c++20 -O2 -ffp-contract=off -Iinclude -Isrc -I. -isystem "$build/include" "${sources[@]}" \
     "$build/scenes/libfirma_scenes.a" "$build/libfirma.a" -lpthread -o "$program"
 exec qemu-aarch64 -L /usr/aarch64-linux-gnu "$program" --kernel compiled "$@"
