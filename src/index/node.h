@@ -20,10 +20,10 @@ namespace firma {
 /// The most items of a node, and the most facets kept together.
 inline constexpr std::uint32_t kNodeItems = 64;
 
-/// The deepest an index may be, wide nodes above an item. Over 64 items there are nine above each other at most, as
-/// each but the last takes seven of them away; a build or an edit that ends up deeper is joined anew from its leaves:
-/// then there are fewer than seven nodes above each other.
-inline constexpr int kDeepestTree = 64;
+/// The deepest an index may be, wide nodes above an item. Over 64 items there are thirteen above each other at most, as
+/// each but the last takes seven of them away, of the first four at least one; a build or an edit that ends up deeper
+/// is joined anew from its leaves: then there are fewer than seven nodes above each other.
+inline constexpr int kDeepestTree = 96;
 
 /// Facets that are kept together, in the order in which a leaf node leads to them. An index keeps them alive
 /// and never looks inside.

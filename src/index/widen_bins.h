@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// From a binary tree of bins to the wide nodes of a Node over the same items.
+// From a binary tree of bins to the wide nodes of a Node over the same items: those whose surfaces together are least,
+// as a large one is met often.
+//
+// Source: H. Ylitie, T. Karras, S. Laine, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs,
+// 2017, section 3.2.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,8 +30,7 @@ public:
         std::uint32_t depth;        ///< wide nodes from the first one down to it
     };
 
-    /// Fills Node::wide and Node::box, and Node::depth as if there were nothing below the items. Each wide node takes
-    /// the bins below one of them: the largest is opened until there are eight or all are items. Lanes to items have
+    /// Fills Node::wide and Node::box, and Node::depth as if there were nothing below the items. Lanes to items have
     /// neither `child` nor `facets` yet.
     /// @param is_item   (index of bin) whether it is an item; asked of no bin below one. A bin that is not divided, and
     ///                  not an item, is opened into the tree's items in it, eight at most: then these are items
@@ -39,7 +43,8 @@ public:
         links_.clear();
         next_item_ = 0;
         node.box = tree.nodes[top].box;
-        put(tree, top, 1, is_item, items_of);
+        parts_.clear();
+        put(tree, add_part(tree, top, is_item), 1, items_of);
         node.wide.assign(wide_.begin(), wide_.end());
         node.depth = 0;
         for (const Item& item : items_) node.depth = std::max(node.depth, std::uint16_t(item.depth));
@@ -62,73 +67,156 @@ public:
     }
 
 private:
-    /// What a lane of the wide node at hand may become.
-    struct Top {
-        enum Kind : std::uint8_t { kBin, kBinItem, kTreeItem };
-        const GridBox* box;
-        std::uint32_t what;
-        Kind kind;
-        std::uint8_t opens_to;  ///< of a bin: how many take its place when it is opened
-        double size;
-        std::uint32_t count;  ///< items of the tree: of boxes in one place the fullest is opened
+    static constexpr std::uint32_t kLanes = WideNode::kLanes;
+    /// So many wide nodes are above each other as is best; deeper ones have as many lanes as they can, so that 64 items
+    /// never make a deep index.
+    static constexpr std::uint32_t kFreeDepth = 4;
 
-        bool goes_before(const Top& other) const {
-            return size != other.size ? size > other.size : count > other.count;
-        }
+    /// A bin, and what its share of the wide nodes comes to if it is spread over 1 to 8 lanes of the one above it.
+    struct Part {
+        const BinNode* bin;
+        std::uint32_t what;
+        bool is_item;
+        std::uint32_t left = 0, right = 0;     ///< parts; 0: not divided
+        double surface[kLanes] = {};           ///< by lanes less one, of the wide nodes below: of its own for one lane
+        std::uint8_t left_lanes[kLanes] = {};  ///< how many of them its left part has; 0: as with one lane less
+    };
+    /// What a lane of the wide node at hand leads to.
+    struct Lane {
+        enum Kind : std::uint8_t { kPart, kBinItem, kTreeItem };
+        const GridBox* box;
+        std::uint32_t what;  ///< a part, a bin, or an item of the tree
+        Kind kind;
+    };
+    struct Lanes {
+        Lane lanes[kLanes];
+        std::uint32_t count = 0;
+
+        void add(const Lane& lane) { lanes[count++] = lane; }
     };
     struct Link {
         std::uint32_t above, lane, number;
     };
 
     template <class IsItem>
-    static Top top_of(const BinTree& tree, std::uint32_t bin, const IsItem& is_item) {
+    std::uint32_t add_part(const BinTree& tree, std::uint32_t bin, const IsItem& is_item) {
+        const auto index = std::uint32_t(parts_.size());
         const BinNode& node = tree.nodes[bin];
-        if (is_item(bin)) return {&node.box, bin, Top::kBinItem, 0, 0, 0};
-        const auto opens_to = std::uint8_t(node.left != 0 ? 2 : node.count);
-        return {&node.box, bin, Top::kBin, opens_to, half_area(node.box), node.count};
+        parts_.push_back({&node, bin, is_item(bin)});
+        if (parts_[index].is_item) return index;
+        if (node.left == 0) {
+            for (std::uint32_t lanes = 1; lanes < node.count; ++lanes)
+                parts_[index].surface[lanes - 1] = half_area(node.box);
+            return index;
+        }
+        const std::uint32_t left = add_part(tree, node.left, is_item), right = add_part(tree, node.right, is_item);
+        parts_[index].left = left;
+        parts_[index].right = right;
+        choose_lanes(parts_[index]);
+        return index;
     }
 
-    template <class IsItem, class ItemsOf>
-    void put(const BinTree& tree, std::uint32_t root, std::uint32_t depth, const IsItem& is_item,
-             const ItemsOf& items_of) {
-        Top tops[WideNode::kLanes] = {top_of(tree, root, is_item)};
-        std::uint32_t count = 1;
-        for (;;) {
-            Top* largest = nullptr;
-            for (std::uint32_t k = 0; k < count; ++k)
-                if (tops[k].kind == Top::kBin && count - 1 + tops[k].opens_to <= WideNode::kLanes &&
-                    (!largest || tops[k].goes_before(*largest)))
-                    largest = &tops[k];
-            if (!largest) break;
-            const BinNode& opened = tree.nodes[largest->what];
-            // In order: what takes its place stands where it stood.
-            std::move_backward(largest + 1, tops + count, tops + count - 1 + largest->opens_to);
-            count += largest->opens_to - 1u;
-            if (opened.left != 0) {
-                largest[0] = top_of(tree, opened.left, is_item);
-                largest[1] = top_of(tree, opened.right, is_item);
-            } else {
-                for (std::uint32_t k = 0; k < opened.count; ++k)
-                    largest[k] = {&tree.items[opened.first + k].box, opened.first + k, Top::kTreeItem, 0, 0, 0};
+    /// From what is best for its two parts.
+    void choose_lanes(Part& part) {
+        const Part &left = parts_[part.left], &right = parts_[part.right];
+        double least[kLanes];
+        for (std::uint32_t lanes = 2; lanes <= kLanes; ++lanes) {
+            least[lanes - 1] = std::numeric_limits<double>::infinity();
+            for (std::uint32_t k = 1; k < lanes; ++k) {
+                const double surface = left.surface[k - 1] + right.surface[lanes - k - 1];
+                if (!(surface < least[lanes - 1])) continue;
+                least[lanes - 1] = surface;
+                part.left_lanes[lanes - 1] = std::uint8_t(k);
             }
         }
+        part.left_lanes[0] = part.left_lanes[kLanes - 1];  // of a wide node of its own
+        part.surface[0] = half_area(part.bin->box) + least[kLanes - 1];
+        for (std::uint32_t lanes = 2; lanes <= kLanes; ++lanes) {
+            const bool fewer = part.surface[lanes - 2] < least[lanes - 1];
+            part.surface[lanes - 1] = fewer ? part.surface[lanes - 2] : least[lanes - 1];
+            if (fewer) part.left_lanes[lanes - 1] = 0;
+        }
+    }
+
+    /// A part over so many lanes at most.
+    void spread(const BinTree& tree, std::uint32_t index, std::uint32_t lanes, Lanes& into) const {
+        const Part& part = parts_[index];
+        while (lanes > 1 && part.left != 0 && part.left_lanes[lanes - 1] == 0) --lanes;
+        if (part.is_item) return into.add({&part.bin->box, part.what, Lane::kBinItem});
+        if (part.left == 0 && lanes >= part.bin->count) return add_tree_items(tree, part, into);
+        if (part.left == 0 || lanes == 1) return into.add({&part.bin->box, index, Lane::kPart});
+        spread(tree, part.left, part.left_lanes[lanes - 1], into);
+        spread(tree, part.right, lanes - part.left_lanes[lanes - 1], into);
+    }
+
+    static void add_tree_items(const BinTree& tree, const Part& part, Lanes& into) {
+        for (std::uint32_t k = part.bin->first; k < part.bin->first + part.bin->count; ++k)
+            into.add({&tree.items[k].box, k, Lane::kTreeItem});
+    }
+
+    /// What the lanes of a part's own wide node lead to.
+    Lanes lanes_of(const BinTree& tree, std::uint32_t index, std::uint32_t depth) const {
+        Lanes found;
+        const Part& part = parts_[index];
+        if (part.is_item) {
+            found.add({&part.bin->box, part.what, Lane::kBinItem});
+        } else if (part.left == 0) {
+            add_tree_items(tree, part, found);
+        } else if (depth <= kFreeDepth) {
+            spread(tree, part.left, part.left_lanes[0], found);
+            spread(tree, part.right, kLanes - part.left_lanes[0], found);
+        } else {
+            found.add({&part.bin->box, index, Lane::kPart});
+            while (open_one(tree, found)) {
+            }
+        }
+        return found;
+    }
+
+    /// Opens the first of the lanes that can be opened.
+    bool open_one(const BinTree& tree, Lanes& found) const {
+        for (std::uint32_t k = 0; k < found.count; ++k) {
+            if (found.lanes[k].kind != Lane::kPart) continue;
+            const Part& part = parts_[found.lanes[k].what];
+            Lanes opened;
+            if (part.left == 0) {
+                add_tree_items(tree, part, opened);
+            } else {
+                spread(tree, part.left, 1, opened);
+                spread(tree, part.right, 1, opened);
+            }
+            if (found.count - 1 + opened.count > kLanes) continue;
+            std::move_backward(found.lanes + k + 1, found.lanes + found.count,
+                               found.lanes + found.count - 1 + opened.count);
+            std::copy(opened.lanes, opened.lanes + opened.count, found.lanes + k);
+            found.count += opened.count - 1;
+            return true;
+        }
+        return false;
+    }
+
+    template <class ItemsOf>
+    void put(const BinTree& tree, std::uint32_t index, std::uint32_t depth, const ItemsOf& items_of) {
+        const Lanes found = lanes_of(tree, index, depth);
         const auto number = std::uint32_t(wide_.size());
-        const GridBox* boxes[WideNode::kLanes];
-        for (std::uint32_t k = 0; k < count; ++k) boxes[k] = tops[k].box;
-        set_boxes(wide_.emplace_back(), {boxes, count});
-        for (std::uint32_t k = 0; k < count; ++k) {
+        const GridBox* boxes[kLanes];
+        for (std::uint32_t k = 0; k < found.count; ++k) boxes[k] = found.lanes[k].box;
+        set_boxes(wide_.emplace_back(), {boxes, found.count});
+        for (std::uint32_t k = 0; k < found.count; ++k) {
+            const Lane& lane = found.lanes[k];
             wide_[number].first[k] = std::uint8_t(next_item_);
-            if (tops[k].kind == Top::kBin) {
+            if (lane.kind == Lane::kPart) {
                 links_.push_back({number, k, std::uint32_t(wide_.size())});
-                put(tree, tops[k].what, depth + 1, is_item, items_of);
+                put(tree, lane.what, depth + 1, items_of);
                 continue;
             }
-            items_.push_back({tops[k].what, number, k, depth});
-            next_item_ += tops[k].kind == Top::kBinItem ? items_of(tops[k].what) : 1;
+            items_.push_back({lane.what, number, k, depth});
+            next_item_ += lane.kind == Lane::kBinItem ? items_of(lane.what) : 1;
         }
-        std::fill(wide_[number].first + count, std::end(wide_[number].first), std::uint8_t(next_item_));
+        std::fill(wide_[number].first + found.count, std::end(wide_[number].first), std::uint8_t(next_item_));
     }
 
+    std::vector<Part> parts_;
     std::vector<WideNode> wide_;
     std::vector<Link> links_;
     std::vector<Item> items_;

@@ -34,21 +34,40 @@ bool is_done(const FaceSet& faces, std::span<const BuildItem> items, const GridB
     return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
 }
 
-/// The bins below `top` that become blocks of their own: the fullest is opened until there are 64 or all fit a leaf
-/// block.
-std::vector<std::uint32_t> choose_children(const BinTree& tree, std::uint32_t top) {
-    const std::vector<BinNode>& nodes = tree.nodes;
-    std::vector<std::uint32_t> chosen{top};
-    while (chosen.size() < kNodeItems) {
-        const auto fullest = std::max_element(chosen.begin(), chosen.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return nodes[a].count < nodes[b].count;
-        });
-        const BinNode& node = nodes[*fullest];
-        if (node.count <= kNodeItems) break;
+/// By bin, how many leaves are below one that is divided further than a leaf; else 1.
+std::vector<std::uint32_t> count_leaves(const std::vector<BinNode>& nodes) {
+    std::vector<std::uint32_t> leaves(nodes.size(), 1);
+    for (std::size_t n = nodes.size(); n-- > 0;)  // children stand after their parents
+        if (nodes[n].count > kNodeItems) leaves[n] = leaves[nodes[n].left] + leaves[nodes[n].right];
+    return leaves;
+}
+
+/// The bins below `top` that become nodes of their own: the largest ones over so few leaves that what they take is as
+/// full as can be; where these are too many, eight, one wide node's.
+std::vector<std::uint32_t> choose_children(const BinTree& tree, const std::vector<std::uint32_t>& leaves,
+                                           std::uint32_t top) {
+    const auto bins_within = [&](std::uint32_t most) {
+        std::vector<std::uint32_t> found;
+        const auto below = [&](const auto& self, std::uint32_t bin) -> void {
+            if (leaves[bin] <= most) return found.push_back(bin);
+            self(self, tree.nodes[bin].left);
+            self(self, tree.nodes[bin].right);
+        };
+        below(below, top);
+        return found;
+    };
+    std::uint32_t most = 1;
+    while (leaves[top] > std::uint64_t(most) * kNodeItems) most *= kNodeItems;
+    std::vector<std::uint32_t> chosen = bins_within(most);
+    if (chosen.size() <= kNodeItems) return chosen;
+    chosen = {top};
+    while (chosen.size() < WideNode::kLanes) {
+        const auto fullest = std::max_element(chosen.begin(), chosen.end(),
+                                              [&](std::uint32_t a, std::uint32_t b) { return leaves[a] < leaves[b]; });
+        const BinNode& node = tree.nodes[*fullest];
         *fullest = node.left;
         chosen.insert(fullest + 1, node.right);
     }
-    std::sort(chosen.begin(), chosen.end());
     return chosen;
 }
 
@@ -99,6 +118,7 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
                     }
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
+    leaves_ = count_leaves(tree_.nodes);
     const Ref<const Node> root = pack(0);
     return join_nodes({&root, 1});
 }
@@ -134,7 +154,7 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbe
 }
 
 Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
-    const std::vector<std::uint32_t> chosen = choose_children(tree_, top);
+    const std::vector<std::uint32_t> chosen = choose_children(tree_, leaves_, top);
     std::vector<Ref<const Node>> packed;  // children, as they are in order
     packed.reserve(chosen.size());
     for (const std::uint32_t bin : chosen) packed.push_back(pack(bin));

@@ -33,6 +33,7 @@ private:
     VertexTable vertices_;
     FaceLayout layout_;
     BinWidener widener_;
+    std::vector<std::uint32_t> leaves_;  ///< by bin
     std::vector<std::uint32_t> numbers_;
 };
 
