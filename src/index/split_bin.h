@@ -37,4 +37,9 @@ GridBox box_around(std::span<const BuildItem> items);
 /// The middle of the order by face, for bins that are done but too large for a block.
 std::size_t split_by_count(std::span<BuildItem> items);
 
+/// By their centres along the box's longest axis, near the middle, so that the left part is a multiple of eight: what
+/// casts test together is full then.
+/// @param items  more than eight
+std::size_t split_in_eights(std::span<BuildItem> items, const GridBox& box);
+
 }  // namespace firma

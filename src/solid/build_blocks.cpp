@@ -99,7 +99,8 @@ void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, Ve
 
 }  // namespace
 
-Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
+Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area,
+                                    std::size_t in_eights) {
     if (faces.faces.empty()) return {};
     faces_ = &faces;
     tree_.items.resize(faces.faces.size());
@@ -114,6 +115,7 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
                     if (!is_done(faces, items, box, at, rules)) {
                         // Those that casts look at together need not be divided well.
                         if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
+                        if (items.size() <= in_eights) return split_in_eights(items, box);
                         return split_bin(items, box, items.size() > by_area ? Split::kSurfaceArea : rules.split);
                     }
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);

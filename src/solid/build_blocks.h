@@ -20,8 +20,10 @@ class BlockBuilder {
 public:
     /// @param faces    of one part, at most 2^31
     /// @param by_area  bins of more faces than this are divided by surface area, whatever the options say
+    /// @param in_eights  those of so many at most are divided by count
     /// @return the root; null for no faces
-    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area = ~std::size_t{});
+    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area = ~std::size_t{},
+                          std::size_t in_eights = 0);
 
 private:
     Ref<const Node> pack(std::uint32_t top);
