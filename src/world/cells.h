@@ -118,15 +118,17 @@ public:
     bool is_closed(std::uint32_t portal) const { return portals_[portal].closed; }
     bool any_closed() const { return closed_ > 0; }
     std::span<const PortalId> portals_of(std::uint32_t room) const { return rooms_[room]->portals; }
-    /// Calls `function(portal)` for the portals of a room whose boxes `meets(box)` says yes to, and perhaps for others
-    /// near them; in no order that means anything, until it returns true.
-    /// @param meets  of a GridBox, and of a BoxF
-    template <class Meets, class Function>
-    void for_each_portal_of(std::uint32_t room, const Meets& meets, const Function& function) const {
+    /// Calls `function(portal)` for the portals of a room whose boxes meet one, and perhaps for others near it; in no
+    /// order that means anything, until it returns true.
+    template <class Function>
+    void for_each_portal_of(std::uint32_t room, const GridBox& box, const Function& function) const {
         const RoomRecord& record = *rooms_[room];
-        if (record.portal_index) return for_each_portal_in(*record.portal_index, meets, function);
+        if (record.portal_index) {
+            for_each_portal_meeting(*record.portal_index, box, function);
+            return;
+        }
         for (std::size_t k = 0; k < record.portals.size(); ++k)
-            if (meets(record.portal_boxes[k]) && function(record.portals[k].value)) return;
+            if (boxes_meet(record.portal_boxes[k], box) && function(record.portals[k].value)) return;
     }
     /// A record's boxes and index, once its portals are set and indexed.
     void set_portal_boxes(RoomRecord& record) const;

@@ -23,6 +23,24 @@ public:
 /// A leaf over one portal.
 Ref<const Node> portal_leaf(std::uint32_t number, const GridBox& box);
 
+/// Calls `function(number)` for each portal whose box meets one, and perhaps for others near it, until it returns true;
+/// in no order that means anything.
+/// @return whether it did
+template <class Function>
+bool for_each_portal_meeting(const Node& root, const GridBox& box, const Function& function) {
+    const auto below = [&](const auto& self, const Node& node, const WideNode& wide) -> bool {
+        if (node.is_leaf()) return function(static_cast<const IndexedPortal&>(*node.facets).number);
+        const unsigned met = lanes_meeting(wide, box);
+        for (std::uint32_t lane = 0; met >> lane; ++lane) {
+            if (!(met >> lane & 1)) continue;
+            const Node& next = wide.leads_to_node(lane) ? *node.children[wide.first[lane]] : node;
+            if (self(self, next, *static_cast<const WideNode*>(wide.child[lane]))) return true;
+        }
+        return false;
+    };
+    return below(below, root, root.wide[0]);
+}
+
 /// Calls `function(number)` for each portal of whose boxes in the index, rounded outward, `meets(box)` says yes to all,
 /// until it returns true; in no order that means anything. Allocates nothing.
 /// @param meets  of a BoxF

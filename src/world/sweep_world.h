@@ -80,22 +80,6 @@ using PointSteps [[gnu::vector_size(16)]] = std::int32_t;
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
 }
 
-/// A box around a path, metres: whether it meets others.
-struct PathBox {
-    Vec3 low, high;
-
-    bool operator()(const BoxF& box) const {
-        return box.low[0] <= high.x && box.high[0] >= low.x && box.low[1] <= high.y && box.high[1] >= low.y &&
-               box.low[2] <= high.z && box.high[2] >= low.z;
-    }
-    bool operator()(const GridBox& box) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(box.low[axis] <= high[axis] * kSurfaceSteps && box.high[axis] >= low[axis] * kSurfaceSteps))
-                return false;
-        return true;
-    }
-};
-
 /// What moves: how it meets a polygon, what a touch then looks like, and a simple body around it. Its sweep's radius
 /// holds all of it.
 struct SphereMover {
@@ -280,14 +264,15 @@ private:
     }
 
     /// Around all that the sphere may touch up to the latest time; what lies outside, SweepBox would not enter.
-    PathBox path_box() const {
-        constexpr double kRounding = 1 / kSurfaceSteps;  // of these sums
-        const double grown = grown_ + kRounding;
+    GridBox path_box() const {
+        const double grown = grown_ * kSurfaceSteps + 2;  // in steps; two for the rounding of these sums
         const Vec3 last = sweep_.at(found_.latest);
-        PathBox box;
+        const auto step = [](double at) { return std::int32_t(std::clamp(at, double(INT32_MIN), double(INT32_MAX))); };
+        GridBox box;
         for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = std::min(sweep_.start[axis], last[axis]) - grown;
-            box.high[axis] = std::max(sweep_.start[axis], last[axis]) + grown;
+            const double one = sweep_.start[axis] * kSurfaceSteps, other = last[axis] * kSurfaceSteps;
+            box.low[axis] = step(std::min(one, other) - grown);
+            box.high[axis] = step(std::max(one, other) + grown);
         }
         return box;
     }
