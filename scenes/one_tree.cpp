@@ -2,6 +2,7 @@
 // All faces as part 0, in blocks and an index built anew.
 #include "scenes/one_tree.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "solid/append_faces.h"
@@ -17,6 +18,9 @@ World in_one_tree(const World& world) {
         FaceSet faces;
         if (store.root) append_all_faces(*store.root, faces);
         for (FaceSet::Entry& face : faces.faces) face.part = 0;
+        // In order of id: what comes out follows from the faces alone, not from the rooms that they were in.
+        std::sort(faces.faces.begin(), faces.faces.end(),
+                  [](const FaceSet::Entry& a, const FaceSet::Entry& b) { return a.id < b.id; });
         return build_store(faces, data.tree_options);
     };
     one.solid = in_one(data.solid.data().faces);

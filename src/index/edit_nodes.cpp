@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kFindsInAStep = 32;
 constexpr std::size_t kPlacesInAStep = 64;
+constexpr double kCoversMuch = 0.25;        ///< of a node's surface: worth making anew with it
 constexpr std::size_t kFewestChildren = 8;  ///< a node of fewer hands them to the node above
 
 /// A deeper node is built anew over its leaves, and is then less deep than this.
@@ -155,17 +156,22 @@ std::uint32_t NodeEdit::place(const GridBox& box) {
 
 // ---- what lies beside it ----
 
-/// For each node with touched children over leaves, one more of its children: see the head of edit_nodes.h.
+/// For each node with touched children over leaves, one or two more of its children: see the head of edit_nodes.h.
 void NodeEdit::touch_beside() {
     const std::size_t count = touched_.size();
     for (std::uint32_t parent = 0; parent < count; ++parent) {
         if (touched_[parent].first_child == kNone) continue;
-        if (const std::uint32_t item = find_beside(parent); item != kNone) touch(parent, item);
+        for (const double least : {0.0, kCoversMuch}) {
+            const std::uint32_t item = find_beside(parent, least);
+            if (item == kNone) break;
+            touch(parent, item);
+        }
     }
 }
 
 /// Of the children over leaves that are not touched, the one that covers most of one that is; or none.
-std::uint32_t NodeEdit::find_beside(std::uint32_t parent) {
+/// @param least  so large a share of its surface at least
+std::uint32_t NodeEdit::find_beside(std::uint32_t parent, double least) {
     const auto over_leaves = [](const Node& node) { return !node.is_leaf() && node.children[0]->is_leaf(); };
     const Node& node = *touched_[parent].node;
     for (const Ref<const Node>& child : node.children) fetch_ahead(child.get(), sizeof(Node));
@@ -177,7 +183,7 @@ std::uint32_t NodeEdit::find_beside(std::uint32_t parent) {
     }
     if (here.empty()) return kNone;
     std::uint32_t found = kNone;
-    double most = 0;
+    double most = least;
     for (std::uint32_t item = 0; item < node.children.size(); ++item) {
         if (touched_by_[item] != kNone) continue;
         const Node& child = *node.children[item];

@@ -8,7 +8,7 @@
 // hands its children to the node above. So the work follows the change, not the index.
 //
 // Nodes over leaves grow into each other, edit by edit. So beside those that a change touches one more is divided anew
-// with them: the one that covers the largest share of one of them.
+// with them, the one that covers the largest share of one of them; and a second one that covers much.
 #pragma once
 
 #include <cstdint>
@@ -66,7 +66,7 @@ private:
     std::uint32_t place(const GridBox& box);
 
     void touch_beside();
-    std::uint32_t find_beside(std::uint32_t parent);
+    std::uint32_t find_beside(std::uint32_t parent, double least);
 
     void rebuild_inner(std::uint32_t index);
     void collect_items(const Touched& touched);

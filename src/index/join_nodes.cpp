@@ -12,7 +12,7 @@ namespace firma {
 // By surface area also where facets are split otherwise: leaves that edits made overlap more than bins do, and a
 // traversal pays for overlap here more than anywhere.
 void NodeJoiner::divide(std::span<const NodeItem> nodes) {
-    constexpr std::size_t kTogether = 4;  // side by side in a wide node however they are divided
+    constexpr std::size_t kTogether = 2;  // nothing to choose
     constexpr int kUnevenLevels = 12;  // then in halves: what the rule peels off one by one must not make a deep index
     tree_.items.resize(nodes.size());
     tree_.nodes.clear();
@@ -73,6 +73,20 @@ Ref<const Node> join_nodes(std::span<const Ref<const Node>> nodes) {
     for_each_leaf(all[0], [&](const Ref<const Node>& leaf) { leaves.push_back(leaf); });
     FIRMA_ASSERT(leaves.size() > nodes.size(), "an index over leaves is never so deep");
     return join_nodes(leaves);
+}
+
+Ref<const Node> join_opened(std::span<const Ref<const Node>> nodes) {
+    if (nodes.size() < 2) return join_nodes(nodes);
+    std::vector<Ref<const Node>> opened;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const PoolVector<Ref<const Node>>& children = nodes[k]->children;
+        const std::size_t others = nodes.size() - k - 1;
+        if (nodes[k]->is_leaf() || opened.size() + children.size() + others > kNodeItems)
+            opened.push_back(nodes[k]);
+        else
+            opened.insert(opened.end(), children.begin(), children.end());
+    }
+    return join_nodes(opened);
 }
 
 }  // namespace firma

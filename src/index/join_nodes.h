@@ -26,11 +26,11 @@ struct NodeItem {
 /// Keeps its scratch memory from call to call.
 class NodeJoiner {
 public:
-    /// Divides items as facets are divided, by surface area and whatever the stop rules, until four or fewer are left
+    /// Divides items as facets are divided, by surface area and whatever the stop rules, until two or fewer are left
     /// together; for the calls that follow. Node 0 is the root.
     void divide(std::span<const NodeItem> items);
 
-    /// The largest nodes of at most so many items each, four or more.
+    /// The largest nodes of at most so many items each, two or more.
     void group(std::size_t max_items, std::vector<std::uint32_t>& nodes);
 
     /// How many items are below a node; after group().
@@ -62,5 +62,9 @@ private:
 /// One node over all of these, or the only one; null for none. The nodes between them hold up to 64 each. What would be
 /// deeper than kDeepestTree is made anew from its leaves.
 Ref<const Node> join_nodes(std::span<const Ref<const Node>> nodes);
+
+/// The same for a few that lie in the same place: as far as one node has room for what they hold, it holds that instead
+/// of them, which saves a cast the way through both.
+Ref<const Node> join_opened(std::span<const Ref<const Node>> nodes);
 
 }  // namespace firma

@@ -37,9 +37,6 @@ std::size_t split_longest_axis(std::span<BuildItem> items, const GridBox& box) {
 
 constexpr int kBuckets = 16;
 
-/// So many items, spread evenly over their order, stand for all where there are twice as many and more.
-constexpr std::size_t kSample = 2048;
-
 /// Taken together by a processor (as GCC and Clang write it): an axis each; the last is not used.
 using FourSteps [[gnu::vector_size(16)]] = std::int32_t;
 using FourFloats [[gnu::vector_size(16)]] = float;
@@ -76,14 +73,12 @@ struct Extent {
 /// fall. In floats, each by the same operations, so that one item always falls into the same.
 class Centres {
 public:
-    /// @param stride  between the items that are looked at; others may fall into buckets beyond the ends
-    Centres(std::span<const BuildItem> items, std::size_t stride, const GridBox& box)
-        : base_{box.low.x, box.low.y, box.low.z, 0} {
+    Centres(std::span<const BuildItem> items, const GridBox& box) : base_{box.low.x, box.low.y, box.low.z, 0} {
         for (int axis = 0; axis < 3; ++axis)
             if (std::uint32_t(box.high[axis]) - std::uint32_t(box.low[axis]) >= std::uint32_t(1) << 30) shift_ = 2;
         FourFloats low = of(Sides(items[0])), high = low;
-        for (std::size_t k = 0; k < items.size(); k += stride) {
-            const FourFloats centre = of(Sides(items[k]));
+        for (const BuildItem& item : items) {
+            const FourFloats centre = of(Sides(item));
             low = centre < low ? centre : low;
             high = centre > high ? centre : high;
         }
@@ -106,6 +101,14 @@ public:
         };
         const auto centre = float(std::int32_t(from(item.box.low[axis]) + from(item.box.high[axis])));
         return (centre - low_[axis]) * scale_[axis] < float(bucket + 1);
+    }
+
+    /// Along which they lie farthest apart; -1 where all are one.
+    int widest_axis() const {
+        int widest = -1;
+        for (int axis = 0; axis < 3; ++axis)
+            if (apart[std::size_t(axis)] && (widest < 0 || scale_[axis] < scale_[widest])) widest = axis;
+        return widest;
     }
 
     std::array<bool, 3> apart{};
@@ -203,7 +206,7 @@ void improve_with_buckets(const Filled& filled, std::size_t all, int axis, Plane
 }
 
 /// @return the plane of least cost; without an axis when all centres are one
-Plane best_plane(std::span<const BuildItem> items, std::size_t stride, const Centres& centres) {
+Plane best_plane(std::span<const BuildItem> items, const Centres& centres) {
     Plane best;
     if (items.size() <= kFew) {
         std::array<Extent, kFew> extents;
@@ -219,16 +222,34 @@ Plane best_plane(std::span<const BuildItem> items, std::size_t stride, const Cen
         return best;
     }
     std::array<Filled, 3> filled;
-    std::size_t looked_at = 0;
-    for (std::size_t k = 0; k < items.size(); k += stride, ++looked_at) {
-        const Sides sides(items[k]);
+    for (const BuildItem& item : items) {
+        const Sides sides(item);
         const FourSteps buckets = centres.buckets_of(sides);
         const Extent extent(sides);
         for (int axis = 0; axis < 3; ++axis) filled[std::size_t(axis)].add(buckets[axis], extent);
     }
     for (int axis = 0; axis < 3; ++axis)
-        if (centres.apart[std::size_t(axis)]) improve_with_buckets(filled[std::size_t(axis)], looked_at, axis, best);
+        if (centres.apart[std::size_t(axis)]) improve_with_buckets(filled[std::size_t(axis)], items.size(), axis, best);
     return best;
+}
+
+/// The best one along one axis; none for none.
+Plane best_plane_along(int axis, std::span<const BuildItem> items, const Centres& centres) {
+    Plane best;
+    if (axis < 0) return best;
+    Filled filled;
+    for (const BuildItem& item : items) {
+        const Sides sides(item);
+        filled.add(centres.buckets_of(sides)[axis], Extent(sides));
+    }
+    improve_with_buckets(filled, items.size(), axis, best);
+    return best;
+}
+
+std::size_t split_at(std::span<BuildItem> items, const Plane& plane, const Centres& centres) {
+    if (plane.axis < 0) return 0;
+    return partition_items(items,
+                           [&](const BuildItem& item) { return centres.falls_before(item, plane.axis, plane.bucket); });
 }
 
 }  // namespace
@@ -240,28 +261,14 @@ std::size_t split_by_count(std::span<BuildItem> items) {
     return left;
 }
 
-std::size_t split_in_eights(std::span<BuildItem> items, const GridBox& box) {
-    constexpr std::size_t kTogether = 8;
-    const int axis = box.longest_axis();
-    const std::size_t left = (items.size() / 2 + kTogether / 2) / kTogether * kTogether;
-    const auto centre = [axis](const BuildItem& item) {  // twice
-        return std::int64_t(item.box.low[axis]) + item.box.high[axis];
-    };
-    std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(left), items.end(),
-                     [&](const BuildItem& a, const BuildItem& b) {
-                         const std::int64_t one = centre(a), other = centre(b);
-                         return one != other ? one < other : a.face < b.face;
-                     });
-    return left;
+std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box) {
+    const Centres centres(items, box);
+    return split_at(items, best_plane(items, centres), centres);
 }
 
-std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box) {
-    const std::size_t stride = std::max(items.size() / kSample, std::size_t(1));
-    const Centres centres(items, stride, box);
-    const Plane best = best_plane(items, stride, centres);
-    if (best.axis < 0) return 0;
-    return partition_items(items,
-                           [&](const BuildItem& item) { return centres.falls_before(item, best.axis, best.bucket); });
+std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridBox& box) {
+    const Centres centres(items, box);
+    return split_at(items, best_plane_along(centres.widest_axis(), items, centres), centres);
 }
 
 std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split) {

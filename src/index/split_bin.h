@@ -31,15 +31,14 @@ std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split spli
 /// @return 0 when no plane separates the centres
 std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box);
 
+/// The same along one axis only, that along which the centres lie farthest apart: nearly as good for few items, for a
+/// third of the work.
+std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridBox& box);
+
 /// @param items  one or more
 GridBox box_around(std::span<const BuildItem> items);
 
 /// The middle of the order by face, for bins that are done but too large for a block.
 std::size_t split_by_count(std::span<BuildItem> items);
-
-/// By their centres along the box's longest axis, near the middle, so that the left part is a multiple of eight: what
-/// casts test together is full then.
-/// @param items  more than eight
-std::size_t split_in_eights(std::span<BuildItem> items, const GridBox& box);
 
 }  // namespace firma

@@ -34,43 +34,6 @@ bool is_done(const FaceSet& faces, std::span<const BuildItem> items, const GridB
     return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
 }
 
-/// By bin, how many leaves are below one that is divided further than a leaf; else 1.
-std::vector<std::uint32_t> count_leaves(const std::vector<BinNode>& nodes) {
-    std::vector<std::uint32_t> leaves(nodes.size(), 1);
-    for (std::size_t n = nodes.size(); n-- > 0;)  // children stand after their parents
-        if (nodes[n].count > kNodeItems) leaves[n] = leaves[nodes[n].left] + leaves[nodes[n].right];
-    return leaves;
-}
-
-/// The bins below `top` that become nodes of their own: the largest ones over so few leaves that what they take is as
-/// full as can be; where these are too many, eight, one wide node's.
-std::vector<std::uint32_t> choose_children(const BinTree& tree, const std::vector<std::uint32_t>& leaves,
-                                           std::uint32_t top) {
-    const auto bins_within = [&](std::uint32_t most) {
-        std::vector<std::uint32_t> found;
-        const auto below = [&](const auto& self, std::uint32_t bin) -> void {
-            if (leaves[bin] <= most) return found.push_back(bin);
-            self(self, tree.nodes[bin].left);
-            self(self, tree.nodes[bin].right);
-        };
-        below(below, top);
-        return found;
-    };
-    std::uint32_t most = 1;
-    while (leaves[top] > std::uint64_t(most) * kNodeItems) most *= kNodeItems;
-    std::vector<std::uint32_t> chosen = bins_within(most);
-    if (chosen.size() <= kNodeItems) return chosen;
-    chosen = {top};
-    while (chosen.size() < WideNode::kLanes) {
-        const auto fullest = std::max_element(chosen.begin(), chosen.end(),
-                                              [&](std::uint32_t a, std::uint32_t b) { return leaves[a] < leaves[b]; });
-        const BinNode& node = tree.nodes[*fullest];
-        *fullest = node.left;
-        chosen.insert(fullest + 1, node.right);
-    }
-    return chosen;
-}
-
 /// In order of first use: never by address.
 std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
     for (std::size_t k = block.owners.size(); k-- > 0;)
@@ -99,9 +62,30 @@ void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, Ve
 
 }  // namespace
 
-Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area,
-                                    std::size_t in_eights) {
+Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
     if (faces.faces.empty()) return {};
+    divide(faces, options, by_area, 0);
+    const auto is_leaf = [&](std::uint32_t bin) { return tree_.nodes[bin].count <= kNodeItems; };
+    const Ref<const Node> root = widener_.widen_all(tree_, is_leaf, [&](std::uint32_t bin) { return pack_leaf(bin); });
+    return join_nodes({&root, 1});
+}
+
+void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options,
+                                std::vector<Ref<const Node>>& leaves) {
+    if (faces.faces.empty()) return;
+    divide(faces, options, 0, kNodeItems);
+    const auto below = [&](const auto& self, std::uint32_t bin) -> void {
+        const BinNode& node = tree_.nodes[bin];
+        if (node.count <= kNodeItems) return leaves.push_back(pack_leaf(bin));
+        self(self, node.left);
+        self(self, node.right);
+    };
+    below(below, 0);
+}
+
+/// @param along_one_axis  of bins divided by surface area, those of so many faces at most are along one axis
+void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, std::size_t by_area,
+                          std::size_t along_one_axis) {
     faces_ = &faces;
     tree_.items.resize(faces.faces.size());
     tree_.nodes.clear();
@@ -115,18 +99,14 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
                     if (!is_done(faces, items, box, at, rules)) {
                         // Those that casts look at together need not be divided well.
                         if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
-                        if (items.size() <= in_eights) return split_in_eights(items, box);
-                        return split_bin(items, box, items.size() > by_area ? Split::kSurfaceArea : rules.split);
+                        if (items.size() <= by_area) return split_bin(items, box, rules.split);
+                        const std::size_t left = items.size() > along_one_axis
+                                                     ? split_by_area(items, box)
+                                                     : split_by_area_along_one_axis(items, box);
+                        return left != 0 ? left : split_by_count(items);
                     }
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
-    leaves_ = count_leaves(tree_.nodes);
-    const Ref<const Node> root = pack(0);
-    return join_nodes({&root, 1});
-}
-
-Ref<const Node> BlockBuilder::pack(std::uint32_t top) {
-    return tree_.nodes[top].count <= kNodeItems ? pack_leaf(top) : pack_nodes(top);
 }
 
 Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
@@ -153,23 +133,6 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbe
     block->vertices.assign(scratch.vertices.begin(), scratch.vertices.end());
     block->owners.shrink_to_fit();
     return block;
-}
-
-Ref<const Node> BlockBuilder::pack_nodes(std::uint32_t top) {
-    const std::vector<std::uint32_t> chosen = choose_children(tree_, leaves_, top);
-    std::vector<Ref<const Node>> packed;  // children, as they are in order
-    packed.reserve(chosen.size());
-    for (const std::uint32_t bin : chosen) packed.push_back(pack(bin));
-    const auto place_of = [&](std::uint32_t bin) { return std::lower_bound(chosen.begin(), chosen.end(), bin); };
-    const auto is_item = [&](std::uint32_t bin) {
-        const auto at = place_of(bin);
-        return at != chosen.end() && *at == bin;
-    };
-    const auto node_of = [&](std::uint32_t bin) { return packed[std::size_t(place_of(bin) - chosen.begin())].get(); };
-    Ref<Node> made(new Node);
-    made->children.reserve(chosen.size());
-    widener_.widen_over_nodes(*made, tree_, top, is_item, node_of);
-    return Ref<const Node>(made.get());
 }
 
 std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options) {

@@ -20,22 +20,23 @@ class BlockBuilder {
 public:
     /// @param faces    of one part, at most 2^31
     /// @param by_area  bins of more faces than this are divided by surface area, whatever the options say
-    /// @param in_eights  those of so many at most are divided by count
     /// @return the root; null for no faces
-    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area = ~std::size_t{},
-                          std::size_t in_eights = 0);
+    Ref<const Node> build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area = ~std::size_t{});
+
+    /// Only the leaves, for edits: divided by surface area, bins that fit a block along one axis (along all three they
+    /// take another twenty-fifth of a crater).
+    /// @param leaves  they are added to these
+    void build_leaves(const FaceSet& faces, const TreeOptions& options, std::vector<Ref<const Node>>& leaves);
 
 private:
-    Ref<const Node> pack(std::uint32_t top);
-    Ref<const Node> pack_leaf(std::uint32_t top);
-    Ref<const Node> pack_nodes(std::uint32_t top);
+    void divide(const FaceSet& faces, const TreeOptions& options, std::size_t by_area, std::size_t along_one_axis);
+    Ref<const Node> pack_leaf(std::uint32_t bin);
 
     const FaceSet* faces_ = nullptr;
     BinTree tree_;
     VertexTable vertices_;
     FaceLayout layout_;
     BinWidener widener_;
-    std::vector<std::uint32_t> leaves_;  ///< by bin
     std::vector<std::uint32_t> numbers_;
 };
 

@@ -156,9 +156,7 @@ void BlockEdit::rebuild_one() {
         append_face(added_, added_.faces[comes->index], faces_);
     TreeOptions rules = options_;
     rules.max_depth = std::min(rules.max_depth, depth_of_rebuilt(faces_.faces.size()));
-    // Within blocks by count: by surface area that is a twentieth of a crater.
-    if (const Ref<const Node> built = builder_.build(faces_, rules, kNodeItems, kNodeItems))
-        for_each_leaf(built, [&](const Ref<const Node>& leaf) { made_.push_back(leaf); });
+    builder_.build_leaves(faces_, rules, made_);
     if (++next_ == groups_.size()) phase_ = Phase::kDone;
 }
 

@@ -428,7 +428,7 @@ void RoomEdit::start(const SolidEdit& solid, const StoreEdit* open) {
         for (const std::uint32_t room : it.from)
             if (const Ref<const Node>& tree = before_.faces_of(room).tree) indices.push_back(tree);
         it.edit = edits_.size();
-        edits_.emplace_back(join_nodes(indices));
+        edits_.emplace_back(join_opened(indices));
     }
     for (const StoreEdit* store : {&solid.store(), open}) {
         if (!store) continue;

@@ -32,7 +32,7 @@ RoomFacesMap faces_of_rooms(const Cells& cells, std::initializer_list<const Buil
     RoomFacesMap rooms;
     for (std::uint32_t k = 0; k < contents.size(); ++k) {
         Ref<RoomFaces> faces(new RoomFaces);
-        faces->tree = join_nodes(contents[k].trees);
+        faces->tree = join_opened(contents[k].trees);
         faces->count = contents[k].count;
         faces->hash = contents[k].hash;
         rooms.set(k, Ref<const RoomFaces>(faces.get()));
