@@ -41,9 +41,8 @@ void NodeJoiner::group(std::size_t max_items, std::vector<std::uint32_t>& nodes)
 Ref<const Node> NodeJoiner::join(std::span<const NodeItem> items, std::uint32_t root) {
     Ref<Node> made(new Node);
     made->children.reserve(sums_[root]);
-    const auto no_bin = [](std::uint32_t) { return false; };
     const auto node_of = [&](std::uint32_t place) { return items[tree_.items[place].face].node; };
-    widener_.widen_over_nodes(*made, tree_, root, no_bin, node_of);
+    widener_.widen_over_nodes(*made, tree_, root, node_of);
     return Ref<const Node>(made.get());
 }
 

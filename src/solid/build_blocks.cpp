@@ -65,8 +65,7 @@ void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, Ve
 Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
     if (faces.faces.empty()) return {};
     divide(faces, options, by_area, 0);
-    const auto is_leaf = [&](std::uint32_t bin) { return tree_.nodes[bin].count <= kNodeItems; };
-    const Ref<const Node> root = widener_.widen_all(tree_, is_leaf, [&](std::uint32_t bin) { return pack_leaf(bin); });
+    const Ref<const Node> root = widener_.widen_all(tree_, [&](std::uint32_t bin) { return pack_leaf(bin); });
     return join_nodes({&root, 1});
 }
 

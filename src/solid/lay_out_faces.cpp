@@ -197,9 +197,7 @@ void lay_out(const Block& block, std::uint32_t first, std::uint32_t count, std::
 }  // namespace
 
 void FaceLayout::make(Node& leaf, [[maybe_unused]] Block& block, const BinTree& tree, std::uint32_t top) {
-    const auto is_item = [&](std::uint32_t bin) { return tree.nodes[bin].left == 0; };
-    const auto facets_of = [&](std::uint32_t bin) { return tree.nodes[bin].count; };
-    const std::span<const BinWidener::Item> items = widener_.widen(leaf, tree, top, is_item, facets_of);
+    const std::span<const BinWidener::Item> items = widener_.widen(leaf, tree, top);
 #ifdef FIRMA_SIMD
     const std::uint32_t before = tree.nodes[top].first;
     scratch_.clear();
