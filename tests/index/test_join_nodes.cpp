@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/index/test_nodes.h"
 
@@ -100,6 +101,24 @@ TEST(JoinNodes, BoxesInOnePlaceAreHalvedByCount) {
     const Ref<const Node> root = join_nodes(leaves);
     test::expect_holds(root, leaves);
     EXPECT_EQ(root->depth, 5) << "eights of eights, twice";
+}
+
+TEST(JoinOpened, HoldsWhatTheNodesHeldAsFarAsThatFits) {
+    for (const auto& [one, other, children] :
+         {std::array{20u, 30u, 50u}, {60u, 60u, 61u}, {64u, 64u, 2u}, {1u, 40u, 41u}}) {
+        const Items a(one, 2), b(other, 3);
+        const std::vector<Ref<const Node>> roots{join_nodes(a.leaves), join_nodes(b.leaves)};
+        const Ref<const Node> root = join_opened(roots);
+        EXPECT_EQ(root->children.size(), children);
+        std::vector<Ref<const Node>> leaves = a.leaves;
+        leaves.insert(leaves.end(), b.leaves.begin(), b.leaves.end());
+        test::expect_holds(root, leaves);
+        EXPECT_EQ(root->facets_below, 2 * one + 3 * other);
+        EXPECT_LE(root->depth, join_nodes(roots)->depth);
+    }
+    EXPECT_FALSE(join_opened({}));
+    const Items one(1, 3);
+    EXPECT_EQ(join_opened(one.leaves).get(), one.leaves[0].get());
 }
 
 }  // namespace
