@@ -63,7 +63,9 @@ void expect_less(const World& world, const World& one, double share) {
         }
         EXPECT_LT(double(by_room.nodes + by_room.boxes), share * double(in_one.nodes + in_one.boxes))
             << "radius " << radius << ", up to " << longest << " m";
-        EXPECT_LE(double(by_room.faces), (share < 0.95 ? 1 : 1.05) * double(in_one.faces))
+        // Which of faces that are met at nearly the same time is asked first, is by chance.
+        const double by_chance = 3 + 0.01 * double(in_one.faces);
+        EXPECT_LE(double(by_room.faces), (share < 0.95 ? 1 : 1.05) * double(in_one.faces) + by_chance)
             << "radius " << radius << ", up to " << longest << " m";
     }
 }
