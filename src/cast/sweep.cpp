@@ -35,6 +35,12 @@ Vec3 without_dust(const Vec3& v) {
 bool usable(const Vec3& v) {
     return std::fabs(v.x) <= kLargestNumber && std::fabs(v.y) <= kLargestNumber && std::fabs(v.z) <= kLargestNumber;
 }
+double size_of(const Vec3& v) {
+    return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
+}
+bool usable(const Vec3& a, const Vec3& b) {
+    return size_of(a) + size_of(b) <= kLargestNumber || (usable(a) && usable(b));  // at once, mostly
+}
 
 /// Without branches: which axis is the longest cannot be foreseen.
 void set_projection(Sweep& sweep) {
@@ -42,7 +48,7 @@ void set_projection(Sweep& sweep) {
     const double x = std::fabs(d[0]), y = std::fabs(d[1]), z = std::fabs(d[2]);
     const int x_first = int(x >= y) & int(x >= z);
     const int k = (1 - x_first) * (2 - int(y >= z));
-    constexpr std::uint8_t kNext[] = {1, 2, 0, 1, 2};
+    static constexpr std::uint8_t kNext[] = {1, 2, 0, 1, 2};
     const int swap = d[k] < 0;  // keeps front faces counter-clockwise in the projection
     sweep.axis_k = k;
     sweep.axis_u = kNext[k + swap];
@@ -54,7 +60,7 @@ void set_projection(Sweep& sweep) {
 }  // namespace
 
 Status make_sweep(const Sphere& sphere, const Vec3& path, Sweep& sweep) {
-    if (!usable(sphere.centre) || !usable(path)) return Status::kInvalid;
+    if (!usable(sphere.centre, path)) return Status::kInvalid;
     if (!(sphere.radius >= 0 && sphere.radius <= kLargestNumber)) return Status::kInvalid;
     const double size = max_abs(path);
     if (size < kShortestPath) return Status::kMiss;
