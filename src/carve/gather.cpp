@@ -8,6 +8,7 @@
 #include "base/fetch_ahead.h"
 #include "base/sort.h"
 #include "index/box_tree.h"
+#include "index/rounded_box.h"
 #include "index/traverse.h"
 
 namespace firma {
@@ -127,7 +128,7 @@ bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& beve
         if (too_many()) return false;
         const Block& block = block_of(*leaf);
         for_each_item_meeting(*leaf, box, [&](const WideNode& wide, std::uint32_t lane) {
-            const bool clear = bevelled.clear_of(wide.grid_box(lane), steps);
+            const bool clear = bevelled.clear_of(to_grid(wide.box(lane)), steps);
             for_each_face(block, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
                 const auto is_near = [&] {
                     const GridBox own = block.box_of(face);

@@ -36,6 +36,12 @@ BoxF to_floats(const GridBox& box) {
             {round_up(high.x), round_up(high.y), round_up(high.z)}};
 }
 
+BoxF to_floats_within(const GridBox& box) {
+    const Vec3 low = to_metres(box.low), high = to_metres(box.high);
+    return {{round_up(low.x), round_up(low.y), round_up(low.z)},
+            {round_down(high.x), round_down(high.y), round_down(high.z)}};
+}
+
 GridBox to_grid(const BoxF& box) {
     return {{to_step(box.low[0]), to_step(box.low[1]), to_step(box.low[2])},
             {to_step(box.high[0]), to_step(box.high[1]), to_step(box.high[2])}};

@@ -2,8 +2,7 @@
 // Eight boxes side by side: what a node is read by. Each leads to items of the node, or to more boxes over some of
 // them.
 //
-// Coordinates are whole steps of a power of two from a corner, so that a float product has no rounding and every
-// processor reads the same boxes.
+// Sides are floats, rounded outward once, when a node is made: every processor reads the same boxes.
 #pragma once
 
 #include <cstdint>
@@ -19,32 +18,29 @@ namespace firma {
 struct WideNode {
     static constexpr std::uint32_t kLanes = 8;
 
-    /// Box k holds the points from base + scale * side[0][axis][k] to base + scale * side[1][axis][k].
-    std::uint8_t side[2][3][kLanes];
-    float base[4], scale[4];  ///< the fourth is not used
+    /// Box k holds the points from side[0][axis][k] to side[1][axis][k], metres. Those beyond the ones in use hold
+    /// none.
+    float side[2][3][kLanes];
     /// Of facets the first FaceLanes, null where Firma is compiled without; of a node its first wide node; else a wide
     /// node of the same Node.
     const void* child[kLanes];
-    std::uint16_t facets[kLanes];                      ///< of facets how many FaceLanes in a row, 1 without; else 0
-    std::uint8_t first[kLanes + 1];                    ///< rising; the last stands after the lanes in use
-    std::uint8_t count = 0;                            ///< lanes in use, from the first on
-    std::uint8_t unused[sizeof(void*) == 8 ? 22 : 0];  // so that nodes fill lines of a cache
+    std::uint16_t facets[kLanes];    ///< of facets how many FaceLanes in a row, 1 without; else 0
+    std::uint8_t first[kLanes + 1];  ///< rising; the last stands after the lanes in use
+    std::uint8_t count = 0;          ///< lanes in use, from the first on
+    std::uint8_t unused[sizeof(void*) == 8 ? 38 : 6] = {};  // so that nodes fill lines of a cache
 
-    /// A side as every reader computes it.
-    float at(int which, int axis, std::uint32_t lane) const {
-        return base[axis] + scale[axis] * float(side[which][axis][lane]);
-    }
     BoxF box(std::uint32_t lane) const {
-        return {{at(0, 0, lane), at(0, 1, lane), at(0, 2, lane)}, {at(1, 0, lane), at(1, 1, lane), at(1, 2, lane)}};
+        return {{side[0][0][lane], side[0][1][lane], side[0][2][lane]},
+                {side[1][0][lane], side[1][1][lane], side[1][2][lane]}};
     }
-    /// The same in steps of the surface grid, exactly, but for what lies beyond its ends.
-    GridBox grid_box(std::uint32_t lane) const;
 
     bool leads_to_facets(std::uint32_t lane) const { return facets[lane] > 0; }
     /// Over nodes: whether a lane leads to one of them, not to more boxes.
     bool leads_to_node(std::uint32_t lane) const { return facets[lane] == 0 && items(lane) == 1; }
     std::uint32_t items(std::uint32_t lane) const { return std::uint32_t(first[lane + 1]) - first[lane]; }
 };
+
+static_assert(sizeof(WideNode) % 64 == 0);
 
 /// Puts boxes around the given ones into a node; lanes beyond are empty. All else is left to the caller.
 /// @param boxes  1 to 8

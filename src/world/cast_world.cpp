@@ -30,11 +30,6 @@ protected:
 
 /// One of them, held elsewhere.
 struct MoverRef {
-#if defined(__wasm__)
-    static constexpr bool kMayBeParticle = true;
-#else
-    static constexpr bool kMayBeParticle = false;
-#endif
     const OtherMover* mover;
 
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
@@ -106,13 +101,13 @@ template <class Found, class Mover>
 void sweep_rooms(const World& world, const Vec3& centre, const Sweep& sweep, const Mover& mover,
                  const CastOptions& options, Found& found) {
     const WorldData& data = world.data();
-    RoomTrail unasked;
-    RoomTrail& trail = options.trail ? *options.trail : unasked;
     WorldSweep<Found, Mover> on_its_way(data, sweep, mover, options, found);
     if (data.cells.room_count() == 1) {
-        add_room(trail, 0);
+        if (options.trail) add_room(*options.trail, 0);
         return on_its_way.ask_all();
     }
+    RoomTrail unasked;
+    RoomTrail& trail = options.trail ? *options.trail : unasked;
     RoomId start = options.room;
     if (start == kLocateRoom) start = locate(world, centre).room;
     if (start == kAnyRoom) return on_its_way.ask_all();
@@ -182,11 +177,11 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
              const SweepContact& found, Hit& hit) {
     const auto make = [&](const PolygonShape& polygon) {
         static_cast<PolygonHit&>(hit) = mover.hit(sweep, polygon, found.contact);
-        hit.safe_fraction = safe_fraction(
-            sweep, hit, options.contact_offset >= 0 ? options.contact_offset : world.tolerance().contact_offset);
     };
     if (found.block) {
-        if (found.whole)
+        if (found.inside)
+            make_hit_inside(sweep, LaneShape(*found.whole, found.lane).polygon, found.away, found.contact, hit);
+        else if (found.whole)
             make(LaneShape(*found.whole, found.lane).polygon);
         else
             make(FaceShape(*found.block, found.face()).polygon);
@@ -197,6 +192,8 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
         hit.portal = {found.portal};
         hit.material = portal.material;
     }
+    hit.safe_fraction = safe_fraction(
+        sweep, hit, options.contact_offset >= 0 ? options.contact_offset : world.tolerance().contact_offset);
 }
 
 /// Hands each touch on.
@@ -226,8 +223,8 @@ struct VisitEach : TellAny {
 Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options, Sweep& sweep) {
     if (options.trail) options.trail->count = 0;
     if (!(options.contact_offset <= kLargestNumber)) return Status::kInvalid;  // also not a number
-    const bool is_room = options.room.value < world.room_count();
-    if (!is_room && options.room != kAnyRoom && options.room != kLocateRoom) return Status::kInvalid;
+    if (options.room != kAnyRoom && options.room != kLocateRoom && options.room.value >= world.room_count())
+        return Status::kInvalid;
     return make_sweep(sphere, path, sweep);
 }
 
@@ -243,26 +240,27 @@ void sort_hits(std::vector<Hit>& hits) {
 template <class Mover>
 struct Question {
     const World& world;
-    const Sphere around;  ///< holds all that moves
+    const Sphere& around;  ///< holds all that moves; of the caller, as all of these
     const Vec3& path;
     const Mover mover;
     const CastOptions& options;
 
     Hit first() const {
-        Hit hit;
+        Hit hit;  // the only one that is returned: so it is made where the caller has it
         Sweep sweep;
         const Status ready = prepare(world, around, path, options, sweep);
-        if (ready == Status::kHit) {
+        if (ready == Status::kInvalid) {
+            hit = invalid_hit(around.centre);
+        } else if (ready == Status::kMiss) {
+            hit.centre = around.centre + path;
+        } else {
             KeepFirst first(sweep.end);
             find_first(sweep, first);
-            if (first.best.contact.touched()) {
+            if (first.best.contact.touched())
                 put_hit(world, sweep, mover, options, first.best, hit);
-                return hit;
-            }
-        } else if (ready == Status::kInvalid) {
-            return invalid_hit(around.centre);
+            else
+                hit.centre = around.centre + path;
         }
-        hit.centre = around.centre + path;
         return hit;
     }
 
@@ -319,7 +317,7 @@ Question<SphereMover> ask(const World& world, const Sphere& sphere, const Vec3& 
 }
 #endif
 
-/// @param mover  lives as long as the question
+/// @param mover  lives as long as the question, as does `around`
 Question<MoverRef> ask(const World& world, const Sphere& around, const OtherMover& mover, const Vec3& path,
                        const CastOptions& options) {
     return {world, around, path, {&mover}, options};

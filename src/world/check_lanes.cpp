@@ -29,6 +29,12 @@ std::size_t place_in(const PoolVector<T>& array, const void* at) {
     return std::size_t(it - first) / sizeof(T);
 }
 
+/// As sides have to be that boxes of the grid are compared with exactly.
+bool is_whole_steps(float side) {
+    const double steps = double(side) * kSurfaceSteps;
+    return steps == std::floor(steps) && std::fabs(steps) <= -double(INT32_MIN);
+}
+
 class LanesChecker {
 public:
     explicit LanesChecker(const Node& node) : node_(node) {}
@@ -65,20 +71,22 @@ private:
     void check_wide(std::size_t index, const BoxF& around, int depth) {
         const WideNode& wide = node_.wide[index];
         if (wide.count == 0 || wide.count > WideNode::kLanes) return report("a wide node does not hold 1 to 8 boxes");
-        for (const float scale : wide.scale) {
-            int exponent;
-            // So a side is rounded once at most, on every processor.
-            if (!(std::frexp(scale, &exponent) == 0.5f)) return report("a wide node's scale is not a power of two");
-        }
         for (std::uint32_t lane = 0; lane < WideNode::kLanes; ++lane)
             if (wide.first[lane] > wide.first[lane + 1] || (lane < wide.count) != (wide.items(lane) > 0))
                 return report("a wide node's boxes do not hold an item and more each");
+        for (std::uint32_t lane = wide.count; lane < WideNode::kLanes; ++lane)
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(wide.side[0][axis][lane] > wide.side[1][axis][lane]))
+                    return report("a wide node has boxes beyond those in use");
         for (std::uint32_t lane = 0; lane < wide.count && !fault_; ++lane) {
             if (wide.first[lane] != next_item_) return report("an item is not in exactly one wide node");
             BoxF box;
             for (int axis = 0; axis < 3; ++axis) {
-                box.low[axis] = std::max(around.low[axis], wide.at(0, axis, lane));
-                box.high[axis] = std::min(around.high[axis], wide.at(1, axis, lane));
+                const float low = wide.side[0][axis][lane], high = wide.side[1][axis][lane];
+                if (!is_whole_steps(low) || !is_whole_steps(high))
+                    return report("a side of a wide node is no whole step");
+                box.low[axis] = std::max(around.low[axis], low);
+                box.high[axis] = std::min(around.high[axis], high);
             }
             check_lane(index, wide, lane, box, depth);
             if (next_item_ != wide.first[lane + 1]) report("an item is not in exactly one wide node");

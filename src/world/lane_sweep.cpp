@@ -20,62 +20,43 @@ double rounding_error_of(const Sweep& sweep) {
 
 /// Floats of boxes' sides are exact; their distance from the start is off by a roundoff of its own, and by those of the
 /// start.
-double grown_by(double reach, double whole, double middle, double rounding_error) {
-    return reach + (rounding_error + 0x1p-20 + 0x1p-21 * (std::fabs(middle) + whole));
+double side_rounding(double rounding_error, double whole) {
+    return rounding_error + 0x1p-20 + LaneSweep::kFartherRounding * whole;
 }
 
 }  // namespace
 
-LaneSweep::LaneSweep(const Sweep& sweep) {
+LaneSweep::LaneSweep(const Sweep& sweep) : path(&sweep), start(sweep.start) {
     if (!lanes_in_use() || !near_enough(sweep)) return;
     usable = true;
     particle = sweep.radius == 0;
     const double rounding_error = rounding_error_of(sweep);
     radius = size = float(sweep.radius);
     margin = float(rounding_error) + size * 0x1p-22f;
-    set_path(sweep, sweep.start);
-    const auto grow = [&](double middle) { return grown_by(sweep.radius, sweep.radius, middle, rounding_error); };
-    put({grow(sweep.start.x), grow(sweep.start.y), grow(sweep.start.z)}, grown);
+    const double all = sweep.radius + side_rounding(rounding_error, sweep.radius);
+    reach = {all, all, all};
 }
 
-LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape) {
+LaneSweep::LaneSweep(const Sweep& sweep, const ShapeExtent& shape)
+    : axes(shape.axes), path(&sweep), start(sweep.start + shape.middle) {
     if (!lanes_in_use() || !near_enough(sweep)) return;
     usable = true;
     particle = false;
     const double rounding_error = rounding_error_of(sweep);
-    axes = shape.axes;
     double whole = shape.radius;
-    Vec3 reach{shape.radius, shape.radius, shape.radius};
+    Vec3 sides{shape.radius, shape.radius, shape.radius};
     for (int k = 0; k < axes; ++k) {
         const Vec3& a = shape.axis[std::size_t(k)];
         whole += length(a);
         for (int coordinate = 0; coordinate < 3; ++coordinate) axis[k][coordinate] = float(a[coordinate]);
-        reach += Vec3{std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
+        sides += Vec3{std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
     }
     radius = float(shape.radius);
     size = float(whole);
     margin = float(rounding_error) + size * 0x1p-22f;
-    const Vec3 middle = sweep.start + shape.middle;
-    set_path(sweep, middle);
-    const auto grow = [&](double by, double at) { return grown_by(by, whole, at, rounding_error); };
-    put({grow(reach.x, middle.x), grow(reach.y, middle.y), grow(reach.z, middle.z)}, grown);
-    for (int coordinate = 0; coordinate < 3; ++coordinate) extent[coordinate] = float(reach[coordinate]);
+    const double more = side_rounding(rounding_error, whole);
+    reach = sides + Vec3{more, more, more};
+    for (int coordinate = 0; coordinate < 3; ++coordinate) extent[coordinate] = float(sides[coordinate]);
 }
 
-void LaneSweep::put(const Vec3& values, double (&into)[4]) {
-    into[0] = values.x;
-    into[1] = values.y;
-    into[2] = values.z;
-    into[3] = 0;
-}
-
-void LaneSweep::set_path(const Sweep& sweep, const Vec3& middle) {
-    put(middle, start);
-    put(sweep.direction, direction);
-    longest = sweep.axis_k;
-    aside[0] = sweep.axis_u;
-    aside[1] = sweep.axis_v;
-    shear[0] = float(sweep.shear_u);
-    shear[1] = float(sweep.shear_v);
-}
 }  // namespace firma

@@ -3,6 +3,7 @@
 #include <hwy/highway.h>
 
 #include "solid/face_lanes.h"
+#include "world/lane_boxes.h"
 #include "world/lane_vectors.h"
 #include "world/sweep_lanes.h"
 
@@ -47,9 +48,10 @@ HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) 
 /// Corners of lanes, metres from their origin.
 #if HWY_TARGET == HWY_WASM  // read at once: the module has to be small
 struct Corners {
-    alignas(16) float at[3][3][kLanes];
+    alignas(16) float at[3][3][kLanes];  ///< in steps
+    Floats step;
 
-    HWY_INLINE explicit Corners(const FaceLanes& lanes) {
+    HWY_INLINE explicit Corners(const FaceLanes& lanes) : step(all(lanes.step)) {
         const bool wide = lanes.is_wide();
         const auto* const upper = &lanes.corner[0][0][0];
         const auto* const lower = &(&lanes)[wide].corner[0][0][0];
@@ -59,11 +61,12 @@ struct Corners {
                 const auto low = hn::PromoteTo(kInts, hn::LoadU(kShorts, lower + k));
                 steps = hn::Or(hn::ShiftLeft<16>(steps), hn::And(low, hn::Set(kInts, 0xFFFF)));
             }
-            hn::Store(hn::Mul(hn::ConvertTo(kFloats, steps), all(lanes.step)), kFloats, &at[0][0][0] + k);
+            hn::Store(hn::ConvertTo(kFloats, steps), kFloats, &at[0][0][0] + k);
         }
     }
+    HWY_INLINE Floats steps(int c, int axis, std::uint32_t part) const { return hn::Load(kFloats, at[c][axis] + part); }
     HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
-        return hn::Load(kFloats, at[c][axis] + part);
+        return hn::Mul(steps(c, axis, part), step);
     }
 };
 #else
@@ -73,16 +76,25 @@ struct Corners {
     Floats step;
 
     HWY_INLINE explicit Corners(const FaceLanes& of) : lanes(of), step(all(of.step)) {}
-    HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
-        auto steps = hn::PromoteTo(kInts, hn::LoadU(kShorts, lanes.corner[c][axis] + part));
+    HWY_INLINE Floats steps(int c, int axis, std::uint32_t part) const {
+        auto whole = hn::PromoteTo(kInts, hn::LoadU(kShorts, lanes.corner[c][axis] + part));
         if constexpr (wide) {
             const auto low = hn::PromoteTo(kInts, hn::LoadU(kShorts, (&lanes)[1].corner[c][axis] + part));
-            steps = hn::Or(hn::ShiftLeft<16>(steps), hn::And(low, hn::Set(kInts, 0xFFFF)));
+            whole = hn::Or(hn::ShiftLeft<16>(whole), hn::And(low, hn::Set(kInts, 0xFFFF)));
         }
-        return hn::Mul(hn::ConvertTo(kFloats, steps), step);
+        return hn::ConvertTo(kFloats, whole);
+    }
+    HWY_INLINE Floats operator()(int c, int axis, std::uint32_t part) const {
+        return hn::Mul(steps(c, axis, part), step);
     }
 };
 #endif
+
+/// What is said of triangles: a bit for each.
+struct Triangles {
+    unsigned met = 0;        ///< may be met; of those there is a lower bound for when
+    unsigned clear[3] = {};  ///< of a particle, by edge: its line surely passes on the inner side
+};
 
 /// Bits of the lanes that hold a triangle.
 HWY_INLINE unsigned used(const FaceLanes& lanes) {
@@ -92,15 +104,15 @@ HWY_INLINE unsigned used(const FaceLanes& lanes) {
 /// Lower bounds for when triangles are met, from the time `enter` on, a bit for each that may be by `latest`.
 /// @tparam known  how many axes the extent that moves has, or kAnyAxes
 template <int known, class Read>
-HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float enter, float latest,
-                         float* times) {
+HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, const Way& way,
+                         float enter, float latest, float* times) {
     const LaneSweep& sweep = query.sweep;
     const unsigned filled = used(lanes);
     const int axes = axes_of<known>(sweep);
     float o[3], size = lanes.size + sweep.size;
     for (int axis = 0; axis < 3; ++axis) {
         const double from = sweep.start[axis] - double(lanes.origin[axis]) / kSurfaceSteps;
-        o[axis] = float(from + double(enter) * sweep.direction[axis]);
+        o[axis] = float(from + double(enter) * sweep.path->direction[axis]);
         size += std::fabs(o[axis]);
     }
     const float unsure = lanes.uneven() + sweep.margin + 8 * kRoundoff * size;
@@ -116,8 +128,7 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQ
             const Floats aside = all(axes ? (sweep.extent[axis] + unsure) * kMore : reach);
             const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), aside);
             const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), aside);
-            const Floats slope = all(sweep.inverse[axis]);
-            const Floats one = hn::Mul(low, slope), other = hn::Mul(high, slope);
+            const Floats one = hn::Mul(low, way.slope[axis]), other = hn::Mul(high, way.slope[axis]);
             in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
             out = hn::Min(out, hn::Max(one, other));
         }
@@ -132,7 +143,8 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQ
         const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
         const Floats g =
             add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
-        const Floats d[3] = {all(sweep.along[0]), all(sweep.along[1]), all(sweep.along[2])};
+        const Floats d[3] = {all(float(sweep.path->direction[0])), all(float(sweep.path->direction[1])),
+                             all(float(sweep.path->direction[2]))};
         const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
         // -height + rise t lies between -far and far.
         clip(rise, hn::Add(far, height), in, out);
@@ -158,49 +170,44 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQ
     return met & filled;
 }
 
-/// The start as seen from the origin of lanes, rounded; the fourth number is 0.
-HWY_INLINE void start_from(const FaceLanes& lanes, const LaneSweep& sweep, float* point) {
-#if HWY_TARGET == HWY_WASM
-    for (int k = 0; k < 3; ++k) point[k] = float(sweep.start[k] - lanes.origin[k] * (1 / kSurfaceSteps));
-#else
-    const hn::CappedTag<double, 4> doubles;
-    const hn::Rebind<float, decltype(doubles)> floats;
-    const hn::Rebind<std::int32_t, decltype(doubles)> ints;
-    for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
-        const auto origin = hn::PromoteTo(doubles, hn::LoadU(ints, &lanes.origin.x + k));
-        const auto from =
-            hn::Sub(hn::LoadU(doubles, sweep.start + k), hn::Mul(origin, hn::Set(doubles, 1 / kSurfaceSteps)));
-        hn::StoreU(hn::DemoteTo(floats, from), floats, point + k);
-    }
-#endif
+/// Of a power of two that is neither the smallest nor the largest.
+HWY_INLINE float inverse_of_power(float power) {
+    return std::bit_cast<float>((std::uint32_t(2 * 127) << 23) - std::bit_cast<std::uint32_t>(power));
 }
 
-/// The same for a particle, seen from its start: triangles along its path, as in Sweep's projection. Times are those of
-/// boxes, and count from the start.
+/// The same for a particle, seen from its start: triangles along its path, as in Sweep's projection; all lengths in
+/// steps of the corners. Times count from the start.
 template <class Read>
-HWY_INLINE unsigned look_along(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float latest,
-                               float* times) {
-    const LaneSweep& sweep = query.sweep;
+HWY_INLINE Triangles look_along(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, const Way& way,
+                                float latest, float* times) {
+    const Sweep& sweep = *query.sweep.path;
     const unsigned filled = used(lanes);
-    alignas(16) float o[4];
-    start_from(lanes, sweep, o);
-    const float size = lanes.size + (std::fabs(o[0]) + std::fabs(o[1]) + std::fabs(o[2]));
-    const float reach = (lanes.uneven() + sweep.margin + 8 * kRoundoff * size) * kMore;
-    const float extent = 3 * lanes.size;  // no triangle's is larger
+    const float steps = inverse_of_power(lanes.step);
+    float o[3];
+    for (int axis = 0; axis < 3; ++axis)
+        o[axis] = float(sweep.start[axis] - lanes.origin[axis] * (1 / kSurfaceSteps)) * steps;
+    const float farthest = lanes.size * steps;
+    const float size = farthest + (std::fabs(o[0]) + std::fabs(o[1]) + std::fabs(o[2]));
+    const float uneven = lanes.uneven() * steps;
+    const float reach = (uneven + query.sweep.margin * steps + 8 * kRoundoff * size) * kMore;
+    const float extent = 3 * farthest;  // no triangle's is larger
     const float rounding = 64 * kRoundoff * extent;
-    const Floats g = all(extent * (8 * reach + rounding));
-    const Floats shear[2] = {all(sweep.shear[0]), all(sweep.shear[1])};
-    const float deep = o[sweep.longest];
-    const Floats from[2] = {all(o[sweep.aside[0]] - sweep.shear[0] * deep),
-                            all(o[sweep.aside[1]] - sweep.shear[1] * deep)};
-    unsigned met = 0;
+    const float unsure_area = extent * (8 * reach + rounding);
+    const Floats g = all(unsure_area);
+    const Floats unsure_depth = all((2 * reach + 1024 * uneven) * lanes.step);
+    const int aside[2] = {sweep.axis_u, sweep.axis_v};
+    const float shears[2] = {float(sweep.shear_u), float(sweep.shear_v)};
+    const Floats shear[2] = {all(shears[0]), all(shears[1])};
+    const float deep = o[sweep.axis_k];
+    const Floats from[2] = {all(o[aside[0]] - shears[0] * deep), all(o[aside[1]] - shears[1] * deep)};
+    Triangles found;
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
-        Floats flat[3][2];  // corners along the path, seen from there
+        Floats ahead[3], flat[3][2];  // corners along the path, seen from there
         for (int c = 0; c < 3; ++c) {
-            const Floats ahead = corner(c, sweep.longest, part);
+            ahead[c] = corner.steps(c, sweep.axis_k, part);
             for (int axis = 0; axis < 2; ++axis)
                 flat[c][axis] =
-                    hn::Sub(hn::Sub(corner(c, sweep.aside[axis], part), hn::Mul(shear[axis], ahead)), from[axis]);
+                    hn::Sub(hn::Sub(corner.steps(c, aside[axis], part), hn::Mul(shear[axis], ahead[c])), from[axis]);
         }
         Floats turns[3];  // twice the area with the path, by side
         for (int c = 0; c < 3; ++c) {
@@ -210,57 +217,68 @@ HWY_INLINE unsigned look_along(const FaceLanes& lanes, const Read& corner, const
         const Floats least = hn::Min(hn::Min(turns[0], turns[1]), turns[2]);
         const Floats most = hn::Max(hn::Max(turns[0], turns[1]), turns[2]);
         unsigned left = bits(hn::Or(hn::Ge(least, hn::Neg(g)), hn::Le(most, g)));
+        const Floats area = add(add(turns[0], turns[1]), turns[2]);
         if (query.front_only) {
-            const Floats area = add(add(turns[0], turns[1]), turns[2]);
-            const float tilted = reach + lanes.uneven() + lanes.shifted();
+            const float tilted = reach + (lanes.uneven() + lanes.shifted()) * steps;
             const unsigned away = bits(hn::Gt(area, all(extent * (32 * tilted + rounding))));
             left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
         }
         if ((left << part & filled) == 0) continue;
-        const float bent = 1024 * lanes.uneven();
-        Floats in = hn::Zero(kFloats), out = all(latest);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Floats a = corner(0, axis, part), b = corner(1, axis, part), c = corner(2, axis, part);
-            const Floats low = hn::Sub(hn::Min(hn::Min(a, b), c), all(o[axis] + reach));
-            const Floats high = hn::Sub(hn::Max(hn::Max(a, b), c), all(o[axis] - reach));
-            const Floats slope = all(sweep.inverse[axis]);
-            const Floats one = hn::Mul(low, slope), other = hn::Mul(high, slope);
-            in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
-            out = hn::Min(out, hn::Max(one, other));
+        const Floats off = hn::Max(hn::Abs(flat[0][0]), hn::Abs(flat[0][1]));
+        const auto close = hn::And(hn::Lt(off, all(4 * extent)), hn::Gt(hn::Abs(area), all(32 * unsure_area)));
+        for (int c = 0; c < 3; ++c) {
+            const Floats inward = hn::Xor(turns[c], hn::And(area, hn::SignBit(kFloats)));
+            found.clear[c] |= bits(hn::And(close, hn::Gt(inward, all(16 * unsure_area)))) << part;
         }
-        in = hn::Sub(hn::Mul(in, all(kLess)), all(bent));
-        left &= bits(hn::Le(in, add(hn::Mul(out, all(kMore)), all(bent))));
+        const Floats per_step = all(lanes.step * way.inverse_longest);
+        Floats depth[3];  // times
+        for (int c = 0; c < 3; ++c) depth[c] = hn::Mul(hn::Sub(ahead[c], all(deep)), per_step);
+        const Floats first = hn::Min(hn::Min(depth[0], depth[1]), depth[2]);
+        const Floats spread = hn::Sub(hn::Max(hn::Max(depth[0], depth[1]), depth[2]), first);
+        const Floats sum =
+            add(add(hn::Mul(turns[1], hn::Sub(depth[0], first)), hn::Mul(turns[2], hn::Sub(depth[1], first))),
+                hn::Mul(turns[0], hn::Sub(depth[2], first)));
+        const Floats share = hn::Div(all(1), hn::Max(hn::Abs(area), g));
+        const Floats behind_first = hn::Mul(hn::CopySignToAbs(share, area), sum);
+        const Floats unsure = hn::Mul(spread, add(hn::Mul(all(8 * unsure_area), share), all(16 * kRoundoff)));
+        const Floats beyond = uneven > 0 ? unsure : hn::Zero(kFloats);
+        Floats in = add(first, hn::Max(hn::Sub(behind_first, unsure), hn::Neg(beyond)));
+        Floats out = add(first, hn::Min(add(behind_first, unsure), add(spread, beyond)));
+        in = hn::Sub(hn::Mul(in, all(kLess)), unsure_depth);
+        out = add(hn::Mul(out, all(kMore)), unsure_depth);
+        left &= bits(hn::And(hn::Le(in, all(latest)), hn::Ge(out, hn::Zero(kFloats))));
         hn::StoreU(in, kFloats, times + part);
-        met |= left << part;
+        found.met |= left << part;
     }
-    return met & filled;
+    found.met &= filled;
+    return found;
 }
 
 template <class Read>
-HWY_INLINE unsigned look_by_kind(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, float enter,
-                                 float latest, float* times) {
-    if (query.sweep.particle) return look_along(lanes, corner, query, latest, times);
+HWY_INLINE Triangles look_by_kind(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, const Way& way,
+                                  float enter, float latest, float* times) {
+    if (query.sweep.particle) return look_along(lanes, corner, query, way, latest, times);
 #if HWY_TARGET == HWY_WASM  // the module has to be small
-    const unsigned met = look<kAnyAxes>(lanes, corner, query, enter, latest, times);
+    const unsigned met = look<kAnyAxes>(lanes, corner, query, way, enter, latest, times);
 #else
-    const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, corner, query, enter, latest, times)
-                         : query.sweep.axes == 1 ? look<1>(lanes, corner, query, enter, latest, times)
-                                                 : look<3>(lanes, corner, query, enter, latest, times);
+    const unsigned met = query.sweep.axes == 0   ? look<0>(lanes, corner, query, way, enter, latest, times)
+                         : query.sweep.axes == 1 ? look<1>(lanes, corner, query, way, enter, latest, times)
+                                                 : look<3>(lanes, corner, query, way, enter, latest, times);
 #endif
-    if (met == 0) return 0;
+    if (met == 0) return {};
     for (std::uint32_t part = 0; part < kLanes; part += kAtOnce)
         hn::Store(add(hn::Load(kFloats, times + part), all(enter)), kFloats, times + part);
-    return met;
+    return {met, {}};
 }
 
 /// Times count from the start.
-HWY_INLINE unsigned look_at_triangles(const FaceLanes& lanes, const LaneQuery& query, float enter, float latest,
-                                      float* times) {
+HWY_INLINE Triangles look_at_triangles(const FaceLanes& lanes, const LaneQuery& query, const Way& way, float enter,
+                                       float latest, float* times) {
 #if HWY_TARGET == HWY_WASM
-    return look_by_kind(lanes, Corners(lanes), query, enter, latest, times);
+    return look_by_kind(lanes, Corners(lanes), query, way, enter, latest, times);
 #else
-    if (lanes.is_wide()) return look_by_kind(lanes, Corners<true>(lanes), query, enter, latest, times);
-    return look_by_kind(lanes, Corners<false>(lanes), query, enter, latest, times);
+    if (lanes.is_wide()) return look_by_kind(lanes, Corners<true>(lanes), query, way, enter, latest, times);
+    return look_by_kind(lanes, Corners<false>(lanes), query, way, enter, latest, times);
 #endif
 }
 

@@ -23,7 +23,6 @@ constexpr float kLess = 1 - 16 * kRoundoff, kMore = 1 + 16 * kRoundoff;
 
 const hn::CappedTag<float, kLanes> kFloats;
 using Floats = hn::Vec<decltype(kFloats)>;
-const hn::Rebind<std::uint8_t, decltype(kFloats)> kBytes;
 const hn::Rebind<std::int16_t, decltype(kFloats)> kShorts;
 const hn::Rebind<std::int32_t, decltype(kFloats)> kInts;
 constexpr std::uint32_t kAtOnce = std::uint32_t(hn::MaxLanes(kFloats));
@@ -51,40 +50,6 @@ HWY_INLINE unsigned bits(hn::Mask<decltype(kFloats)> mask) {
     return bytes[0];
 #endif
 }
-
-/// A point's coordinates: four in a row, as often as they fit.
-#if HWY_TARGET == HWY_SCALAR
-struct Point {
-    float at[4];
-};
-HWY_INLINE Point load_point(const float* from) {
-    return {{from[0], from[1], from[2], 0}};
-}
-template <class Compute>
-HWY_INLINE Point by_coordinate(const Compute& compute, const Point& a, const Point& b, const Point& c, const Point& d) {
-    Point result{};
-    for (int k = 0; k < 3; ++k)
-        result.at[k] = hn::GetLane(compute(all(a.at[k]), all(b.at[k]), all(c.at[k]), all(d.at[k])));
-    return result;
-}
-template <int axis>
-HWY_INLINE Floats spread(const Point& point) {
-    return all(point.at[axis]);
-}
-#else
-using Point = Floats;
-HWY_INLINE Point load_point(const float* from) {
-    return hn::LoadDup128(kFloats, from);
-}
-template <class Compute>
-HWY_INLINE Point by_coordinate(const Compute& compute, Point a, Point b, Point c, Point d) {
-    return compute(a, b, c, d);
-}
-template <int axis>
-HWY_INLINE Floats spread(Point point) {
-    return hn::Broadcast<axis>(point);
-}
-#endif
 
 }  // namespace firma::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -2,11 +2,14 @@
 // The way of a sweep through an index, nearest boxes first; compiled once for each kind of processor.
 #include <hwy/highway.h>
 
-#include <utility>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 
 #include "base/assert.h"
 #include "index/node.h"
 #include "world/lane_boxes.h"
+#include "world/lane_planes.h"
 #include "world/lane_triangles.h"
 #include "world/sweep_lanes.h"
 
@@ -31,23 +34,57 @@ HWY_INLINE std::uint32_t first_bit(unsigned bits) {
 
 /// What will be looked at. Without a branch: which of both it is cannot be foreseen.
 HWY_INLINE void fetch(const void* child, bool faces) {
+    static_assert(sizeof(FaceLanes) <= sizeof(WideNode));
     const auto* const from = static_cast<const char*>(child);
     const std::size_t last = faces ? sizeof(FaceLanes) - 1 : sizeof(WideNode) - 1;
-    for (std::size_t at = 0; at < sizeof(FaceLanes); at += 64) __builtin_prefetch(from + (at < last ? at : last));
+    for (std::size_t at = 0; at < sizeof(WideNode); at += 64) __builtin_prefetch(from + (at < last ? at : last));
+}
+
+/// Takes the lane of the least time out of those left.
+template <class Time>
+HWY_INLINE std::uint32_t take_first(unsigned& left, const Time* times) {
+    std::uint32_t lane = first_bit(left);
+    for (unsigned rest = left & (left - 1); rest; rest &= rest - 1)
+        if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
+    left &= ~(1u << lane);
+    return lane;
+}
+
+/// Looks at triangles whose planes a particle crosses, and takes these out of those left; true when that ends the
+/// sweep. They are whole, so none is a part of another's facet.
+HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, const Triangles& found, unsigned& left) {
+    alignas(64) double at[kLanes];
+    const Crossings known = cross_planes(lanes, query, left & lanes.whole, at);
+    unsigned crossed = left & lanes.whole & known.crossed;
+    left &= ~(lanes.whole & (known.crossed | known.never));
+    for (; crossed; crossed &= crossed - 1) {  // mostly one, or several at one time
+        const std::uint32_t lane = first_bit(crossed);
+        if (at[lane] > query.latest) continue;
+        const unsigned clear =
+            (found.clear[0] >> lane & 1) | (found.clear[1] >> lane & 1) << 1 | (found.clear[2] >> lane & 1) << 2;
+        query.crossing = {at[lane], true, (known.away >> lane & 1) != 0, std::uint8_t(7 ^ clear)};
+        if (query.look(query, lanes, lane)) return true;
+    }
+    query.crossing.known = false;
+    return false;
 }
 
 /// Looks at facets side by side; true when that ends the sweep.
-HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter, LaneQuery& query, float& latest) {
+HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, const Way& way, float enter, LaneQuery& query,
+                        float& latest) {
     std::uint64_t looked_at = 0;  // facets of the block: one may be in several lanes
     alignas(64) float times[kLanes];
     for (const FaceLanes* lanes = first; lanes != first + count; lanes += lanes->in_a_row()) {
         query.counts.boxes += lanes->count();
-        unsigned met = look_at_triangles(*lanes, query, enter, latest, times);
-        while (met) {  // by rising bound
-            std::uint32_t lane = first_bit(met);
-            for (unsigned rest = met & (met - 1); rest; rest &= rest - 1)
-                if (const std::uint32_t other = first_bit(rest); times[other] < times[lane]) lane = other;
-            met &= ~(1u << lane);
+        const Triangles found = look_at_triangles(*lanes, query, way, enter, latest, times);
+        unsigned left = found.met;
+        if (left == 0) continue;
+        if (query.sweep.particle) {
+            if (look_through_planes(*lanes, query, found, left)) return true;
+            latest = to_float(query.latest);
+        }
+        while (left) {  // by rising bound
+            const std::uint32_t lane = take_first(left, times);
             if (times[lane] > latest) break;
             const std::uint64_t bit = std::uint64_t(1) << lanes->slot(lane);
             if (looked_at & bit) continue;
@@ -59,13 +96,42 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, float enter
     return false;
 }
 
+/// What is to be looked into.
+struct Waiting {
+    const void* child;
+    std::uint32_t facets;
+    float time;
+};
+
+/// Times, which are not below 0, in the order of their bits: so a processor need not branch.
+HWY_INLINE std::uint32_t order_of(const float& time) {
+    return std::bit_cast<std::uint32_t>(time);
+}
+
+HWY_INLINE Waiting child_of(const WideNode& node, std::uint32_t lane, const float* times) {
+    return {node.child[lane], node.facets[lane], times[lane]};
+}
+
+/// Puts boxes of a node where they wait, the farthest deepest. Without branches that go by their times: these cannot be
+/// foreseen.
+/// @param met    a bit for each
+/// @param count  how many these are
+HWY_INLINE void put_in_order(const WideNode& node, unsigned met, unsigned count, const float* times, Waiting* waiting) {
+    for (unsigned left = met; left; left &= left - 1) {
+        const std::uint32_t lane = first_bit(left);
+        const Floats time = all(times[lane]);
+        unsigned nearer = 0;
+        for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+            const Floats other = hn::Load(kFloats, times + part);
+            nearer |= bits(hn::Lt(other, time)) << part | ((bits(hn::Le(other, time)) << part) & ((1u << lane) - 1));
+        }
+        const Waiting child = child_of(node, lane, times);
+        fetch(child.child, child.facets > 0);
+        waiting[count - 1 - unsigned(__builtin_popcount(nearer & met))] = child;
+    }
+}
+
 bool sweep_lanes(const Node& root, LaneQuery& query) {
-    if (!query.sweep.ready) make_ready(query.sweep);
-    struct Waiting {
-        const void* child;
-        std::uint32_t facets;
-        float time;
-    };
     constexpr std::size_t kMost = (kDeepestTree + 1) * (kLanes - 1) + 1;
     Waiting waiting[kMost];
     std::size_t count = 0;
@@ -76,28 +142,31 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
     for (;;) {
         if (now.facets) {
             const auto* const lanes = static_cast<const FaceLanes*>(now.child);
-            if (look_at(lanes, now.facets, now.time, query, latest)) return true;
+            if (look_at(lanes, now.facets, way, now.time, query, latest)) return true;
         } else {
             const WideNode& node = *static_cast<const WideNode*>(now.child);
             query.counts.nodes += node.count;
-            unsigned met = enter(node, way, latest, times);
+            const unsigned met = enter(node, way, latest, times);
             if (met) {
-                std::uint32_t lane = first_bit(met);
-                Waiting next{node.child[lane], node.facets[lane], times[lane]};
-                fetch(next.child, next.facets > 0);
-                const std::size_t base = count;
-                // The nearest goes on, the others wait, the farthest deepest.
-                for (met &= met - 1; met; met &= met - 1) {
-                    lane = first_bit(met);
-                    Waiting other{node.child[lane], node.facets[lane], times[lane]};
-                    fetch(other.child, other.facets > 0);
-                    if (other.time < next.time) std::swap(other, next);
-                    FIRMA_ASSERT(count < kMost, "an index is deeper than any that is built");
-                    std::size_t k = count++;
-                    for (; k > base && waiting[k - 1].time < other.time; --k) waiting[k] = waiting[k - 1];
-                    waiting[k] = other;
+                const unsigned others = met & (met - 1);
+                FIRMA_ASSERT(count + kLanes <= kMost, "an index is deeper than any that is built");
+                if ((others & (others - 1)) == 0) {
+                    // One or two: both cases go the same way.
+                    const std::uint32_t one = first_bit(met), other = first_bit(others ? others : met);
+                    const std::uint32_t swap = 0u - std::uint32_t(order_of(times[other]) < order_of(times[one]));
+                    const std::uint32_t apart = one ^ other, near = one ^ (apart & swap);
+                    now = child_of(node, near, times);
+                    fetch(now.child, now.facets > 0);
+                    const Waiting next = child_of(node, near ^ apart, times);
+                    fetch(next.child, next.facets > 0);
+                    waiting[count] = next;
+                    count += others != 0;
+                } else {
+                    const auto more = unsigned(__builtin_popcount(met));
+                    put_in_order(node, met, more, times, waiting + count);
+                    count += more;
+                    now = waiting[--count];
                 }
-                now = next;
                 continue;
             }
         }

@@ -13,11 +13,9 @@
 // by as much times its length: twice that is in g. Quotients are off by less than the 16 u by which times are lowered
 // and raised.
 //
-// Sides of nodes' boxes lie q steps of a size s from a corner b, rounded to float. With a the point that their distance
-// counts from, a side is passed at q (s v) + (b - a) v, v the inverse of the direction. s is a power of two, so s v has
-// no rounding; the product, the difference, its product and the sum are off by u each: in all by 3 u of the time, which
-// is in the 16 u, and by 3 u 255 s |v|, below s |v| / 2^13, which is taken off. That the side itself was rounded is in
-// `grown` as far as it lies near the start, and in the 16 u beyond.
+// A side b of a node's box is a float, rounded outward once, when the node was made. With a the point that its distance
+// counts from, it is passed at (b - a) v, v the inverse of the direction: off by 3 u of itself, which is in the 16 u by
+// which times are lowered and raised, and by a's rounding, which is in `reach`.
 //
 // A one-sided facet is met by paths alone that run against its normal. Where a triangle's corners are off by up to h,
 // out of the facet's plane or in it, n is off from a multiple of that normal, 0 or more, by 4 h E + 4 h^2: times the
@@ -33,9 +31,20 @@
 // which is below 2.2 R. With L three times `size` of the lanes, above the sum of any of their triangles' extents, no
 // side is longer than 2 L there, and an area is off by 24 u L^2 and the like: so where the particle meets the triangle,
 // the three areas are not below -g or none is above g, with g = L (8 R
-// + 64 u L). Where a facet is bent, the point met lies before or behind its triangles by as much over the sine of the
-// path's angle: times are widened by 1,024 times that. (A box around all corners, as casts one by one ask, is not
-// widened so.)
+// + 64 u L).
+//
+// When: with depths z of the corners along the path, in its time, and areas A of the opposite sides with the path, of
+// sum S, the line meets the triangle's plane at sum(A z) / S. Counted from the least depth, with D the difference of
+// depths, an area that is off by g, and so S by 3 g, move that by 6 g D / |S| at most; 8 g D / max(|S|, g) is taken,
+// and 16 u D for the rounding of these sums. Depths themselves are off by R and 4 u S: 2 R. Where nothing is met, all
+// of that may be wrong. Where a facet is bent, by up to h, the point met lies before or behind the triangle by h (1
+// + 2.5 G) with G the slope of depths over the projection, below 2 D 2 L / |S|: h is in R, and so 10 h L D / |S| is
+// below 1.25 g D / |S|, which with the 6 g is below the 8 g; but it may lie beyond all corners by as much. Times are
+// widened by 1,024 h more, for |S| below g.
+//
+// Surely inside an edge: where the line comes within 4 L of a corner, no corner is farther than 9 L from it, and areas
+// are off by 8 g at most, S by 24 g. So with |S| above 32 g its sign is right, and an area of that sign above 16 g is
+// more than 8 g, which is far more than double's rounding.
 #pragma once
 
 #include <cstdint>
@@ -58,41 +67,46 @@ struct LaneSweep {
 
     /// Whether floats are good for it: else it starts, or leads, far beyond the world, or there are no lanes.
     bool usable = false;
-    bool ready = false;  ///< whether what follows from the rest is set: a kernel does that, at its first look
-    double start[4];     ///< of the extent's middle; of all these the fourth is not used
-    double direction[4];
-    double grown[4];        ///< the extent along the world's axes, and more than the rounding of boxes' sides
-    int longest, aside[2];  ///< axes of the projection along the path, and its shear: as in Sweep
-    float shear[2];
     bool particle = true;
-    int axes = 0;      ///< of the extent
-    float axis[3][3];  ///< by axis of the extent and coordinate
-    float radius;      ///< on top of these
-    float extent[3];   ///< of all of it along the world's axes; of a ball not set
-    float size;        ///< no point of the extent is farther from its middle
-    float margin;      ///< more than the rounding of doubles on the way, metres
+    int axes = 0;       ///< of the extent
+    const Sweep* path;  ///< lives longer
+    Vec3 start;         ///< of the extent's middle
+    Vec3 reach;         ///< of the extent along the world's axes, and more than the rounding of sides near the origin
+    float axis[3][3];   ///< by axis of the extent and coordinate
+    float radius;       ///< on top of these
+    float extent[3];    ///< of all of it along the world's axes; of a ball not set
+    float size;         ///< no point of the extent is farther from its middle
+    float margin;       ///< more than the rounding of doubles on the way, metres
 
-    // Once it is ready:
-    float along[4];             ///< the direction
-    float inverse[4];           ///< of that
-    float early[4], late[4];    ///< the same, less and more by what times are lowered and raised
-    float ahead[4], behind[4];  ///< of the boxes' sides
-    std::uint32_t turned[4];    ///< not 0 where the path runs down an axis
+    /// What rounding adds to `reach` for each metre that the start lies from the origin, along an axis.
+    static constexpr double kFartherRounding = 0x1p-21;
+};
 
-private:
-    static void put(const Vec3& values, double (&into)[4]);
-    void set_path(const Sweep& sweep, const Vec3& middle);
+/// What is known of a triangle's plane before a particle looks at it.
+struct TriangleCrossing {
+    double t = 0;        ///< when the path crosses the plane, as cast_particle_polygon() has it
+    bool known = false;  ///< else nothing is said
+    bool away = false;   ///< whether the path runs along the normal
+    /// A bit for each edge, bit k for that from corner k: its line may not pass on the inner side. Of an edge that is
+    /// not open it surely does, farther from it than rounding.
+    std::uint8_t open = 7;
 };
 
 /// What a sweep asks for.
 struct LaneQuery {
-    LaneSweep& sweep;
-    bool front_only = true;  ///< one-sided faces that the path leaves behind are not met
-    double latest = 0;       ///< nothing after it is wanted; `look` may bring it forward
-    void* whose = nullptr;
     /// Looks at a facet that may be met; true ends the sweep.
-    bool (*look)(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) = nullptr;
+    using Look = bool (*)(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane);
+
+    LaneQuery(const LaneSweep& of, bool front, double until, void* asker, Look looks)
+        : sweep(of), front_only(front), latest(until), whose(asker), look(looks) {}
+
+    const LaneSweep& sweep;
+    bool front_only;  ///< one-sided faces that the path leaves behind are not met
+    double latest;    ///< nothing after it is wanted; `look` may bring it forward
+    void* whose;
+    Look look;
     CastCounts counts;
+    TriangleCrossing crossing;  ///< of the facet to look at
 };
 
 /// @param root  of an index over faces; the sweep must be usable

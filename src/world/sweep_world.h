@@ -37,6 +37,8 @@ struct SweepContact {
     const FaceLanes* whole = nullptr;  ///< lanes one of which has all that the facet's shape is, or null
     std::uint32_t lane = 0;
     const FaceRecord* record = nullptr;  ///< of a face
+    bool inside = false;                 ///< a triangle whose edges are farther than rounding
+    bool away = false;                   ///< then: whether the path runs along its normal
 
     const FaceRecord& face() const { return *record; }
     /// In the order of faces by id, then portals.
@@ -83,8 +85,6 @@ using PointSteps [[gnu::vector_size(16)]] = std::int32_t;
 /// What moves: how it meets a polygon, what a touch then looks like, and a simple body around it. Its sweep's radius
 /// holds all of it.
 struct SphereMover {
-    static constexpr bool kMayBeParticle = true;
-
     Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
                     CastCounts* counts) const {
         return cast_sweep_polygon(sweep, polygon, sides, latest, counts);
@@ -155,28 +155,29 @@ public:
 
     /// From a room on, through every portal that the sweep reaches.
     void ask_from(std::uint32_t start, RoomTrail& trail) {
-        rooms_.start(data_.cells.room_count());
+        RoomsOnTheWay rooms;
+        rooms.start(data_.cells.room_count());
         grown_ = grown_radius(sweep_);
-        look_from({0, start, kNoPortalPassed, false}, trail);
-        while (rooms_.any() && !ended_) {
-            const WaitingRoom next = rooms_.take_first();
+        look_from({0, start, kNoPortalPassed, false}, rooms, trail);
+        while (rooms.any() && !ended_) {
+            const WaitingRoom next = rooms.take_first();
             if (next.reached > found_.latest) break;
-            look_from(next, trail);
+            look_from(next, rooms, trail);
         }
     }
 
 private:
-    void look_from(const WaitingRoom& next, RoomTrail& trail) {
-        const bool first_look = !rooms_.looked_into(next.room);
+    void look_from(const WaitingRoom& next, RoomsOnTheWay& rooms, RoomTrail& trail) {
+        const bool first_look = !rooms.looked_into(next.room);
         if (next.behind && !first_look) return;
         if (!next.behind) {
             add_room(trail, next.room, next.portal);
-            rooms_.mark_passed(next.room);
+            rooms.mark_passed(next.room);
         }
-        rooms_.mark_looked_into(next.room);
+        rooms.mark_looked_into(next.room);
         const Node* tree = data_.faces_of(next.room).tree.get();
         if (first_look && tree) look_into(*tree);
-        if (!ended_) pass_portals(next, first_look);
+        if (!ended_) pass_portals(next, first_look, rooms);
     }
 
     void look_into(const Node& index) {
@@ -199,7 +200,7 @@ private:
     }
 
     void look_at_lanes(const Node& index) {
-        LaneQuery query{lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet, {}};
+        LaneQuery query(lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet);
         ended_ = sweep_lanes(index, query);
         if (!options_.counts) return;
         options_.counts->nodes += query.counts.nodes;
@@ -210,32 +211,38 @@ private:
 
     static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
         WorldSweep& it = *static_cast<WorldSweep*>(query.whose);
-        SweepContact met{{}, lanes.block, lanes.slot(lane)};
-        met.record = lanes.faces + met.slot;
-        __builtin_prefetch(met.record);  // what a hit tells of it, far from the lanes
-        if (!(lanes.mask_of_all & it.options_.mask) && !(met.face().mask & it.options_.mask)) return false;
+        const std::uint32_t slot = lanes.slot(lane);
+        const FaceRecord* const record = lanes.faces + slot;
+        __builtin_prefetch(record);  // what a hit tells of it, far from the lanes
+        if (!(lanes.mask_of_all & it.options_.mask) && !(record->mask & it.options_.mask)) return false;
         ++query.counts.faces;
-        const Sides sides = lanes.two_sided >> lane & 1 ? Sides::kBoth : it.options_.sides;
+        const TriangleCrossing& crossing = query.crossing;
+        if (!crossing.known) return it.ask_polygon(query, lanes, lane, slot);
+        if (crossing.open &&
+            !line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1))
+            return false;
+        const Contact touch{Status::kHit, Feature::kFace, 0, std::min(crossing.t, it.sweep_.end)};
+        const bool ends =
+            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, crossing.open == 0, crossing.away});
+        query.latest = it.found_.latest;
+        return ends;
+    }
+
+    /// Apart: a polygon takes much of the stack.
+    [[gnu::noinline]] bool ask_polygon(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane,
+                                       std::uint32_t slot) {
+        SweepContact met{{}, lanes.block, slot};
+        met.record = lanes.faces + slot;
+        const Sides sides = lanes.two_sided >> lane & 1 ? Sides::kBoth : options_.sides;
         bool ends = false;
         if (lanes.whole >> lane & 1) {
             met.whole = &lanes;
             met.lane = lane;
-            if constexpr (Mover::kMayBeParticle) {
-                if (it.lanes_.particle) {
-                    met.contact =
-                        cast_particle_triangle(it.sweep_, lanes, lane, sides == Sides::kFront, it.found_.latest);
-                    if (met.contact.t >= 0) {
-                        ends = met.contact.touched() && it.found_(met);
-                        query.latest = it.found_.latest;
-                        return ends;
-                    }
-                }
-            }
-            ends = it.meet(query, LaneShape(lanes, lane).polygon, sides, met);
+            ends = meet(query, LaneShape(lanes, lane).polygon, sides, met);
         } else {
-            ends = it.meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);
+            ends = meet(query, FaceShape(*lanes.block, met.face()).polygon, sides, met);
         }
-        query.latest = it.found_.latest;
+        query.latest = found_.latest;
         return ends;
     }
 
@@ -247,25 +254,26 @@ private:
 
     /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
     /// wait.
-    void pass_portals(const WaitingRoom& from, bool first_look) {
+    void pass_portals(const WaitingRoom& from, bool first_look, RoomsOnTheWay& rooms) {
         // A large hall may have dozens; most are nowhere near.
         data_.cells.for_each_portal_of(from.room, path_box(), [&](std::uint32_t index) {
             const Portal& portal = data_.cells.portal(index);
             const std::uint32_t beyond = data_.cells.beyond(portal, from.room);
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
-            if (closed && first_look && !rooms_.looked_into(beyond) && meet_portal(index, portal)) return true;
+            if (closed && first_look && !rooms.looked_into(beyond) && meet_portal(index, portal)) return true;
             double reached = 0;
-            if (behind ? rooms_.looked_into(beyond) : rooms_.passed(beyond)) return false;
+            if (behind ? rooms.looked_into(beyond) : rooms.passed(beyond)) return false;
             if (!reaches(portal, reached)) return false;
-            rooms_.wait({reached > from.reached ? reached : from.reached, beyond, index, behind});
+            rooms.wait({reached > from.reached ? reached : from.reached, beyond, index, behind});
             return false;
         });
     }
 
     /// Around all that the sphere may touch up to the latest time; what lies outside, SweepBox would not enter.
     GridBox path_box() const {
-        const double grown = grown_ * kSurfaceSteps + 2;  // in steps; two for the rounding of these sums
+        constexpr double kRounding = 2;  // steps: of these sums, and as fractions are cut off
+        const double grown = grown_ * kSurfaceSteps + kRounding;
         const Vec3 last = sweep_.at(found_.latest);
         const auto step = [](double at) { return std::int32_t(std::clamp(at, double(INT32_MIN), double(INT32_MAX))); };
         GridBox box;
@@ -344,8 +352,8 @@ private:
     Found& found_;
     bool ended_ = false;
 
-    double grown_ = 0;
-    RoomsOnTheWay rooms_;
+    std::optional<WholePath> whole_path_;
+    double grown_ = 0;  ///< by room: the sweep's radius and more, as portals are reached
 };
 
 }  // namespace firma

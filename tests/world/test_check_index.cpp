@@ -174,12 +174,18 @@ TEST_F(CheckWideNodes, FindsFaults) {
         wide.count = 0;
         return true;
     });
-    expect_wide("a wide node's scale is not a power of two", [](Node&, WideNode& wide) {
-        wide.scale[1] = 0.3f;
+    for (const float side : {0.3f, NAN, HUGE_VALF, 8192.5f})
+        expect_wide("a side of a wide node is no whole step", [&](Node&, WideNode& wide) {
+            wide.side[1][1][0] = side;
+            return true;
+        });
+    expect_wide("a side of a wide node is no whole step", [](Node&, WideNode& wide) {
+        wide.side[0][2][0] = -HUGE_VALF;
         return true;
     });
-    expect_wide("a wide node's scale is not a power of two", [](Node&, WideNode& wide) {
-        wide.scale[2] = NAN;
+    expect_wide("a wide node has boxes beyond those in use", [](Node&, WideNode& wide) {
+        if (wide.count == WideNode::kLanes) return false;
+        wide.side[0][1][wide.count] = wide.side[1][1][wide.count] = 0;
         return true;
     });
     expect_wide("a wide node leads backward", [](Node& node, WideNode& wide) {
@@ -245,8 +251,8 @@ TEST_F(CheckWideNodes, FindsFaultsOfBoxesAroundFaces) {
         for (WideNode& wide : node.wide)
             for (std::uint32_t lane = 0; lane < wide.count; ++lane)
                 if (node.is_leaf() && wide.facets[lane] == 0) {
-                    wide.side[0][2][lane] = 255;
-                    wide.side[1][2][lane] = 0;
+                    wide.side[0][2][lane] = 8192;
+                    wide.side[1][2][lane] = -8192;
                     return true;
                 }
         return false;

@@ -49,11 +49,11 @@ struct FacetsSeen {
 };
 
 /// What is reached by `latest`.
-void look_by(const LaneKernel& kernel, const World& world, LaneSweep& lanes, bool front_only, double latest,
+void look_by(const LaneKernel& kernel, const World& world, const LaneSweep& lanes, bool front_only, double latest,
              FacetsSeen& seen) {
     for (const Node* root : indices_of(world.data())) {
         if (!root) continue;
-        LaneQuery query{lanes, front_only, latest, &seen, FacetsSeen::look, {}};
+        LaneQuery query(lanes, front_only, latest, &seen, FacetsSeen::look);
         EXPECT_FALSE(kernel.sweep(*root, query));
     }
 }
@@ -235,7 +235,7 @@ void expect_one_answer(const World& world, const std::string& name, int count) {
         EXPECT_EQ(answers.counts.precise, first.counts.precise) << name << ": " << kernel;
     }
     if (all.size() > 1) {
-        EXPECT_NE(all.back().second.counts.nodes, first.counts.nodes) << name << ": no lanes were in use";
+        EXPECT_LT(first.counts.faces, all.back().second.counts.faces) << name << ": no lanes were in use";
     }
 }
 

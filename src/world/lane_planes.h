@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// When a particle's path crosses the planes of triangles, in double, side by side; compiled once for each kind of
+// processor.
+#include <hwy/highway.h>
+
+#include "cast/entry.h"
+#include "geometry/rounding.h"
+#include "solid/face_lanes.h"
+#include "world/lane_vectors.h"
+#include "world/sweep_lanes.h"
+
+#if defined(FIRMA_LANE_PLANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRMA_LANE_PLANES_H
+#undef FIRMA_LANE_PLANES_H
+#else
+#define FIRMA_LANE_PLANES_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace firma::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_WASM  // Highway has no doubles here
+constexpr std::uint32_t kDoublesAtOnce = 1;
+using Doubles = double;
+using Steps = std::int32_t;
+HWY_INLINE Doubles each(double x) {
+    return x;
+}
+HWY_INLINE Steps load_steps(const FaceLanes& lanes, int c, int axis, std::uint32_t lane) {
+    return lanes.steps(std::uint32_t(c), axis, lane);
+}
+HWY_INLINE Steps less(Steps a, Steps b) {
+    return a - b;
+}
+HWY_INLINE Doubles as_doubles(Steps a) {
+    return a;
+}
+HWY_INLINE Doubles size_of(Doubles a) {
+    return std::fabs(a);
+}
+HWY_INLINE Doubles root(Doubles a) {
+    return std::sqrt(a);
+}
+HWY_INLINE unsigned where_greater(Doubles a, Doubles b) {
+    return a > b;
+}
+HWY_INLINE void put(Doubles a, double* to) {
+    *to = a;
+}
+HWY_INLINE Doubles times(Doubles a, Doubles b) {
+    return a * b;
+}
+HWY_INLINE Doubles plus(Doubles a, Doubles b) {
+    return a + b;
+}
+HWY_INLINE Doubles minus(Doubles a, Doubles b) {
+    return a - b;
+}
+HWY_INLINE Doubles over(Doubles a, Doubles b) {
+    return a / b;
+}
+HWY_INLINE Doubles larger(Doubles a, Doubles b) {
+    return a > b ? a : b;
+}
+#else
+const hn::CappedTag<double, 4> kDoubles;
+constexpr std::uint32_t kDoublesAtOnce = std::uint32_t(hn::MaxLanes(kDoubles));
+using Doubles = hn::Vec<decltype(kDoubles)>;
+const hn::Rebind<std::int32_t, decltype(kDoubles)> kSteps;
+using Steps = hn::Vec<decltype(kSteps)>;
+HWY_INLINE Doubles each(double x) {
+    return hn::Set(kDoubles, x);
+}
+HWY_INLINE Steps load_steps(const FaceLanes& lanes, int c, int axis, std::uint32_t lane) {
+    const hn::Rebind<std::int16_t, decltype(kDoubles)> halves;
+    const Steps upper = hn::PromoteTo(kSteps, hn::LoadU(halves, lanes.corner[c][axis] + lane));
+    if (!lanes.is_wide()) return upper;
+    const Steps lower = hn::PromoteTo(kSteps, hn::LoadU(halves, (&lanes)[1].corner[c][axis] + lane));
+    return hn::Or(hn::ShiftLeft<16>(upper), hn::And(lower, hn::Set(kSteps, 0xFFFF)));
+}
+HWY_INLINE Steps less(Steps a, Steps b) {
+    return hn::Sub(a, b);
+}
+HWY_INLINE Doubles as_doubles(Steps a) {
+    return hn::PromoteTo(kDoubles, a);
+}
+HWY_INLINE Doubles size_of(Doubles a) {
+    return hn::Abs(a);
+}
+HWY_INLINE Doubles root(Doubles a) {
+    return hn::Sqrt(a);
+}
+HWY_INLINE unsigned where_greater(Doubles a, Doubles b) {
+    std::uint8_t bytes[8];
+    hn::StoreMaskBits(kDoubles, hn::Gt(a, b), bytes);
+    return bytes[0];
+}
+HWY_INLINE void put(Doubles a, double* to) {
+    hn::StoreU(a, kDoubles, to);
+}
+HWY_INLINE Doubles times(Doubles a, Doubles b) {
+    return hn::Mul(a, b);
+}
+HWY_INLINE Doubles plus(Doubles a, Doubles b) {
+    return hn::Add(a, b);
+}
+HWY_INLINE Doubles minus(Doubles a, Doubles b) {
+    return hn::Sub(a, b);
+}
+HWY_INLINE Doubles over(Doubles a, Doubles b) {
+    return hn::Div(a, b);
+}
+HWY_INLINE Doubles larger(Doubles a, Doubles b) {
+    return hn::Max(a, b);
+}
+#endif
+
+/// What is known of planes: a bit for each triangle.
+struct Crossings {
+    unsigned crossed = 0;  ///< on the path and by the latest time, if the line passes between the edges
+    unsigned never = 0;    ///< not so; of those that are in neither, double cannot tell
+    unsigned away = 0;     ///< the path runs along the normal
+};
+
+/// The same steps, to the bit, as view_plane() and enter_plane() take. Of lanes that are whole the normal is exact.
+/// @param wanted  which lanes; of others anything may be said
+/// @param at      of those crossed, when
+HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query, unsigned wanted, double* at) {
+    const Sweep& sweep = *query.sweep.path;
+    const Doubles step = each(double(lanes.step)), area = each(double(lanes.step) * double(lanes.step));
+    const unsigned one_sided = query.front_only ? ~unsigned(lanes.two_sided) : 0u;
+    Crossings all_found;
+    for (std::uint32_t part = 0; part < kLanes; part += kDoublesAtOnce) {
+        if ((wanted >> part & ((1u << kDoublesAtOnce) - 1)) == 0) continue;
+        Doubles from[3], b[3], c[3];  // the start seen from the first corner; edges from there, in steps
+        for (int axis = 0; axis < 3; ++axis) {
+            const Steps corner = load_steps(lanes, 0, axis, part);
+            b[axis] = as_doubles(less(load_steps(lanes, 1, axis, part), corner));
+            c[axis] = as_doubles(less(load_steps(lanes, 2, axis, part), corner));
+            const double origin = lanes.origin[axis] * (1 / kSurfaceSteps);
+            from[axis] = minus(each(sweep.start[axis]), plus(times(as_doubles(corner), step), each(origin)));
+        }
+        Doubles n[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            n[axis] = times(minus(times(b[u], c[v]), times(b[v], c[u])), area);
+        }
+        const auto dot = [](Doubles x, Doubles y, Doubles z, const Doubles* with)
+                             HWY_ATTR { return plus(plus(times(x, with[0]), times(y, with[1])), times(z, with[2])); };
+        const Doubles height = dot(from[0], from[1], from[2], n);
+        const Doubles rise = dot(each(sweep.direction[0]), each(sweep.direction[1]), each(sweep.direction[2]), n);
+        const Doubles normal_size = plus(plus(size_of(n[0]), size_of(n[1])), size_of(n[2]));
+        const Doubles rise_size = times(each(2), normal_size);
+        const Doubles end = plus(height, times(rise, each(sweep.end)));
+        const Doubles far = larger(larger(size_of(from[0]), size_of(from[1])), size_of(from[2]));
+        const Doubles doubt =
+            times(each(firma::rounding(16)), plus(times(far, normal_size), times(rise_size, each(sweep.end))));
+        const Doubles inverse = over(each(1), root(dot(n[0], n[1], n[2], n)));
+        const Doubles approach = times(size_of(rise), inverse);
+        const Doubles t = over(times(size_of(height), inverse), approach);
+        const Doubles zero = each(0);
+        const unsigned turned = where_greater(size_of(rise), times(each(firma::rounding(8)), rise_size));
+        const unsigned away = where_greater(rise, zero);
+        const unsigned sides = where_greater(size_of(height), doubt) & where_greater(size_of(end), doubt);
+        const unsigned above = where_greater(height, zero), ends_above = where_greater(end, zero);
+        // Near the end, or at too flat an angle, double loses too much.
+        const unsigned clear =
+            ~where_greater(each(sweep.direction_length * 0.125), approach) & where_greater(t, zero) &
+            (where_greater(each(sweep.end * (1 - kNearEnd)), t) | where_greater(t, each(sweep.end * (1 + kNearEnd))));
+        const unsigned late = where_greater(t, each(query.latest));
+        const unsigned behind = turned & away & (one_sided >> part);
+        const unsigned beside = turned & sides & (~(above ^ away) | (ends_above ^ away));
+        const unsigned sure = turned & sides & clear;
+        all_found.never |= (behind | beside | (sure & late)) << part;
+        all_found.crossed |= (sure & ~late) << part;
+        all_found.away |= away << part;
+        put(t, at + part);
+    }
+    all_found.crossed &= ~all_found.never;
+    return all_found;
+}
+
+}  // namespace firma::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
