@@ -53,14 +53,17 @@ inline bool line_passes(const Sweep& sweep, const Vec3 (&corner)[3], int facing)
 /// The same of a lane that is whole.
 /// @param whole  of the sweep's path; made at the first such question
 /// @param open   the edges of which that is not known, bits as of exact_triangle_sides()
-[[gnu::noinline]] inline bool line_passes(const Sweep& sweep, std::optional<WholePath>& whole, const FaceLanes& lanes,
-                                          std::uint32_t lane, unsigned open, int facing) {
+[[gnu::noinline]] inline bool line_passes(const Sweep& sweep, [[maybe_unused]] std::optional<WholePath>& whole,
+                                          const FaceLanes& lanes, std::uint32_t lane, [[maybe_unused]] unsigned open,
+                                          int facing) {
+#if !defined(__wasm__)  // which has to be small
     if (!whole) whole.emplace(sweep.start, sweep.direction);
     if (whole->known()) {
         GridPoint corners[3];
         lanes.read_corners(lane, corners);
         return !(whole->triangle_sides(corners, open) & (facing > 0 ? kSomeNegative : kSomePositive));
     }
+#endif
     Vec3 corners[3];
     lanes.read_corners(lane, corners);
     return line_passes(sweep, corners, facing);
