@@ -63,7 +63,7 @@ HWY_INLINE Doubles larger(Doubles a, Doubles b) {
     return a > b ? a : b;
 }
 #else
-const hn::CappedTag<double, 4> kDoubles;
+const hn::CappedTag<double, 8> kDoubles;
 constexpr std::uint32_t kDoublesAtOnce = std::uint32_t(hn::MaxLanes(kDoubles));
 using Doubles = hn::Vec<decltype(kDoubles)>;
 const hn::Rebind<std::int32_t, decltype(kDoubles)> kSteps;
