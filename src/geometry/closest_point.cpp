@@ -10,15 +10,6 @@
 namespace firma {
 namespace {
 
-bool foot_inside(const Vec3& w, const PolygonShape& polygon) {
-    const Vec3& origin = polygon.corners[0];
-    for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-        const Vec3 a = polygon.corners[k] - origin, edge = polygon.corners[polygon.next(k)] - polygon.corners[k];
-        if (dot(cross(edge, w - a), polygon.normal) < 0) return false;
-    }
-    return true;
-}
-
 /// The nearest point of the side from corner k to the next one.
 Closest closest_on_side(const Vec3& w, const PolygonShape& polygon, std::size_t k) {
     const std::size_t next = polygon.next(k);
@@ -54,6 +45,15 @@ bool nearer(const Closest& other, const Closest& best, double size, const Polygo
 }
 
 }  // namespace
+
+bool foot_inside(const Vec3& w, const PolygonShape& polygon) {
+    const Vec3& origin = polygon.corners[0];
+    for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+        const Vec3 a = polygon.corners[k] - origin, edge = polygon.corners[polygon.next(k)] - polygon.corners[k];
+        if (dot(cross(edge, w - a), polygon.normal) < 0) return false;
+    }
+    return true;
+}
 
 Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon) {
     Closest best = closest_on_side(w, polygon, 0);

@@ -24,4 +24,7 @@ Closest closest_to(const Vec3& w, const PolygonShape& polygon);
 /// The same among the sides alone.
 Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon);
 
+/// Whether the foot on the polygon's plane lies in the polygon, to rounding: then that is the nearest point.
+bool foot_inside(const Vec3& w, const PolygonShape& polygon);
+
 }  // namespace firma

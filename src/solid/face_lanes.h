@@ -64,26 +64,32 @@ struct FaceLanes {
         const std::int32_t upper = corner[k][axis][lane];
         return is_wide() ? upper * kHalves + std::uint16_t(this[1].corner[k][axis][lane]) : upper;
     }
-    /// The corners of a lane, exact.
-    void read_corners(std::uint32_t lane, GridPoint (&corners)[3]) const {
-        const int shift = exponent(step) - exponent(float(1 / kSurfaceSteps));
+    /// A corner of a lane, exact.
+    GridPoint grid_corner(std::uint32_t lane, std::uint32_t k) const {
+        GridPoint at = origin;
+        if (!is_wide()) [[likely]]
+            for (int axis = 0; axis < 3; ++axis) at[axis] += std::int32_t(corner[k][axis][lane]) << step_bits();
+        else
+            for (int axis = 0; axis < 3; ++axis) at[axis] += steps(k, axis, lane);
+        return at;
+    }
+    /// The corners of a lane, metres, exact.
+    void read_corners(std::uint32_t lane, Vec3 (&corners)[3]) const {
+        const int shift = step_bits();
         const auto read = [&](const auto& upper) {
             for (int k = 0; k < 3; ++k)
-                for (int axis = 0; axis < 3; ++axis) corners[k][axis] = origin[axis] + upper(k, axis);
+                for (int axis = 0; axis < 3; ++axis)
+                    corners[k][axis] = double(origin[axis] + upper(k, axis)) * (1 / kSurfaceSteps);
         };
         if (!is_wide()) [[likely]]
             read([&](int k, int axis) { return std::int32_t(corner[k][axis][lane]) << shift; });
         else
             read([&](int k, int axis) { return steps(std::uint32_t(k), axis, lane); });
     }
-    /// The same in metres.
-    void read_corners(std::uint32_t lane, Vec3 (&corners)[3]) const {
-        GridPoint on_grid[3];
-        read_corners(lane, on_grid);
-        for (int k = 0; k < 3; ++k) corners[k] = to_metres(on_grid[k]);
-    }
 
 private:
+    /// A step is 2^that of the grid's.
+    int step_bits() const { return exponent(step) - exponent(float(1 / kSurfaceSteps)); }
     /// Of a power of two, counted from that of the smallest float.
     static constexpr int exponent(float power) { return int(std::bit_cast<std::uint32_t>(power) >> 23); }
 };

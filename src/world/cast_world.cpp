@@ -179,12 +179,14 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
         static_cast<PolygonHit&>(hit) = mover.hit(sweep, polygon, found.contact);
     };
     if (found.block) {
-        if (found.inside)
-            make_hit_inside(sweep, LaneShape(*found.whole, found.lane).polygon, found.away, found.contact, hit);
-        else if (found.whole)
-            make(LaneShape(*found.whole, found.lane).polygon);
-        else
+        if (found.whole) {
+            const LaneShape shape(*found.whole, found.lane);
+            if (!found.through_plane ||
+                !make_hit_inside(sweep, shape.polygon, found.inside, found.away, found.contact, hit))
+                make(shape.polygon);
+        } else {
             make(FaceShape(*found.block, found.face()).polygon);
+        }
         put_face(found, hit);
     } else {
         const Portal& portal = world.data().cells.portal(found.portal);

@@ -10,6 +10,7 @@
 
 #include "cast/contact.h"
 #include "cast/sweep.h"
+#include "geometry/closest_point.h"
 #include "geometry/exact_predicates.h"
 #include "geometry/polygon_shape.h"
 #include "geometry/rounding.h"
@@ -59,9 +60,8 @@ inline bool line_passes(const Sweep& sweep, const Vec3 (&corner)[3], int facing)
 #if !defined(__wasm__)  // which has to be small
     if (!whole) whole.emplace(sweep.start, sweep.direction);
     if (whole->known()) {
-        GridPoint corners[3];
-        lanes.read_corners(lane, corners);
-        return !(whole->triangle_sides(corners, open) & (facing > 0 ? kSomeNegative : kSomePositive));
+        const auto corner = [&](std::uint32_t k) { return lanes.grid_corner(lane, k); };
+        return !(whole->triangle_sides(corner, open) & (facing > 0 ? kSomeNegative : kSomePositive));
     }
 #endif
     Vec3 corners[3];
@@ -69,13 +69,16 @@ inline bool line_passes(const Sweep& sweep, const Vec3 (&corner)[3], int facing)
     return line_passes(sweep, corners, facing);
 }
 
-/// The same as make_hit(), to the bit, where the triangle is surely met inside.
+/// The same as make_hit(), to the bit, where the point met lies over the triangle as double has it.
 /// @param polygon  of LaneShape
+/// @param inside   whether the line surely passes between the edges
 /// @param hit      one that says nothing yet
-inline void make_hit_inside(const Sweep& sweep, const PolygonShape& polygon, bool away, const Contact& contact,
-                            PolygonHit& hit) {
+/// @return whether it was made
+inline bool make_hit_inside(const Sweep& sweep, const PolygonShape& polygon, bool inside, bool away,
+                            const Contact& contact, PolygonHit& hit) {
     const Vec3& corner = polygon.corners[0];
     const Vec3 centre = (sweep.start - corner) + sweep.direction * contact.t;
+    if (!inside && !foot_inside(centre, polygon)) return false;
     const double height = dot(centre, polygon.normal) / polygon.normal_length;
     hit.status = contact.status;
     hit.feature = contact.feature;
@@ -85,6 +88,7 @@ inline void make_hit_inside(const Sweep& sweep, const PolygonShape& polygon, boo
     hit.face_normal = polygon.unit_normal();
     hit.point = corner + (centre - hit.face_normal * height);
     hit.normal = away ? -hit.face_normal : hit.face_normal;
+    return true;
 }
 
 }  // namespace firma

@@ -37,8 +37,9 @@ struct SweepContact {
     const FaceLanes* whole = nullptr;  ///< lanes one of which has all that the facet's shape is, or null
     std::uint32_t lane = 0;
     const FaceRecord* record = nullptr;  ///< of a face
-    bool inside = false;                 ///< a triangle whose edges are farther than rounding
-    bool away = false;                   ///< then: whether the path runs along its normal
+    bool through_plane = false;          ///< of a particle and `whole`: told by the lanes, so that what follows is set
+    bool inside = false;                 ///< whether the edges are farther than rounding
+    bool away = false;                   ///< whether the path runs along the normal
 
     const FaceRecord& face() const { return *record; }
     /// In the order of faces by id, then portals.
@@ -223,7 +224,7 @@ private:
             return false;
         const Contact touch{Status::kHit, Feature::kFace, 0, std::min(crossing.t, it.sweep_.end)};
         const bool ends =
-            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, crossing.open == 0, crossing.away});
+            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.open == 0, crossing.away});
         query.latest = it.found_.latest;
         return ends;
     }

@@ -49,7 +49,7 @@ void compare(const GridPoint (&corners)[3], const Vec3& start, const Vec3& targe
         unsigned wanted = 0;
         for (unsigned k = 0; k < 3; ++k)
             if (open >> k & 1) wanted |= signs[k] > 0 ? unsigned(kSomePositive) : signs[k] < 0 ? kSomeNegative : 0u;
-        EXPECT_EQ(whole.triangle_sides(corners, open), wanted) << "edges " << open;
+        EXPECT_EQ(whole.triangle_sides([&](unsigned k) { return corners[k]; }, open), wanted) << "edges " << open;
     }
 }
 
