@@ -123,9 +123,10 @@ std::uint16_t BinWidener::measure(const BinTree& tree, std::uint32_t index) {
     return parts_[index].height = std::uint16_t(below + 1);
 }
 
-/// Whether a part that is met so deep in a node has a node of its own.
+/// Whether a part that is met so deep in a node has a node of its own: every second one, counted from below.
 bool BinWidener::starts_node(const Part& part, std::uint32_t depth) const {
-    return part.height != 0 && (depth > 2 || part.height % 2 == 0);
+    constexpr std::uint32_t kAboveEachOther = 2;  // wide nodes of a node
+    return part.height != 0 && (depth > kAboveEachOther || part.height % kAboveEachOther == 0);
 }
 
 std::uint32_t BinWidener::choose_all(const BinTree& tree) {

@@ -181,8 +181,10 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
     if (found.block) {
         if (found.whole) {
             const LaneShape shape(*found.whole, found.lane);
+#if !defined(__wasm__)  // which has to be small
             if (!found.through_plane ||
                 !make_hit_inside(sweep, shape.polygon, found.inside, found.away, found.contact, hit))
+#endif
                 make(shape.polygon);
         } else {
             make(FaceShape(*found.block, found.face()).polygon);
