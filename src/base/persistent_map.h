@@ -24,7 +24,7 @@ public:
 
     /// Null when there is none. Good while this map stays as it is.
     const Value* find(std::uint32_t key) const {
-        if (height_ == 1 && key < kItems) return leaf(root_.get()).find(key);
+        if (height_ == 1 && key < kItems && root_) return leaf(root_.get()).find(key);
         if (!holds_digits_of(key)) return nullptr;
         const Page* page = root_.get();
         for (int level = height_ - 1; page && level > 0; --level) page = inner(page).pages[digit(key, level)].get();

@@ -213,6 +213,7 @@ struct VisitEach : TellAny {
     VisitEach(double end, HitVisitor v, const World& w, const Sweep& s, const Mover& m, const CastOptions& o)
         : TellAny(tell<VisitEach>(end)), visit(v), world(w), sweep(s), mover(m), options(o) {}
     bool operator()(const SweepContact& contact) {
+        if (contact.contact.t > latest) return false;  // polygons tell of such, too, where rounding might say otherwise
         any = true;
         Hit hit;
         put_hit(world, sweep, mover, options, contact, hit);

@@ -29,6 +29,8 @@ std::size_t place_in(const PoolVector<T>& array, const void* at) {
     return std::size_t(it - first) / sizeof(T);
 }
 
+constexpr float kAny = std::numeric_limits<float>::infinity();
+
 /// As sides have to be that boxes of the grid are compared with exactly.
 bool is_whole_steps(float side) {
     const double steps = double(side) * kSurfaceSteps;
@@ -47,7 +49,6 @@ public:
             lanes_.assign(block_of(node_).lanes.size(), 0);
             if (lane_kernels().empty() && !lanes_.empty()) report("a block is laid out for casts that there are not");
         }
-        constexpr float kAny = std::numeric_limits<float>::infinity();
         check_wide(0, {{-kAny, -kAny, -kAny}, {kAny, kAny, kAny}}, 1);
         if (fault_) return fault_;
         if (next_item_ != (node_.is_leaf() ? block_of(node_).faces.size() : node_.children.size()))
@@ -76,7 +77,7 @@ private:
                 return report("a wide node's boxes do not hold an item and more each");
         for (std::uint32_t lane = wide.count; lane < WideNode::kLanes; ++lane)
             for (int axis = 0; axis < 3; ++axis)
-                if (!(wide.side[0][axis][lane] > wide.side[1][axis][lane]))
+                if (wide.side[0][axis][lane] != kAny || wide.side[1][axis][lane] != -kAny)
                     return report("a wide node has boxes beyond those in use");
         for (std::uint32_t lane = 0; lane < wide.count && !fault_; ++lane) {
             if (wide.first[lane] != next_item_) return report("an item is not in exactly one wide node");

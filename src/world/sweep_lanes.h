@@ -39,8 +39,8 @@
 // and 16 u D for the rounding of these sums. Depths themselves are off by R and 4 u S: 2 R. Where nothing is met, all
 // of that may be wrong. Where a facet is bent, by up to h, the point met lies before or behind the triangle by h (1
 // + 2.5 G) with G the slope of depths over the projection, below 2 D 2 L / |S|: h is in R, and so 10 h L D / |S| is
-// below 1.25 g D / |S|, which with the 6 g is below the 8 g; but it may lie beyond all corners by as much. Times are
-// widened by 1,024 h more, for |S| below g.
+// below 1.25 g D / |S|, which with the 6 g is below the 8 g; but it may lie beyond all corners by as much. With |S|
+// below g nothing is known of that for a bent facet but 1,024 h, by which times are widened there.
 //
 // Surely inside an edge: where the line comes within 4 L of a corner, no corner is farther than 9 L from it, and areas
 // are off by 8 g at most, S by 24 g. So with |S| above 32 g its sign is right, and an area of that sign above 16 g is

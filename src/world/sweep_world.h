@@ -222,7 +222,7 @@ private:
         if (crossing.open &&
             !line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1))
             return false;
-        const Contact touch{Status::kHit, Feature::kFace, 0, std::min(crossing.t, it.sweep_.end)};
+        const Contact touch{Status::kHit, Feature::kFace, 0, crossing.t};
         const bool ends =
             it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.open == 0, crossing.away});
         query.latest = it.found_.latest;

@@ -116,7 +116,7 @@ struct Told {
         if (!looked) return {};
         std::optional<WholePath> whole;
         if (crossing.open && !line_passes(sweep, whole, it.lanes, 0, crossing.open, crossing.away ? 1 : -1)) return {};
-        return {Status::kHit, Feature::kFace, 0, std::min(crossing.t, sweep.end)};
+        return {Status::kHit, Feature::kFace, 0, crossing.t};
     }
 };
 
@@ -186,6 +186,7 @@ void compare(const OneTriangle& it, const Vec3& start, const Vec3& path, double 
             if (later) continue;
             ASSERT_EQ(told.status, wanted.status) << kernel.name;
             if (!wanted.touched()) continue;
+            ASSERT_LE(told.t, latest) << kernel.name;
             ASSERT_EQ(told.feature, wanted.feature);
             ASSERT_EQ(told.index, wanted.index);
             ASSERT_EQ(std::bit_cast<std::uint64_t>(told.t), std::bit_cast<std::uint64_t>(wanted.t)) << kernel.name;

@@ -102,7 +102,8 @@ TEST(Queries, EachHitComesOnceAndAVisitorShortensAndStops) {
         double first = 1;
         cast_each(building(), one.sphere, one.path, [&](const Hit& hit) {
             if (!odd(hit)) return 1.0;
-            first = std::min(first, hit.fraction);
+            EXPECT_LE(hit.fraction, first) << "told of what lies after the last that counted";
+            first = hit.fraction;
             return hit.fraction;
         });
         const auto found = std::find_if(all.begin(), all.end(), odd);

@@ -3,6 +3,7 @@
 // and the answers are those of casts one by one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -293,6 +294,30 @@ TEST(LaneKernels, GiveTheAnswersOfCastsOneByOneInEveryFamily) {
                     add_bits(bits, cast(world, query.sphere, query.path, {.sides = sides}));
         });
         for (const auto& bits : all) EXPECT_EQ(bits, all[0]) << family.name;
+    }
+}
+
+/// The path runs within a triangle's plane, which is decided apart, and through another before.
+TEST(LaneKernels, TellNothingAfterTheLast) {
+    const auto point = [](int x, int y, int z) {
+        return GridPoint{x * int(kSurfaceSteps), y * int(kSurfaceSteps), z * int(kSurfaceSteps)};
+    };
+    const scenes::GridPolygon across{point(3, 0, -5), point(3, 10, -5), point(3, 5, 5)},
+        along{point(0, 0, 0), point(20, 0, 0), point(20, 20, 0)};
+    for (const bool along_first : {false, true}) {
+        const std::vector<scenes::GridPolygon> faces{along_first ? along : across, along_first ? across : along};
+        const World world = make_world(scenes::level_of(faces, {true, true})).value();
+        test::with_every_kernel([&](const char* kernel) {
+            std::vector<double> told;
+            const auto visit = [&](const Hit& hit) {
+                told.push_back(hit.fraction);
+                return hit.fraction;
+            };
+            cast_each(world, {{-1, 5, 0}, 0}, {50, 0, 0}, visit, {.sides = Sides::kBoth});
+            ASSERT_FALSE(told.empty()) << kernel;
+            EXPECT_EQ(told.back(), 0.08) << kernel;
+            EXPECT_TRUE(std::is_sorted(told.rbegin(), told.rend())) << kernel;
+        });
     }
 }
 
