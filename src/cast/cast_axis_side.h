@@ -33,7 +33,8 @@ inline Entry enter_axis_side(const CapsuleSweep& capsule, const Vec3& v, const V
     if (height - height_error > reach + reach_error + (fall + fall_error) * capsule.end() * (1 + rounding(8)))
         return {};
     if (height > height_error && fall < -fall_error) return {};
-    if (uu < kShallow * all || fall < 0.125 * u_length * speed || height_error + reach_error > kTinyRadius * reach)
+    if (uu < kShallow * all || fall < kShallowSine * u_length * speed ||
+        height_error + reach_error > kTinyRadius * reach)
         return {Entry::kDoubtful};
     if (height + height_error < reach - reach_error) return {};
     double t = (height - reach) / fall;

@@ -45,7 +45,7 @@ inline PlaneView view_plane(const Sweep& sweep, const PolygonShape& polygon, int
 /// When the sphere's leading point, or the particle, meets the plane. To be asked when the start is not below it by
 /// more than rounding and the path leads down; beyond the end of the path the answer is kNone.
 inline Entry enter_plane(const Sweep& sweep, const PolygonShape& polygon, const PlaneView& view) {
-    if (view.approach >= sweep.direction_length * 0.125) {
+    if (view.approach >= sweep.direction_length * kShallowSine) {
         const double t = (view.height - sweep.radius) / view.approach;
         if (!near_end(t, sweep.end)) return t > sweep.end ? Entry{} : Entry{Entry::kFound, t < 0 ? 0 : t};
     }

@@ -14,9 +14,10 @@ struct Entry {
     double t = 0;
 };
 
-/// The squared sine of the angle at which the path meets the surface, below which digits are lost: an error of e across
-/// the path moves the contact by e / sine along it.
-inline constexpr double kShallow = 1.0 / 64;
+/// The sine of the angle at which the path meets the surface, below which digits are lost: an error of e across the
+/// path moves the contact by e / sine along it. And its square.
+inline constexpr double kShallowSine = 1.0 / 8;
+inline constexpr double kShallow = kShallowSine * kShallowSine;
 
 /// Within this share of the path's end, double cannot tell whether a touch still counts.
 inline constexpr double kNearEnd = 0x1p-40;

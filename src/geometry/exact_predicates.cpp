@@ -94,7 +94,6 @@ struct Moment {
           y(Int128(direction.z) * w.x - Int128(direction.x) * w.z),
           z(Int128(direction.x) * w.y - Int128(direction.y) * w.x) {}
 
-    bool is_zero() const { return (x | y | z) == 0; }
     /// Sign of edge . moment, for an edge of 61 bits. Of moment = high * 2^64 + low, 0 <= low < 2^64, the sum of the
     /// highs' products has 58 + 61 + 2 bits, that of the lows' 64 + 61 + 2.
     FIRMA_SELDOM int sign_along(const WholeVec& edge) const {
@@ -150,8 +149,7 @@ int exact_plane_side(const Vec3& point, const Vec3& offset, const PolygonShape& 
 // With e = b - a and w the corner a or b as seen from the start, direction . ((a - start) x (b - start)) is
 // e . (direction x w). Start and corners times one power of two, and the direction times another, mostly are whole
 // numbers of 60 bits: of floats those where none but 0 is below 2^-34 of the largest, of doubles 2^-5. Then all of it
-// is whole, and exact. Where the line runs through a corner the moment is 0, and so are both edges there.
-
+// is whole, and exact.
 FIRMA_SELDOM int exact_edge_side(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b) {
     const double scale = whole_scale(std::max({max_abs(start), max_abs(a), max_abs(b)}));
     WholeVec s, d, p, q;
@@ -159,34 +157,6 @@ FIRMA_SELDOM int exact_edge_side(const Vec3& start, const Vec3& direction, const
                         to_whole(a, scale, p) + to_whole(b, scale, q);
     if (left == 0) return Moment(d, p - s).sign_along(q - p);
     return edge_side_in_parts(start, direction, a, b);
-}
-
-FIRMA_SELDOM unsigned exact_triangle_sides(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3],
-                                           double size, unsigned open) {
-    const double scale = whole_scale(max_abs(start) + size);
-    WholeVec s, d;
-    const double left = to_whole(start, scale, s) + to_whole(direction, 0x1p59, d);
-    const auto bit_of = [](int sign) { return sign > 0 ? unsigned(kSomePositive) : sign < 0 ? kSomeNegative : 0u; };
-    unsigned signs = 0;
-    if (left != 0) {
-        for (int k = 0; k < 3; ++k)
-            if (open >> k & 1) signs |= bit_of(edge_side_in_parts(start, direction, corners[k], corners[(k + 1) % 3]));
-        return signs;
-    }
-    const auto whole = [scale](const Vec3& corner) {
-        return WholeVec{std::int64_t(corner.x * scale), std::int64_t(corner.y * scale), std::int64_t(corner.z * scale)};
-    };
-    // The corner that two open edges share, or that the only one begins at.
-    static constexpr std::uint8_t kShared[] = {0, 0, 1, 1, 2, 0, 2, 0}, kNext[] = {1, 2, 0, 1};
-    const unsigned at = kShared[open], after = kNext[at], before = kNext[at + 1];
-    const WholeVec corner = whole(corners[at]);
-    const Moment moment(d, corner - s);
-    if (moment.is_zero() && open != 7) return 0;
-    const WholeVec next = whole(corners[after]), last = whole(corners[before]);
-    signs |= bit_of(moment.sign_along(next - corner));
-    if (open >> before & 1) signs |= bit_of(moment.sign_along(corner - last));
-    if (open == 7) signs |= bit_of(Moment(d, next - s).sign_along(last - next));
-    return signs;
 }
 
 }  // namespace firma

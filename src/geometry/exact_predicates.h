@@ -24,17 +24,4 @@ int exact_plane_side(const Vec3& point, const Vec3& offset, const PolygonShape& 
 /// Always exact: call it when double leaves the sign open.
 int exact_edge_side(const Vec3& start, const Vec3& direction, const Vec3& a, const Vec3& b);
 
-/// Signs that occur among some edges, as bits; none where all of them are 0.
-enum EdgeSigns : unsigned { kSomePositive = 1, kSomeNegative = 2 };
-
-/// exact_edge_side() of the edges of a triangle that double leaves open.
-/// @param start      within 2^40 m
-/// @param direction  as in a Sweep
-/// @param corners    on the surface grid
-/// @param size       no coordinate of a corner is farther from the start; at most 2^40 m
-/// @param open       not 0: a bit for each edge, bit k for that from corner k
-/// @return EdgeSigns
-unsigned exact_triangle_sides(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3], double size,
-                              unsigned open);
-
 }  // namespace firma

@@ -7,9 +7,11 @@
 #include "firma/grid.h"
 #include "firma/vec.h"
 #include "geometry/exact_integer.h"
-#include "geometry/exact_predicates.h"
 
 namespace firma {
+
+/// Signs that occur among some edges, as bits; none where all of them are 0.
+enum EdgeSigns : unsigned { kSomePositive = 1, kSomeNegative = 2 };
 
 // With e = b - a and w the corner a or b as seen from the start, direction . ((a - start) x (b - start)) is
 // e . (direction x w). A start within 2^14 m has 44 bits in steps of 2^-30 m, w 45, the direction 41, their moment 87;
@@ -24,9 +26,11 @@ public:
     /// 2^-7 m, and of a direction where none but 0 is below 2^-17 of the largest.
     bool known() const { return known_; }
 
-    /// exact_triangle_sides() of the edges that are open. Only where it is known.
+    /// The signs of exact_edge_side() of the edges that are open. Where the line runs through a corner the moment there
+    /// is 0, and so are both edges. Only where it is known.
     /// @param corner  a function of 0, 1 or 2: that corner, a GridPoint; asked of no more corners than it takes
     /// @param open    not 0: a bit for each edge, bit k for that from corner k
+    /// @return EdgeSigns
     template <class Corner>
     unsigned triangle_sides(const Corner& corner, unsigned open) const {
         // The corner that two open edges share, or that the only one begins at.

@@ -164,8 +164,8 @@ HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query
         const unsigned sides = where_greater(size_of(height), doubt) & where_greater(size_of(end), doubt);
         const unsigned above = where_greater(height, zero), ends_above = where_greater(end, zero);
         // Near the end, or at too flat an angle, double loses too much.
-        const unsigned clear = ~where_greater(each(sweep.direction_length * 0.125), approach) & where_greater(t, zero) &
-                               where_greater(each(sweep.end * (1 - kNearEnd)), t);
+        const unsigned clear = ~where_greater(each(sweep.direction_length * kShallowSine), approach) &
+                               where_greater(t, zero) & where_greater(each(sweep.end * (1 - kNearEnd)), t);
         const unsigned late = where_greater(t, each(query.latest));
         const unsigned behind = turned & away & (one_sided >> part);
         const unsigned beside = turned & sides & (~(above ^ away) | (ends_above ^ away));

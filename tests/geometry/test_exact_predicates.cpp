@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firma/grid.h"
+#include "geometry/whole_path.h"
 #include "scenes/rng.h"
 #include "tests/sample.h"
 
@@ -137,28 +138,35 @@ Vec3 as_direction(const Vec3& path) {
 }
 
 struct EdgeTally {
-    int all = 0, zeros = 0;
+    int all = 0, zeros = 0;  ///< edges
+    int whole = 0;           ///< triangles beside a WholePath
 };
 
 void check_edges(const Vec3& start, const Vec3& direction, const Vec3 (&corners)[3], EdgeTally& tally) {
     int side[3];
-    double size = 0;
     for (int k = 0; k < 3; ++k) {
         const Vec3 &a = corners[k], &b = corners[(k + 1) % 3];
         side[k] = edge_side_of_rationals(start, direction, a, b);
         ASSERT_EQ(exact_edge_side(start, direction, a, b), side[k]);
         ASSERT_EQ(exact_edge_side(start, direction, b, a), -side[k]);
-        size = std::max(size, max_abs(a - start));
         ++tally.all;
         tally.zeros += side[k] == 0;
     }
-    if (max_abs(start) > 0x1p35) return;
+    const WholePath whole(start, direction);
+    if (!whole.known()) return;
+    ++tally.whole;
+    const auto corner = [&](unsigned k) {
+        GridPoint on_grid;
+        for (int axis = 0; axis < 3; ++axis) on_grid[axis] = std::int32_t(corners[k][axis] * kSurfaceSteps);
+        return on_grid;
+    };
+    for (const Vec3& c : corners)
+        if (max_abs(c) >= kWorldRim) return;  // no point of the grid is so far
     for (unsigned open = 1; open < 8; ++open) {
         unsigned signs = 0;
         for (int k = 0; k < 3; ++k)
             if (open >> k & 1) signs |= side[k] > 0 ? kSomePositive : side[k] < 0 ? kSomeNegative : 0u;
-        ASSERT_EQ(exact_triangle_sides(start, direction, corners, size, open), signs) << "edges " << open;
-        ASSERT_EQ(exact_triangle_sides(start, direction, corners, size * 7, open), signs) << "edges " << open;
+        ASSERT_EQ(whole.triangle_sides(corner, open), signs) << "edges " << open;
     }
 }
 
@@ -189,6 +197,7 @@ TEST(ExactEdges, AgreeWithRationals) {
     }
     EXPECT_GT(tally.zeros, tally.all / 20);
     EXPECT_LT(tally.zeros, tally.all / 2);
+    EXPECT_GT(3 * tally.whole, tally.all / 20);
 }
 
 /// From starts so far away, or so near to nothing, that no whole numbers hold them beside the corners.

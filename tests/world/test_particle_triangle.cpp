@@ -15,6 +15,7 @@
 
 #include "cast/cast_sphere_polygon.h"
 #include "cast/make_hit.h"
+#include "geometry/exact_predicates.h"
 #include "geometry/whole_path.h"
 #include "scenes/rng.h"
 #include "solid/face_shape.h"
