@@ -21,6 +21,7 @@ void fetch_array_ahead(const Array& array) {
 
 void fetch_contents_ahead(const Node& node) {
     fetch_array_ahead(node.wide);
+    fetch_array_ahead(node.lane_items);
     fetch_array_ahead(node.children);
     if (node.facets) fetch_ahead(node.facets.get(), sizeof(Block));
 }
@@ -48,7 +49,7 @@ std::vector<const Node*> leaves_near(const Node* root, const GridBox& box, std::
                 continue;
             }
             for_each_item_meeting(*node, box, [&](const WideNode& wide, std::uint32_t lane) {
-                below.push_back(node->children[wide.first[lane]].get());
+                below.push_back(node->node_below(wide, lane));
                 fetch_ahead(below.back(), sizeof(Node));
             });
         }
@@ -66,8 +67,11 @@ std::vector<const Node*> leaves_near(const Node* root, const GridBox& box, std::
 
 /// Calls `function(slot, face)` for the faces below a lane.
 template <class Function>
-void for_each_face(const Block& block, const WideNode& wide, std::uint32_t lane, const Function& function) {
-    for (std::uint32_t slot = wide.first[lane]; slot < wide.first[lane + 1]; ++slot) function(slot, block.faces[slot]);
+void for_each_face(const Node& leaf, const WideNode& wide, std::uint32_t lane, const Function& function) {
+    const Block& block = block_of(leaf);
+    const LaneItems& items = leaf.items_of(wide);
+    for (std::uint32_t slot = items.first[lane]; slot < items.first[lane + 1]; ++slot)
+        function(slot, block.faces[slot]);
 }
 
 void sort_by_id(std::vector<FacetPlace>& facets, std::size_t first) {
@@ -82,7 +86,7 @@ void gather_facets(const Node* root, const GridBox& box, std::vector<FacetPlace>
     for (const Node* leaf : leaves_near(root, box, lacked)) {
         const Block& block = block_of(*leaf);
         for_each_item_meeting(*leaf, box, [&](const WideNode& wide, std::uint32_t lane) {
-            for_each_face(block, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
+            for_each_face(*leaf, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
                 if (lacked != 0 && (face.mask & lacked) == lacked) return;
                 if (boxes_meet(block.box_of(face), box)) facets.push_back({&block, slot});
             });
@@ -129,7 +133,7 @@ bool gather_facets(const Node* root, const GridBox& box, const BevelledBox& beve
         const Block& block = block_of(*leaf);
         for_each_item_meeting(*leaf, box, [&](const WideNode& wide, std::uint32_t lane) {
             const bool clear = bevelled.clear_of(to_grid(wide.box(lane)), steps);
-            for_each_face(block, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
+            for_each_face(*leaf, wide, lane, [&](std::uint32_t slot, const FaceRecord& face) {
                 const auto is_near = [&] {
                     const GridBox own = block.box_of(face);
                     const auto corner = [&](std::size_t k) { return block.corner(face, k); };

@@ -111,13 +111,14 @@ bool NodeEdit::find_leaf(const Removed& removed) {
         const unsigned around = lanes_around(wide, removed.box);
         for (std::uint32_t lane = 0; around >> lane; ++lane) {
             if (!(around >> lane & 1)) continue;
-            if (!wide.leads_to_node(lane)) {
-                if (self(self, in, *static_cast<const WideNode*>(wide.child[lane]))) return true;
+            const Node* const child = in.node_below(wide, lane);
+            if (!child) {
+                if (self(self, in, *wide.wide(lane))) return true;
                 continue;
             }
-            const Node& child = *in.children[wide.first[lane]];
-            way.push_back(wide.first[lane]);
-            if (child.is_leaf() ? child.facets.get() == removed.facets : self(self, child, child.wide[0])) return true;
+            way.push_back(in.items_of(wide).first[lane]);
+            if (child->is_leaf() ? child->facets.get() == removed.facets : self(self, *child, child->wide[0]))
+                return true;
             way.pop_back();
         }
         return false;

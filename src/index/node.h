@@ -47,10 +47,22 @@ public:
     GridBox box;                     ///< around all that lies below
 
     PoolVector<WideNode> wide;             ///< wide[0] is the root; never empty
+    PoolVector<LaneItems> lane_items;      ///< of each
     PoolVector<Ref<const Node>> children;  ///< items that are nodes; then there are no facets here
     Ref<const IndexedFacets> facets;       ///< items that are facets; null where they are nodes
 
     bool is_leaf() const { return children.empty(); }
+
+    /// @param of  one of `wide`
+    const LaneItems& items_of(const WideNode& of) const { return lane_items[std::size_t(&of - wide.data())]; }
+    /// Whether a lane leads to one of `children`, not to more boxes.
+    bool leads_to_node(const WideNode& of, std::uint32_t lane) const {
+        return !is_leaf() && items_of(of).items(lane) == 1;
+    }
+    /// That one, or null.
+    const Node* node_below(const WideNode& of, std::uint32_t lane) const {
+        return leads_to_node(of, lane) ? children[items_of(of).first[lane]].get() : nullptr;
+    }
 };
 
 }  // namespace firma

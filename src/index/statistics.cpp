@@ -41,14 +41,15 @@ private:
 
     void count_wide(const Node& node, const WideNode& wide, int depth) {
         ++statistics_.nodes;
-        add_overlap(wide);
-        for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+        const LaneItems& items = node.items_of(wide);
+        add_overlap(wide, items.count);
+        for (std::uint32_t lane = 0; lane < items.count; ++lane) {
             if (wide.leads_to_facets(lane))
-                count_leaf(wide.items(lane), depth + 1);
-            else if (wide.leads_to_node(lane))
-                count_node(*node.children[wide.first[lane]], depth + 1);
+                count_leaf(items.items(lane), depth + 1);
+            else if (const Node* const below = node.node_below(wide, lane))
+                count_node(*below, depth + 1);
             else
-                count_wide(node, *static_cast<const WideNode*>(wide.child[lane]), depth + 1);
+                count_wide(node, *wide.wide(lane), depth + 1);
         }
     }
 
@@ -59,10 +60,10 @@ private:
         statistics_.max_leaf_faces = std::max(statistics_.max_leaf_faces, faces);
     }
 
-    void add_overlap(const WideNode& wide) {
+    void add_overlap(const WideNode& wide, std::uint32_t lanes) {
         BoxF around = wide.box(0);
         double shared = 0;
-        for (std::uint32_t k = 0; k < wide.count; ++k) {
+        for (std::uint32_t k = 0; k < lanes; ++k) {
             const BoxF box = wide.box(k);
             for (int axis = 0; axis < 3; ++axis) {
                 around.low[axis] = std::min(around.low[axis], box.low[axis]);
@@ -81,7 +82,8 @@ private:
 }  // namespace
 
 std::size_t bytes_of(const Node& node) {
-    return pool_size(sizeof(Node)) + pool_size_of(node.wide) + pool_size_of(node.children);
+    return pool_size(sizeof(Node)) + pool_size_of(node.wide) + pool_size_of(node.lane_items) +
+           pool_size_of(node.children);
 }
 
 TreeStatistics tree_statistics(const Node& root) {

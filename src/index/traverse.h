@@ -17,9 +17,12 @@ struct BelowLane {
 
     static BelowLane root(const Node& node) { return {&node, node.wide.data(), 0, 0}; }
     static BelowLane of(const Node& node, const WideNode& above, std::uint32_t lane) {
-        if (above.leads_to_facets(lane)) return {&node, nullptr, above.first[lane], std::uint8_t(above.items(lane))};
-        const auto* const wide = static_cast<const WideNode*>(above.child[lane]);
-        return {above.leads_to_node(lane) ? node.children[above.first[lane]].get() : &node, wide, 0, 0};
+        if (above.leads_to_facets(lane)) {
+            const LaneItems& it = node.items_of(above);
+            return {&node, nullptr, it.first[lane], std::uint8_t(it.items(lane))};
+        }
+        const Node* const other = node.node_below(above, lane);
+        return {other ? other : &node, above.wide(lane), 0, 0};
     }
 };
 
@@ -49,7 +52,7 @@ void traverse(const Node& root, Visitor& visitor) {
         }
         const WideNode& wide = *now.below.wide;
         const std::size_t base = count;
-        for (std::uint32_t lane = wide.count; lane-- > 0;) {
+        for (std::uint32_t lane = now.below.node->items_of(wide).count; lane-- > 0;) {
             double nearest = 0;
             if (!visitor.enter(wide.box(lane), nearest)) continue;
             FIRMA_ASSERT(count < waiting.size(), "an index is deeper than any that is built");
@@ -74,10 +77,10 @@ void for_each_item_meeting(const Node& node, const GridBox& box, const Function&
         const unsigned met = lanes_meeting(wide, box);
         for (std::uint32_t lane = 0; met >> lane; ++lane) {
             if (!(met >> lane & 1)) continue;
-            if (wide.leads_to_facets(lane) || wide.leads_to_node(lane))
+            if (wide.leads_to_facets(lane) || node.node_below(wide, lane))
                 function(wide, lane);
             else
-                self(self, *static_cast<const WideNode*>(wide.child[lane]));
+                self(self, *wide.wide(lane));
         }
     };
     below(below, node.wide[0]);

@@ -41,15 +41,15 @@ unsigned lanes_from_to(const WideNode& node, const float (&low_at_most)[3], cons
 }  // namespace
 
 void set_boxes(WideNode& node, std::span<const GridBox* const> boxes) {
-    node.count = std::uint8_t(boxes.size());
     for (std::uint32_t k = 0; k < WideNode::kLanes; ++k) {
-        const BoxF box = k < node.count
+        const BoxF box = k < boxes.size()
                              ? to_floats(*boxes[k])
                              : BoxF{{kBeyondAll, kBeyondAll, kBeyondAll}, {-kBeyondAll, -kBeyondAll, -kBeyondAll}};
         for (int axis = 0; axis < 3; ++axis) {
             node.side[0][axis][k] = box.low[axis];
             node.side[1][axis][k] = box.high[axis];
         }
+        node.below[k] = 0;
     }
 }
 

@@ -149,7 +149,7 @@ std::span<const BinWidener::Item> BinWidener::widen_items(Node& node, const BinT
 }
 
 void BinWidener::hang(Node& node, const Item& item, const Node* child) {
-    node.wide[item.above].child[item.lane] = child->wide.data();
+    node.wide[item.above].lead_to(item.lane, child->wide.data());
     node.children.emplace_back(child);
     node.facets_below += child->facets_below;
     node.depth = std::max(node.depth, std::uint16_t(item.depth + child->depth));
@@ -157,15 +157,17 @@ void BinWidener::hang(Node& node, const Item& item, const Node* child) {
 
 void BinWidener::fill(Node& node, const BinTree& tree, std::uint32_t index, bool bins_are_one_item) {
     wide_.clear();
+    lane_items_.clear();
     items_.clear();
     links_.clear();
     next_item_ = 0;
     node.box = parts_[index].bin->box;
     put(tree, index, 1, bins_are_one_item);
     node.wide.assign(wide_.begin(), wide_.end());
+    node.lane_items.assign(lane_items_.begin(), lane_items_.end());
     node.depth = 0;
     for (const Item& item : items_) node.depth = std::max(node.depth, std::uint16_t(item.depth));
-    for (const Link& link : links_) node.wide[link.above].child[link.lane] = &node.wide[link.number];
+    for (const Link& link : links_) node.wide[link.above].lead_to(link.lane, &node.wide[link.number]);
 }
 
 void BinWidener::put(const BinTree& tree, std::uint32_t index, std::uint32_t depth, bool bins_are_one_item) {
@@ -174,9 +176,10 @@ void BinWidener::put(const BinTree& tree, std::uint32_t index, std::uint32_t dep
     const GridBox* boxes[kLanes];
     for (std::uint32_t k = 0; k < found.count; ++k) boxes[k] = found.lanes[k].box;
     set_boxes(wide_.emplace_back(), {boxes, found.count});
+    lane_items_.emplace_back().count = std::uint8_t(found.count);
     for (std::uint32_t k = 0; k < found.count; ++k) {
         const Lane& lane = found.lanes[k];
-        wide_[number].first[k] = std::uint8_t(next_item_);
+        lane_items_[number].first[k] = std::uint8_t(next_item_);
         const bool is_part = lane.kind == Lane::kPart;
         if (is_part && !starts_node(parts_[lane.what], depth + 1)) {
             links_.push_back({number, k, std::uint32_t(wide_.size())});
@@ -186,7 +189,8 @@ void BinWidener::put(const BinTree& tree, std::uint32_t index, std::uint32_t dep
         items_.push_back({lane.what, number, k, depth, is_part});
         next_item_ += lane.kind == Lane::kBinItem && !bins_are_one_item ? tree.nodes[lane.what].count : 1;
     }
-    std::fill(wide_[number].first + found.count, std::end(wide_[number].first), std::uint8_t(next_item_));
+    LaneItems& made = lane_items_[number];
+    std::fill(made.first + found.count, std::end(made.first), std::uint8_t(next_item_));
 }
 
 }  // namespace firma

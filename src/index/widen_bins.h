@@ -30,7 +30,7 @@ public:
 
     /// A node over all bins of a tree below one. Fills Node::wide and Node::box, and Node::depth as if there were
     /// nothing below the items: those are the bins that are not divided, each as many of the Node's items as it holds.
-    /// Lanes to items have neither `child` nor `facets` yet.
+    /// Lanes to items lead nowhere yet.
     std::span<const Item> widen(Node& node, const BinTree& tree, std::uint32_t top);
 
     /// A node over other nodes, whole: over the items of a tree below a bin. Bins that are not divided hold eight at
@@ -121,6 +121,7 @@ private:
 
     std::vector<Part> parts_;
     std::vector<WideNode> wide_;
+    std::vector<LaneItems> lane_items_;
     std::vector<Link> links_;
     std::vector<Item> items_;
     std::uint32_t next_item_ = 0;

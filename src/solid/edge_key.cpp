@@ -36,11 +36,12 @@ struct AcrossSearch {
         for (std::uint32_t lane = 0; met >> lane; ++lane) {
             if (!(met >> lane & 1)) continue;
             if (wide.leads_to_facets(lane)) {
-                if (facets(as_block(*node.facets), wide.first[lane], wide.items(lane))) return true;
+                const LaneItems& items = node.items_of(wide);
+                if (facets(as_block(*node.facets), items.first[lane], items.items(lane))) return true;
                 continue;
             }
-            const auto& child = *static_cast<const WideNode*>(wide.child[lane]);
-            if (below(wide.leads_to_node(lane) ? *node.children[wide.first[lane]] : node, child)) return true;
+            const Node* const child = node.node_below(wide, lane);
+            if (below(child ? *child : node, *wide.wide(lane))) return true;
         }
         return false;
     }

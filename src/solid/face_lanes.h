@@ -29,10 +29,12 @@ struct FaceLanes {
     float size = 0;  ///< no corner is farther from the origin, by the sum of its coordinates; of a second: `shifted()`
     std::uint32_t mask_of_all = 0;  ///< bits that all facets have
     std::uint32_t packed = 0;       ///< see below
-    std::uint16_t uneven_high = 0;  ///< the upper half of uneven()
+    std::uint16_t uneven_high = 0;  ///< the upper half of uneven(), and kMore
     std::uint8_t whole = 0;         ///< lanes whose corners are all that the facet has, and exact in float
     std::uint8_t two_sided = 0;
     std::int16_t corner[3][3][kLanes] = {};  ///< by corner and axis; of two in a row the upper halves
+
+    static constexpr std::uint16_t kMore = 0x8000;  // the sign of uneven(), which is none
 
     // Packed: from the lowest bit on, how far the slots of lanes 1 to 7 lie behind the first one's, three bits each;
     // that one's slot, six; how many lanes hold a triangle less one, three; whether there are fans; whether a second
@@ -47,9 +49,11 @@ struct FaceLanes {
     bool is_wide() const { return (packed & kWide) != 0; }
     /// How many of these in a row hold the triangles.
     std::uint32_t in_a_row() const { return (packed >> 31) + 1; }
+    /// Whether a wide node leads to those behind them, too, by the same lane.
+    bool more_follow() const { return (uneven_high & kMore) != 0; }
 
     /// No corner is farther from its facet's plane: not 0 where rounding bent one, metres.
-    float uneven() const { return std::bit_cast<float>(std::uint32_t(uneven_high) << 16); }
+    float uneven() const { return std::bit_cast<float>(std::uint32_t(uneven_high & ~kMore) << 16); }
     /// Nor from where the facet has it, in its plane, by more: not 0 where floats, or rounding in polygons, turn a
     /// triangle's normal away from its facet's, metres.
     float shifted() const {

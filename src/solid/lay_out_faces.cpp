@@ -171,27 +171,28 @@ private:
     Triangle triangles_[FaceLanes::kLanes];
 };
 
-/// Facets in a row into lanes.
+/// Facets in a row into lanes; those before the last group tell that more follow.
 void lay_out(const Block& block, std::uint32_t first, std::uint32_t count, std::vector<FaceLanes>& lanes) {
     std::optional<LaneGroup> group;
-    const auto finish = [&] {
+    const auto finish = [&](bool last) {
         const std::size_t at = lanes.size();
         lanes.resize(at + group->lanes());
         group->write(lanes.data() + at);
+        if (!last) lanes[at].uneven_high |= FaceLanes::kMore;
     };
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
         const FaceRecord& face = block.faces[slot];
         const float uneven = face.corner_count > 3 ? float(unevenness(block, face)) * kUp : 0;
         for (std::uint32_t k = 0; k + 2 < face.corner_count; ++k) {
             if (group && group->is_full()) {
-                finish();
+                finish(false);
                 group.reset();
             }
             if (!group) group.emplace(block);
             group->add(slot, k, uneven);
         }
     }
-    finish();
+    finish(true);
 }
 
 }  // namespace
@@ -207,13 +208,12 @@ void FaceLayout::make(Node& leaf, [[maybe_unused]] Block& block, const BinTree& 
         const BinNode& bin = tree.nodes[item.what];
         starts[k] = scratch_.size();
         lay_out(block, bin.first - before, bin.count, scratch_);
-        leaf.wide[item.above].facets[item.lane] = std::uint16_t(scratch_.size() - starts[k]);
     }
     block.lanes.assign(scratch_.begin(), scratch_.end());
     for (std::size_t k = 0; k < items.size(); ++k)
-        leaf.wide[items[k].above].child[items[k].lane] = block.lanes.data() + starts[k];
+        leaf.wide[items[k].above].lead_to_facets(items[k].lane, block.lanes.data() + starts[k]);
 #else
-    for (const BinWidener::Item& item : items) leaf.wide[item.above].facets[item.lane] = 1;
+    for (const BinWidener::Item& item : items) leaf.wide[item.above].lead_to_facets(item.lane, nullptr);
 #endif
 }
 

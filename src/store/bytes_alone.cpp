@@ -109,11 +109,11 @@ bool has_node(const Node* root, const Node& wanted) {
     if (root->is_leaf()) return false;
     const auto below = [&](const auto& self, const WideNode& wide) -> bool {
         const unsigned around = lanes_around(wide, wanted.box);
-        for (std::uint32_t lane = 0; around >> lane; ++lane)
-            if ((around >> lane & 1) &&
-                (wide.leads_to_node(lane) ? has_node(root->children[wide.first[lane]].get(), wanted)
-                                          : self(self, *static_cast<const WideNode*>(wide.child[lane]))))
-                return true;
+        for (std::uint32_t lane = 0; around >> lane; ++lane) {
+            if (!(around >> lane & 1)) continue;
+            const Node* const child = root->node_below(wide, lane);
+            if (child ? has_node(child, wanted) : self(self, *wide.wide(lane))) return true;
+        }
         return false;
     };
     return below(below, root->wide[0]);

@@ -71,16 +71,19 @@ private:
     ///                rounded outward at each level
     void check_wide(std::size_t index, const BoxF& around, int depth) {
         const WideNode& wide = node_.wide[index];
-        if (wide.count == 0 || wide.count > WideNode::kLanes) return report("a wide node does not hold 1 to 8 boxes");
+        const LaneItems& items = node_.lane_items[index];
+        if (items.count == 0 || items.count > WideNode::kLanes) return report("a wide node does not hold 1 to 8 boxes");
         for (std::uint32_t lane = 0; lane < WideNode::kLanes; ++lane)
-            if (wide.first[lane] > wide.first[lane + 1] || (lane < wide.count) != (wide.items(lane) > 0))
+            if (items.first[lane] > items.first[lane + 1] || (lane < items.count) != (items.items(lane) > 0))
                 return report("a wide node's boxes do not hold an item and more each");
-        for (std::uint32_t lane = wide.count; lane < WideNode::kLanes; ++lane)
+        for (std::uint32_t lane = items.count; lane < WideNode::kLanes; ++lane) {
+            if (wide.below[lane]) return report("a wide node has boxes beyond those in use");
             for (int axis = 0; axis < 3; ++axis)
                 if (wide.side[0][axis][lane] != kAny || wide.side[1][axis][lane] != -kAny)
                     return report("a wide node has boxes beyond those in use");
-        for (std::uint32_t lane = 0; lane < wide.count && !fault_; ++lane) {
-            if (wide.first[lane] != next_item_) return report("an item is not in exactly one wide node");
+        }
+        for (std::uint32_t lane = 0; lane < items.count && !fault_; ++lane) {
+            if (items.first[lane] != next_item_) return report("an item is not in exactly one wide node");
             BoxF box;
             for (int axis = 0; axis < 3; ++axis) {
                 const float low = wide.side[0][axis][lane], high = wide.side[1][axis][lane];
@@ -90,14 +93,14 @@ private:
                 box.high[axis] = std::min(around.high[axis], high);
             }
             check_lane(index, wide, lane, box, depth);
-            if (next_item_ != wide.first[lane + 1]) report("an item is not in exactly one wide node");
+            if (next_item_ != items.first[lane + 1]) report("an item is not in exactly one wide node");
         }
     }
 
     void check_lane(std::size_t index, const WideNode& wide, std::uint32_t lane, const BoxF& box, int depth) {
         if (wide.leads_to_facets(lane)) return check_facets(wide, lane, box, depth);
-        if (wide.leads_to_node(lane)) return check_node(wide, lane, box, depth);
-        const std::size_t below = place_in(node_.wide, wide.child[lane]);
+        if (node_.leads_to_node(wide, lane)) return check_node(wide, lane, box, depth);
+        const std::size_t below = place_in(node_.wide, wide.wide(lane));
         if (below >= node_.wide.size()) return report("a wide node leads to nothing of its index block");
         if (below <= index) return report("a wide node leads backward");
         if (++led_to_[below] > 1) return report("a wide node is not led to exactly once");
@@ -107,7 +110,7 @@ private:
     void check_node(const WideNode& wide, std::uint32_t lane, const BoxF& box, int depth) {
         if (next_item_ >= node_.children.size()) return report("a wide node leads to nothing of its index block");
         const Node& child = *node_.children[next_item_++];
-        if (wide.child[lane] != child.wide.data()) return report("a wide node leads to nothing of its index block");
+        if (wide.wide(lane) != child.wide.data()) return report("a wide node leads to nothing of its index block");
         deepest_ = std::max(deepest_, depth + child.depth);
         const Vec3 low = to_metres(child.box.low), high = to_metres(child.box.high);
         for (int axis = 0; axis < 3; ++axis)
@@ -118,22 +121,24 @@ private:
     void check_facets(const WideNode& wide, std::uint32_t lane, const BoxF& box, int depth) {
         if (!node_.is_leaf()) return report("a wide node leads to faces from above index blocks");
         const Block& block = block_of(node_);
-        if (wide.first[lane + 1] > block.faces.size()) return report("a wide node leads to faces that are not there");
+        const LaneItems& items = node_.items_of(wide);
+        if (items.first[lane + 1] > block.faces.size()) return report("a wide node leads to faces that are not there");
         deepest_ = std::max(deepest_, depth);
-        next_item_ = wide.first[lane + 1];
-        for (std::uint32_t slot = wide.first[lane]; slot < next_item_; ++slot) check_box(block, block.faces[slot], box);
+        next_item_ = items.first[lane + 1];
+        for (std::uint32_t slot = items.first[lane]; slot < next_item_; ++slot)
+            check_box(block, block.faces[slot], box);
         if (lane_kernels().empty()) {
-            if (wide.child[lane]) report("a wide node leads to lanes that there are not");
+            if (wide.facets(lane)) report("a wide node leads to lanes that there are not");
             return;
         }
-        const std::size_t first = place_in(block.lanes, wide.child[lane]);
-        if (first + wide.facets[lane] > block.lanes.size()) return report("a wide node leads out of its lanes");
-        const std::size_t end = first + wide.facets[lane];
-        for (std::size_t k = first; k < end && !fault_;) {
+        std::size_t k = place_in(block.lanes, wide.facets(lane));
+        for (bool more = true; more && !fault_;) {
+            if (k >= block.lanes.size()) return report("a wide node leads out of its lanes");
             const FaceLanes& it = block.lanes[k];
-            if (k + it.in_a_row() > end) return report("lanes lack their second half");
+            if (k + it.in_a_row() > block.lanes.size()) return report("lanes lack their second half");
             for (const std::size_t next = k + it.in_a_row(); k < next; ++k) ++lanes_[k];
-            check_lanes(block, it, wide.first[lane], next_item_);
+            more = it.more_follow();
+            check_lanes(block, it, items.first[lane], next_item_);
         }
     }
 

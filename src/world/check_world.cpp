@@ -99,6 +99,8 @@ private:
     void check_node(const Node& node) {
         if (fault_) return;
         if (node.wide.empty()) return report("an index block has no nodes", {});
+        if (node.lane_items.size() != node.wide.size())
+            return report("an index block does not tell of each wide node what it leads to", {});
         if (node.is_leaf() != bool(node.facets))
             return report("an index block holds both facets and blocks, or neither", {});
         const std::size_t items = node.is_leaf() ? block_of(node).faces.size() : node.children.size();

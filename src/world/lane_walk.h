@@ -32,12 +32,13 @@ HWY_INLINE std::uint32_t first_bit(unsigned bits) {
     return std::uint32_t(__builtin_ctz(bits));
 }
 
-/// What will be looked at. Without a branch: which of both it is cannot be foreseen.
-HWY_INLINE void fetch(const void* child, bool faces) {
-    static_assert(sizeof(FaceLanes) <= sizeof(WideNode));
-    const auto* const from = static_cast<const char*>(child);
-    const std::size_t last = faces ? sizeof(FaceLanes) - 1 : sizeof(WideNode) - 1;
-    for (std::size_t at = 0; at < sizeof(WideNode); at += 64) __builtin_prefetch(from + (at < last ? at : last));
+/// What will be looked at: as many lines of a cache as a node has, and of faces, which have one less, the first one
+/// twice. Without a branch: which of both it is cannot be foreseen.
+HWY_INLINE void fetch(std::uintptr_t below) {
+    constexpr std::uintptr_t kLast = sizeof(WideNode) - 64;
+    for (std::uintptr_t at = 0; at < kLast; at += 64) __builtin_prefetch(reinterpret_cast<const void*>(below + at));
+    const std::uintptr_t last = kLast & ((below & WideNode::kFacets) - 1);
+    __builtin_prefetch(reinterpret_cast<const void*>(below + last));
 }
 
 /// Takes the lane of the least time out of those left.
@@ -70,16 +71,14 @@ HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, co
 }
 
 /// Looks at facets side by side; true when that ends the sweep.
-HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, const Way& way, float enter, LaneQuery& query,
-                        float& latest) {
+HWY_INLINE bool look_at(const FaceLanes* lanes, const Way& way, float enter, LaneQuery& query, float& latest) {
     std::uint64_t looked_at = 0;  // facets of the block: one may be in several lanes
     alignas(64) float times[kLanes];
-    for (const FaceLanes* lanes = first; lanes != first + count; lanes += lanes->in_a_row()) {
-        query.counts.boxes += lanes->count();
+    for (;; lanes += lanes->in_a_row()) {
+        if (query.counts) query.counts->boxes += lanes->count();
         const Triangles found = look_at_triangles(*lanes, query, way, enter, latest, times);
         unsigned left = found.met;
-        if (left == 0) continue;
-        if (query.sweep.particle) {
+        if (left && query.sweep.particle) {
             if (look_through_planes(*lanes, query, found, left)) return true;
             latest = to_float(query.latest);
         }
@@ -92,14 +91,13 @@ HWY_INLINE bool look_at(const FaceLanes* first, std::uint32_t count, const Way& 
             if (query.look(query, *lanes, lane)) return true;
             latest = to_float(query.latest);
         }
+        if (!lanes->more_follow()) return false;
     }
-    return false;
 }
 
 /// What is to be looked into.
 struct Waiting {
-    const void* child;
-    std::uint32_t facets;
+    std::uintptr_t below;  ///< as of a WideNode
     float time;
 };
 
@@ -109,7 +107,7 @@ HWY_INLINE std::uint32_t order_of(const float& time) {
 }
 
 HWY_INLINE Waiting child_of(const WideNode& node, std::uint32_t lane, const float* times) {
-    return {node.child[lane], node.facets[lane], times[lane]};
+    return {node.below[lane], times[lane]};
 }
 
 /// Puts boxes of a node where they wait, the farthest deepest. Without branches that go by their times: these cannot be
@@ -126,26 +124,32 @@ HWY_INLINE void put_in_order(const WideNode& node, unsigned met, unsigned count,
             nearer |= bits(hn::Lt(other, time)) << part | ((bits(hn::Le(other, time)) << part) & ((1u << lane) - 1));
         }
         const Waiting child = child_of(node, lane, times);
-        fetch(child.child, child.facets > 0);
+        fetch(child.below);
         waiting[count - 1 - unsigned(__builtin_popcount(nearer & met))] = child;
     }
+}
+
+HWY_INLINE std::uint32_t boxes_in_use(const WideNode& node) {
+    std::uint32_t count = 0;
+    for (const std::uintptr_t below : node.below) count += below != 0;
+    return count;
 }
 
 bool sweep_lanes(const Node& root, LaneQuery& query) {
     constexpr std::size_t kMost = (kDeepestTree + 1) * (kLanes - 1) + 1;
     Waiting waiting[kMost];
     std::size_t count = 0;
-    Waiting now{root.wide.data(), 0, 0};
+    Waiting now{reinterpret_cast<std::uintptr_t>(root.wide.data()), 0};
     float latest = to_float(query.latest);
     alignas(64) float times[kLanes];
     const Way way(query.sweep);
     for (;;) {
-        if (now.facets) {
-            const auto* const lanes = static_cast<const FaceLanes*>(now.child);
-            if (look_at(lanes, now.facets, way, now.time, query, latest)) return true;
+        if (now.below & WideNode::kFacets) {
+            const auto* const lanes = reinterpret_cast<const FaceLanes*>(now.below - WideNode::kFacets);
+            if (look_at(lanes, way, now.time, query, latest)) return true;
         } else {
-            const WideNode& node = *static_cast<const WideNode*>(now.child);
-            query.counts.nodes += node.count;
+            const WideNode& node = *reinterpret_cast<const WideNode*>(now.below);
+            if (query.counts) query.counts->nodes += boxes_in_use(node);
             const unsigned met = enter(node, way, latest, times);
             if (met) {
                 const unsigned others = met & (met - 1);
@@ -156,9 +160,9 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
                     const std::uint32_t swap = 0u - std::uint32_t(order_of(times[other]) < order_of(times[one]));
                     const std::uint32_t apart = one ^ other, near = one ^ (apart & swap);
                     now = child_of(node, near, times);
-                    fetch(now.child, now.facets > 0);
+                    fetch(now.below);
                     const Waiting next = child_of(node, near ^ apart, times);
-                    fetch(next.child, next.facets > 0);
+                    fetch(next.below);
                     waiting[count] = next;
                     count += others != 0;
                 } else {

@@ -2,6 +2,9 @@
 // An index over portals.
 #include "world/portal_index.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace firma {
 
 Ref<const Node> portal_leaf(std::uint32_t number, const GridBox& box) {
@@ -12,8 +15,10 @@ Ref<const Node> portal_leaf(std::uint32_t number, const GridBox& box) {
     WideNode& wide = leaf->wide.emplace_back();
     const GridBox* const boxes[] = {&leaf->box};
     set_boxes(wide, boxes);
-    for (std::uint32_t k = 0; k < WideNode::kLanes; ++k) wide.first[k + 1] = 1;
-    wide.facets[0] = 1;
+    wide.lead_to_facets(0, nullptr);
+    LaneItems& items = leaf->lane_items.emplace_back();
+    items.count = 1;
+    std::fill(items.first + 1, std::end(items.first), std::uint8_t(1));
     leaf->facets = Ref<const IndexedFacets>(new IndexedPortal(number));
     return Ref<const Node>(leaf.get());
 }

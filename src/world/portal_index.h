@@ -33,8 +33,8 @@ bool for_each_portal_meeting(const Node& root, const GridBox& box, const Functio
         const unsigned met = lanes_meeting(wide, box);
         for (std::uint32_t lane = 0; met >> lane; ++lane) {
             if (!(met >> lane & 1)) continue;
-            const Node& next = wide.leads_to_node(lane) ? *node.children[wide.first[lane]] : node;
-            if (self(self, next, *static_cast<const WideNode*>(wide.child[lane]))) return true;
+            const Node* const child = node.node_below(wide, lane);
+            if (self(self, child ? *child : node, *wide.wide(lane))) return true;
         }
         return false;
     };

@@ -97,15 +97,15 @@ struct LaneQuery {
     /// Looks at a facet that may be met; true ends the sweep.
     using Look = bool (*)(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane);
 
-    LaneQuery(const LaneSweep& of, bool front, double until, void* asker, Look looks)
-        : sweep(of), front_only(front), latest(until), whose(asker), look(looks) {}
+    LaneQuery(const LaneSweep& of, bool front, double until, void* asker, Look looks, CastCounts* count = nullptr)
+        : sweep(of), front_only(front), latest(until), whose(asker), look(looks), counts(count) {}
 
     const LaneSweep& sweep;
     bool front_only;  ///< one-sided faces that the path leaves behind are not met
     double latest;    ///< nothing after it is wanted; `look` may bring it forward
     void* whose;
     Look look;
-    CastCounts counts;
+    CastCounts* counts;         ///< null: nothing is counted
     TriangleCrossing crossing;  ///< of the facet to look at
 };
 

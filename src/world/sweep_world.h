@@ -201,13 +201,8 @@ private:
     }
 
     void look_at_lanes(const Node& index) {
-        LaneQuery query(lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet);
+        LaneQuery query(lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet, options_.counts);
         ended_ = sweep_lanes(index, query);
-        if (!options_.counts) return;
-        options_.counts->nodes += query.counts.nodes;
-        options_.counts->boxes += query.counts.boxes;
-        options_.counts->faces += query.counts.faces;
-        options_.counts->precise += query.counts.precise;
     }
 
     static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
@@ -216,7 +211,7 @@ private:
         const FaceRecord* const record = lanes.faces + slot;
         __builtin_prefetch(record);  // what a hit tells of it, far from the lanes
         if (!(lanes.mask_of_all & it.options_.mask) && !(record->mask & it.options_.mask)) return false;
-        ++query.counts.faces;
+        if (query.counts) ++query.counts->faces;
         const TriangleCrossing& crossing = query.crossing;
         if (!crossing.known) return it.ask_polygon(query, lanes, lane, slot);
         if (crossing.open &&
@@ -249,7 +244,7 @@ private:
 
     bool meet(LaneQuery& query, const PolygonShape& polygon, Sides sides, SweepContact& met) {
         if (!polygon.has_area()) return false;
-        met.contact = mover_.against(sweep_, polygon, sides, found_.latest, &query.counts);
+        met.contact = mover_.against(sweep_, polygon, sides, found_.latest, query.counts);
         return met.contact.touched() && found_(met);
     }
 

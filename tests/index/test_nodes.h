@@ -29,8 +29,10 @@ inline Ref<const Node> leaf_of(const GridBox& box, std::uint32_t facets) {
     WideNode& wide = leaf->wide.emplace_back();
     const GridBox* const boxes[] = {&box};
     set_boxes(wide, boxes);
-    for (std::uint32_t k = 0; k < WideNode::kLanes; ++k) wide.first[k + 1] = std::uint8_t(facets);
-    wide.facets[0] = 1;
+    wide.lead_to_facets(0, nullptr);
+    LaneItems& items = leaf->lane_items.emplace_back();
+    items.count = 1;
+    for (std::uint32_t k = 0; k < WideNode::kLanes; ++k) items.first[k + 1] = std::uint8_t(facets);
     leaf->box = box;
     leaf->depth = 1;
     leaf->facets_below = facets;
@@ -72,6 +74,7 @@ public:
 private:
     void node(const Node& node) {
         ASSERT_FALSE(node.wide.empty());
+        ASSERT_EQ(node.lane_items.size(), node.wide.size());
         ASSERT_EQ(node.is_leaf(), bool(node.facets));
         const std::size_t items = node.is_leaf() ? node.facets_below : node.children.size();
         ASSERT_GE(items, 1u);
@@ -99,28 +102,30 @@ private:
 
     void wide(const WideNode& here, int depth, Walk& walk) {
         ++walk.wide_nodes;
-        ASSERT_GE(here.count, 1u);
-        ASSERT_LE(here.count, WideNode::kLanes);
-        for (std::uint32_t lane = 0; lane < here.count; ++lane) {
-            ASSERT_EQ(here.first[lane], walk.next_item);
+        const LaneItems& items = walk.in.items_of(here);
+        ASSERT_GE(items.count, 1u);
+        ASSERT_LE(items.count, WideNode::kLanes);
+        for (std::uint32_t lane = items.count; lane < WideNode::kLanes; ++lane) ASSERT_EQ(here.below[lane], 0u);
+        for (std::uint32_t lane = 0; lane < items.count; ++lane) {
+            ASSERT_EQ(items.first[lane], walk.next_item);
             walk.way.push_back({&here, lane});
             if (here.leads_to_facets(lane)) {
                 ASSERT_TRUE(walk.in.is_leaf());
                 expect_inside(walk.in.box, walk);
-                walk.next_item += here.items(lane);
+                walk.next_item += items.items(lane);
                 walk.deepest = std::max(walk.deepest, depth);
-            } else if (here.leads_to_node(lane)) {
+            } else if (walk.in.leads_to_node(here, lane)) {
                 const Node& child = *walk.in.children.at(walk.next_item++);
-                EXPECT_EQ(here.child[lane], child.wide.data());
+                EXPECT_EQ(here.wide(lane), child.wide.data());
                 expect_inside(child.box, walk);
                 walk.deepest = std::max(walk.deepest, depth + child.depth);
                 walk.below += child.facets_below;
                 node(child);
             } else {
-                wide(*static_cast<const WideNode*>(here.child[lane]), depth + 1, walk);
+                wide(*here.wide(lane), depth + 1, walk);
             }
             walk.way.pop_back();
-            ASSERT_EQ(here.first[lane + 1], walk.next_item);
+            ASSERT_EQ(items.first[lane + 1], walk.next_item);
         }
     }
 

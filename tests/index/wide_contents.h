@@ -12,13 +12,14 @@ namespace firma::test {
 
 inline void add_wide_contents(const Node& node, std::vector<std::uint64_t>& all) {
     for (const WideNode& wide : node.wide) {
-        all.push_back(wide.count);
-        for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+        const LaneItems& items = node.items_of(wide);
+        all.push_back(items.count);
+        for (std::uint32_t lane = 0; lane < items.count; ++lane) {
             for (int axis = 0; axis < 3; ++axis)
                 all.push_back(std::uint64_t(std::bit_cast<std::uint32_t>(wide.side[0][axis][lane])) << 32 |
                               std::bit_cast<std::uint32_t>(wide.side[1][axis][lane]));
-            all.push_back(std::uint64_t(wide.facets[lane]) << 32 | std::uint32_t(wide.first[lane]) << 16 |
-                          wide.first[lane + 1]);
+            all.push_back(std::uint64_t(wide.leads_to_facets(lane)) << 32 | std::uint32_t(items.first[lane]) << 16 |
+                          items.first[lane + 1]);
         }
     }
 }

@@ -15,15 +15,15 @@ inline Ref<Node> copied_node(const Node& node, PoolVector<Ref<const Node>> child
     made->box = node.box;
     made->facets = node.facets;
     made->wide = node.wide;
+    made->lane_items = node.lane_items;
     made->children = std::move(children);
     for (WideNode& wide : made->wide)
-        for (std::uint32_t lane = 0; lane < wide.count; ++lane) {
+        for (std::uint32_t lane = 0; lane < made->items_of(wide).count; ++lane) {
             if (wide.leads_to_facets(lane)) continue;
-            if (wide.leads_to_node(lane))
-                wide.child[lane] = made->children[wide.first[lane]]->wide.data();
+            if (const Node* const child = made->node_below(wide, lane))
+                wide.lead_to(lane, child->wide.data());
             else
-                wide.child[lane] =
-                    made->wide.data() + (static_cast<const WideNode*>(wide.child[lane]) - node.wide.data());
+                wide.lead_to(lane, made->wide.data() + (wide.wide(lane) - node.wide.data()));
         }
     return made;
 }
@@ -44,10 +44,10 @@ inline Block& own_block(Node& leaf) {
         lanes.faces = made->faces.data();
     }
     for (WideNode& wide : leaf.wide)
-        for (std::uint32_t lane = 0; lane < wide.count; ++lane)
-            if (wide.leads_to_facets(lane) && wide.child[lane])
-                wide.child[lane] =
-                    made->lanes.data() + (static_cast<const FaceLanes*>(wide.child[lane]) - from.lanes.data());
+        for (std::uint32_t lane = 0; lane < WideNode::kLanes; ++lane)
+            if (wide.leads_to_facets(lane) && wide.facets(lane))
+                wide.lead_to_facets(
+                    lane, made->lanes.data() + (static_cast<const FaceLanes*>(wide.facets(lane)) - from.lanes.data()));
     leaf.facets = Ref<const IndexedFacets>(made.get());
     return *made;
 }

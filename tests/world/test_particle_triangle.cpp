@@ -83,15 +83,15 @@ struct OneTriangle {
 private:
     void make_root() {
         WideNode& wide = root.wide.emplace_back();
-        wide.count = 1;
-        wide.child[0] = &lanes;
-        wide.facets[0] = std::uint16_t(lanes.in_a_row());
-        for (std::uint32_t lane = 0; lane < WideNode::kLanes; ++lane)
+        for (std::uint32_t lane = 0; lane < WideNode::kLanes; ++lane) {
+            wide.below[lane] = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 const float side = lane == 0 ? float(kWorldRim) : -std::numeric_limits<float>::infinity();
                 wide.side[0][axis][lane] = -side;
                 wide.side[1][axis][lane] = side;
             }
+        }
+        wide.lead_to_facets(0, &lanes);
     }
 };
 
