@@ -42,20 +42,25 @@ inline PlaneView view_plane(const Sweep& sweep, const PolygonShape& polygon, int
     return view;
 }
 
-/// When the sphere's leading point, or the particle, meets the plane. To be asked when the start is not below it by
+/// When a sphere's leading point, or a particle, meets the plane, where double would lose digits.
+inline Entry enter_plane_precisely(const Sweep& sweep, double radius, const PolygonShape& polygon, double facing) {
+    using Real = DoubleDouble;
+    const VectorOf<Real> n = precise_normal(polygon);
+    const Real down = dot(exactly<Real>(sweep.direction), n) * Real(facing);
+    const Real height = dot(difference<Real>(sweep.start, polygon.corners[0]), n) * Real(-facing);
+    const Real reach = Real(radius) * square_root(dot(n, n));
+    if (!(0.0 < down)) return {};
+    return counted(sweep, (height - reach) / down);
+}
+
+/// When the sphere's leading point meets the plane. To be asked when the start is not below it by
 /// more than rounding and the path leads down; beyond the end of the path the answer is kNone.
 inline Entry enter_plane(const Sweep& sweep, const PolygonShape& polygon, const PlaneView& view) {
     if (view.approach >= sweep.direction_length * kShallowSine) {
         const double t = (view.height - sweep.radius) / view.approach;
         if (!near_end(t, sweep.end)) return t > sweep.end ? Entry{} : Entry{Entry::kFound, t < 0 ? 0 : t};
     }
-    using Real = DoubleDouble;
-    const VectorOf<Real> n = precise_normal(polygon);
-    const Real down = dot(exactly<Real>(sweep.direction), n) * Real(view.facing);
-    const Real height = dot(difference<Real>(sweep.start, polygon.corners[0]), n) * Real(-view.facing);
-    const Real reach = Real(sweep.radius) * square_root(dot(n, n));
-    if (!(0.0 < down)) return {};
-    return counted(sweep, (height - reach) / down);
+    return enter_plane_precisely(sweep, sweep.radius, polygon, view.facing);
 }
 
 /// Whether the foot of the centre at t lies inside the face. In double: along its rim the edges answer as well as the

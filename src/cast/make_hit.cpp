@@ -23,8 +23,11 @@ Vec3 normal_toward_mover(const Sweep& sweep, const PolygonShape& polygon, const 
 // distance between them only.
 PolygonHit make_hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) {
     const Vec3 centre = (sweep.start - polygon.corners[0]) + sweep.direction * contact.t;  // from the first corner
-    const bool along_the_plane = contact.feature == Feature::kEdge && sweep.radius == 0;
-    const Closest closest = along_the_plane ? closest_on_rim(centre, polygon) : closest_to(centre, polygon);
+    // A particle that crosses the plane is known to cross it within the polygon, however near to an edge.
+    const bool along_the_plane = contact.feature == Feature::kEdge;
+    const Closest closest = sweep.radius > 0  ? closest_to(centre, polygon)
+                            : along_the_plane ? closest_on_rim(centre, polygon)
+                                              : foot_on_plane(centre, polygon);
 
     PolygonHit hit;
     hit.status = contact.status;

@@ -65,11 +65,14 @@ Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon) {
     return best;
 }
 
-Closest closest_to(const Vec3& w, const PolygonShape& polygon) {
-    if (!foot_inside(w, polygon)) return closest_on_rim(w, polygon);
+Closest foot_on_plane(const Vec3& w, const PolygonShape& polygon) {
     const double height = dot(w, polygon.normal) / polygon.normal_length;
     const Vec3 away = polygon.unit_normal() * height;
     return {w - away, away, std::fabs(height), Feature::kFace, 0};
+}
+
+Closest closest_to(const Vec3& w, const PolygonShape& polygon) {
+    return foot_inside(w, polygon) ? foot_on_plane(w, polygon) : closest_on_rim(w, polygon);
 }
 
 ClosestPoint closest_point(const Vec3& point, std::span<const Vec3> corners) {

@@ -21,6 +21,9 @@ struct Closest {
 /// @param w  the point less the polygon's first corner
 Closest closest_to(const Vec3& w, const PolygonShape& polygon);
 
+/// The same of the plane: what is nearest where foot_inside().
+Closest foot_on_plane(const Vec3& w, const PolygonShape& polygon);
+
 /// The same among the sides alone.
 Closest closest_on_rim(const Vec3& w, const PolygonShape& polygon);
 

@@ -106,6 +106,19 @@ void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, std:
                     }
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
+    sort_bins_by_id();
+}
+
+/// Of faces that casts look at together: of several that are met at one time the one of the lowest id counts.
+void BlockBuilder::sort_bins_by_id() {
+    const auto by_id = [&](const BuildItem& a, const BuildItem& b) {
+        return faces_->faces[a.face].id < faces_->faces[b.face].id;
+    };
+    for (const BinNode& bin : tree_.nodes) {
+        if (bin.left != 0) continue;
+        const std::span<BuildItem> items = tree_.items_of(bin.first, bin.count);
+        if (!std::is_sorted(items.begin(), items.end(), by_id)) std::sort(items.begin(), items.end(), by_id);
+    }
 }
 
 Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {

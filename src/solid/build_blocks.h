@@ -30,6 +30,7 @@ public:
 
 private:
     void divide(const FaceSet& faces, const TreeOptions& options, std::size_t by_area, std::size_t along_one_axis);
+    void sort_bins_by_id();
     Ref<const Node> pack_leaf(std::uint32_t bin);
 
     const FaceSet* faces_ = nullptr;

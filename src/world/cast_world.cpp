@@ -116,6 +116,7 @@ void sweep_rooms(const World& world, const Vec3& centre, const Sweep& sweep, con
 
 /// Is told of touches, whoever asks: one traversal serves all of them. A touch costs a call through a pointer.
 struct TellAny {
+    static constexpr bool kEarliestOnly = false;
     double latest;
     bool (*take)(TellAny& self, const SweepContact& contact);
 
@@ -130,6 +131,7 @@ TellAny tell(double latest) {
 
 /// Keeps the earliest touch; of several at one time the lowest id.
 struct KeepFirst : TellAny {
+    static constexpr bool kEarliestOnly = true;
     SweepContact best;
 
     explicit KeepFirst(double end) : TellAny(tell<KeepFirst>(end)) {}
@@ -182,8 +184,9 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
         if (found.whole) {
             const LaneShape shape(*found.whole, found.lane);
 #if !defined(__wasm__)  // which has to be small
-            if (!found.through_plane ||
-                !make_hit_inside(sweep, shape.polygon, found.inside, found.away, found.contact, hit))
+            if (found.through_plane)
+                make_particle_hit(sweep, shape.polygon, found.away, found.contact, hit);
+            else
 #endif
                 make(shape.polygon);
         } else {

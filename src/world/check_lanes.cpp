@@ -125,8 +125,12 @@ private:
         if (items.first[lane + 1] > block.faces.size()) return report("a wide node leads to faces that are not there");
         deepest_ = std::max(deepest_, depth);
         next_item_ = items.first[lane + 1];
-        for (std::uint32_t slot = items.first[lane]; slot < next_item_; ++slot)
-            check_box(block, block.faces[slot], box);
+        for (std::uint32_t slot = items.first[lane]; slot < next_item_; ++slot) {
+            const FaceRecord& face = block.faces[slot];
+            check_box(block, face, box);
+            if (slot > items.first[lane] && !(block.faces[slot - 1].id < face.id))
+                report("faces below a lane do not lie by rising ids", face.id);
+        }
         if (lane_kernels().empty()) {
             if (wide.facets(lane)) report("a wide node leads to lanes that there are not");
             return;

@@ -38,9 +38,6 @@ HWY_INLINE Doubles as_doubles(Steps a) {
 HWY_INLINE Doubles size_of(Doubles a) {
     return std::fabs(a);
 }
-HWY_INLINE Doubles root(Doubles a) {
-    return std::sqrt(a);
-}
 HWY_INLINE unsigned where_greater(Doubles a, Doubles b) {
     return a > b;
 }
@@ -87,9 +84,6 @@ HWY_INLINE Doubles as_doubles(Steps a) {
 HWY_INLINE Doubles size_of(Doubles a) {
     return hn::Abs(a);
 }
-HWY_INLINE Doubles root(Doubles a) {
-    return hn::Sqrt(a);
-}
 HWY_INLINE unsigned where_greater(Doubles a, Doubles b) {
     std::uint8_t bytes[8];
     hn::StoreMaskBits(kDoubles, hn::Gt(a, b), bytes);
@@ -122,12 +116,15 @@ struct Crossings {
     unsigned away = 0;     ///< the path runs along the normal
 };
 
-/// The same steps, to the bit, as view_plane() and enter_plane() take. Of lanes that are whole the normal is exact.
+/// More than kShallow by far more than rounding, so that no angle is clear here and not in polygons.
+constexpr double kSurelyShallow = kShallow * (1 + 0x1p-40);
+
+/// The same steps, to the bit, as cast_particle_polygon() takes. Of lanes that are whole the normal is exact.
 /// @param wanted  which lanes; of others anything may be said
 /// @param at      of those crossed, when
 HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query, unsigned wanted, double* at) {
     const Sweep& sweep = *query.sweep.path;
-    const Doubles step = each(double(lanes.step)), area = each(double(lanes.step) * double(lanes.step));
+    const Doubles step = each(double(lanes.step));
     const unsigned one_sided = query.front_only ? ~unsigned(lanes.two_sided) : 0u;
     Crossings all_found;
     for (std::uint32_t part = 0; part < kLanes; part += kDoublesAtOnce) {
@@ -143,7 +140,7 @@ HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query
         Doubles n[3];
         for (int axis = 0; axis < 3; ++axis) {
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-            n[axis] = times(minus(times(b[u], c[v]), times(b[v], c[u])), area);
+            n[axis] = minus(times(b[u], c[v]), times(b[v], c[u]));  // by the square of a step, a power of two
         }
         const auto dot = [](Doubles x, Doubles y, Doubles z, const Doubles* with)
                              HWY_ATTR { return plus(plus(times(x, with[0]), times(y, with[1])), times(z, with[2])); };
@@ -155,17 +152,16 @@ HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query
         const Doubles far = larger(larger(size_of(from[0]), size_of(from[1])), size_of(from[2]));
         const Doubles doubt =
             times(each(firma::rounding(16)), plus(times(far, normal_size), times(rise_size, each(sweep.end))));
-        const Doubles inverse = over(each(1), root(dot(n[0], n[1], n[2], n)));
-        const Doubles approach = times(size_of(rise), inverse);
-        const Doubles t = over(times(size_of(height), inverse), approach);
+        const Doubles t = over(size_of(height), size_of(rise));
+        const Doubles shallow = times(dot(n[0], n[1], n[2], n), each(sweep.direction_square * kSurelyShallow));
         const Doubles zero = each(0);
         const unsigned turned = where_greater(size_of(rise), times(each(firma::rounding(8)), rise_size));
         const unsigned away = where_greater(rise, zero);
         const unsigned sides = where_greater(size_of(height), doubt) & where_greater(size_of(end), doubt);
         const unsigned above = where_greater(height, zero), ends_above = where_greater(end, zero);
         // Near the end, or at too flat an angle, double loses too much.
-        const unsigned clear = ~where_greater(each(sweep.direction_length * kShallowSine), approach) &
-                               where_greater(t, zero) & where_greater(each(sweep.end * (1 - kNearEnd)), t);
+        const unsigned clear = ~where_greater(shallow, times(rise, rise)) & where_greater(t, zero) &
+                               where_greater(each(sweep.end * (1 - kNearEnd)), t);
         const unsigned late = where_greater(t, each(query.latest));
         const unsigned behind = turned & away & (one_sided >> part);
         const unsigned beside = turned & sides & (~(above ^ away) | (ends_above ^ away));

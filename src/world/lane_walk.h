@@ -51,6 +51,26 @@ HWY_INLINE std::uint32_t take_first(unsigned& left, const Time* times) {
     return lane;
 }
 
+/// The lane of the least time; of several the first.
+HWY_INLINE std::uint32_t earliest(unsigned lanes, const double* times) {
+    if ((lanes & (lanes - 1)) == 0) return first_bit(lanes);
+#if HWY_TARGET == HWY_WASM
+    return take_first(lanes, times);
+#else
+    const auto of = [&](std::uint32_t part) HWY_ATTR {
+        const std::uint8_t bytes[8] = {std::uint8_t(lanes >> part)};
+        return hn::IfThenElse(hn::LoadMaskBits(kDoubles, bytes), hn::Load(kDoubles, times + part), hn::Inf(kDoubles));
+    };
+    Doubles least = of(0);
+    for (std::uint32_t part = kDoublesAtOnce; part < kLanes; part += kDoublesAtOnce) least = hn::Min(least, of(part));
+    least = hn::MinOfLanes(kDoubles, least);
+    unsigned found = 0;
+    for (std::uint32_t part = 0; part < kLanes; part += kDoublesAtOnce)
+        found |= (~where_greater(hn::Load(kDoubles, times + part), least) & ((1u << kDoublesAtOnce) - 1)) << part;
+    return first_bit(found & lanes);
+#endif
+}
+
 /// Looks at triangles whose planes a particle crosses, and takes these out of those left; true when that ends the
 /// sweep. They are whole, so none is a part of another's facet.
 HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, const Triangles& found, unsigned& left) {
@@ -58,13 +78,15 @@ HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, co
     const Crossings known = cross_planes(lanes, query, left & lanes.whole, at);
     unsigned crossed = left & lanes.whole & known.crossed;
     left &= ~(lanes.whole & (known.crossed | known.never));
-    for (; crossed; crossed &= crossed - 1) {  // mostly one, or several at one time
-        const std::uint32_t lane = first_bit(crossed);
-        if (at[lane] > query.latest) continue;
+    while (crossed) {
+        const std::uint32_t lane = earliest(crossed, at);
+        if (at[lane] > query.latest) break;
+        crossed &= ~(1u << lane);
         const unsigned clear =
             (found.clear[0] >> lane & 1) | (found.clear[1] >> lane & 1) << 1 | (found.clear[2] >> lane & 1) << 2;
         query.crossing = {at[lane], true, (known.away >> lane & 1) != 0, std::uint8_t(7 ^ clear)};
         if (query.look(query, lanes, lane)) return true;
+        if (query.earliest_only && query.met) break;  // the others come later, or at that time and have higher ids
     }
     query.crossing.known = false;
     return false;

@@ -33,26 +33,21 @@ namespace firma {
     return line_meets_polygon(sweep, LaneShape(lanes, lane).polygon, facing);
 }
 
-/// The same as make_hit(), to the bit, where the point met lies over the triangle as double has it.
+/// The same as make_hit(), to the bit.
 /// @param polygon  of LaneShape
-/// @param inside   whether the line surely passes between the edges
 /// @param hit      one that says nothing yet
-/// @return whether it was made
-inline bool make_hit_inside(const Sweep& sweep, const PolygonShape& polygon, bool inside, bool away,
-                            const Contact& contact, PolygonHit& hit) {
+inline void make_particle_hit(const Sweep& sweep, const PolygonShape& polygon, bool away, const Contact& contact,
+                              PolygonHit& hit) {
     const Vec3& corner = polygon.corners[0];
     const Vec3 centre = (sweep.start - corner) + sweep.direction * contact.t;
-    if (!inside && !foot_inside(centre, polygon)) return false;
-    const double height = dot(centre, polygon.normal) / polygon.normal_length;
     hit.status = contact.status;
     hit.feature = contact.feature;
     hit.feature_index = contact.index;
     hit.fraction = sweep.fraction(contact.t);
     hit.centre = sweep.at(contact.t);
     hit.face_normal = polygon.unit_normal();
-    hit.point = corner + (centre - hit.face_normal * height);
     hit.normal = away ? -hit.face_normal : hit.face_normal;
-    return true;
+    hit.point = corner + (centre - hit.face_normal * (dot(centre, polygon.normal) / polygon.normal_length));
 }
 
 }  // namespace firma

@@ -105,8 +105,10 @@ struct LaneQuery {
     double latest;    ///< nothing after it is wanted; `look` may bring it forward
     void* whose;
     Look look;
-    CastCounts* counts;         ///< null: nothing is counted
-    TriangleCrossing crossing;  ///< of the facet to look at
+    bool earliest_only = false;  ///< only the touch that is met first is wanted; of several at one time the lowest id
+    bool met = false;            ///< set by `look`: whether the facet was met
+    CastCounts* counts;          ///< null: nothing is counted
+    TriangleCrossing crossing;   ///< of the facet to look at
 };
 
 /// @param root  of an index over faces; the sweep must be usable

@@ -38,7 +38,6 @@ struct SweepContact {
     std::uint32_t lane = 0;
     const FaceRecord* record = nullptr;  ///< of a face
     bool through_plane = false;          ///< of a particle and `whole`: told by the lanes, so that what follows is set
-    bool inside = false;                 ///< whether the edges are farther than rounding
     bool away = false;                   ///< whether the path runs along the normal
 
     const FaceRecord& face() const { return *record; }
@@ -202,6 +201,7 @@ private:
 
     void look_at_lanes(const Node& index) {
         LaneQuery query(lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet, options_.counts);
+        query.earliest_only = Found::kEarliestOnly;
         ended_ = sweep_lanes(index, query);
     }
 
@@ -210,16 +210,16 @@ private:
         const std::uint32_t slot = lanes.slot(lane);
         const FaceRecord* const record = lanes.faces + slot;
         __builtin_prefetch(record);  // what a hit tells of it, far from the lanes
+        query.met = false;
         if (!(lanes.mask_of_all & it.options_.mask) && !(record->mask & it.options_.mask)) return false;
         if (query.counts) ++query.counts->faces;
         const TriangleCrossing& crossing = query.crossing;
         if (!crossing.known) return it.ask_polygon(query, lanes, lane, slot);
-        if (crossing.open &&
-            !line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1))
-            return false;
+        query.met = crossing.open == 0 ||
+                    line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1);
+        if (!query.met) return false;
         const Contact touch{Status::kHit, Feature::kFace, 0, crossing.t};
-        const bool ends =
-            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.open == 0, crossing.away});
+        const bool ends = it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away});
         query.latest = it.found_.latest;
         return ends;
     }

@@ -383,6 +383,11 @@ TEST_F(CheckLanes, FindsFaultsOfLanes) {
         block.faces[lanes.slot(0)].mask = 1;
         return true;
     });
+    expect_lanes("faces below a lane do not lie by rising ids", true, [](Node&, Block& block, FaceLanes& lanes) {
+        const std::uint32_t first = lanes.slot(0), last = lanes.slot(lanes.count() - 1);
+        std::swap(block.faces[first].id, block.faces[last].id);
+        return first != last;
+    });
     expect_lanes("a block has bits in its mask that a face has not", true, [](Node&, Block& block, FaceLanes&) {
         block.faces[0].mask = 1;
         for (FaceLanes& lanes : block.lanes) lanes.mask_of_all = 1;

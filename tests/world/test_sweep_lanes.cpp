@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -255,6 +256,34 @@ TEST(LaneKernels, GiveTheAnswersOfCastsOneByOne) {
     }
     EXPECT_GT(carved.face_count(), hall.face_count());
     expect_one_answer(carved, "first.obj, carved", test::sample(3000));
+}
+
+/// Rays exactly through corners, where several faces are met at one time: lanes leave out all but one of a group.
+TEST(LaneKernels, GiveTheLowestIdOfFacesMetAtOneTime) {
+    const Level level = read_level(FIRMA_ROOT "/levels/first.obj").value();
+    const World hall = make_world(level).value();
+    const Cutter crater = make_crater(CutterShape::kRocky, 1);
+    const World carved = carve(hall, crater, {.position = to_metres(level.vertices[0]), .scale = 1}).world;
+    for (const World& world : {hall, carved})
+        test::with_every_kernel([&](const char* kernel) {
+            scenes::Rng rng(11);
+            std::vector<Hit> all;
+            int ties = 0;
+            for (int k = 0; k < test::sample(2000); ++k) {
+                const Vec3 corner = to_metres(level.vertices[rng.below(std::uint32_t(level.vertices.size()))]);
+                Vec3 away;
+                for (int axis = 0; axis < 3; ++axis) away[axis] = std::round(rng.uniform(-4, 4) * 64) / 64;
+                const CastOptions options{.sides = k % 2 ? Sides::kFront : Sides::kBoth};
+                const Hit first = cast(world, {corner + away, 0}, away * -2, options);
+                cast_all(world, {corner + away, 0}, away * -2, all, options);
+                ASSERT_EQ(first.touched(), !all.empty()) << kernel;
+                if (all.empty()) continue;
+                ASSERT_EQ(first.fraction, all[0].fraction) << kernel;
+                ASSERT_EQ(first.face.id, all[0].face.id) << kernel;  // sorted by fraction and id
+                ties += all.size() > 1 && all[1].fraction == first.fraction;
+            }
+            EXPECT_GT(ties, test::sample(2000) / 8) << kernel;
+        });
 }
 
 TEST(LaneKernels, GiveTheAnswersOfShapesOneByOneInEveryFamily) {
