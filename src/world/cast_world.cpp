@@ -159,11 +159,7 @@ struct StopAtAny : TellAny {
 /// A lane that has the facet whole tells its corner, too: that is one place in memory less to wait for.
 FaceRef name_of(const SweepContact& found) {
     if (!found.whole) return ref_to(*found.block, found.slot);
-    GridPoint corner = found.whole->origin;
-    for (int axis = 0; axis < 3; ++axis)
-        corner[axis] +=
-            found.whole->steps(0, axis, found.lane) * std::int32_t(found.whole->step * float(kSurfaceSteps));
-    return {found.face().id, corner};
+    return {found.face().id, found.whole->grid_corner(found.lane, 0)};
 }
 
 void put_face(const SweepContact& found, Hit& hit) {
@@ -181,14 +177,14 @@ void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const C
         static_cast<PolygonHit&>(hit) = mover.hit(sweep, polygon, found.contact);
     };
     if (found.block) {
-        if (found.whole) {
-            const LaneShape shape(*found.whole, found.lane);
 #if !defined(__wasm__)  // which has to be small
-            if (found.through_plane)
-                make_particle_hit(sweep, shape.polygon, found.away, found.contact, hit);
-            else
+        if (found.through_plane) {
+            const Vec3 corner = to_metres(found.whole->grid_corner(found.lane, 0));
+            make_particle_hit(sweep, corner, found.normal, found.away, found.contact, hit);
+        } else
 #endif
-                make(shape.polygon);
+            if (found.whole) {
+            make(LaneShape(*found.whole, found.lane).polygon);
         } else {
             make(FaceShape(*found.block, found.face()).polygon);
         }

@@ -109,8 +109,13 @@ HWY_INLINE Doubles larger(Doubles a, Doubles b) {
 }
 #endif
 
-/// What is known of planes: a bit for each triangle.
+/// What is known of planes: a bit for each triangle, and of those crossed when, and the normal.
 struct Crossings {
+    alignas(64) double at[kLanes];
+#if HWY_TARGET != HWY_WASM  // the module has to be small
+    alignas(64) double normal[3][kLanes];
+#endif
+
     unsigned crossed = 0;  ///< on the path and by the latest time, if the line passes between the edges
     unsigned never = 0;    ///< not so; of those that are in neither, double cannot tell
     unsigned away = 0;     ///< the path runs along the normal
@@ -121,12 +126,10 @@ constexpr double kSurelyShallow = kShallow * (1 + 0x1p-40);
 
 /// The same steps, to the bit, as cast_particle_polygon() takes. Of lanes that are whole the normal is exact.
 /// @param wanted  which lanes; of others anything may be said
-/// @param at      of those crossed, when
-HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query, unsigned wanted, double* at) {
+HWY_INLINE void cross_planes(const FaceLanes& lanes, const LaneQuery& query, unsigned wanted, Crossings& all_found) {
     const Sweep& sweep = *query.sweep.path;
     const Doubles step = each(double(lanes.step));
     const unsigned one_sided = query.front_only ? ~unsigned(lanes.two_sided) : 0u;
-    Crossings all_found;
     for (std::uint32_t part = 0; part < kLanes; part += kDoublesAtOnce) {
         if ((wanted >> part & ((1u << kDoublesAtOnce) - 1)) == 0) continue;
         Doubles from[3], b[3], c[3];  // the start seen from the first corner; edges from there, in steps
@@ -169,10 +172,12 @@ HWY_INLINE Crossings cross_planes(const FaceLanes& lanes, const LaneQuery& query
         all_found.never |= (behind | beside | (sure & late)) << part;
         all_found.crossed |= (sure & ~late) << part;
         all_found.away |= away << part;
-        put(t, at + part);
+        put(t, all_found.at + part);
+#if HWY_TARGET != HWY_WASM
+        for (int axis = 0; axis < 3; ++axis) put(n[axis], all_found.normal[axis] + part);
+#endif
     }
     all_found.crossed &= ~all_found.never;
-    return all_found;
 }
 
 }  // namespace firma::HWY_NAMESPACE

@@ -74,17 +74,23 @@ HWY_INLINE std::uint32_t earliest(unsigned lanes, const double* times) {
 /// Looks at triangles whose planes a particle crosses, and takes these out of those left; true when that ends the
 /// sweep. They are whole, so none is a part of another's facet.
 HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, const Triangles& found, unsigned& left) {
-    alignas(64) double at[kLanes];
-    const Crossings known = cross_planes(lanes, query, left & lanes.whole, at);
+    Crossings known;
+    cross_planes(lanes, query, left & lanes.whole, known);
     unsigned crossed = left & lanes.whole & known.crossed;
     left &= ~(lanes.whole & (known.crossed | known.never));
     while (crossed) {
-        const std::uint32_t lane = earliest(crossed, at);
-        if (at[lane] > query.latest) break;
+        const std::uint32_t lane = earliest(crossed, known.at);
+        if (known.at[lane] > query.latest) break;
         crossed &= ~(1u << lane);
         const unsigned clear =
             (found.clear[0] >> lane & 1) | (found.clear[1] >> lane & 1) << 1 | (found.clear[2] >> lane & 1) << 2;
-        query.crossing = {at[lane], true, (known.away >> lane & 1) != 0, std::uint8_t(7 ^ clear)};
+        query.crossing.t = known.at[lane];
+        query.crossing.known = true;
+        query.crossing.away = (known.away >> lane & 1) != 0;
+        query.crossing.open = std::uint8_t(7 ^ clear);
+#if HWY_TARGET != HWY_WASM
+        query.crossing.normal = {known.normal[0][lane], known.normal[1][lane], known.normal[2][lane]};
+#endif
         if (query.look(query, lanes, lane)) return true;
         if (query.earliest_only && query.met) break;  // the others come later, or at that time and have higher ids
     }

@@ -34,20 +34,22 @@ namespace firma {
 }
 
 /// The same as make_hit(), to the bit.
-/// @param polygon  of LaneShape
-/// @param hit      one that says nothing yet
-inline void make_particle_hit(const Sweep& sweep, const PolygonShape& polygon, bool away, const Contact& contact,
-                              PolygonHit& hit) {
-    const Vec3& corner = polygon.corners[0];
+/// @param corner  the triangle's first, metres
+/// @param normal  of a TriangleCrossing
+/// @param hit     one that says nothing yet
+inline void make_particle_hit(const Sweep& sweep, const Vec3& corner, const Vec3& normal, bool away,
+                              const Contact& contact, PolygonHit& hit) {
+    const double normal_length = length(normal);
     const Vec3 centre = (sweep.start - corner) + sweep.direction * contact.t;
     hit.status = contact.status;
     hit.feature = contact.feature;
     hit.feature_index = contact.index;
     hit.fraction = sweep.fraction(contact.t);
     hit.centre = sweep.at(contact.t);
-    hit.face_normal = polygon.unit_normal();
+    // Added to zero as make_shape() does, so that no zero is negative.
+    hit.face_normal = (Vec3{} + normal) * (1 / normal_length);
     hit.normal = away ? -hit.face_normal : hit.face_normal;
-    hit.point = corner + (centre - hit.face_normal * (dot(centre, polygon.normal) / polygon.normal_length));
+    hit.point = corner + (centre - hit.face_normal * (dot(centre, normal) / normal_length));
 }
 
 }  // namespace firma

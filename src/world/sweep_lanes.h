@@ -90,6 +90,7 @@ struct TriangleCrossing {
     /// A bit for each edge, bit k for that from corner k: its line may not pass on the inner side. Of an edge that is
     /// not open it surely does, farther from it than rounding.
     std::uint8_t open = 7;
+    Vec3 normal;  ///< the facet's, exact but for a factor, a power of two; not set in WebAssembly
 };
 
 /// What a sweep asks for.

@@ -39,6 +39,7 @@ struct SweepContact {
     const FaceRecord* record = nullptr;  ///< of a face
     bool through_plane = false;          ///< of a particle and `whole`: told by the lanes, so that what follows is set
     bool away = false;                   ///< whether the path runs along the normal
+    Vec3 normal;                         ///< as of a TriangleCrossing
 
     const FaceRecord& face() const { return *record; }
     /// In the order of faces by id, then portals.
@@ -219,7 +220,7 @@ private:
                     line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1);
         if (!query.met) return false;
         const Contact touch{Status::kHit, Feature::kFace, 0, crossing.t};
-        const bool ends = it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away});
+        const bool ends = it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away, crossing.normal});
         query.latest = it.found_.latest;
         return ends;
     }

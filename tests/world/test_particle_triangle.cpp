@@ -200,7 +200,7 @@ void compare(const OneTriangle& it, const Vec3& start, const Vec3& path, double 
                 ASSERT_FALSE(through_rim) << kernel.name;
             }
             PolygonHit hit;
-            make_particle_hit(sweep, shape.polygon, it_told.crossing.away, told, hit);
+            make_particle_hit(sweep, it.corner(0), it_told.crossing.normal, it_told.crossing.away, told, hit);
             ++(inside ? tally.inside : tally.beside);
             expect_same_hit(hit, make_hit(sweep, shape.polygon, wanted));
             if (testing::Test::HasFailure()) return;
