@@ -10,7 +10,8 @@ namespace {
 constexpr double kFarthest = 0x1p+20;
 
 bool near_enough(const Sweep& sweep) {
-    return max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
+    return max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest &&
+           sweep.end > Sweep::kShortestForFloats;
 }
 
 /// Of doubles on the way, metres.
