@@ -69,7 +69,7 @@ struct FaceLanes {
         return is_wide() ? upper * kHalves + std::uint16_t(this[1].corner[k][axis][lane]) : upper;
     }
     /// A corner of a lane, exact.
-    GridPoint grid_corner(std::uint32_t lane, std::uint32_t k) const {
+    [[gnu::always_inline]] GridPoint grid_corner(std::uint32_t lane, std::uint32_t k) const {
         GridPoint at = origin;
         if (!is_wide()) [[likely]]
             for (int axis = 0; axis < 3; ++axis) at[axis] += std::int32_t(corner[k][axis][lane]) << step_bits();
