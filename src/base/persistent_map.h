@@ -25,7 +25,10 @@ public:
     /// Null when there is none. Good while this map stays as it is.
     const Value* find(std::uint32_t key) const {
         if (height_ == 1 && key < kItems && root_) return leaf(root_.get()).find(key);
-        return find_deeper(key);
+        if (!holds_digits_of(key)) return nullptr;
+        const Page* page = root_.get();
+        for (int level = height_ - 1; page && level > 0; --level) page = inner(page).pages[digit(key, level)].get();
+        return page ? leaf(page).find(digit(key, 0)) : nullptr;
     }
     /// For keys that are there.
     const Value& operator[](std::uint32_t key) const { return *find(key); }
@@ -67,14 +70,6 @@ public:
 
 private:
     static constexpr std::uint32_t kItems = 32;
-
-    /// Apart, so that casts have no call where there is one page.
-    [[gnu::noinline]] const Value* find_deeper(std::uint32_t key) const {
-        if (!holds_digits_of(key)) return nullptr;
-        const Page* page = root_.get();
-        for (int level = height_ - 1; page && level > 0; --level) page = inner(page).pages[digit(key, level)].get();
-        return page ? leaf(page).find(digit(key, 0)) : nullptr;
-    }
 
     struct Page : RefCounted, Pooled {
         virtual ~Page() = default;

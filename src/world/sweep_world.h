@@ -39,7 +39,7 @@ struct SweepContact {
     const FaceRecord* record = nullptr;  ///< of a face
     bool through_plane = false;          ///< of a particle and `whole`: told by the lanes, so that what follows is set
     bool away = false;                   ///< whether the path runs along the normal
-    Vec3 normal;                         ///< as of a TriangleCrossing
+    Vec3 normal{};                       ///< as of a TriangleCrossing
 
     const FaceRecord& face() const { return *record; }
     /// In the order of faces by id, then portals.
