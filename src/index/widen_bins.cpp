@@ -163,8 +163,8 @@ void BinWidener::fill(Node& node, const BinTree& tree, std::uint32_t index, bool
     next_item_ = 0;
     node.box = parts_[index].bin->box;
     put(tree, index, 1, bins_are_one_item);
-    node.wide.assign(wide_.begin(), wide_.end());
-    node.lane_items.assign(lane_items_.begin(), lane_items_.end());
+    node.wide = PoolVector<WideNode>(wide_.begin(), wide_.end());
+    node.lane_items = PoolVector<LaneItems>(lane_items_.begin(), lane_items_.end());
     node.depth = 0;
     for (const Item& item : items_) node.depth = std::max(node.depth, std::uint16_t(item.depth));
     for (const Link& link : links_) node.wide[link.above].lead_to(link.lane, &node.wide[link.number]);
