@@ -28,7 +28,7 @@ pieces() {
 }
 
 [ $# -gt 0 ] || set -- formulas inside boxes edges tree subdivision stop_distance first_level pieces \
-    carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save repair store openarena peers node \
+    many edit_index carve carve_allocations carve_cgal carve_rebuild carved_casts versions region_meshes levels save repair store openarena peers node \
     sweeps digs chunks living matter hostile cgal_exact scale
 for name in "$@"; do
     echo "--- $name"
