@@ -126,9 +126,9 @@ void measure_casts(const std::string& what, const World& world, const std::vecto
 }
 
 int measure(const Settings& settings) {
-    Table table("many", {"casts", "faces", "how many", "ns a single cast", "together, as they come",
-                         "together, in order", "two threads, a loop", "together, as they come, two threads",
-                         "together, in order, two threads", "as they come to the loop", "in order to the loop"});
+    Table table("many", {"casts", "faces", "how many", "ns a single cast", "together, given order",
+                         "together, own order", "two threads, a loop", "together, given order, two threads",
+                         "together, own order, two threads", "given order to the loop", "own order to the loop"});
     for (const std::uint32_t side : {200u, 1000u}) {
         if (settings.quick && side > 200) break;
         const World world = make_world(ground(side)).value();
