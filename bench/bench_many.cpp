@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "firma/batch.h"
-#include "firma/level.h"
-#include "scenes/rng.h"
+#include "scenes/terrain.h"
 #include "support/race.h"
 #include "support/settings.h"
 #include "support/table.h"
@@ -18,47 +17,11 @@
 namespace firma::bench {
 namespace {
 
-/// Squares of a metre, two triangles each.
-Level ground(std::uint32_t side) {
-    constexpr auto kMetre = std::int32_t(kSurfaceSteps);
-    scenes::Rng rng(5);
-    Level level;
-    level.name = "ground";
-    level.materials.emplace_back();
-    for (std::uint32_t j = 0; j <= side; ++j)
-        for (std::uint32_t i = 0; i <= side; ++i) {
-            const auto height = std::int32_t(rng.below(64)) * (kMetre / 64);
-            level.vertices.push_back({(std::int32_t(i) - std::int32_t(side / 2)) * kMetre,
-                                      (std::int32_t(j) - std::int32_t(side / 2)) * kMetre, height});
-        }
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        LevelFace face;
-        face.first_corner = std::uint32_t(level.corners.size());
-        face.corner_count = 3;
-        face.source = std::uint32_t(level.faces.size());
-        level.corners.insert(level.corners.end(), {a, b, c});
-        level.faces.push_back(face);
-    };
-    for (std::uint32_t j = 0; j < side; ++j)
-        for (std::uint32_t i = 0; i < side; ++i) {
-            const std::uint32_t at = j * (side + 1) + i;
-            add(at, at + 1, at + side + 2);
-            add(at, at + side + 2, at + side + 1);
-        }
-    return level;
-}
-
-std::vector<CastInput> scattered(std::uint32_t side, std::size_t count, double radius, double from, double to) {
-    scenes::Rng rng(17);
-    std::vector<CastInput> casts(count);
-    const double half = side / 2.0 - 1;
-    for (CastInput& cast : casts) {
-        for (int axis = 0; axis < 2; ++axis) cast.sphere.centre[axis] = rng.uniform(-half, half);
-        cast.sphere.centre.z = rng.uniform(1 + radius, 3);
-        cast.sphere.radius = radius;
-        const Vec3 way = rng.direction();
-        cast.path = way * rng.uniform(from, to);
-    }
+std::vector<CastInput> scattered(const scenes::Terrain& ground, const Level& level, std::size_t count,
+                                 const scenes::CastRange& range) {
+    std::vector<CastInput> casts;
+    for (const scenes::CastQuery& query : scenes::casts_over_terrain(ground, level, range, count, 17))
+        casts.push_back({query.sphere, query.path});
     return casts;
 }
 
@@ -129,15 +92,20 @@ int measure(const Settings& settings) {
     Table table("many", {"casts", "faces", "how many", "ns a single cast", "together, given order",
                          "together, own order", "two threads, a loop", "together, given order, two threads",
                          "together, own order, two threads", "given order to the loop", "own order to the loop"});
-    for (const std::uint32_t side : {200u, 1000u}) {
-        if (settings.quick && side > 200) break;
-        const World world = make_world(ground(side)).value();
-        const std::size_t count = settings.few(200000);
-        const int rounds = settings.quick ? 1 : settings.rounds;
-        measure_casts("rays, 1-2 m", world, scattered(side, count, 0, 1, 2), rounds, table);
-        measure_casts("rays, 20-40 m", world, scattered(side, count, 0, 20, 40), rounds, table);
-        measure_casts("spheres of 0.4 m, 1-2 m", world, scattered(side, count, 0.4, 1, 2), rounds, table);
-        measure_casts("spheres of 0.4 m, 20-40 m", world, scattered(side, count, 0.4, 20, 40), rounds, table);
+    for (const int squares : {200, 1000}) {
+        if (settings.quick && squares > 200) break;
+        const scenes::Terrain ground{squares, 3};
+        const Level level = scenes::terrain(ground);
+        const World world = make_world(level).value();
+        const auto measure_range = [&](const std::string& what, const scenes::CastRange& range) {
+            const std::size_t count = settings.few(200000);
+            measure_casts(what, world, scattered(ground, level, count, range), settings.quick ? 1 : settings.rounds,
+                          table);
+        };
+        measure_range("rays, 1-2 m", scenes::kShortRays);
+        measure_range("rays, 5-100 m", scenes::kLongRays);
+        measure_range("spheres, 0.1-2 m", scenes::kShortSpheres);
+        measure_range("spheres, 50 m", scenes::kLongSpheres);
     }
     return table.finish(settings.csv) ? 0 : 1;
 }
