@@ -42,14 +42,6 @@ bool usable(const Vec3& a, const Vec3& b) {
     return size_of(a) + size_of(b) <= kLargestNumber || (usable(a) && usable(b));  // at once, mostly
 }
 
-/// From the path as it is given, as a quotient takes long, and the direction is not known at once.
-float inverse_of(double path, float end, double direction) {
-    constexpr float kSmallest = 0x1p-100f, kSteepest = 0x1p+60f;
-    const float size = std::fabs(float(path));
-    const float inverse = 1 / (size > kSmallest ? size : kSmallest) * end;
-    return std::copysign(inverse < kSteepest ? inverse : kSteepest, float(direction));
-}
-
 /// Without branches: which axis is the longest cannot be foreseen.
 void set_projection(Sweep& sweep) {
     const double d[3] = {sweep.direction.x, sweep.direction.y, sweep.direction.z};
@@ -79,8 +71,6 @@ Status make_sweep(const Sphere& sphere, const Vec3& path, Sweep& sweep) {
     sweep.direction = without_dust(path * inverse_of_power(sweep.end));
     sweep.direction_square = dot(sweep.direction, sweep.direction);
     sweep.direction_length = std::sqrt(sweep.direction_square);
-    for (int axis = 0; axis < 3; ++axis)
-        sweep.inverse[axis] = inverse_of(path[axis], float(sweep.end), sweep.direction[axis]);
     set_projection(sweep);
     return Status::kHit;
 }

@@ -11,8 +11,6 @@ namespace firma {
 /// The centre moves as start + t * direction, t in [0, end]; fraction = t / end. `end` is a power of two, so nothing is
 /// rounded by the change of scale.
 struct Sweep {
-    static constexpr double kShortestForFloats = 0x1p-60;
-
     Vec3 start;
     Vec3 direction;  ///< the path over `end`: its largest coordinate is in [1, 2)
     double end = 0;  ///< a power of two
@@ -25,10 +23,6 @@ struct Sweep {
     /// * w[k]).
     int axis_u = 0, axis_v = 0, axis_k = 0;
     double shear_u = 0, shear_v = 0;
-
-    /// Of the direction's coordinates, for whoever computes in float; with their signs, 2^60 where they are nearly 0.
-    /// Of paths below kShortestForFloats they say nothing.
-    float inverse[3] = {};
 
     Vec3 at(double t) const { return start + direction * t; }
     double fraction(double t) const { return t / end; }

@@ -29,23 +29,26 @@ struct Way {
     float inverse_longest;          ///< of the direction's longest coordinate
 
     HWY_INLINE explicit Way(const LaneSweep& sweep) {
+        constexpr float kSteepest = 1e18f;  // stands for a slope that is infinite
+        float inverses[3];
         for (int axis = 0; axis < 3; ++axis) {
             const double from = sweep.start[axis];
-            const double along = sweep.path->direction[axis];
-            const float inverse = sweep.path->inverse[axis];
+            const float along = float(sweep.path->direction[axis]);
+            const float inverse = std::fabs(along) * kSteepest > 1 ? 1 / along : kSteepest;
             // Without branches: which way a path goes cannot be foreseen.
             const double reach = sweep.reach[axis] + LaneSweep::kFartherRounding * std::fabs(from);
-            const double grown = std::copysign(reach, along);
+            const double grown = std::copysign(reach, double(inverse));
+            inverses[axis] = inverse;
             slope[axis] = all(inverse);
             early[axis] = all(inverse * kLess);
             late[axis] = all(inverse * kMore);
             ahead[axis] = all(float(from + grown));
             behind[axis] = all(float(from - grown));
-            const std::uint32_t high_first = std::uint32_t(std::bit_cast<std::uint64_t>(along) >> 63);
+            const std::uint32_t high_first = std::bit_cast<std::uint32_t>(inverse) >> 31;
             near[axis] = (3 * high_first + std::uint32_t(axis)) * kLanes;
             far[axis] = (3 * (1 - high_first) + std::uint32_t(axis)) * kLanes;
         }
-        inverse_longest = sweep.path->inverse[sweep.path->axis_k];
+        inverse_longest = inverses[sweep.path->axis_k];
     }
 };
 

@@ -10,8 +10,7 @@ namespace {
 constexpr double kFarthest = 0x1p+20;
 
 bool near_enough(const Sweep& sweep) {
-    return max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest &&
-           sweep.end > Sweep::kShortestForFloats;
+    return max_abs(sweep.start) < kFarthest && sweep.end < kFarthest && sweep.radius < kFarthest;
 }
 
 /// Of doubles on the way, metres.

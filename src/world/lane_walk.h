@@ -31,6 +31,9 @@ HWY_INLINE float to_float(double latest) {
 HWY_INLINE std::uint32_t first_bit(unsigned bits) {
     return std::uint32_t(__builtin_ctz(bits));
 }
+HWY_INLINE std::uint32_t last_bit(unsigned bits) {
+    return 31 ^ std::uint32_t(__builtin_clz(bits));
+}
 
 /// What will be looked at: as many lines of a cache as a node has, and of faces, which have one less, the first one
 /// twice. Without a branch: which of both it is cannot be foreseen.
@@ -184,7 +187,7 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
                 FIRMA_ASSERT(count + kLanes <= kMost, "an index is deeper than any that is built");
                 if ((others & (others - 1)) == 0) {
                     // One or two: both cases go the same way.
-                    const std::uint32_t one = first_bit(met), other = first_bit(others ? others : met);
+                    const std::uint32_t one = first_bit(met), other = last_bit(met);
                     const std::uint32_t swap = 0u - std::uint32_t(order_of(times[other]) < order_of(times[one]));
                     const std::uint32_t apart = one ^ other, near = one ^ (apart & swap);
                     now = child_of(node, near, times);

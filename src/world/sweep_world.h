@@ -220,8 +220,7 @@ private:
                     line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1);
         if (!query.met) return false;
         const Contact touch{Status::kHit, Feature::kFace, 0, crossing.t};
-        const bool ends =
-            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away, crossing.normal});
+        const bool ends = it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away, crossing.normal});
         query.latest = it.found_.latest;
         return ends;
     }
