@@ -132,6 +132,9 @@ struct Waiting {
     float time;
 };
 
+/// How much may wait at once.
+constexpr std::size_t kMostWaiting = (kDeepestTree + 1) * (kLanes - 1) + 1;
+
 /// Times, which are not below 0, in the order of their bits: so a processor need not branch.
 HWY_INLINE std::uint32_t order_of(const float& time) {
     return std::bit_cast<std::uint32_t>(time);
@@ -166,50 +169,79 @@ HWY_INLINE std::uint32_t boxes_in_use(const WideNode& node) {
     return count;
 }
 
-bool sweep_lanes(const Node& root, LaneQuery& query) {
-    constexpr std::size_t kMost = (kDeepestTree + 1) * (kLanes - 1) + 1;
-    Waiting waiting[kMost];
-    std::size_t count = 0;
-    Waiting now{reinterpret_cast<std::uintptr_t>(root.wide.data()), 0};
-    float latest = to_float(query.latest);
-    alignas(64) float times[kLanes];
-    const Way way(query.sweep);
-    for (;;) {
-        if (now.below & WideNode::kFacets) {
-            const auto* const lanes = reinterpret_cast<const FaceLanes*>(now.below - WideNode::kFacets);
-            if (look_at(lanes, way, now.time, query, latest)) return true;
-        } else {
-            const WideNode& node = *reinterpret_cast<const WideNode*>(now.below);
-            if (query.counts) query.counts->nodes += boxes_in_use(node);
-            const unsigned met = enter(node, way, latest, times);
-            if (met) {
-                const unsigned others = met & (met - 1);
-                FIRMA_ASSERT(count + kLanes <= kMost, "an index is deeper than any that is built");
-                if ((others & (others - 1)) == 0) {
-                    // One or two: both cases go the same way.
-                    const std::uint32_t one = first_bit(met), other = last_bit(met);
-                    const std::uint32_t swap = 0u - std::uint32_t(order_of(times[other]) < order_of(times[one]));
-                    const std::uint32_t apart = one ^ other, near = one ^ (apart & swap);
-                    now = child_of(node, near, times);
-                    fetch(now.below);
-                    const Waiting next = child_of(node, near ^ apart, times);
-                    fetch(next.below);
-                    waiting[count] = next;
-                    count += others != 0;
-                } else {
-                    const auto more = unsigned(__builtin_popcount(met));
-                    put_in_order(node, met, more, times, waiting + count);
-                    count += more;
-                    now = waiting[--count];
-                }
-                continue;
+/// A sweep on its way through an index.
+class Walk {
+public:
+    HWY_INLINE Walk(const Node& root, LaneQuery& query)
+        : query_(&query),
+          now_{reinterpret_cast<std::uintptr_t>(root.wide.data()), 0},
+          latest_(to_float(query.latest)),
+          way_(query.sweep) {}
+
+    /// Looks into one node, or at the faces below one lane.
+    /// @param waiting  what is to be looked into later, kMostWaiting; the same each time
+    /// @return whether there is more
+    HWY_INLINE bool step(Waiting* waiting) {
+        if (now_.below & WideNode::kFacets) {
+            const auto* const lanes = reinterpret_cast<const FaceLanes*>(now_.below - WideNode::kFacets);
+            if (look_at(lanes, way_, now_.time, *query_, latest_)) {
+                ended = true;
+                return false;
             }
+        } else if (look_into(*reinterpret_cast<const WideNode*>(now_.below), waiting)) {
+            return true;
         }
         do {
-            if (count == 0) return false;
-            now = waiting[--count];
-        } while (now.time > latest);
+            if (count_ == 0) return false;
+            now_ = waiting[--count_];
+        } while (now_.time > latest_);
+        return true;
     }
+
+    bool ended = false;  ///< whether a look ended the sweep
+
+private:
+    /// Goes on with the nearest of a node's boxes; false where none is met.
+    HWY_INLINE bool look_into(const WideNode& node, Waiting* waiting) {
+        if (query_->counts) query_->counts->nodes += boxes_in_use(node);
+        alignas(64) float times[kLanes];
+        const unsigned met = enter(node, way_, latest_, times);
+        if (met == 0) return false;
+        const unsigned others = met & (met - 1);
+        FIRMA_ASSERT(count_ + kLanes <= kMostWaiting, "an index is deeper than any that is built");
+        if ((others & (others - 1)) == 0) {
+            // One or two: both cases go the same way.
+            const std::uint32_t one = first_bit(met), other = last_bit(met);
+            const std::uint32_t swap = 0u - std::uint32_t(order_of(times[other]) < order_of(times[one]));
+            const std::uint32_t apart = one ^ other, near = one ^ (apart & swap);
+            now_ = child_of(node, near, times);
+            fetch(now_.below);
+            const Waiting next = child_of(node, near ^ apart, times);
+            fetch(next.below);
+            waiting[count_] = next;
+            count_ += others != 0;
+        } else {
+            const auto more = unsigned(__builtin_popcount(met));
+            put_in_order(node, met, more, times, waiting + count_);
+            count_ += more;
+            now_ = waiting[--count_];
+        }
+        return true;
+    }
+
+    LaneQuery* query_;
+    Waiting now_;
+    std::size_t count_ = 0;
+    float latest_;
+    Way way_;
+};
+
+bool sweep_lanes(const Node& root, LaneQuery& query) {
+    Waiting waiting[kMostWaiting];
+    Walk walk(root, query);
+    while (walk.step(waiting)) {
+    }
+    return walk.ended;
 }
 
 }  // namespace firma::HWY_NAMESPACE
