@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/fetch_ahead.h"
 #include "bindings/c/answers.h"
 #include "bindings/c/convert.h"
 #include "bindings/c/objects.h"
@@ -16,13 +15,6 @@ namespace firma::c {
 namespace {
 
 constexpr const char* kNotRun = "the function `run` of firma_set_tasks() returned before all was done";
-
-template <class T>
-void fetch_whole(const T* object) {
-    constexpr std::size_t kLine = 64;
-    for (std::size_t at = 0; at < sizeof(T); at += kLine) fetch_ahead(reinterpret_cast<const char*>(object) + at);
-    keep_fetches();
-}
 
 /// firma_casts as they are read: columns with a stride.
 struct GivenCasts {
@@ -57,19 +49,13 @@ struct GivenCasts {
         return {number(casts.path_x, k), number(casts.path_y, k), number(casts.path_z, k)};
     }
 
-    /// What `ask` answers for cast k: called with its shape, and where a hull is put.
-    template <class Ask>
-    auto with(std::size_t k, const Ask& ask) const {
-        if (casts.kind == FIRMA_MOVER_HULL) return ask(hulls[casts.hull_of ? casts.hull_of[k] : 0], start(k));
-        if (casts.kind == FIRMA_MOVER_SPHERE) return ask(Sphere{start(k), radius(k)});
+    bool spheres() const { return casts.kind == FIRMA_MOVER_SPHERE; }
+    Asked ask(std::size_t k) const {
+        if (casts.kind == FIRMA_MOVER_HULL)
+            return Asked(HullInput{&hulls[casts.hull_of ? casts.hull_of[k] : 0], start(k), path(k)});
+        if (spheres()) return Asked(CastInput{{start(k), radius(k)}, path(k)});
         const Vec3 to{number(casts.to_x, k), number(casts.to_y, k), number(casts.to_z, k)};
-        return ask(Capsule(start(k), to, radius(k)));
-    }
-
-    void fetch(std::size_t k) const {
-        for (const double* column : {casts.x, casts.y, casts.z, casts.path_x, casts.path_y, casts.path_z})
-            fetch_ahead(reinterpret_cast<const char*>(column) + k * casts.stride);
-        keep_fetches();
+        return Asked(CapsuleInput{Capsule(start(k), to, radius(k)), path(k)});
     }
 
 private:
@@ -128,8 +114,7 @@ firma_code read_many(const firma_many_options* given, firma_many_options& whole,
     if (!given) return FIRMA_OK;
     if (!sized(given)) return bad_call(function, kWrongSize);
     take_sized(given, whole);
-    if (whole.order > FIRMA_ORDER_GIVEN || whole.any > 1 || whole.reserved != 0)
-        return fail(FIRMA_ERROR_INVALID, function, "order and any must be 0 or 1, reserved 0");
+    if (whole.any > 1) return fail(FIRMA_ERROR_INVALID, function, "any must be 0 or 1");
     return FIRMA_OK;
 }
 
@@ -158,16 +143,13 @@ firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, s
         CastCounts seen;
         if (counts) many.cast.counts = &seen;
         if (tasks.run) many.tasks = &tasks;
-        const auto way = [&](std::size_t k) { return CastWay{vec(inputs[k].centre), vec(inputs[k].path)}; };
-        const auto answer = [&](std::size_t k, const CastOptions* each) {
-            const firma_cast_input& input = inputs[k];
-            put_hit(each ? cast(object->world, sphere_of(input), vec(input.path), *each) : invalid_hit({}), hits[k]);
+        const auto ask = [&](std::size_t k) { return Asked(CastInput{sphere_of(inputs[k]), vec(inputs[k].path)}); };
+        const auto answer = [&](std::size_t k, PutHit put) {
+            Hit hit;
+            put(hit);
+            put_hit(hit, hits[k]);
         };
-        const auto fetch = [&](std::size_t k) {
-            fetch_whole(&inputs[k]);
-            fetch_whole(&hits[k]);
-        };
-        if (run_many(object->world, {count, true, way, answer, fetch}, many) == ManyResult::kRefused)
+        if (run_many(object->world, {count, true, true, ask}, answer, many) == ManyResult::kRefused)
             return bad_call(function, kNotRun);
         if (counts) add(seen, *counts);
         return FIRMA_OK;
@@ -193,32 +175,23 @@ firma_code firma_cast_many(firma_world world, const firma_casts* casts, const fi
         CastCounts seen;
         if (counts) chosen.cast.counts = &seen;
         if (tasks.run) chosen.tasks = &tasks;
-        if (whole.order == FIRMA_ORDER_GIVEN) chosen.order = CastOrder::kGiven;
         if (whole.progress) {
             chosen.progress = tell;
             chosen.user = &whole;
         }
         const World held = object->world;  // which progress may release
-        const auto way = [&](std::size_t k) { return CastWay{given.start(k), given.path(k)}; };
-        const auto answer_any = [&](std::size_t k, const CastOptions* each) {
-            const Status status =
-                each ? given.with(k,
-                                  [&](const auto&... shape) { return cast_any(held, shape..., given.path(k), *each); })
-                     : Status::kInvalid;
+        const auto ask = [&](std::size_t k) { return given.ask(k); };
+        const auto answer_any = [&](std::size_t k, Status status) {
             if (out.answers.status) out.answers.status[k] = std::uint32_t(status);
         };
-        const auto answer_first = [&](std::size_t k, const CastOptions* each) {
-            out.put(k, each ? given.with(
-                                  k, [&](const auto&... shape) { return cast(held, shape..., given.path(k), *each); })
-                            : invalid_hit({}));
+        const auto answer_first = [&](std::size_t k, PutHit put) {
+            Hit hit;
+            put(hit);
+            out.put(k, hit);
         };
-        const auto fetch = [&](std::size_t k) {
-            given.fetch(k);
-            if (out.answers.hits) fetch_whole(&out.answers.hits[k]);
-        };
-        const FunctionRef<void(std::size_t, const CastOptions*)> first = answer_first, any = answer_any;
+        const ManyCasts asked{given.casts.count, true, given.spheres(), ask};
         const ManyResult result =
-            run_many(held, {given.casts.count, true, way, whole.any ? any : first, fetch}, chosen);
+            whole.any ? run_many_any(held, asked, answer_any, chosen) : run_many(held, asked, answer_first, chosen);
         if (result == ManyResult::kRefused) return bad_call(function, kNotRun);
         if (counts) add(seen, *counts);
         if (cancelled) *cancelled = result == ManyResult::kCancelled;

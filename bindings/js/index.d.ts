@@ -756,11 +756,6 @@ export interface SingleCastOptions extends CountedCastOptions {
 }
 
 export interface ManyOptions extends CountedCastOptions {
-    /**
-     * 'best' (the default): neighbours together, where that pays, which is many casts and a world of many faces;
-     * 'given': as they come. No answer depends on it.
-     */
-    order?: 'best' | 'given';
     /** Is told how many casts are done, after some ten thousand each time and at the end; false: no more are made. */
     progress?: (done: number, count: number) => boolean | void;
 }

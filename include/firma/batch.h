@@ -43,15 +43,9 @@ struct HitColumns {
     std::span<std::uint32_t> material{};
 };
 
-enum class CastOrder {
-    kBest,   ///< neighbours together, where that pays: many casts, and a world of many faces
-    kGiven,  ///< as they come
-};
-
 struct ManyOptions {
     CastOptions cast{};            ///< of all; its trail is left as it is
     const Tasks* tasks = nullptr;  ///< null: this thread does it all
-    CastOrder order = CastOrder::kBest;
     /// Told after each piece of work, by whichever thread did it, one at a time, of how many casts are done; it returns
     /// whether to go on. Null: nobody is told. Must not throw, or cast many itself.
     bool (*progress)(std::size_t done, std::size_t count, void* user) = nullptr;
@@ -66,8 +60,9 @@ enum class ManyResult {
 
 /// The first touch of each, as cast() says it.
 /// @param hits  as many as casts
-/// Costs its casts, 256 of them a piece of work; in the best order also some ten nanoseconds each to find that.
-/// Allocates 16 bytes a cast for that order, some bytes a piece, and once where tasks are given and there are several
+/// Costs less than its casts one by one: several are on their way at one time in each thread, so that the processor has
+/// something to do while one waits for memory; over large levels about half. 256 of them are a piece of work. Allocates
+/// 150 KB a piece, returned at its end, some bytes a piece, and once where tasks are given and there are several
 /// pieces.
 [[nodiscard]] FIRMA_EXPORT ManyResult cast_many(const World& world, std::span<const CastInput> casts,
                                                 std::span<Hit> hits, const ManyOptions& options = {});

@@ -865,10 +865,10 @@ FIRMA_API firma_code firma_cast_each(firma_world world, const firma_cast_input* 
                                      const firma_cast_options* options, firma_hit_visitor visit, void* user,
                                      uint32_t* status);
 /* Many casts: hits[k] answers inputs[k], as firma_cast() would. `counts` may be null. When firma_tasks.run does not do
- * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. Costs its
- * casts, neighbours together where that pays; takes memory, some bytes for every 256 of them where `counts` is given or
- * firma_set_tasks() was called, and 16 bytes a cast from 1,024 casts in a world of 20,000 faces on. For other shapes,
- * columns, progress: firma_cast_many(). */
+ * all of it: FIRMA_ERROR_BAD_CALL, all hits have status FIRMA_INVALID, and nothing is added to `counts`. Costs less
+ * than its casts one by one, over large levels about half; takes 150 KB for every 256 of them while these are made, and
+ * some bytes where `counts` is given or firma_set_tasks() was called. For other shapes, columns, progress:
+ * firma_cast_many(). */
 FIRMA_API firma_code firma_cast_batch(firma_world world, const firma_cast_input* inputs, size_t count,
                                       const firma_cast_options* options, firma_hit* hits, firma_cast_counts* counts);
 
@@ -927,11 +927,6 @@ FIRMA_API firma_code firma_cast_mover_each(firma_world world, const firma_mover*
 FIRMA_API firma_code firma_contact_points(firma_world world, firma_hull hull, const firma_hit* hit, double points[12],
                                           uint32_t* count);
 
-typedef enum firma_cast_order {
-    FIRMA_ORDER_BEST = 0, /* neighbours together, where that pays: many casts, and a world of many faces */
-    FIRMA_ORDER_GIVEN = 1 /* as they come */
-} firma_cast_order;
-
 /* Many casts of one kind of mover. Number k of a column is `stride` bytes * k from its start: columns of their own
  * (`stride` 0: 8), or fields of structs of the caller's (`stride` their size). */
 typedef struct firma_casts {
@@ -965,22 +960,19 @@ typedef uint32_t (*firma_progress)(size_t done, size_t count, void* user);
 
 /* A null pointer takes the defaults: all zero. */
 typedef struct firma_many_options {
-    uint32_t size;     /* sizeof(firma_many_options) */
-    uint32_t order;    /* firma_cast_order */
-    uint32_t any;      /* 1: only whether there is any touch, as firma_cast_any(), which costs less: of the answers
-                          only `status` may then be wanted */
-    uint32_t reserved; /* must be 0 */
+    uint32_t size; /* sizeof(firma_many_options) */
+    uint32_t any;  /* 1: only whether there is any touch, as firma_cast_any(), which costs less: of the answers only
+                      `status` may then be wanted */
     firma_progress progress; /* null: nobody is told */
     void* user;              /* handed to progress */
 } firma_many_options;
 
-/* Each answer is that of the single cast, to the bit, whatever the order, the threads (firma_set_tasks()), and what
+/* Each answer is that of the single cast, to the bit, whatever the threads (firma_set_tasks()), and what
  * else is cast. `cancelled` gets 1 when progress stopped it before all was done, else 0: answers of casts that were not
  * made are then FIRMA_INVALID; it may be null. `counts` may be null; nothing is added to it when the call fails.
- * FIRMA_ERROR_INVALID for a kind, an order or a stride that is none, and for a cast whose hull there is not, with its
- * number; FIRMA_ERROR_BAD_HANDLE for a hull that is not held; FIRMA_ERROR_BAD_CALL as firma_cast_batch(). Costs its
- * casts, and in the best order some ten nanoseconds each to find that; takes memory as firma_cast_batch(), and for
- * hulls. */
+ * FIRMA_ERROR_INVALID for a kind, an `any` or a stride that is none, and for a cast whose hull there is not, with its
+ * number; FIRMA_ERROR_BAD_HANDLE for a hull that is not held; FIRMA_ERROR_BAD_CALL as firma_cast_batch(). Costs
+ * and takes as much as firma_cast_batch(), and memory for hulls. */
 FIRMA_API firma_code firma_cast_many(firma_world world, const firma_casts* casts, const firma_cast_options* options,
                                      const firma_many_options* many, const firma_answers* answers,
                                      firma_cast_counts* counts, uint32_t* cancelled);

@@ -3,200 +3,29 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "cast/cast_capsule_polygon.h"
-#include "cast/make_hull_hit.h"
-#include "firma/hull.h"
 #include "firma/queries.h"
-#include "firma/rooms.h"
-#include "geometry/rounding.h"
+#include "world/cast_asked.h"
+#include "world/put_hit.h"
 #include "world/run_tasks.h"
-#include "world/sweep_world.h"
+#include "world/touch_takers.h"
 
 namespace firma {
 namespace {
-
-/// What moves and is no sphere. One traversal serves all of them; each face that it comes near costs a call through a
-/// pointer more.
-class OtherMover {
-public:
-    virtual Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
-                            CastCounts* counts) const = 0;
-    virtual PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const = 0;
-    virtual LaneSweep lanes(const Sweep& sweep) const = 0;
-
-protected:
-    ~OtherMover() = default;
-};
-
-/// One of them, held elsewhere.
-struct MoverRef {
-    const OtherMover* mover;
-
-    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
-                    CastCounts* counts) const {
-        return mover->against(sweep, polygon, sides, latest, counts);
-    }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const {
-        return mover->hit(sweep, polygon, contact);
-    }
-    LaneSweep lanes(const Sweep& sweep) const { return mover->lanes(sweep); }
-};
-
-#if defined(__wasm__)
-/// A sphere as what moves. The module has to be small: there one traversal serves spheres, too.
-class SphereAsOther final : public OtherMover {
-public:
-    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
-                    CastCounts* counts) const override {
-        return SphereMover().against(sweep, polygon, sides, latest, counts);
-    }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
-        return SphereMover().hit(sweep, polygon, contact);
-    }
-    LaneSweep lanes(const Sweep& sweep) const override { return SphereMover().lanes(sweep); }
-};
-#endif
-
-/// A hull as what moves. Its contacts' index is the name of the facet.
-class HullMover final : public OtherMover {
-public:
-    explicit HullMover(const Hull& hull) : hull_(hull.shape()) {}
-
-    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
-                    CastCounts* counts) const override {
-        HullContact found = cast_hull_polygon(sweep, *hull_, polygon, sides, latest, counts);
-        found.contact.index = found.facet.name.code();
-        return found.contact;
-    }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
-        const SumFacet::Name name = SumFacet::Name::of(contact.index);
-        return make_hull_hit(sweep, *hull_, polygon, {contact, HullAgainstPolygon(sweep, *hull_, polygon).facet(name)});
-    }
-    LaneSweep lanes(const Sweep& sweep) const override { return LaneSweep(sweep, hull_->extent); }
-
-private:
-    const HullShape* hull_;
-};
-
-/// A capsule as what moves; the sweep is that of the ball around it.
-class CapsuleMover final : public OtherMover {
-public:
-    explicit CapsuleMover(const Capsule& capsule) : capsule_(shape_of_capsule(capsule)) {}
-
-    Contact against(const Sweep& sweep, const PolygonShape& polygon, Sides sides, double latest,
-                    CastCounts* counts) const override {
-        return cast_capsule_polygon(sweep, capsule_, polygon, sides, latest, counts);
-    }
-    PolygonHit hit(const Sweep& sweep, const PolygonShape& polygon, const Contact& contact) const override {
-        return make_capsule_hit(sweep, capsule_, polygon, contact);
-    }
-    LaneSweep lanes(const Sweep& sweep) const override { return LaneSweep(sweep, extent_of(capsule_)); }
-
-private:
-    const CapsuleShape capsule_;
-};
 
 /// Goes as the options say.
 template <class Found, class Mover>
 void sweep_rooms(const World& world, const Vec3& centre, const Sweep& sweep, const Mover& mover,
                  const CastOptions& options, Found& found) {
-    const WorldData& data = world.data();
-    WorldSweep<Found, Mover> on_its_way(data, sweep, mover, options, found);
-    if (data.cells.room_count() == 1) {
-        if (options.trail) add_room(*options.trail, 0);
-        return on_its_way.ask_all();
-    }
-    RoomTrail unasked;
-    RoomTrail& trail = options.trail ? *options.trail : unasked;
-    RoomId start = options.room;
-    if (start == kLocateRoom) start = locate(world, centre).room;
-    if (start == kAnyRoom) return on_its_way.ask_all();
-    on_its_way.ask_from(data.cells.current_room(start.value), trail);
-}
-
-/// Is told of touches, whoever asks: one traversal serves all of them. A touch costs a call through a pointer.
-struct TellAny {
-    static constexpr bool kEarliestOnly = false;
-    double latest;
-    bool (*take)(TellAny& self, const SweepContact& contact);
-
-    bool operator()(const SweepContact& contact) { return take(*this, contact); }
-};
-
-/// `Found` as TellAny, which it then is.
-template <class Found>
-TellAny tell(double latest) {
-    return {latest, [](TellAny& self, const SweepContact& contact) { return static_cast<Found&>(self)(contact); }};
-}
-
-/// Keeps the earliest touch; of several at one time the lowest id.
-struct KeepFirst : TellAny {
-    static constexpr bool kEarliestOnly = true;
-    SweepContact best;
-
-    explicit KeepFirst(double end) : TellAny(tell<KeepFirst>(end)) {}
-    bool operator()(const SweepContact& other) {
-        const bool sooner = !best.contact.touched() || other.contact.t < best.contact.t ||
-                            (other.contact.t == best.contact.t && other.comes_before(best));
-        if (sooner) {
-            best = other;
-            latest = other.contact.t;
-        }
-        return false;
-    }
-};
-
-struct StopAtAny : TellAny {
-    Status status = Status::kMiss;
-
-    explicit StopAtAny(double end) : TellAny(tell<StopAtAny>(end)) {}
-    bool operator()(const SweepContact& contact) {
-        status = contact.contact.status;
-        return true;
-    }
-};
-
-/// A lane that has the facet whole tells its corner, too: that is one place in memory less to wait for.
-FaceRef name_of(const SweepContact& found) {
-    if (!found.whole) return ref_to(*found.block, found.slot);
-    return {found.face().id, found.whole->grid_corner(found.lane, 0)};
-}
-
-void put_face(const SweepContact& found, Hit& hit) {
-    const FaceRecord& face = found.face();
-    hit.face = name_of(found);
-    if (const FaceOwner* owner = found.block->owner_of(face)) hit.face_normal = owner->normal;
-    hit.material = face.material;
-}
-
-/// @param hit  one that says nothing yet
-template <class Mover>
-void put_hit(const World& world, const Sweep& sweep, const Mover& mover, const CastOptions& options,
-             const SweepContact& found, Hit& hit) {
-    const auto make = [&](const PolygonShape& polygon) {
-        static_cast<PolygonHit&>(hit) = mover.hit(sweep, polygon, found.contact);
+    WorldSweep<Found, Mover> on_its_way(world.data(), sweep, mover, options, found);
+    const auto go = [&] {
+        while (const Node* index = on_its_way.next()) on_its_way.look_into(*index);
     };
-    if (found.block) {
-#if !defined(__wasm__)  // which has to be small
-        if (found.through_plane) {
-            const Vec3 corner = to_metres(found.whole->grid_corner(found.lane, 0));
-            make_particle_hit(sweep, corner, found.normal, found.away, found.contact, hit);
-        } else
-#endif
-            if (found.whole) {
-            make(LaneShape(*found.whole, found.lane).polygon);
-        } else {
-            make(FaceShape(*found.block, found.face()).polygon);
-        }
-        put_face(found, hit);
-    } else {
-        const Portal& portal = world.data().cells.portal(found.portal);
-        make(portal.polygons()[found.slot].shape);
-        hit.portal = {found.portal};
-        hit.material = portal.material;
-    }
-    hit.safe_fraction = safe_fraction(
-        sweep, hit, options.contact_offset >= 0 ? options.contact_offset : world.tolerance().contact_offset);
+    const RoomId start = first_room(world, centre, options);
+    if (start == kAnyRoom) return go();
+    RoomTrail unasked;
+    RoomsOnTheWay rooms;
+    on_its_way.start_in(start.value, rooms, options.trail ? *options.trail : unasked);
+    go();
 }
 
 /// Hands each touch on.
@@ -223,15 +52,6 @@ struct VisitEach : TellAny {
     }
 };
 
-/// A sweep, or why there is none: kHit when it is ready to go.
-Status prepare(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options, Sweep& sweep) {
-    if (options.trail) options.trail->count = 0;
-    if (!(options.contact_offset <= kLargestNumber)) return Status::kInvalid;  // also not a number
-    if (options.room != kAnyRoom && options.room != kLocateRoom && options.room.value >= world.room_count())
-        return Status::kInvalid;
-    return make_sweep(sphere, path, sweep);
-}
-
 void sort_hits(std::vector<Hit>& hits) {
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         return a.fraction != b.fraction ? a.fraction < b.fraction
@@ -253,18 +73,9 @@ struct Question {
         Hit hit;  // the only one that is returned: so it is made where the caller has it
         Sweep sweep;
         const Status ready = prepare(world, around, path, options, sweep);
-        if (ready == Status::kInvalid) {
-            hit = invalid_hit(around.centre);
-        } else if (ready == Status::kMiss) {
-            hit.centre = around.centre + path;
-        } else {
-            KeepFirst first(sweep.end);
-            find_first(sweep, first);
-            if (first.best.contact.touched())
-                put_hit(world, sweep, mover, options, first.best, hit);
-            else
-                hit.centre = around.centre + path;
-        }
+        KeepFirst first(sweep.end);
+        if (ready == Status::kHit) find_first(sweep, first);
+        put_first(world, ready, around.centre, path, sweep, mover, options, first.best, hit);
         return hit;
     }
 
@@ -327,12 +138,19 @@ Question<MoverRef> ask(const World& world, const Sphere& around, const OtherMove
     return {world, around, path, {&mover}, options};
 }
 
-/// A hull that is none has a negative radius: kInvalid.
-Sphere ball_around(const Hull& hull, const Vec3& at) {
-    return {at, hull.valid() ? hull.shape()->reach : -1};
+}  // namespace
+
+Hit cast_asked(const World& world, const Asked& asked, const CastOptions& options) {
+    const OtherMover* other = asked.other();
+    return other ? ask(world, asked.around, *other, asked.path, options).first()
+                 : ask(world, asked.around, asked.path, options).first();
 }
 
-}  // namespace
+Status cast_any_asked(const World& world, const Asked& asked, const CastOptions& options) {
+    const OtherMover* other = asked.other();
+    return other ? ask(world, asked.around, *other, asked.path, options).any()
+                 : ask(world, asked.around, asked.path, options).any();
+}
 
 Hit cast(const World& world, const Sphere& sphere, const Vec3& path, const CastOptions& options) {
     return ask(world, sphere, path, options).first();

@@ -126,21 +126,12 @@ HWY_INLINE bool look_at(const FaceLanes* lanes, const Way& way, float enter, Lan
     }
 }
 
-/// What is to be looked into.
-struct Waiting {
-    std::uintptr_t below;  ///< as of a WideNode
-    float time;
-};
-
-/// How much may wait at once.
-constexpr std::size_t kMostWaiting = (kDeepestTree + 1) * (kLanes - 1) + 1;
-
 /// Times, which are not below 0, in the order of their bits: so a processor need not branch.
 HWY_INLINE std::uint32_t order_of(const float& time) {
     return std::bit_cast<std::uint32_t>(time);
 }
 
-HWY_INLINE Waiting child_of(const WideNode& node, std::uint32_t lane, const float* times) {
+HWY_INLINE LaneWaiting child_of(const WideNode& node, std::uint32_t lane, const float* times) {
     return {node.below[lane], times[lane]};
 }
 
@@ -148,7 +139,8 @@ HWY_INLINE Waiting child_of(const WideNode& node, std::uint32_t lane, const floa
 /// foreseen.
 /// @param met    a bit for each
 /// @param count  how many these are
-HWY_INLINE void put_in_order(const WideNode& node, unsigned met, unsigned count, const float* times, Waiting* waiting) {
+HWY_INLINE void put_in_order(const WideNode& node, unsigned met, unsigned count, const float* times,
+                             LaneWaiting* waiting) {
     for (unsigned left = met; left; left &= left - 1) {
         const std::uint32_t lane = first_bit(left);
         const Floats time = all(times[lane]);
@@ -157,7 +149,7 @@ HWY_INLINE void put_in_order(const WideNode& node, unsigned met, unsigned count,
             const Floats other = hn::Load(kFloats, times + part);
             nearer |= bits(hn::Lt(other, time)) << part | ((bits(hn::Le(other, time)) << part) & ((1u << lane) - 1));
         }
-        const Waiting child = child_of(node, lane, times);
+        const LaneWaiting child = child_of(node, lane, times);
         fetch(child.below);
         waiting[count - 1 - unsigned(__builtin_popcount(nearer & met))] = child;
     }
@@ -181,7 +173,7 @@ public:
     /// Looks into one node, or at the faces below one lane.
     /// @param waiting  what is to be looked into later, kMostWaiting; the same each time
     /// @return whether there is more
-    HWY_INLINE bool step(Waiting* waiting) {
+    HWY_INLINE bool step(LaneWaiting* waiting) {
         if (now_.below & WideNode::kFacets) {
             const auto* const lanes = reinterpret_cast<const FaceLanes*>(now_.below - WideNode::kFacets);
             if (look_at(lanes, way_, now_.time, *query_, latest_)) {
@@ -202,7 +194,7 @@ public:
 
 private:
     /// Goes on with the nearest of a node's boxes; false where none is met.
-    HWY_INLINE bool look_into(const WideNode& node, Waiting* waiting) {
+    HWY_INLINE bool look_into(const WideNode& node, LaneWaiting* waiting) {
         if (query_->counts) query_->counts->nodes += boxes_in_use(node);
         alignas(64) float times[kLanes];
         const unsigned met = enter(node, way_, latest_, times);
@@ -216,7 +208,7 @@ private:
             const std::uint32_t apart = one ^ other, near = one ^ (apart & swap);
             now_ = child_of(node, near, times);
             fetch(now_.below);
-            const Waiting next = child_of(node, near ^ apart, times);
+            const LaneWaiting next = child_of(node, near ^ apart, times);
             fetch(next.below);
             waiting[count_] = next;
             count_ += others != 0;
@@ -230,19 +222,45 @@ private:
     }
 
     LaneQuery* query_;
-    Waiting now_;
+    LaneWaiting now_;
     std::size_t count_ = 0;
     float latest_;
     Way way_;
 };
 
 bool sweep_lanes(const Node& root, LaneQuery& query) {
-    Waiting waiting[kMostWaiting];
+    LaneWaiting waiting[kMostWaiting];
     Walk walk(root, query);
     while (walk.step(waiting)) {
     }
     return walk.ended;
 }
+
+#if HWY_TARGET != HWY_WASM  // the module has to be small
+/// Room for a sweep.
+union Place {
+    Place() {}
+    Walk walk;
+};
+
+void sweep_lanes_together(LaneSource& source) {
+    Place places[LaneSource::kPlaces];
+    std::uint32_t busy[LaneSource::kPlaces], count = 0;
+    const auto begin = [&](std::uint32_t place, bool ended) HWY_ATTR {
+        const LaneSource::Next next = source.next(place, ended);
+        if (next.index) new (&places[place].walk) Walk(*next.index, *next.query);
+        return next.index != nullptr;
+    };
+    for (std::uint32_t place = 0; place < source.places; ++place)
+        if (begin(place, false)) busy[count++] = place;
+    while (count > 0)
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t place = busy[k];
+            Walk& walk = places[place].walk;
+            if (!walk.step(source.waiting[place]) && !begin(place, walk.ended)) busy[k--] = busy[--count];
+        }
+}
+#endif
 
 }  // namespace firma::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -54,15 +54,19 @@ struct Kernels {
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
             __builtin_cpu_supports("avx512cd") && has_avx2())
-            all[count++] = {"AVX-512", N_AVX3::sweep_lanes};
+            all[count++] = {"AVX-512", N_AVX3::sweep_lanes, N_AVX3::sweep_lanes_together};
 #endif
 #if HWY_TARGETS & HWY_AVX2
-        if (has_avx2()) all[count++] = {"AVX2", N_AVX2::sweep_lanes};
+        if (has_avx2()) all[count++] = {"AVX2", N_AVX2::sweep_lanes, N_AVX2::sweep_lanes_together};
 #endif
 #if HWY_TARGETS & HWY_SSE4
-        if (has_sse4()) all[count++] = {"SSE4", N_SSE4::sweep_lanes};
+        if (has_sse4()) all[count++] = {"SSE4", N_SSE4::sweep_lanes, N_SSE4::sweep_lanes_together};
 #endif
-        all[count++] = {"compiled", HWY_STATIC_DISPATCH(sweep_lanes)};
+#if defined(__wasm__)
+        all[count++] = {"compiled", HWY_STATIC_DISPATCH(sweep_lanes), nullptr};
+#else
+        all[count++] = {"compiled", HWY_STATIC_DISPATCH(sweep_lanes), HWY_STATIC_DISPATCH(sweep_lanes_together)};
+#endif
     }
 
 private:
@@ -109,6 +113,13 @@ bool sweep_lanes(const Node& root, LaneQuery& query) {
     return taken.load(std::memory_order_relaxed)(root, query);
 }
 
+LanesTogether together_in_use() {
+    const LaneFunction single = taken.load(std::memory_order_relaxed);
+    for (const LaneKernel& kernel : lane_kernels())
+        if (kernel.sweep == single || single == sweep_by_best) return kernel.together;
+    return nullptr;
+}
+
 }  // namespace firma
 #endif
 
@@ -124,6 +135,10 @@ std::span<const LaneKernel> lane_kernels() {
 }
 
 void take_lane_kernel(const LaneKernel*) {}
+
+LanesTogether together_in_use() {
+    return nullptr;
+}
 
 bool sweep_lanes(const Node&, LaneQuery&) {
     FIRMA_ASSERT(false, "no sweep is usable by lanes");

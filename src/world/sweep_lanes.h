@@ -116,17 +116,52 @@ struct LaneQuery {
 /// @return whether `look` ended it
 bool sweep_lanes(const Node& root, LaneQuery& query);
 
+/// What is to be looked into.
+struct LaneWaiting {
+    std::uintptr_t below;  ///< as of a WideNode
+    float time;
+};
+/// How much of that there may be at once.
+inline constexpr std::size_t kMostWaiting = (kDeepestTree + 1) * (WideNode::kLanes - 1) + 1;
+
+/// Where sweeps come from that are on their way at one time: a processor goes on with others while one waits for
+/// memory, or for one result after another.
+class LaneSource {
+public:
+    static constexpr std::uint32_t kPlaces = 8;
+
+    struct Next {
+        const Node* index;  ///< null: nothing more
+        LaneQuery* query;   ///< lives until the place is asked again
+    };
+    /// What to look into at a place: asked first for each, and then whenever it is through with what it had.
+    /// @param ended  whether a look ended that
+    virtual Next next(std::uint32_t place, bool ended) = 0;
+
+    std::uint32_t places = kPlaces;  ///< how many are used
+    /// Room for whoever makes the sweeps; not on the stack, of which some threads have little.
+    LaneWaiting waiting[kPlaces][kMostWaiting];
+
+protected:
+    LaneSource() {}  // else all of that would be cleared
+    ~LaneSource() = default;
+};
+
 /// The same compiled for one kind of processor. All look at the same boxes and facets, in the same order.
 using LaneFunction = bool (*)(const Node& root, LaneQuery& query);
+using LanesTogether = void (*)(LaneSource& source);
 struct LaneKernel {
     const char* name;
     LaneFunction sweep;
+    LanesTogether together;  ///< null in WebAssembly
 };
 /// Those that this processor runs, the one that sweep_lanes() takes first. None where Firma is compiled without lanes
 /// (FIRMA_SIMD).
 std::span<const LaneKernel> lane_kernels();
 /// Whether sweeps may go by lanes.
 bool lanes_in_use();
+/// What makes sweeps together as sweep_lanes() makes one; null where nothing does.
+LanesTogether together_in_use();
 /// For tests: sweep_lanes() takes this one from now on; null makes no sweep usable, so that all go triangle by
 /// triangle.
 void take_lane_kernel(const LaneKernel* kernel);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <utility>
 
 #include "base/seldom.h"
 #include "cast/cast_sphere_polygon.h"
@@ -140,52 +141,82 @@ private:
     Found& found_;
 };
 
-/// One cast on its way.
+/// One cast on its way. What it looks into is handed out index by index: whoever has it goes through that, and asks for
+/// the next.
 template <class Found, class Mover>
 class WorldSweep {
 public:
     WorldSweep(const WorldData& data, const Sweep& sweep, const Mover& mover, const CastOptions& options, Found& found)
-        : data_(data), sweep_(sweep), mover_(mover), lanes_(mover.lanes(sweep)), options_(options), found_(found) {}
-
-    /// Through all rooms at once.
-    void ask_all() {
-        for (const Node* index : indices_of(data_))
-            if (index && !ended_) look_into(*index);
-        if (data_.cells.any_closed()) meet_closed_portals();
+        : data_(data),
+          sweep_(sweep),
+          mover_(mover),
+          lanes_(mover.lanes(sweep)),
+          options_(options),
+          found_(found),
+          query_(lanes_, options.sides == Sides::kFront, found.latest, this, look_at_facet, options.counts) {
+        query_.earliest_only = Found::kEarliestOnly;
     }
+    WorldSweep(const WorldSweep&) = delete;
+    WorldSweep& operator=(const WorldSweep&) = delete;
 
-    /// From a room on, through every portal that the sweep reaches.
-    void ask_from(std::uint32_t start, RoomTrail& trail) {
-        RoomsOnTheWay rooms;
+    /// From a room on, through every portal that the sweep reaches; without this through all rooms at once.
+    /// @param rooms, trail  live as long
+    void start_in(std::uint32_t room, RoomsOnTheWay& rooms, RoomTrail& trail) {
+        rooms_ = &rooms;
+        trail_ = &trail;
         rooms.start(data_.cells.room_count());
         grown_ = grown_radius(sweep_);
-        look_from({0, start, kNoPortalPassed, false}, rooms, trail);
-        while (rooms.any() && !ended_) {
-            const WaitingRoom next = rooms.take_first();
-            if (next.reached > found_.latest) break;
-            look_from(next, rooms, trail);
-        }
+        rooms.wait({0, room, kNoPortalPassed, false});
     }
 
-private:
-    void look_from(const WaitingRoom& next, RoomsOnTheWay& rooms, RoomTrail& trail) {
-        const bool first_look = !rooms.looked_into(next.room);
-        if (next.behind && !first_look) return;
-        if (!next.behind) {
-            add_room(trail, next.room, next.portal);
-            rooms.mark_passed(next.room);
-        }
-        rooms.mark_looked_into(next.room);
-        const Node* tree = data_.faces_of(next.room).tree.get();
-        if (first_look && tree) look_into(*tree);
-        if (!ended_) pass_portals(next, first_look, rooms);
+    /// The index to look into next; null: the cast is over.
+    const Node* next() {
+        const Node* const index = rooms_ ? next_by_room() : next_of_all();
+        query_.latest = found_.latest;
+        return index;
     }
-
     void look_into(const Node& index) {
-        if (lanes_.usable)
-            look_at_lanes(index);
+        if (by_lanes())
+            ended_ = sweep_lanes(index, query_);
         else
             look_one_by_one(index);
+    }
+
+    /// Else look_into() is what looks.
+    bool by_lanes() const { return lanes_.usable; }
+    LaneQuery& query() { return query_; }
+    /// Says that a look by lanes ended the cast.
+    void end() { ended_ = true; }
+
+private:
+    const Node* next_of_all() {
+        if (!began_) indices_ = indices_of(data_);
+        began_ = true;
+        for (const Node*& each : indices_)
+            if (const Node* const index = std::exchange(each, nullptr); index && !ended_) return index;
+        if (data_.cells.any_closed()) meet_closed_portals();
+        return nullptr;
+    }
+
+    const Node* next_by_room() {
+        for (;;) {
+            if (ended_) return nullptr;
+            if (inside_) pass_portals();
+            inside_ = false;
+            if (ended_ || !rooms_->any()) return nullptr;
+            from_ = rooms_->take_first();
+            if (from_.reached > found_.latest) return nullptr;
+            first_look_ = !rooms_->looked_into(from_.room);
+            if (from_.behind && !first_look_) continue;
+            if (!from_.behind) {
+                add_room(*trail_, from_.room, from_.portal);
+                rooms_->mark_passed(from_.room);
+            }
+            rooms_->mark_looked_into(from_.room);
+            inside_ = true;
+            if (!first_look_) continue;
+            if (const Node* const tree = data_.faces_of(from_.room).tree.get()) return tree;
+        }
     }
 
     FIRMA_SELDOM void look_one_by_one(const Node& index) {
@@ -198,12 +229,6 @@ private:
             options_.counts->faces += visitor.counts.faces;
             options_.counts->precise += visitor.counts.precise;
         }
-    }
-
-    void look_at_lanes(const Node& index) {
-        LaneQuery query(lanes_, options_.sides == Sides::kFront, found_.latest, this, look_at_facet, options_.counts);
-        query.earliest_only = Found::kEarliestOnly;
-        ended_ = sweep_lanes(index, query);
     }
 
     static bool look_at_facet(LaneQuery& query, const FaceLanes& lanes, std::uint32_t lane) {
@@ -220,7 +245,8 @@ private:
                     line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1);
         if (!query.met) return false;
         const Contact touch{Status::kHit, Feature::kFace, 0, crossing.t};
-        const bool ends = it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away, crossing.normal});
+        const bool ends =
+            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away, crossing.normal});
         query.latest = it.found_.latest;
         return ends;
     }
@@ -249,16 +275,18 @@ private:
         return met.contact.touched() && found_(met);
     }
 
-    /// Meets the closed portals of a room, and puts the rooms beyond all portals reached in the list of those that
-    /// wait.
-    void pass_portals(const WaitingRoom& from, bool first_look, RoomsOnTheWay& rooms) {
+    /// Meets the closed portals of the room that it is in, and puts the rooms beyond all portals reached in the list of
+    /// those that wait.
+    void pass_portals() {
+        const WaitingRoom& from = from_;
+        RoomsOnTheWay& rooms = *rooms_;
         // A large hall may have dozens; most are nowhere near.
         data_.cells.for_each_portal_of(from.room, path_box(), [&](std::uint32_t index) {
             const Portal& portal = data_.cells.portal(index);
             const std::uint32_t beyond = data_.cells.beyond(portal, from.room);
             const bool closed = stops(index, portal), behind = from.behind || closed;
             // Once, from whichever of its rooms comes first.
-            if (closed && first_look && !rooms.looked_into(beyond) && meet_portal(index, portal)) return true;
+            if (closed && first_look_ && !rooms.looked_into(beyond) && meet_portal(index, portal)) return true;
             double reached = 0;
             if (behind ? rooms.looked_into(beyond) : rooms.passed(beyond)) return false;
             if (!reaches(portal, reached)) return false;
@@ -350,7 +378,18 @@ private:
     bool ended_ = false;
 
     std::optional<WholePath> whole_path_;
-    double grown_ = 0;  ///< by room: the sweep's radius and more, as portals are reached
+    LaneQuery query_;
+    // Of all rooms at once.
+    bool began_ = false;
+    std::array<const Node*, 2> indices_;  ///< those left, once it began
+
+    // By room.
+    RoomsOnTheWay* rooms_ = nullptr;
+    RoomTrail* trail_ = nullptr;
+    WaitingRoom from_{};       ///< where it is
+    bool inside_ = false;      ///< its portals are still to be passed
+    bool first_look_ = false;  ///< its faces had not been looked at before
+    double grown_ = 0;         ///< the sweep's radius and more, as portals are reached
 };
 
 }  // namespace firma

@@ -392,12 +392,12 @@ static void test_many(firma_world room) {
         CHECK(cancelled == 0 && memcmp(&alone, &batched, sizeof alone) == 0);
         check_columns();
 
-        /* On threads, in the order given, told of; the world is held while it takes. */
+        /* On threads, told of; the world is held while it takes. */
         const firma_tasks tasks = {sizeof tasks, on_threads, NULL};
         CHECK_OK(firma_set_tasks(&tasks));
         struct told told = {.stop_at = SIZE_MAX};
         CHECK_OK(firma_world_copy(room, &told.world));
-        firma_many_options many = {.size = sizeof many, .order = FIRMA_ORDER_GIVEN, .progress = note, .user = &told};
+        firma_many_options many = {.size = sizeof many, .progress = note, .user = &told};
         memset(&together, 0xAA, sizeof together);
         CHECK_OK(firma_cast_many(told.world, &casts, NULL, &many, &wanted, NULL, NULL));
         CHECK(told.calls == (kMany + 255) / 256 && told.last == kMany);
@@ -468,8 +468,8 @@ static void test_many_columns(firma_world room) {
     CHECK_FAILS(firma_cast_many(room, &bad, NULL, NULL, &wanted, NULL, NULL), FIRMA_ERROR_INVALID,
                 "cast 1 is of hull 1 of 1");
     CHECK_OK(firma_hull_release(box));
-    firma_many_options many = {.size = sizeof many, .order = 2};
-    CHECK_FAILS(firma_cast_many(room, &casts, NULL, &many, &wanted, NULL, NULL), FIRMA_ERROR_INVALID, "order");
+    firma_many_options many = {.size = sizeof many, .any = 2};
+    CHECK_FAILS(firma_cast_many(room, &casts, NULL, &many, &wanted, NULL, NULL), FIRMA_ERROR_INVALID, "any");
     many.size = 4;
     CHECK_FAILS(firma_cast_many(room, &casts, NULL, &many, &wanted, NULL, NULL), FIRMA_ERROR_BAD_CALL, "size");
     bad = casts, bad.size = 4;

@@ -15,7 +15,6 @@
 #include "scenes/divided_building.h"
 #include "scenes/rng.h"
 #include "scenes/terrain.h"
-#include "world/cast_order.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -93,9 +92,8 @@ void run_not_at_all(std::size_t, void (*)(void*, std::size_t), void*, void*) {}
 template <class Function>
 void in_every_way(const CastOptions& cast, const Function& function) {
     static const Tasks backward{run_backward}, threads{run_by_thirds};
-    for (const CastOrder order : {CastOrder::kBest, CastOrder::kGiven})
-        for (const Tasks* tasks : {static_cast<const Tasks*>(nullptr), &backward, &threads})
-            function(ManyOptions{.cast = cast, .tasks = tasks, .order = order});
+    for (const Tasks* tasks : {static_cast<const Tasks*>(nullptr), &backward, &threads})
+        function(ManyOptions{.cast = cast, .tasks = tasks});
 }
 
 TEST(CastMany, AnswersAsOneByOne) {
@@ -271,54 +269,6 @@ TEST(CastMany, RefusesWhatDoesNotFit) {
     std::vector<Status> statuses(10);
     EXPECT_EQ(cast_many_any(hills(), {ten, nine, ten, ten, ten, ten}, statuses), ManyResult::kRefused);
     EXPECT_EQ(statuses, std::vector<Status>(10, Status::kInvalid));
-}
-
-/// Lengths of the ways between starts that follow each other.
-double way_through(const std::vector<CastWay>& ways, const std::vector<std::size_t>& order) {
-    double sum = 0;
-    for (std::size_t k = 1; k < order.size(); ++k) {
-        const double step = length(ways[order[k]].start - ways[order[k - 1]].start);
-        if (step < 1e6) sum += step;
-    }
-    return sum;
-}
-
-TEST(CastOrders, BringNeighboursTogetherAndLoseNone) {
-    Rng rng(3);
-    const Box world{{-50, -50, -5}, {50, 50, 5}};
-    std::vector<CastWay> ways(5000);
-    for (CastWay& it : ways) {
-        it.start = {rng.uniform(-50, 50), rng.uniform(-50, 50), rng.uniform(-5, 5)};
-        it.path = rng.direction();
-        if (rng.chance(0.01)) it.start.x = NAN;
-        if (rng.chance(0.01)) it.path = it.path * 1e200;
-    }
-    const auto way = [&](std::size_t k) { return ways[k]; };
-    std::vector<std::uint64_t> entries(ways.size()), spare(ways.size());
-    ASSERT_TRUE(order_casts(world, way, entries, spare));
-    std::vector<std::size_t> given, order;
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-        given.push_back(k);
-        order.push_back(cast_of(entries[k]));
-    }
-    EXPECT_EQ(std::set<std::size_t>(order.begin(), order.end()).size(), ways.size());
-    EXPECT_TRUE(std::is_sorted(entries.begin(), entries.end()));
-    EXPECT_LT(way_through(ways, order) * 8, way_through(ways, given));
-    // In that order they are together as they come.
-    std::vector<CastWay> sorted;
-    for (const std::size_t k : order) sorted.push_back(ways[k]);
-    const auto again = [&](std::size_t k) { return sorted[k]; };
-    EXPECT_FALSE(order_casts(world, again, entries, spare));
-    // All from one place: by where they lead.
-    for (CastWay& it : ways) it = {{1, 2, 3}, rng.direction() * 20};
-    ASSERT_TRUE(order_casts(world, way, entries, spare));
-    double turns = 0, turns_before = 0;
-    for (std::size_t k = 1; k < ways.size(); ++k) {
-        turns += length(ways[cast_of(entries[k])].path - ways[cast_of(entries[k - 1])].path);
-        turns_before += length(ways[k].path - ways[k - 1].path);
-    }
-    EXPECT_LT(turns * 4, turns_before);
-    EXPECT_FALSE(order_casts(world, way, {}, {}));
 }
 
 }  // namespace

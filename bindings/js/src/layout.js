@@ -73,12 +73,6 @@ export const MOVER_KIND_NAMES = Object.freeze([
     'hull',
 ]);
 
-/** By the numbers of firma_cast_order. */
-export const CAST_ORDER_NAMES = Object.freeze([
-    'best',
-    'given',
-]);
-
 /** By the numbers of firma_shape. */
 export const SHAPE_NAMES = Object.freeze([
     'rocky',
@@ -604,13 +598,11 @@ export const ANSWERS = Object.freeze({
 
 /** firma_many_options */
 export const MANY_OPTIONS = Object.freeze({
-    sizeof: 24,
+    sizeof: 16,
     size: 0,
-    order: 4,
-    any: 8,
-    reserved: 12,
-    progress: 16,
-    user: 20,
+    any: 4,
+    progress: 8,
+    user: 12,
 });
 
 /** firma_near */

@@ -2,7 +2,7 @@
 // Shapes that move: spheres, capsules and hulls, one by one and many.
 import { CORE, Handle, ID, idOf, makeHandle } from './handle.js';
 import { badCall, FirmaError } from './errors.js';
-import { ANSWERS, CASTS, CAST_ORDER_NAMES, HIT, MANY_OPTIONS, MOVER, MOVER_KIND_NAMES } from './layout.js';
+import { ANSWERS, CASTS, HIT, MANY_OPTIONS, MOVER, MOVER_KIND_NAMES } from './layout.js';
 import { doubles, number, object, vector, words } from './arguments.js';
 import {
     addCounts,
@@ -130,9 +130,7 @@ function readCasts(core, casts, place) {
 function castSome(world, place, casts, options, { any, bytes, wants, show }) {
     const core = world[CORE];
     const read = readCasts(core, casts, place);
-    const chosen = putCastOptions(core, options, place, ['counts', 'order', 'progress']);
-    const order = options?.order === undefined ? 0 : CAST_ORDER_NAMES.indexOf(options.order);
-    if (order < 0) throw badCall(place, `order must be one of ${CAST_ORDER_NAMES.join(', ')}`);
+    const chosen = putCastOptions(core, options, place, ['counts', 'progress']);
     const progress = options?.progress;
     if (progress !== undefined && typeof progress !== 'function') throw badCall(place, 'progress must be a function');
     const counts = clearCounts(core, options, place);
@@ -158,7 +156,6 @@ function castSome(world, place, casts, options, { any, bytes, wants, show }) {
         core.setU32(given + CASTS.hullOf, hullOf);
         if (hulls) core.u64.set(read.hulls, hulls >>> 3);
         core.setU32(many + MANY_OPTIONS.size, MANY_OPTIONS.sizeof);
-        core.setU32(many + MANY_OPTIONS.order, order);
         core.setU32(many + MANY_OPTIONS.any, any);
         core.setU32(answers + ANSWERS.size, ANSWERS.sizeof);
         core.setU32(answers + ANSWERS[wants], found);

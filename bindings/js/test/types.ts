@@ -121,7 +121,7 @@ const grazes: boolean = world.castAny({ ...pill, path: [1, 0, 0] });
 const stuck: Overlap[] = world.overlapShape({ hull, at: [0, 0, 0] }, { mask: 1 });
 const inside: boolean = world.overlapShapeEach(pill, (found) => found.depth < 1);
 const columns = { x: [0], y: [0], z: new Float32Array(1), pathX: [1], pathY: [0], pathZ: [0] };
-const manyHits: HitBatch = world.castMany({ ...columns, hulls: [hull], hullOf: [0] }, { order: 'given', counts: {} });
+const manyHits: HitBatch = world.castMany({ ...columns, hulls: [hull], hullOf: [0] }, { counts: {} });
 const statuses: Uint8Array = world.castManyAny(columns, { progress: (done, count) => done < count });
 // @ts-expect-error a path is missing
 world.cast(pill);
