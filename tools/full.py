@@ -102,6 +102,10 @@ def world_shapes(seed, count):
     return [f'{BUILD}/full_world_shapes', '--count', str(count), '--seed', str(seed)]
 
 
+def together(seed, count):
+    return [f'{BUILD}/full_together', '--count', str(count), '--seed', str(seed)]
+
+
 def watertight(seed, count):
     return [f'{BUILD}/full_watertight', '--count', str(count), '--seed', str(seed), '--threads', '2']
 
@@ -217,6 +221,9 @@ CLAIMS = [
     Claim('shapes_by_kernel', 'casts of capsules, boxes and hulls through worlds by each kernel of the lanes, as without lanes', 1_000_000, 100_000, 'casts',
           CAST_SOURCES + SCENES + LEVEL + ['levels/first.obj', 'tests/full/full_world_shapes.cpp', 'tests/full/options.h', 'tests/every_kernel.h', 'tests/world/any_shape.h',
                                    'tests/world/hit_bits.h'], 'test', world_shapes, 'full_world_shapes'),
+    Claim('casts_together', 'casts of all shapes made together, 1 to 8 at a time, by each kernel of the lanes, as made singly', 1_000_000, 100_000, 'casts',
+          CAST_SOURCES + SCENES + LEVEL + ['levels/first.obj', 'levels/depot.map', 'src/brush', 'src/join', 'tests/full/full_together.cpp', 'tests/full/options.h',
+                                   'tests/every_kernel.h', 'tests/world/any_shape.h', 'tests/world/hit_bits.h'], 'test', together, 'full_together'),
     Claim('watertight', 'rays and small spheres from inside closed meshes, none lost', 10_000_000, 1_000_000, 'rays',
           CAST_SOURCES + SCENES + ['tests/full/full_watertight.cpp', 'tests/full/options.h'] + ORACLE + reference('escapes'), 'test', watertight, 'full_watertight'),
     Claim('carve_cuts', 'cuts of every family, each judged by all that must hold after an edit', 20_000, 2_000, 'cuts',

@@ -13,21 +13,29 @@
 namespace firma {
 namespace {
 
-/// Where caches hold a level there is less to wait for, and more casts at a time push each other out of the nearest
-/// one.
-constexpr std::size_t kManyFaces = 150000;
-constexpr std::uint32_t kFewPlaces = 4;
+#if !defined(__wasm__)  // which has to be small
 
-#if !defined(__wasm__)  // which has no vectors wide enough for it, and has to be small
+/// Where caches hold a level there is little to wait for, and what is on its way pushes other things out of the nearest
+/// cache; by measurement (docs/performance.md).
+std::uint32_t places_that_pay(std::size_t faces) {
+    return faces < 150'000 ? 2 : faces < 1'000'000 ? 6 : 8;
+}
+static_assert(LaneSource::kPlaces == 8);
 
 /// @tparam Found  what is kept of touches while a cast goes on
 template <class Found, class Mover>
 class Flights final : public LaneSource {
 public:
+    static_assert(std::is_trivially_destructible_v<Asked>);
+
     /// Of a cast that is over.
     struct Flight {
+        Flight() {}
+
         std::size_t cast = 0;
-        std::optional<Asked> asked;
+        union {
+            Asked asked;  ///< made where it stays, once it is asked
+        };
         Sweep sweep;
         Status ready = Status::kMiss;  ///< kHit where there was something to look for
         std::optional<Found> found;
@@ -43,7 +51,7 @@ public:
 
     Flights(const World& world, const AskedCasts& casts, Answer answer, const CastOptions& options)
         : world_(world), casts_(casts), answer_(answer), options_(options), next_(casts.first) {
-        if (world.face_count() < kManyFaces) places = kFewPlaces;
+        places = casts.places ? casts.places : places_that_pay(world.face_count());
     }
 
     static Mover mover_of(const Asked& asked) {
@@ -75,7 +83,7 @@ public:
 private:
     void start(Flight& flight) {
         flight.cast = next_;
-        const Asked& asked = flight.asked.emplace(casts_.ask(next_++));
+        const Asked& asked = *new (&flight.asked) Asked(casts_.ask(next_++));
         flight.ready = prepare(world_, asked.around, asked.path, options_, flight.sweep);
         flight.found.emplace(flight.sweep.end);
         if (flight.ready != Status::kHit) return;
@@ -123,8 +131,8 @@ void cast_together(const World& world, const AskedCasts& casts, FunctionRef<Answ
 #if !defined(__wasm__)
     const auto of = [&](const auto& flight, const auto& mover) {
         const auto put = [&](Hit& hit) {
-            put_first(world, flight.ready, flight.asked->around.centre, flight.asked->path, flight.sweep, mover,
-                      options, flight.found->best, hit);
+            put_first(world, flight.ready, flight.asked.around.centre, flight.asked.path, flight.sweep, mover, options,
+                      flight.found->best, hit);
         };
         answer(flight.cast, put);
     };
@@ -132,7 +140,7 @@ void cast_together(const World& world, const AskedCasts& casts, FunctionRef<Answ
             ? fly<KeepFirst, SphereMover>(
                   world, casts, [&](const auto& flight) { of(flight, SphereMover()); }, options)
             : fly<KeepFirst, MoverRef>(
-                  world, casts, [&](const auto& flight) { of(flight, MoverRef{flight.asked->other()}); }, options))
+                  world, casts, [&](const auto& flight) { of(flight, MoverRef{flight.asked.other()}); }, options))
         return;
 #endif
     for (std::size_t k = casts.first; k < casts.first + casts.count; ++k)

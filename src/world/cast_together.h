@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "firma/function_ref.h"
 #include "firma/hit.h"
@@ -22,6 +23,7 @@ struct AskedCasts {
     std::size_t first = 0, count = 0;
     bool spheres = false;  ///< or particles
     FunctionRef<Asked(std::size_t k)> ask;
+    std::uint32_t places = 0;  ///< how many are on their way at one time, at most 8; 0: as many as pay
 };
 
 /// Makes casts as cast() does, each as if it were alone; but while one waits for memory, or for one result after

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <set>
 #include <thread>
 #include <vector>
 
@@ -15,6 +14,8 @@
 #include "scenes/divided_building.h"
 #include "scenes/rng.h"
 #include "scenes/terrain.h"
+#include "tests/every_kernel.h"
+#include "world/cast_together.h"
 #include "world/world_data.h"
 
 namespace firma {
@@ -22,7 +23,6 @@ namespace {
 
 using scenes::Rng;
 
-/// Large enough for an order to pay.
 const World& hills() {
     static const World world = make_world(scenes::terrain({.squares = 120, .seed = 8})).value();
     return world;
@@ -194,6 +194,39 @@ TEST(CastMany, OfShapesAnswersAsOneByOne) {
         EXPECT_EQ(statuses, any_capsules);
         EXPECT_EQ(cast_many_any(hills(), std::span<const HullInput>(hulls), statuses, each), ManyResult::kDone);
         EXPECT_EQ(statuses, any_hulls);
+    });
+}
+
+/// Answers by the number of the cast.
+struct Together {
+    std::vector<Hit> hits;
+    std::vector<Status> statuses;
+
+    Together(const World& world, const std::vector<CastInput>& casts, std::uint32_t places)
+        : hits(casts.size()), statuses(casts.size()) {
+        const auto ask = [&](std::size_t k) { return Asked(casts[k]); };
+        const AskedCasts asked{0, casts.size(), true, ask, places};
+        cast_together(world, asked, [&](std::size_t k, PutHit put) { put(hits[k]); }, {});
+        cast_any_together(world, asked, [&](std::size_t k, Status status) { statuses[k] = status; }, {});
+    }
+};
+
+TEST(CastTogether, HoweverManyAreOnTheirWay) {
+    const std::vector<CastInput> casts = any_casts(hills(), 600, 9);
+    test::with_every_kernel([&](const char* kernel) {
+        for (const std::uint32_t places : {1u, 2u, 3u, 8u}) {
+            const Together all(hills(), casts, places);
+            const Together few(hills(), {casts.begin(), casts.begin() + 2}, places);
+            for (std::size_t k = 0; k < casts.size(); ++k) {
+                const Hit alone = cast(hills(), casts[k].sphere, casts[k].path);
+                ASSERT_TRUE(same_hit(all.hits[k], alone)) << kernel << ", " << places << ", " << k;
+                ASSERT_EQ(all.statuses[k], cast_any(hills(), casts[k].sphere, casts[k].path)) << kernel << ", " << k;
+                if (k < few.hits.size()) {
+                    ASSERT_TRUE(same_hit(few.hits[k], alone)) << kernel << ", " << places;
+                }
+            }
+            EXPECT_TRUE(Together(hills(), {}, places).hits.empty());
+        }
     });
 }
 
