@@ -125,7 +125,7 @@ const manyHits: HitBatch = world.castMany({ ...columns, hulls: [hull], hullOf: [
 const statuses: Uint8Array = world.castManyAny(columns, { progress: (done, count) => done < count });
 // @ts-expect-error a path is missing
 world.cast(pill);
-// @ts-expect-error no such order
+// @ts-expect-error no such option
 world.castMany(columns, { order: 'random' });
 
 const level: Level = await firma.levelFromMap('{}', { name: 'a', scale: 1 });
