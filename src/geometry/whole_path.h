@@ -28,37 +28,55 @@ public:
 
     /// The signs of exact_edge_side() of the edges that are open. Where the line runs through a corner the moment there
     /// is 0, and so are both edges. Only where it is known.
-    /// @param corner  a function of 0, 1 or 2: that corner, a GridPoint; asked of no more corners than it takes
-    /// @param open    not 0: a bit for each edge, bit k for that from corner k
+    /// @param corners  corner k is at origin + steps(k, axis) * 2^bits, in steps of the grid; asked of no more than it
+    ///                 takes
+    /// @param open     not 0: a bit for each edge, bit k for that from corner k
     /// @return EdgeSigns
-    template <class Corner>
-    unsigned triangle_sides(const Corner& corner, unsigned open) const {
+    template <class Corners>
+    unsigned triangle_sides(const Corners& corners, unsigned open) const {
         // The corner that two open edges share, or that the only one begins at.
         static constexpr std::uint8_t kShared[] = {0, 0, 1, 1, 2, 0, 2, 0};
+        const View<Corners> view(*this, corners);
         const unsigned at = kShared[open];
-        const GridPoint first = corner(at);
-        const Seen seen = see(first);
-        return seen.near ? sides_by<std::int64_t>(corner, open, at, first, seen)
-                         : sides_by<Int128>(corner, open, at, first, seen);
+        const Seen seen = view.see(at);
+        return seen.far < std::uint64_t(short_) ? sides_by<std::int64_t>(view, open, at, seen)
+                                                : sides_by<Int128>(view, open, at, seen);
     }
 
 private:
     /// A corner as seen from the start.
     struct Seen {
         std::int64_t at[3];
-        bool near;  ///< enough for a moment of 63 bits
+        std::uint64_t far;  ///< no coordinate has more bits
     };
-    Seen see(const GridPoint& corner) const {
-        Seen seen;
-        std::uint64_t far = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t w = (std::int64_t(corner[axis]) << grid_bits_) - start_[axis];
-            far |= std::uint64_t(w ^ (w >> 63));
-            seen.at[axis] = w;
+
+    template <class Corners>
+    class View {
+    public:
+        View(const WholePath& path, const Corners& corners)
+            : corners_(corners), bits_(corners.bits + path.grid_bits_) {
+            for (int axis = 0; axis < 3; ++axis)
+                origin_[axis] = (std::int64_t(corners.origin[axis]) << path.grid_bits_) - path.start_[axis];
         }
-        seen.near = far < std::uint64_t(short_);
-        return seen;
-    }
+        Seen see(unsigned k) const {
+            Seen seen{{}, 0};
+            for (int axis = 0; axis < 3; ++axis) {
+                const std::int64_t w = (corners_.steps(k, axis) << bits_) + origin_[axis];
+                seen.far |= std::uint64_t(w ^ (w >> 63));
+                seen.at[axis] = w;
+            }
+            return seen;
+        }
+        /// From one corner to another, by 2^bits.
+        std::int64_t edge(unsigned from, unsigned to, int axis) const {
+            return corners_.steps(to, axis) - corners_.steps(from, axis);
+        }
+
+    private:
+        const Corners& corners_;
+        const int bits_;
+        std::int64_t origin_[3];  ///< as seen from the start
+    };
 
     /// Of the line about a corner: direction x w.
     template <class Number>
@@ -72,26 +90,24 @@ private:
 
         bool is_zero() const { return (x | y | z) == 0; }
         /// Of an edge at that corner, as a bit of EdgeSigns.
-        unsigned side_of(const GridPoint& from, const GridPoint& to) const {
-            const Int128 sum = Int128(x) * (std::int64_t(to.x) - from.x) + Int128(y) * (std::int64_t(to.y) - from.y) +
-                               Int128(z) * (std::int64_t(to.z) - from.z);
+        template <class Corners>
+        unsigned side_of(const View<Corners>& view, unsigned from, unsigned to) const {
+            const Int128 sum = Int128(x) * view.edge(from, to, 0) + Int128(y) * view.edge(from, to, 1) +
+                               Int128(z) * view.edge(from, to, 2);
             return sum > 0 ? unsigned(kSomePositive) : sum < 0 ? unsigned(kSomeNegative) : 0u;
         }
     };
 
-    template <class Number, class Corner>
-    unsigned sides_by(const Corner& corner, unsigned open, unsigned at, const GridPoint& first,
-                      const Seen& seen) const {
+    template <class Number, class Corners>
+    unsigned sides_by(const View<Corners>& view, unsigned open, unsigned at, const Seen& seen) const {
         static constexpr std::uint8_t kNext[] = {1, 2, 0, 1};
         const unsigned after = kNext[at], before = kNext[at + 1];
         const Moment<Number> moment(direction_, seen.at);
         if (moment.is_zero() && open != 7) return 0;  // through the corner
-        const GridPoint next = corner(after);
-        unsigned signs = moment.side_of(first, next);
+        unsigned signs = moment.side_of(view, at, after);
         if (!(open >> before & 1)) return signs;
-        const GridPoint last = corner(before);
-        signs |= moment.side_of(last, first);
-        if (open == 7) signs |= Moment<Int128>(direction_, see(next).at).side_of(next, last);
+        signs |= moment.side_of(view, before, at);
+        if (open == 7) signs |= Moment<Int128>(direction_, view.see(after).at).side_of(view, after, before);
         return signs;
     }
 

@@ -91,9 +91,10 @@ struct FaceLanes {
             read([&](int k, int axis) { return steps(std::uint32_t(k), axis, lane); });
     }
 
-private:
     /// A step is 2^that of the grid's.
     int step_bits() const { return exponent(step) - exponent(float(1 / kSurfaceSteps)); }
+
+private:
     /// Of a power of two, counted from that of the smallest float.
     static constexpr int exponent(float power) { return int(std::bit_cast<std::uint32_t>(power) >> 23); }
 };

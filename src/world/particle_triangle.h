@@ -16,6 +16,21 @@
 
 namespace firma {
 
+/// Of a lane that is whole, as WholePath asks for them.
+template <bool wide>
+struct LaneCorners {
+    const FaceLanes& lanes;
+    const std::uint32_t lane;
+    const GridPoint& origin;
+    const int bits;
+
+    LaneCorners(const FaceLanes& of, std::uint32_t at)
+        : lanes(of), lane(at), origin(of.origin), bits(wide ? 0 : of.step_bits()) {}
+    std::int64_t steps(unsigned k, int axis) const {
+        return wide ? lanes.steps(k, axis, lane) : lanes.corner[k][axis][lane];
+    }
+};
+
 /// line_meets_polygon() of a lane that is whole. Apart, as of few triangles the lanes leave that open.
 /// @param whole   of the sweep's path; made at the first such question
 /// @param open    the edges of which that is not known, bits as of WholePath::triangle_sides()
@@ -26,8 +41,10 @@ namespace firma {
 #if !defined(__wasm__)  // which has to be small
     if (!whole) whole.emplace(sweep.start, sweep.direction);
     if (whole->known()) {
-        const auto corner = [&](std::uint32_t k) { return lanes.grid_corner(lane, k); };
-        return !(whole->triangle_sides(corner, open) & (facing > 0 ? kSomeNegative : kSomePositive));
+        const unsigned wrong = facing > 0 ? kSomeNegative : kSomePositive;
+        return !((lanes.is_wide() ? whole->triangle_sides(LaneCorners<true>(lanes, lane), open)
+                                  : whole->triangle_sides(LaneCorners<false>(lanes, lane), open)) &
+                 wrong);
     }
 #endif
     return line_meets_polygon(sweep, LaneShape(lanes, lane).polygon, facing);

@@ -244,9 +244,25 @@ private:
         query.met = crossing.open == 0 ||
                     line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1);
         if (!query.met) return false;
-        const Contact touch{Status::kHit, Feature::kFace, 0, crossing.t};
-        const bool ends =
-            it.found_({touch, lanes.block, slot, ~0u, &lanes, lane, record, true, crossing.away, crossing.normal});
+        const auto touch = [&] {
+            return SweepContact{{Status::kHit, Feature::kFace, 0, crossing.t},
+                                lanes.block,
+                                slot,
+                                ~0u,
+                                &lanes,
+                                lane,
+                                record,
+                                true,
+                                crossing.away,
+                                crossing.normal};
+        };
+        bool ends = false;
+        if constexpr (Found::kEarliestOnly) {  // made where it is kept, and only then
+            if (!it.found_.is_earlier(crossing.t, *record)) return false;
+            it.found_.keep(touch());
+        } else {
+            ends = it.found_(touch());
+        }
         query.latest = it.found_.latest;
         return ends;
     }

@@ -27,13 +27,20 @@ struct KeepFirst : TellAny {
     SweepContact best;
 
     explicit KeepFirst(double end) : TellAny(tell<KeepFirst>(end)) {}
+
+    /// Whether a face that is met counts more than what there is.
+    bool is_earlier(double t, const FaceRecord& face) const {
+        if (!best.contact.touched() || t < best.contact.t) return true;
+        return t == best.contact.t && (!best.block || face.id < best.face().id);
+    }
+    void keep(const SweepContact& touch) {
+        best = touch;
+        latest = touch.contact.t;
+    }
     bool operator()(const SweepContact& other) {
         const bool sooner = !best.contact.touched() || other.contact.t < best.contact.t ||
                             (other.contact.t == best.contact.t && other.comes_before(best));
-        if (sooner) {
-            best = other;
-            latest = other.contact.t;
-        }
+        if (sooner) keep(other);
         return false;
     }
 };
