@@ -56,7 +56,12 @@ HWY_INLINE std::uint32_t take_first(unsigned& left, const Time* times) {
 
 /// The lane of the least time; of several the first.
 HWY_INLINE std::uint32_t earliest(unsigned lanes, const double* times) {
-    if ((lanes & (lanes - 1)) == 0) return first_bit(lanes);
+    const unsigned others = lanes & (lanes - 1);
+    if (others == 0) return first_bit(lanes);
+    if ((others & (others - 1)) == 0) {
+        const std::uint32_t one = first_bit(lanes), other = last_bit(lanes);
+        return times[other] < times[one] ? other : one;
+    }
 #if HWY_TARGET == HWY_WASM
     return take_first(lanes, times);
 #else
