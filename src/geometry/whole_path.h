@@ -53,8 +53,7 @@ private:
     template <class Corners>
     class View {
     public:
-        View(const WholePath& path, const Corners& corners)
-            : corners_(corners), bits_(corners.bits + path.grid_bits_) {
+        View(const WholePath& path, const Corners& corners) : corners_(corners), bits_(corners.bits + path.grid_bits_) {
             for (int axis = 0; axis < 3; ++axis)
                 origin_[axis] = (std::int64_t(corners.origin[axis]) << path.grid_bits_) - path.start_[axis];
         }

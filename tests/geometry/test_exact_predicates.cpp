@@ -12,6 +12,7 @@
 #include "firma/grid.h"
 #include "geometry/whole_path.h"
 #include "scenes/rng.h"
+#include "tests/geometry/grid_corners.h"
 #include "tests/sample.h"
 
 namespace firma {
@@ -155,18 +156,16 @@ void check_edges(const Vec3& start, const Vec3& direction, const Vec3 (&corners)
     const WholePath whole(start, direction);
     if (!whole.known()) return;
     ++tally.whole;
-    const auto corner = [&](unsigned k) {
-        GridPoint on_grid;
-        for (int axis = 0; axis < 3; ++axis) on_grid[axis] = std::int32_t(corners[k][axis] * kSurfaceSteps);
-        return on_grid;
-    };
     for (const Vec3& c : corners)
         if (max_abs(c) >= kWorldRim) return;  // no point of the grid is so far
+    GridPoint on_grid[3];
+    for (int k = 0; k < 3; ++k)
+        for (int axis = 0; axis < 3; ++axis) on_grid[k][axis] = std::int32_t(corners[k][axis] * kSurfaceSteps);
     for (unsigned open = 1; open < 8; ++open) {
         unsigned signs = 0;
         for (int k = 0; k < 3; ++k)
             if (open >> k & 1) signs |= side[k] > 0 ? kSomePositive : side[k] < 0 ? kSomeNegative : 0u;
-        ASSERT_EQ(whole.triangle_sides(corner, open), signs) << "edges " << open;
+        ASSERT_EQ(whole.triangle_sides(GridCorners{on_grid}, open), signs) << "edges " << open;
     }
 }
 

@@ -10,6 +10,7 @@
 #include "cast/sweep.h"
 #include "geometry/exact_predicates.h"
 #include "scenes/rng.h"
+#include "tests/geometry/grid_corners.h"
 #include "tests/sample.h"
 
 namespace firma {
@@ -49,7 +50,7 @@ void compare(const GridPoint (&corners)[3], const Vec3& start, const Vec3& targe
         unsigned wanted = 0;
         for (unsigned k = 0; k < 3; ++k)
             if (open >> k & 1) wanted |= signs[k] > 0 ? unsigned(kSomePositive) : signs[k] < 0 ? kSomeNegative : 0u;
-        EXPECT_EQ(whole.triangle_sides([&](unsigned k) { return corners[k]; }, open), wanted) << "edges " << open;
+        EXPECT_EQ(whole.triangle_sides(GridCorners{corners}, open), wanted) << "edges " << open;
     }
 }
 
