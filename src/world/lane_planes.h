@@ -38,8 +38,24 @@ HWY_INLINE Doubles as_doubles(Steps a) {
 HWY_INLINE Doubles size_of(Doubles a) {
     return std::fabs(a);
 }
-HWY_INLINE unsigned where_greater(Doubles a, Doubles b) {
+using Truths = bool;
+HWY_INLINE Truths greater(Doubles a, Doubles b) {
     return a > b;
+}
+HWY_INLINE Truths both(Truths a, Truths b) {
+    return a && b;
+}
+HWY_INLINE Truths either(Truths a, Truths b) {
+    return a || b;
+}
+HWY_INLINE Truths differ(Truths a, Truths b) {
+    return a != b;
+}
+HWY_INLINE Truths but_not(Truths a, Truths b) {
+    return a && !b;
+}
+HWY_INLINE unsigned bits_of(Truths a) {
+    return a;
 }
 HWY_INLINE void put(Doubles a, double* to) {
     *to = a;
@@ -84,9 +100,25 @@ HWY_INLINE Doubles as_doubles(Steps a) {
 HWY_INLINE Doubles size_of(Doubles a) {
     return hn::Abs(a);
 }
-HWY_INLINE unsigned where_greater(Doubles a, Doubles b) {
+using Truths = hn::Mask<decltype(kDoubles)>;
+HWY_INLINE Truths greater(Doubles a, Doubles b) {
+    return hn::Gt(a, b);
+}
+HWY_INLINE Truths both(Truths a, Truths b) {
+    return hn::And(a, b);
+}
+HWY_INLINE Truths either(Truths a, Truths b) {
+    return hn::Or(a, b);
+}
+HWY_INLINE Truths differ(Truths a, Truths b) {
+    return hn::Xor(a, b);
+}
+HWY_INLINE Truths but_not(Truths a, Truths b) {
+    return hn::AndNot(b, a);
+}
+HWY_INLINE unsigned bits_of(Truths a) {
     std::uint8_t bytes[8];
-    hn::StoreMaskBits(kDoubles, hn::Gt(a, b), bytes);
+    hn::StoreMaskBits(kDoubles, a, bytes);
     return bytes[0];
 }
 HWY_INLINE void put(Doubles a, double* to) {
@@ -158,20 +190,19 @@ HWY_INLINE void cross_planes(const FaceLanes& lanes, const LaneQuery& query, uns
         const Doubles t = over(size_of(height), size_of(rise));
         const Doubles shallow = times(dot(n[0], n[1], n[2], n), each(sweep.direction_square * kSurelyShallow));
         const Doubles zero = each(0);
-        const unsigned turned = where_greater(size_of(rise), times(each(firma::rounding(8)), rise_size));
-        const unsigned away = where_greater(rise, zero);
-        const unsigned sides = where_greater(size_of(height), doubt) & where_greater(size_of(end), doubt);
-        const unsigned above = where_greater(height, zero), ends_above = where_greater(end, zero);
+        const Truths turned = greater(size_of(rise), times(each(firma::rounding(8)), rise_size));
+        const Truths away = greater(rise, zero);
+        const Truths certain = both(turned, both(greater(size_of(height), doubt), greater(size_of(end), doubt)));
+        const Truths approaches = differ(greater(height, zero), away),
+                     arrives = but_not(approaches, differ(greater(end, zero), away));
         // Near the end, or at too flat an angle, double loses too much.
-        const unsigned clear = ~where_greater(shallow, times(rise, rise)) & where_greater(t, zero) &
-                               where_greater(each(sweep.end * (1 - kNearEnd)), t);
-        const unsigned late = where_greater(t, each(query.latest));
-        const unsigned behind = turned & away & (one_sided >> part);
-        const unsigned beside = turned & sides & (~(above ^ away) | (ends_above ^ away));
-        const unsigned sure = turned & sides & clear;
-        all_found.never |= (behind | beside | (sure & late)) << part;
-        all_found.crossed |= (sure & ~late) << part;
-        all_found.away |= away << part;
+        const Truths clear = both(greater(t, zero), greater(each(sweep.end * (1 - kNearEnd)), t));
+        const Truths sure = both(certain, but_not(clear, greater(shallow, times(rise, rise))));
+        const Truths late = greater(t, each(query.latest));
+        all_found.never |= bits_of(either(but_not(certain, arrives), both(sure, late))) << part;
+        if (one_sided) all_found.never |= bits_of(both(turned, away)) << part & one_sided;
+        all_found.crossed |= bits_of(but_not(sure, late)) << part;
+        all_found.away |= bits_of(away) << part;
         put(t, all_found.at + part);
 #if HWY_TARGET != HWY_WASM
         for (int axis = 0; axis < 3; ++axis) put(n[axis], all_found.normal[axis] + part);

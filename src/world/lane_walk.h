@@ -74,7 +74,7 @@ HWY_INLINE std::uint32_t earliest(unsigned lanes, const double* times) {
     least = hn::MinOfLanes(kDoubles, least);
     unsigned found = 0;
     for (std::uint32_t part = 0; part < kLanes; part += kDoublesAtOnce)
-        found |= (~where_greater(hn::Load(kDoubles, times + part), least) & ((1u << kDoublesAtOnce) - 1)) << part;
+        found |= (~bits_of(greater(hn::Load(kDoubles, times + part), least)) & ((1u << kDoublesAtOnce) - 1)) << part;
     return first_bit(found & lanes);
 #endif
 }
