@@ -19,9 +19,5 @@ inline void fetch_ahead(const void* memory, std::size_t bytes) {
     for (std::size_t at = 0; at < bytes; at += kLine) fetch_ahead(from + at);
     fetch_ahead(from + bytes - 1);
 }
-/// At the end of a function that does nothing but fetch: GCC takes it for one without effect, and leaves calls out.
-inline void keep_fetches() {
-    __asm__ volatile("");
-}
 
 }  // namespace firma

@@ -139,6 +139,12 @@ HWY_INLINE Doubles over(Doubles a, Doubles b) {
 HWY_INLINE Doubles larger(Doubles a, Doubles b) {
     return hn::Max(a, b);
 }
+HWY_INLINE Doubles smaller(Doubles a, Doubles b) {
+    return hn::Min(a, b);
+}
+HWY_INLINE Doubles negated_where_negative(Doubles a, Doubles which) {
+    return hn::Xor(a, hn::And(which, hn::SignBit(kDoubles)));
+}
 #endif
 
 /// What is known of planes: a bit for each triangle, and of those crossed when, and the normal.
@@ -210,6 +216,62 @@ HWY_INLINE void cross_planes(const FaceLanes& lanes, const LaneQuery& query, uns
     }
     all_found.crossed &= ~all_found.never;
 }
+
+#if HWY_TARGET != HWY_WASM  // the module has to be small
+/// How a path's line passes triangles' edges: a bit for each triangle. Of those that are in neither, double cannot
+/// tell.
+struct Passes {
+    unsigned inside = 0;   ///< on the inner side of all edges
+    unsigned outside = 0;  ///< on the outer side of one
+};
+
+/// With d the path's direction, w the first corner as seen from its start, b and c the edges from there, the line
+/// passes b by b . (d x w), c by c . (d x w), and the third edge by what is left of d . (b x c), which is the sum of
+/// all three. Let u be half an ulp of 1, L above the sums of the coordinates of b and of c, F above each coordinate of
+/// w; those of d are below 2. Each part of d x w is a difference of two products, off by 3 u of their sum for rounding,
+/// w's among them, so b . (d x w) is by 36 u L F; and so is c's. Both are below 6 L F. The normal is exact, and d . n,
+/// below 2 L L, off by 6 u L L. The third is off by all that and by what the two differences round: by 96 u L F and
+/// 10 u L L in all. L is at most twice `size` of the lanes.
+/// @param open  lanes that are crossed
+HWY_NOINLINE Passes pass_edges(const FaceLanes& lanes, const LaneQuery& query, unsigned open,
+                               const Crossings& crossings) {
+    const Sweep& sweep = *query.sweep.path;
+    const Doubles step = each(double(lanes.step)), zero = each(0);
+    const Doubles d[3] = {each(sweep.direction[0]), each(sweep.direction[1]), each(sweep.direction[2])};
+    const double longest = 2 * double(lanes.size) / double(lanes.step);  // L, in steps
+    Passes found;
+    for (std::uint32_t part = 0; part < kLanes; part += kDoublesAtOnce) {
+        if ((open >> part & ((1u << kDoublesAtOnce) - 1)) == 0) continue;
+        Doubles w[3], b[3], c[3], far = zero;  // w in metres, edges in steps
+        for (int axis = 0; axis < 3; ++axis) {
+            const Steps corner = load_steps(lanes, 0, axis, part);
+            b[axis] = as_doubles(less(load_steps(lanes, 1, axis, part), corner));
+            c[axis] = as_doubles(less(load_steps(lanes, 2, axis, part), corner));
+            const double origin = lanes.origin[axis] * (1 / kSurfaceSteps);
+            w[axis] = minus(plus(times(as_doubles(corner), step), each(origin)), each(sweep.start[axis]));
+            far = larger(far, size_of(w[axis]));
+        }
+        Doubles moment[3], n[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            moment[axis] = minus(times(d[u], w[v]), times(d[v], w[u]));
+            n[axis] = hn::Load(kDoubles, crossings.normal[axis] + part);
+        }
+        const auto dot = [](const Doubles* x, const Doubles* y)
+                             HWY_ATTR { return plus(plus(times(x[0], y[0]), times(x[1], y[1])), times(x[2], y[2])); };
+        const Doubles rise = dot(d, n);
+        // Inward is above 0; of c, the other way round, below.
+        const Doubles by_b = negated_where_negative(dot(b, moment), rise);
+        const Doubles by_c = negated_where_negative(dot(c, moment), rise);
+        const Doubles by_third = plus(minus(times(size_of(rise), step), by_b), by_c);
+        const Doubles least = smaller(smaller(by_b, minus(zero, by_c)), by_third);
+        const Doubles unsure = times(plus(far, each(double(lanes.size))), each(firma::rounding(128) * longest));
+        found.inside |= bits_of(greater(least, unsure)) << part;
+        found.outside |= bits_of(greater(zero, plus(least, unsure))) << part;
+    }
+    return found;
+}
+#endif
 
 }  // namespace firma::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -86,6 +86,15 @@ HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, co
     cross_planes(lanes, query, left & lanes.whole, known);
     unsigned crossed = left & lanes.whole & known.crossed;
     left &= ~(lanes.whole & (known.crossed | known.never));
+    unsigned inside = found.clear[0] & found.clear[1] & found.clear[2];
+#if HWY_TARGET != HWY_WASM
+    // Where the line runs through an edge, it does so at the faces beside it, too: double will not tell.
+    if (const unsigned open = crossed & ~inside; open && !query.through_edge) {
+        const Passes passes = pass_edges(lanes, query, open, known);
+        inside |= passes.inside & open;
+        crossed &= ~(passes.outside & open);
+    }
+#endif
     while (crossed) {
         const std::uint32_t lane = earliest(crossed, known.at);
         if (known.at[lane] > query.latest) break;
@@ -95,7 +104,7 @@ HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, co
         query.crossing.t = known.at[lane];
         query.crossing.known = true;
         query.crossing.away = (known.away >> lane & 1) != 0;
-        query.crossing.open = std::uint8_t(7 ^ clear);
+        query.crossing.open = inside >> lane & 1 ? 0 : std::uint8_t(7 ^ clear);
 #if HWY_TARGET != HWY_WASM
         query.crossing.normal = {known.normal[0][lane], known.normal[1][lane], known.normal[2][lane]};
 #endif

@@ -35,16 +35,18 @@ struct LaneCorners {
 /// @param whole   of the sweep's path; made at the first such question
 /// @param open    the edges of which that is not known, bits as of WholePath::triangle_sides()
 /// @param facing  the sign of direction . normal, not 0
+/// @param through_edge  set where the line is known to run exactly through all open edges
 [[gnu::noinline]] inline bool line_passes(const Sweep& sweep, [[maybe_unused]] std::optional<WholePath>& whole,
                                           const FaceLanes& lanes, std::uint32_t lane, [[maybe_unused]] unsigned open,
-                                          int facing) {
+                                          int facing, [[maybe_unused]] bool& through_edge) {
 #if !defined(__wasm__)  // which has to be small
     if (!whole) whole.emplace(sweep.start, sweep.direction);
     if (whole->known()) {
         const unsigned wrong = facing > 0 ? kSomeNegative : kSomePositive;
-        return !((lanes.is_wide() ? whole->triangle_sides(LaneCorners<true>(lanes, lane), open)
-                                  : whole->triangle_sides(LaneCorners<false>(lanes, lane), open)) &
-                 wrong);
+        const unsigned signs = lanes.is_wide() ? whole->triangle_sides(LaneCorners<true>(lanes, lane), open)
+                                               : whole->triangle_sides(LaneCorners<false>(lanes, lane), open);
+        through_edge |= signs == 0;
+        return !(signs & wrong);
     }
 #endif
     return line_meets_polygon(sweep, LaneShape(lanes, lane).polygon, facing);

@@ -241,8 +241,8 @@ private:
         if (query.counts) ++query.counts->faces;
         const TriangleCrossing& crossing = query.crossing;
         if (!crossing.known) return it.ask_polygon(query, lanes, lane, slot);
-        query.met = crossing.open == 0 ||
-                    line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open, crossing.away ? 1 : -1);
+        query.met = crossing.open == 0 || line_passes(it.sweep_, it.whole_path_, lanes, lane, crossing.open,
+                                                      crossing.away ? 1 : -1, query.through_edge);
         if (!query.met) return false;
         const auto touch = [&] {
             return SweepContact{{Status::kHit, Feature::kFace, 0, crossing.t},

@@ -116,7 +116,9 @@ struct Told {
     Contact contact(const OneTriangle& it, const Sweep& sweep) const {
         if (!looked) return {};
         std::optional<WholePath> whole;
-        if (crossing.open && !line_passes(sweep, whole, it.lanes, 0, crossing.open, crossing.away ? 1 : -1)) return {};
+        bool through_edge = false;
+        const int facing = crossing.away ? 1 : -1;
+        if (crossing.open && !line_passes(sweep, whole, it.lanes, 0, crossing.open, facing, through_edge)) return {};
         return {Status::kHit, Feature::kFace, 0, crossing.t};
     }
 };
@@ -147,9 +149,12 @@ Vec3 target_in(scenes::Rng& rng, const OneTriangle& it) {
     const std::uint32_t k = rng.below(3);
     const Vec3 a = it.corner(k), b = it.corner((k + 1) % 3), c = it.corner((k + 2) % 3);
     const double share = std::ldexp(double(rng.below(64)), -6);
-    switch (rng.below(4)) {
+    const double hair = std::ldexp(1.0, -18 - int(rng.below(36)));
+    switch (rng.below(5)) {
         case 0:
             return a;
+        case 4:  // beside an edge or a corner, down to what double cannot tell
+            return a + (b - a) * (rng.chance(0.5) ? share : 0) + rng.direction() * hair;
         case 1:
             return a + (b - a) * share;  // on an edge, maybe exactly
         case 2:
