@@ -66,15 +66,13 @@ struct CornerBox {
     double low[3], high[3];
 
     CornerBox(const Block& block, const FaceRecord& face) {
-        const auto corners = block.corners_of(face);
-        GridPoint lowest = block.vertices[corners[0]], highest = lowest;
-        for (const std::uint16_t corner : corners.subspan(1)) {
-            const GridPoint& p = block.vertices[corner];
+        GridPoint lowest = block.corner(face, 0), highest = lowest;
+        block.for_each_corner(face, [&](const GridPoint& p) {
             for (int axis = 0; axis < 3; ++axis) {
                 if (p[axis] < lowest[axis]) lowest[axis] = p[axis];
                 if (p[axis] > highest[axis]) highest[axis] = p[axis];
             }
-        }
+        });
         const Vec3 a = to_metres(lowest), b = to_metres(highest);
         for (int axis = 0; axis < 3; ++axis) {
             low[axis] = a[axis];

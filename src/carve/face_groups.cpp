@@ -233,8 +233,9 @@ bool FaceGroups::reaches_into_a_volume(const LiveFace& face) {
             for (std::uint32_t k = 0; k < face.stored->loop_ends()[0]; ++k)
                 loop_.push_back(face.stored->uses[k].from().point.approximate());
         else
-            for (const std::uint16_t corner : face.facet.block->corners_of(face.facet.record()))
-                loop_.push_back(to_metres(face.facet.block->vertices[corner]) * kInputSteps);
+            face.facet.block->for_each_corner(face.facet.record(), [&](const GridPoint& corner) {
+                loop_.push_back(to_metres(corner) * kInputSteps);
+            });
         return polygon_reaches_into(loop_, volume);
     });
 }

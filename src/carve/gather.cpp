@@ -28,8 +28,7 @@ void fetch_contents_ahead(const Node& node) {
 
 void fetch_contents_ahead(const Block& block) {
     fetch_array_ahead(block.faces);
-    fetch_array_ahead(block.vertices);
-    fetch_array_ahead(block.corner_vertices);
+    fetch_array_ahead(block.lanes);
     fetch_array_ahead(block.owners);
 }
 

@@ -62,15 +62,14 @@ std::optional<LineBehind> line_through(const FacetPlace& facet) {
 
 /// How often a facet goes around a line, counter-clockwise about the axis; nothing where the line meets a side.
 std::optional<int> turns_around(const Block& block, const FaceRecord& face, const LineBehind& line) {
-    const auto corners = block.corners_of(face);
-    const auto halves = [&](std::uint16_t corner) {
-        const FlatPoint point = project(block.vertices[corner], line.view);
+    const auto halves = [&](std::uint32_t k) {
+        const FlatPoint point = project(block.corner(face, k), line.view);
         return FlatPoint{2 * point.u, 2 * point.v};
     };
     int turns = 0;
-    FlatPoint from = halves(corners.back());
-    for (const std::uint16_t corner : corners) {
-        const FlatPoint to = halves(corner);
+    FlatPoint from = halves(face.corner_count - 1u);
+    for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+        const FlatPoint to = halves(k);
         const bool below = from.v < line.at.v;
         if (below != (to.v < line.at.v)) {
             const Int128 side = turn(from, to, line.at);

@@ -37,8 +37,7 @@ std::vector<PlacedFace> faces_by_id(const WorldData& data, ObjFaces which) {
 std::vector<GridPoint> different_corners(const std::vector<PlacedFace>& faces) {
     std::vector<GridPoint> points;
     for (const PlacedFace& face : faces)
-        for (const std::uint16_t vertex : face.block->corners_of(*face.record))
-            points.push_back(face.block->vertices[vertex]);
+        face.block->for_each_corner(*face.record, [&](const GridPoint& corner) { points.push_back(corner); });
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
@@ -104,11 +103,11 @@ bool write_faces(const World& world, const std::vector<PlacedFace>& faces, const
         if (material ? *material != name : !name.empty()) text += "usemtl " + line_safe(name) + '\n';
         material = &name;
         text += 'f';
-        for (const std::uint16_t vertex : face.block->corners_of(*face.record)) {
-            const auto found = std::lower_bound(points.begin(), points.end(), face.block->vertices[vertex]);
+        face.block->for_each_corner(*face.record, [&](const GridPoint& corner) {
+            const auto found = std::lower_bound(points.begin(), points.end(), corner);
             text += ' ';
             text += std::to_string(found - points.begin() + 1);
-        }
+        });
         text += '\n';
         if (!out.flush()) return false;
     }

@@ -56,17 +56,23 @@ inline FaceSet::Entry entry_of(const Block& block, const FaceRecord& record) {
     return entry;
 }
 
+/// The corners of a face of a block, each as a vertex of its own.
+inline void append_corners(const Block& block, const FaceRecord& face, FaceSet& set) {
+    block.for_each_corner(face, [&](const GridPoint& corner) {
+        set.corners.push_back(std::uint32_t(set.vertices.size()));
+        set.vertices.push_back(corner);
+    });
+}
+
 /// Puts the faces of a block that `stays(slot)` at the end of a set. The block keeps their owners alive.
 template <class Stays>
 void append_faces(const Block& block, FaceSet& set, const Stays& stays) {
     for (const Ref<const FaceOwner>& owner : block.owners) fetch_ahead(owner.get());  // a new block will count as user
-    const auto base = std::uint32_t(set.vertices.size());
-    set.vertices.insert(set.vertices.end(), block.vertices.begin(), block.vertices.end());
     for (std::uint32_t slot = 0; slot < block.faces.size(); ++slot) {
         if (!stays(slot)) continue;
         FaceSet::Entry entry = entry_of(block, block.faces[slot]);
         entry.first_corner = std::uint32_t(set.corners.size());
-        for (const std::uint16_t vertex : block.corners_of(block.faces[slot])) set.corners.push_back(base + vertex);
+        append_corners(block, block.faces[slot], set);
         set.faces.push_back(entry);
     }
 }

@@ -42,7 +42,7 @@ struct FaceRecord {
     std::uint32_t source = 0;
     std::uint32_t material = 0;
     std::uint32_t mask = ~0u;
-    std::uint16_t first_corner = 0;
+    std::uint16_t first_lane = 0;  ///< where the first triangle of its fan is: Block::fan_of()
     std::uint8_t corner_count = 0;
     bool two_sided = false;
     bool solid = false;              ///< bounds a closed solid that can be carved
@@ -57,35 +57,55 @@ public:
         for (const Ref<const FaceOwner>& owner : owners) fetch_ahead(owner.get());
     }
     std::size_t bytes() const override {
-        return pool_size(sizeof(Block)) + pool_size_of(faces) + pool_size_of(vertices) + pool_size_of(corner_vertices) +
-               pool_size_of(owners) + pool_size_of(lanes);
+        return pool_size(sizeof(Block)) + pool_size_of(faces) + pool_size_of(owners) + pool_size_of(lanes);
     }
 
     /// Faces of different parts never share a block. What a part is, says whoever holds the faces: to a world, a room.
     std::uint32_t part = 0;
     std::uint32_t mask_of_all = ~0u;  ///< bits that the masks of all faces have
     PoolVector<FaceRecord> faces;
-    PoolVector<GridPoint> vertices;             ///< each once
-    PoolVector<std::uint16_t> corner_vertices;  ///< of all faces in a row
-    PoolVector<Ref<const FaceOwner>> owners;    ///< each once
-    PoolVector<FaceLanes> lanes;                ///< the same facets, as casts read them
+    PoolVector<FaceLanes> lanes;              ///< the corners of all faces, as casts read them
+    PoolVector<Ref<const FaceOwner>> owners;  ///< each once
 
-    std::span<const std::uint16_t> corners_of(const FaceRecord& face) const {
-        return {corner_vertices.data() + face.first_corner, face.corner_count};
+    /// The triangles of a face's fan: of the first corner, the k-th after it and the next.
+    FaceFan fan_of(const FaceRecord& face) const { return FaceFan(lanes.data(), face.first_lane); }
+    GridPoint corner(const FaceRecord& face, std::size_t k) const {
+        FaceFan fan = fan_of(face);
+        if (k <= 2) return fan.corner(std::uint32_t(k));
+        fan.advance(std::uint32_t(k) - 2);
+        return fan.corner(2);
     }
-    const GridPoint& corner(const FaceRecord& face, std::size_t k) const {
-        return vertices[corner_vertices[face.first_corner + k]];
+    /// Calls `function(corner)` for each, in order.
+    template <class Function>
+    void for_each_corner(const FaceRecord& face, const Function& function) const {
+        FaceFan fan = fan_of(face);
+        function(fan.corner(0));
+        function(fan.corner(1));
+        function(fan.corner(2));
+        for (std::uint32_t k = 3; k < face.corner_count; ++k) {
+            fan.advance(1);
+            function(fan.corner(2));
+        }
+    }
+    /// Calls `function(from, to)` for each side, in order.
+    template <class Function>
+    void for_each_side(const FaceRecord& face, const Function& function) const {
+        GridPoint from = corner(face, face.corner_count - 1u);
+        for_each_corner(face, [&](const GridPoint& to) {
+            function(from, to);
+            from = to;
+        });
     }
     /// Around its corners.
     GridBox box_of(const FaceRecord& face) const {
         GridBox box;
-        for (const std::uint16_t vertex : corners_of(face)) box.add(vertices[vertex]);
+        for_each_corner(face, [&](const GridPoint& corner) { box.add(corner); });
         return box;
     }
     /// Around all.
     GridBox box() const {
         GridBox all;
-        for (const GridPoint& vertex : vertices) all.add(vertex);
+        for (const FaceRecord& face : faces) all.add(box_of(face));
         return all;
     }
     /// Null for a face that is its own.

@@ -25,8 +25,9 @@ struct Farthest {
     bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
         const Block& block = as_block(facets);
         for (std::uint32_t slot = first; slot < first + count; ++slot)
-            for (const std::uint16_t vertex : block.corners_of(block.faces[slot]))
-                best = std::max(best, sign * to_metres(block.vertices[vertex])[axis]);
+            block.for_each_corner(block.faces[slot], [&](const GridPoint& corner) {
+                best = std::max(best, sign * to_metres(corner)[axis]);
+            });
         return false;
     }
 };

@@ -42,7 +42,7 @@ std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
     return std::uint16_t(block.owners.size() - 1);
 }
 
-void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, VertexTable& vertices) {
+void add_face(Block& block, const FaceSet::Entry& face) {
     FaceRecord record;
     record.id = face.id;
     record.source = face.source;
@@ -52,12 +52,20 @@ void add_face(Block& block, const FaceSet& faces, const FaceSet::Entry& face, Ve
     record.solid = face.solid;
     record.edit = face.edit;
     record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
-    record.first_corner = std::uint16_t(block.corner_vertices.size());
     record.corner_count = std::uint8_t(face.corner_count);
-    for (std::uint32_t c = 0; c < face.corner_count; ++c)
-        block.corner_vertices.push_back(vertices.index_of(faces.corner(face, c)));
     block.mask_of_all &= face.mask;
     block.faces.push_back(record);
+}
+
+/// One block of some faces, in this order; without its lanes, which have the corners.
+/// @param items  faces of one part, 1 to kNodeItems
+Ref<Block> make_block(const FaceSet& faces, std::span<const BuildItem> items) {
+    Ref<Block> block(new Block);
+    block->part = faces.faces[items[0].face].part;
+    block->faces.reserve(items.size());
+    for (const BuildItem& item : items) add_face(*block, faces.faces[item.face]);
+    block->owners.shrink_to_fit();
+    return block;
 }
 
 }  // namespace
@@ -125,26 +133,10 @@ Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
     Ref<Node> leaf(new Node);
     const BinNode& node = tree_.nodes[top];
     leaf->facets_below = node.count;
-    numbers_.clear();
-    for (const BuildItem& item : tree_.items_of(node)) numbers_.push_back(item.face);
-    const Ref<Block> block = make_block(*faces_, numbers_, vertices_);
-    layout_.make(*leaf, *block, tree_, top);
+    const Ref<Block> block = make_block(*faces_, tree_.items_of(node));
+    layout_.make(*leaf, *block, *faces_, tree_, top);
     leaf->facets = Ref<const IndexedFacets>(block.get());
     return Ref<const Node>(leaf.get());
-}
-
-Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch) {
-    Ref<Block> block(new Block);
-    std::size_t corners = 0;
-    for (const std::uint32_t number : numbers) corners += faces.faces[number].corner_count;
-    scratch.start(corners);
-    block->part = faces.faces[numbers[0]].part;
-    block->faces.reserve(numbers.size());
-    block->corner_vertices.reserve(corners);
-    for (const std::uint32_t number : numbers) add_face(*block, faces, faces.faces[number], scratch);
-    block->vertices.assign(scratch.vertices.begin(), scratch.vertices.end());
-    block->owners.shrink_to_fit();
-    return block;
 }
 
 std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options) {

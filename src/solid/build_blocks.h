@@ -11,7 +11,6 @@
 #include "solid/block.h"
 #include "solid/face_set.h"
 #include "solid/lay_out_faces.h"
-#include "solid/vertex_table.h"
 
 namespace firma {
 
@@ -35,15 +34,9 @@ private:
 
     const FaceSet* faces_ = nullptr;
     BinTree tree_;
-    VertexTable vertices_;
     FaceLayout layout_;
     BinWidener widener_;
-    std::vector<std::uint32_t> numbers_;
 };
-
-/// One block of some faces, in this order; without its lanes.
-/// @param numbers  of faces of one part, 1 to kNodeItems
-Ref<Block> make_block(const FaceSet& faces, std::span<const std::uint32_t> numbers, VertexTable& scratch);
 
 /// Blocks of all faces, those of each part apart.
 /// @return an index over the faces of each part, parts ascending; none for no faces

@@ -179,10 +179,10 @@ private:
 
     void check_untouched() {
         const FacetPlace& facet = face().facet;
-        for (const std::uint16_t corner : facet.block->corners_of(facet.record()))
-            if (!on_input_grid(facet.block->vertices[corner]))
-                return report("a face that no cut touched has a corner off the input grid",
-                              to_metres(facet.block->vertices[corner]));
+        facet.block->for_each_corner(facet.record(), [&](const GridPoint& corner) {
+            if (!on_input_grid(corner))
+                report("a face that no cut touched has a corner off the input grid", to_metres(corner));
+        });
     }
 
     void check_facets() {
@@ -193,10 +193,10 @@ private:
         inner_.clear();
         add_loops();
         for (const FacetPlace& facet : facets) {
-            const auto corners = facet.block->corners_of(facet.record());
-            std::uint32_t last = numbers_.number(facet.block->vertices[corners.back()]);
-            for (const std::uint16_t corner : corners) {
-                const std::uint32_t next = numbers_.number(facet.block->vertices[corner]);
+            const FaceRecord& record = facet.record();
+            std::uint32_t last = numbers_.number(facet.block->corner(record, record.corner_count - 1u));
+            for (std::uint32_t k = 0; k < record.corner_count; ++k) {
+                const std::uint32_t next = numbers_.number(facet.block->corner(record, k));
                 if (next >= of_face_.size() || of_face_[next] != face_ + 1)
                     return report_point("a facet's corner is no rounded vertex of its face", next);
                 inner_.add(last, next, 1);

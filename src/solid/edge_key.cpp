@@ -56,14 +56,11 @@ struct AcrossSearch {
 
     /// Of an edge that is a point on the surface grid: a corner.
     bool has_side(const Block& block, const FaceRecord& face) const {
-        const auto corners = block.corners_of(face);
-        const GridPoint* last = &block.vertices[corners.back()];
-        for (const std::uint16_t corner : corners) {
-            const GridPoint* next = &block.vertices[corner];
-            if (*next == to && (*last == from || from == to)) return true;
-            last = next;
-        }
-        return false;
+        bool has = false;
+        block.for_each_side(face, [&](const GridPoint& last, const GridPoint& next) {
+            has = has || (next == to && (last == from || from == to));
+        });
+        return has;
     }
     bool has_edge(const Block& block, const FaceRecord& face) const {
         const auto* owner = static_cast<const SolidFace*>(block.owner_of(face));

@@ -101,4 +101,30 @@ private:
 
 static_assert(sizeof(void*) != 8 || sizeof(FaceLanes) == 192);  // three lines of a cache
 
+/// One triangle after the other of a face's fan, in a block's lanes.
+class FaceFan {
+public:
+    /// @param first_lane  where the first one is: its place among the block's FaceLanes times kLanes, and its lane
+    /// there
+    FaceFan(const FaceLanes* of_block, std::uint32_t first_lane)
+        : lanes_(of_block + first_lane / FaceLanes::kLanes), lane_(first_lane % FaceLanes::kLanes) {}
+
+    /// @param triangles  the fan has so many more
+    void advance(std::uint32_t triangles) {
+        lane_ += triangles;
+        while (lane_ >= FaceLanes::kLanes) {  // one that goes on in the next fills this one
+            lane_ -= FaceLanes::kLanes;
+            lanes_ += lanes_->in_a_row();
+        }
+    }
+    GridPoint corner(std::uint32_t k) const { return lanes_->grid_corner(lane_, k); }
+
+    const FaceLanes* lanes() const { return lanes_; }
+    std::uint32_t lane() const { return lane_; }
+
+private:
+    const FaceLanes* lanes_;
+    std::uint32_t lane_;
+};
+
 }  // namespace firma

@@ -13,8 +13,13 @@ namespace firma {
 class FaceShape {
 public:
     FaceShape(const Block& block, const FaceRecord& face) {
-        for (std::size_t k = 0; k < face.corner_count; ++k) corners_.at[k] = to_metres(block.corner(face, k));
+        std::size_t count = 0;
+        block.for_each_corner(face, [&](const GridPoint& corner) { corners_.at[count++] = to_metres(corner); });
         polygon = make_shape({corners_.at, face.corner_count});
+    }
+    explicit FaceShape(std::span<const GridPoint> corners) {
+        for (std::size_t k = 0; k < corners.size(); ++k) corners_.at[k] = to_metres(corners[k]);
+        polygon = make_shape({corners_.at, corners.size()});
     }
     FaceShape(const FaceShape&) = delete;
     FaceShape& operator=(const FaceShape&) = delete;

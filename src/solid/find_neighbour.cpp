@@ -30,19 +30,15 @@ struct EdgeVisitor {
     }
 
     void look_at(const Block& block, const FaceRecord& face) {
-        const auto corners = block.corners_of(face);
-        const GridPoint* from = &block.vertices[corners.back()];
-        for (const std::uint16_t corner : corners) {
-            const GridPoint* to = &block.vertices[corner];
-            const bool along = *from == a && *to == b;
-            if (along || (*from == b && *to == a)) {
+        block.for_each_side(face, [&](const GridPoint& from, const GridPoint& to) {
+            const bool along = from == a && to == b;
+            if (along || (from == b && to == a)) {
                 ++uses;
                 forward += along;
                 two = one;
                 one = face.id;
             }
-            from = to;
-        }
+        });
     }
 };
 

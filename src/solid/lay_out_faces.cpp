@@ -33,12 +33,12 @@ FIRMA_SELDOM double unevenness(const PolygonShape& polygon) {
 /// The same without exact sums, a little more. Differences of corners are exact; the normal's components, sums of 2n
 /// products, are off by (n + 3) 2^-53 of the sum of the products' sizes at most. Where that is so little of the normal
 /// that it does not matter, a corner's height is off by as little of its distance.
-double unevenness(const Block& block, const FaceRecord& face) {
-    const Vec3 first = to_metres(block.corner(face, 0));
-    Vec3 normal, sizes, last = to_metres(block.corner(face, 1)) - first;
+double unevenness(std::span<const GridPoint> corners) {
+    const Vec3 first = to_metres(corners[0]);
+    Vec3 normal, sizes, last = to_metres(corners[1]) - first;
     double farthest = 0;
-    for (std::uint32_t k = 2; k < face.corner_count; ++k) {
-        const Vec3 next = to_metres(block.corner(face, k)) - first;
+    for (const GridPoint& corner : corners.subspan(2)) {
+        const Vec3 next = to_metres(corner) - first;
         normal += cross(last, next);
         const Vec3 a{std::fabs(last.x), std::fabs(last.y), std::fabs(last.z)},
             b{std::fabs(next.x), std::fabs(next.y), std::fabs(next.z)};
@@ -46,12 +46,12 @@ double unevenness(const Block& block, const FaceRecord& face) {
         farthest = std::max(farthest, b.x + b.y + b.z);
         last = next;
     }
-    const double off = double(face.corner_count + 3) * 0x1p-52 * (sizes.x + sizes.y + sizes.z);
+    const double off = double(corners.size() + 3) * 0x1p-52 * (sizes.x + sizes.y + sizes.z);
     const double long_as = length(normal);
-    if (!(long_as > 0x1p+30 * off)) return unevenness(FaceShape(block, face).polygon);
+    if (!(long_as > 0x1p+30 * off)) return unevenness(FaceShape(corners).polygon);
     double most = 0;
-    for (std::uint32_t k = 1; k < face.corner_count; ++k)
-        most = std::max(most, std::fabs(dot(to_metres(block.corner(face, k)) - first, normal)));
+    for (const GridPoint& corner : corners.subspan(1))
+        most = std::max(most, std::fabs(dot(to_metres(corner) - first, normal)));
     return (most + farthest * off) / long_as * (1 + 0x1p-28) + (max_abs(first) + 2 * farthest) * 0x1p-44;
 }
 
@@ -69,23 +69,24 @@ public:
     explicit LaneGroup(const Block& block) : block_(block) {}
 
     bool is_full() const { return count_ == FaceLanes::kLanes; }
+    std::uint32_t count() const { return count_; }
 
-    /// @param k       which triangle of the facet's fan
-    /// @param uneven  of the facet
-    void add(std::uint32_t slot, std::uint32_t k, float uneven) {
-        const FaceRecord& face = block_.faces[slot];
+    /// @param corners  of the facet
+    /// @param k        which triangle of its fan
+    /// @param uneven   of the facet
+    void add(std::uint32_t slot, std::span<const GridPoint> corners, std::uint32_t k, float uneven) {
         Triangle& it = triangles_[count_];
         it.slot = slot;
-        it.corners[0] = block_.corner(face, 0);
-        it.corners[1] = block_.corner(face, k + 1);
-        it.corners[2] = block_.corner(face, k + 2);
+        it.corners[0] = corners[0];
+        it.corners[1] = corners[k + 1];
+        it.corners[2] = corners[k + 2];
         for (const GridPoint& corner : it.corners) {
             box_.add(corner);
             for (int axis = 0; axis < 3; ++axis)
                 differ_ |= std::uint32_t(corner[axis]) ^ std::uint32_t(triangles_[0].corners[0][axis]);
         }
         ++count_;
-        if (face.corner_count > 3) {
+        if (corners.size() > 3) {
             fans_ = true;
             uneven_ = std::max(uneven_, uneven);
         }
@@ -172,34 +173,40 @@ private:
 };
 
 /// Facets in a row into lanes; those before the last group tell that more follow.
-void lay_out(const Block& block, std::uint32_t first, std::uint32_t count, std::vector<FaceLanes>& lanes) {
+void lay_out(Block& block, const FaceSet& faces, std::span<const BuildItem> items, std::uint32_t first,
+             std::vector<FaceLanes>& lanes) {
     std::optional<LaneGroup> group;
+    GridPoint room[kMaxCorners];
     const auto finish = [&](bool last) {
         const std::size_t at = lanes.size();
         lanes.resize(at + group->lanes());
         group->write(lanes.data() + at);
         if (!last) lanes[at].uneven_high |= FaceLanes::kMore;
     };
-    for (std::uint32_t slot = first; slot < first + count; ++slot) {
-        const FaceRecord& face = block.faces[slot];
-        const float uneven = face.corner_count > 3 ? float(unevenness(block, face)) * kUp : 0;
-        for (std::uint32_t k = 0; k + 2 < face.corner_count; ++k) {
+    std::uint32_t slot = first;
+    for (const BuildItem& item : items) {
+        const FaceSet::Entry& face = faces.faces[item.face];
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) room[k] = faces.corner(face, k);
+        const std::span<const GridPoint> corners(room, face.corner_count);
+        const float uneven = corners.size() > 3 ? float(unevenness(corners)) * kUp : 0;
+        for (std::uint32_t k = 0; k + 2 < corners.size(); ++k) {
             if (group && group->is_full()) {
                 finish(false);
                 group.reset();
             }
             if (!group) group.emplace(block);
-            group->add(slot, k, uneven);
+            if (k == 0) block.faces[slot].first_lane = std::uint16_t(lanes.size() * FaceLanes::kLanes + group->count());
+            group->add(slot, corners, k, uneven);
         }
+        ++slot;
     }
     finish(true);
 }
 
 }  // namespace
 
-void FaceLayout::make(Node& leaf, [[maybe_unused]] Block& block, const BinTree& tree, std::uint32_t top) {
+void FaceLayout::make(Node& leaf, Block& block, const FaceSet& faces, const BinTree& tree, std::uint32_t top) {
     const std::span<const BinWidener::Item> items = widener_.widen(leaf, tree, top);
-#ifdef FIRMA_SIMD
     const std::uint32_t before = tree.nodes[top].first;
     scratch_.clear();
     std::size_t starts[kNodeItems];
@@ -207,14 +214,11 @@ void FaceLayout::make(Node& leaf, [[maybe_unused]] Block& block, const BinTree& 
         const BinWidener::Item& item = items[k];
         const BinNode& bin = tree.nodes[item.what];
         starts[k] = scratch_.size();
-        lay_out(block, bin.first - before, bin.count, scratch_);
+        lay_out(block, faces, tree.items_of(bin), bin.first - before, scratch_);
     }
     block.lanes.assign(scratch_.begin(), scratch_.end());
     for (std::size_t k = 0; k < items.size(); ++k)
         leaf.wide[items[k].above].lead_to_facets(items[k].lane, block.lanes.data() + starts[k]);
-#else
-    for (const BinWidener::Item& item : items) leaf.wide[item.above].lead_to_facets(item.lane, nullptr);
-#endif
 }
 
 }  // namespace firma

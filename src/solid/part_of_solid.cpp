@@ -103,10 +103,7 @@ void append_facets(std::span<const FacetPlace> facets, FaceSet& set) {
             seen = 0;
         }
         entry.first_corner = std::uint32_t(set.corners.size());
-        for (const std::uint16_t vertex : block.corners_of(facet.record())) {
-            set.corners.push_back(std::uint32_t(set.vertices.size()));
-            set.vertices.push_back(block.vertices[vertex]);
-        }
+        append_corners(block, facet.record(), set);
         set.faces.push_back(entry);
     }
 }

@@ -12,7 +12,6 @@
 
 #include "solid/block.h"
 #include "solid/face_shape.h"
-#include "world/sweep_lanes.h"
 
 namespace firma {
 namespace {
@@ -47,7 +46,6 @@ public:
         if (node_.is_leaf()) {
             triangles_.fill(0);
             lanes_.assign(block_of(node_).lanes.size(), 0);
-            if (lane_kernels().empty() && !lanes_.empty()) report("a block is laid out for casts that there are not");
         }
         check_wide(0, {{-kAny, -kAny, -kAny}, {kAny, kAny, kAny}}, 1);
         if (fault_) return fault_;
@@ -58,7 +56,7 @@ public:
         for (const int times : lanes_)
             if (times != 1) report("lanes are not led to exactly once");
         if (deepest_ != node_.depth) report("an index block's depth is not how deep it is");
-        if (node_.is_leaf() && !lane_kernels().empty()) check_all_there();
+        if (node_.is_leaf()) check_all_there();
         return fault_;
     }
 
@@ -131,15 +129,11 @@ private:
             if (slot > items.first[lane] && !(block.faces[slot - 1].id < face.id))
                 report("faces below a lane do not lie by rising ids", face.id);
         }
-        if (lane_kernels().empty()) {
-            if (wide.facets(lane)) report("a wide node leads to lanes that there are not");
-            return;
-        }
         std::size_t k = place_in(block.lanes, wide.facets(lane));
         for (bool more = true; more && !fault_;) {
             if (k >= block.lanes.size()) return report("a wide node leads out of its lanes");
             const FaceLanes& it = block.lanes[k];
-            if (k + it.in_a_row() > block.lanes.size()) return report("lanes lack their second half");
+            if (k + it.in_a_row() > block.lanes.size()) return report("a wide node leads out of its lanes");
             for (const std::size_t next = k + it.in_a_row(); k < next; ++k) ++lanes_[k];
             more = it.more_follow();
             check_lanes(block, it, items.first[lane], next_item_);
@@ -148,9 +142,6 @@ private:
 
     /// @param first, end  slots of the faces that the lanes are of
     void check_lanes(const Block& block, const FaceLanes& it, std::uint32_t first, std::uint32_t end) {
-        if (it.block != &block || it.faces != block.faces.data()) return report("lanes name another block than theirs");
-        int exponent;
-        if (!(std::frexp(it.step, &exponent) == 0.5f)) return report("a step of lanes is not a power of two");
         for (std::uint32_t lane = 0; lane < it.count() && !fault_; ++lane) {
             const std::uint32_t slot = it.slot(lane);
             if (slot < first || slot >= end) return report("a lane names a face that does not lie there");
@@ -186,14 +177,15 @@ private:
                         std::uint32_t k) {
         bool exact = face.corner_count == 3;
         double off = face.corner_count > 3 ? 1 / kSurfaceSteps : 0;
-        const std::uint32_t corners[3] = {0, k + 1, k + 2};
+        FaceFan fan = block.fan_of(face);
+        fan.advance(k);
+        if (fan.lanes() != &it || fan.lane() != lane)
+            return report("lanes hold more triangles than their face", face.id);
         for (std::uint32_t c = 0; c < 3; ++c) {
-            const GridPoint& point = block.corner(face, corners[c]);
+            const GridPoint point = it.grid_corner(lane, c);
             double size = 0, shift = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 const double from = double(std::int64_t(point[axis]) - it.origin[axis]) / kSurfaceSteps;
-                if (double(it.steps(c, axis, lane)) * double(it.step) != from)
-                    return report("a lane has another triangle than its face", face.id);
                 size += std::fabs(from);
                 shift += std::fabs(from - double(float(from)));
                 exact = exact && std::fabs(from) <= 32;
@@ -228,7 +220,61 @@ private:
     std::array<std::uint32_t, kNodeItems> triangles_;
 };
 
+/// Whether a face's corners may be read, and are the same in all triangles that have them.
+class CornersChecker {
+public:
+    explicit CornersChecker(const Block& block) : block_(block) {}
+
+    std::optional<WorldFault> check() {
+        for (std::size_t at = 0; at < block_.lanes.size(); at += block_.lanes[at].in_a_row()) {
+            const FaceLanes& it = block_.lanes[at];
+            if (it.block != &block_ || it.faces != block_.faces.data())
+                return WorldFault{"lanes name another block than theirs", {}};
+            int exponent;
+            if (!(std::frexp(it.step, &exponent) == 0.5f))
+                return WorldFault{"a step of lanes is not a power of two", {}};
+            if (at + it.in_a_row() > block_.lanes.size()) return WorldFault{"lanes lack their second half", {}};
+            for (std::uint32_t lane = 0; lane < it.count(); ++lane)
+                if (it.slot(lane) >= block_.faces.size())
+                    return WorldFault{"a lane names a face that does not lie there", {}};
+        }
+        for (std::uint32_t slot = 0; slot < block_.faces.size(); ++slot)
+            if (const char* const fault = fault_of_fan(slot)) return WorldFault{fault, block_.faces[slot].id};
+        return {};
+    }
+
+private:
+    const char* fault_of_fan(std::uint32_t slot) const {
+        const FaceRecord& face = block_.faces[slot];
+        if (face.corner_count < 3) return "a face has fewer than three corners";
+        std::size_t at = face.first_lane / FaceLanes::kLanes;
+        std::uint32_t lane = face.first_lane % FaceLanes::kLanes;
+        GridPoint first, last;
+        for (std::uint32_t k = 0; k + 2u < face.corner_count; ++k, ++lane) {
+            if (lane == FaceLanes::kLanes) {
+                at += block_.lanes[at].in_a_row();
+                lane = 0;
+            }
+            if (at >= block_.lanes.size()) return "a face has corners that are not there";
+            const FaceLanes& it = block_.lanes[at];
+            if (at + it.in_a_row() > block_.lanes.size() || lane >= it.count() || it.slot(lane) != slot)
+                return "lanes hold fewer triangles than their face";
+            if (k > 0 && (it.grid_corner(lane, 0) != first || it.grid_corner(lane, 1) != last))
+                return "a lane has another triangle than its face";
+            first = it.grid_corner(lane, 0);
+            last = it.grid_corner(lane, 2);
+        }
+        return nullptr;
+    }
+
+    const Block& block_;
+};
+
 }  // namespace
+
+std::optional<WorldFault> fault_of_corners(const Block& block) {
+    return CornersChecker(block).check();
+}
 
 std::optional<WorldFault> fault_of_wide_nodes(const Node& node) {
     return LanesChecker(node).check();

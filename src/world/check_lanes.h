@@ -6,10 +6,14 @@
 
 #include "firma/world.h"
 #include "index/node.h"
+#include "solid/block.h"
 
 namespace firma {
 
-/// @param node  of an index over faces, with wide nodes; its children's boxes, and the faces of its block, are sound
+/// What is wrong with where a block keeps the corners of its faces. Where nothing is, they may be asked for.
+std::optional<WorldFault> fault_of_corners(const Block& block);
+
+/// @param node  of an index over faces, with wide nodes; its children's boxes, and its block's corners, are sound
 /// @return what is wrong with its wide nodes or its depth, or with the lanes of its block
 std::optional<WorldFault> fault_of_wide_nodes(const Node& node);
 

@@ -109,6 +109,8 @@ private:
             report("an index block's count of faces is not how many there are", {});
         if (node.depth > kDeepestTree) report("an index is deeper than traversals can go", {});
         GridBox around;
+        if (node.is_leaf() && !fault_) fault_ = fault_of_corners(block_of(node));
+        if (fault_) return;
         if (node.is_leaf())
             for (const FaceRecord& face : block_of(node).faces) check_face(block_of(node), face, around);
         for (const Ref<const Node>& child : node.children) {
@@ -139,12 +141,7 @@ private:
 
     /// In a store all that it is, in a room's index where it lies.
     void check_face(const Block& block, const FaceRecord& record, GridBox& around) {
-        if (std::size_t(record.first_corner) + record.corner_count > block.corner_vertices.size())
-            return report("a face has corners that are not there", record.id);
-        for (const std::uint16_t vertex : block.corners_of(record)) {
-            if (vertex >= block.vertices.size()) return report("a corner has no vertex", record.id);
-            around.add(block.vertices[vertex]);
-        }
+        around.add(block.box_of(record));
         if (!in_store_) return;
         if (const char* fault = fault_of_face(block, record, solid_)) return report(fault, record.id);
         ids_.push_back(record.id.value);

@@ -76,12 +76,11 @@ bool ReachCount::reaches(const FacetPlace& facet) {
     corners_.clear();
     GridBox box;
     Vec3 middle;
-    for (const std::uint16_t vertex : facet.block->corners_of(facet.record())) {
-        const GridPoint& p = facet.block->vertices[vertex];
+    facet.block->for_each_corner(facet.record(), [&](const GridPoint& p) {
         box.add(p);
         corners_.push_back(Vec3{double(p.x), double(p.y), double(p.z)} * (1.0 / kSurfacePerInput));
         middle = middle + corners_.back();
-    }
+    });
     middle = middle * (1.0 / double(corners_.size()));
     loop_ = corners_;
     if (!polygon_reaches_into(loop_, cutter_.box)) return false;

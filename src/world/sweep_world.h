@@ -68,18 +68,13 @@ using PointSteps [[gnu::vector_size(16)]] = std::int32_t;
 /// Its coordinates go together, as casts ask for more boxes than for anything else of faces. A call, as inlined it
 /// takes registers from the traversal around it, which costs more.
 [[gnu::noinline]] inline BoxD box_of_face(const Block& block, const FaceRecord& face) {
-    const GridPoint* vertices = block.vertices.data();
-    const auto corner = [vertices](std::uint16_t vertex) {
-        const GridPoint& p = vertices[vertex];
-        return PointSteps{p.x, p.y, p.z, 0};
-    };
-    const auto corners = block.corners_of(face);
-    PointSteps low = corner(corners[0]), high = low;
-    for (const std::uint16_t vertex : corners.subspan(1)) {
-        const PointSteps p = corner(vertex);
+    constexpr std::int32_t kLowest = INT32_MIN, kHighest = INT32_MAX;
+    PointSteps low{kHighest, kHighest, kHighest, 0}, high{kLowest, kLowest, kLowest, 0};
+    block.for_each_corner(face, [&](const GridPoint& corner) {
+        const PointSteps p{corner.x, corner.y, corner.z, 0};
         low = p < low ? p : low;
         high = p > high ? p : high;
-    }
+    });
     const Vec3 a = to_metres({low[0], low[1], low[2]}), b = to_metres({high[0], high[1], high[2]});
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
 }

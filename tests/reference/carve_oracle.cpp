@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/reference/facet_corners.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
 
@@ -268,7 +269,7 @@ Number in_common(const Prism<Number>& of_solid, const Prism<Number>& of_cutter) 
 GridBox box_of(const FacetPlace& place) {
     if (const FaceOwner* owner = place.block->owner_of(place.record())) return owner->box;
     GridBox box;
-    for (const std::uint16_t corner : place.block->corners_of(place.record())) box.add(place.block->vertices[corner]);
+    for (const GridPoint& corner : grid_corners_of(place)) box.add(corner);
     return box;
 }
 
@@ -505,8 +506,8 @@ double winding(std::span<const FacetPlace> facets, const Vec3& point) {
     double sum = 0;
     for (const FacetPlace& place : facets) {
         if (!place.record().solid) continue;
-        const auto corners = place.block->corners_of(place.record());
-        const auto at = [&](std::size_t k) { return to_metres(place.block->vertices[corners[k]]) - point; };
+        const auto corners = grid_corners_of(place);
+        const auto at = [&](std::size_t k) { return to_metres(corners[k]) - point; };
         for (std::size_t k = 2; k < corners.size(); ++k) sum += solid_angle(at(0), at(k - 1), at(k));
     }
     return sum / kFullSphere;

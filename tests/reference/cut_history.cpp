@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/reference/carve_oracle.h"
+#include "tests/reference/facet_corners.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
 
@@ -26,8 +27,8 @@ std::vector<Triangle> triangles_of(const World& world) {
     std::vector<Triangle> triangles;
     for (const FacetPlace& place : all_facets(world)) {
         if (!place.record().solid) continue;
-        const auto corners = place.block->corners_of(place.record());
-        const auto at = [&](std::size_t k) { return to_metres(place.block->vertices[corners[k]]); };
+        const auto corners = grid_corners_of(place);
+        const auto at = [&](std::size_t k) { return to_metres(corners[k]); };
         for (std::size_t k = 2; k < corners.size(); ++k) triangles.push_back({at(0), at(k - 1), at(k)});
     }
     return triangles;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Directed edges.
 #include "tests/reference/directed_edges.h"
+#include "tests/reference/facet_corners.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -29,9 +30,8 @@ void DirectedEdges::add(const GridPoint& from, const GridPoint& to) {
 }
 
 void DirectedEdges::add(const FacetPlace& facet) {
-    const auto corners = facet.block->corners_of(facet.record());
-    for (std::size_t k = 0; k < corners.size(); ++k)
-        add(facet.block->vertices[corners[k]], facet.block->vertices[corners[k + 1 < corners.size() ? k + 1 : 0]]);
+    const auto corners = grid_corners_of(facet);
+    for (std::size_t k = 0; k < corners.size(); ++k) add(corners[k], corners[k + 1 < corners.size() ? k + 1 : 0]);
 }
 
 void DirectedEdges::add(std::span<const Vec3> polygon) {

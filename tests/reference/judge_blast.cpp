@@ -18,6 +18,7 @@
 #include "firma/queries.h"
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
+#include "tests/reference/facet_corners.h"
 #include "tests/reference/judge_chunks.h"
 #include "tests/reference/judge_rooms.h"
 #include "tests/reference/world_facets.h"
@@ -55,8 +56,7 @@ Vec3 area_vector(std::span<const Vec3> polygon) {
 
 std::vector<Vec3> facet_corners(const FacetPlace& facet) {
     std::vector<Vec3> corners;
-    for (const std::uint16_t corner : facet.block->corners_of(facet.record()))
-        corners.push_back(to_metres(facet.block->vertices[corner]));
+    for (const GridPoint& corner : grid_corners_of(facet)) corners.push_back(to_metres(corner));
     return corners;
 }
 
@@ -138,8 +138,8 @@ struct SixVolumes {
 private:
     static void add(const FacetPlace& place, ConeSum& sum) {
         if (!place.record().solid) return;
-        const auto corners = place.block->corners_of(place.record());
-        sum.add(corners.size(), [&](std::size_t k) { return place.block->vertices[corners[k]]; });
+        const auto corners = grid_corners_of(place);
+        sum.add(corners.size(), [&](std::size_t k) { return corners[k]; });
     }
 };
 

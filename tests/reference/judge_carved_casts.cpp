@@ -9,6 +9,7 @@
 #include <map>
 
 #include "geometry/polygon_shape.h"
+#include "tests/reference/facet_corners.h"
 #include "tests/reference/judge_cut.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
@@ -20,8 +21,7 @@ using scenes::Rng;
 
 void corners_of(const FacetPlace& place, std::vector<Vec3>& corners) {
     corners.clear();
-    for (const std::uint16_t corner : place.block->corners_of(place.record()))
-        corners.push_back(to_metres(place.block->vertices[corner]));
+    for (const GridPoint& corner : grid_corners_of(place)) corners.push_back(to_metres(corner));
 }
 
 std::vector<Vec3> corners_of(const FacetPlace& place) {

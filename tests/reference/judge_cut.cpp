@@ -17,6 +17,7 @@
 #include "firma/solid.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/directed_edges.h"
+#include "tests/reference/facet_corners.h"
 #include "tests/reference/judge_contact.h"
 #include "tests/reference/judge_rooms.h"
 #include "tests/reference/world_facets.h"
@@ -51,8 +52,7 @@ std::string words(const Vec3& v) {
 
 Box box_of_facet(const FacetPlace& place) {
     Box box;
-    for (const std::uint16_t corner : place.block->corners_of(place.record()))
-        box.add(to_metres(place.block->vertices[corner]));
+    for (const GridPoint& corner : grid_corners_of(place)) box.add(to_metres(corner));
     return box;
 }
 
@@ -169,8 +169,7 @@ private:
         Box box = box_of(*placed_);
         for (const std::vector<FacetPlace>* facets : {&change_.gone, &change_.come})
             for (const FacetPlace& place : *facets)
-                for (const std::uint16_t corner : place.block->corners_of(place.record()))
-                    box.add(to_metres(place.block->vertices[corner]));
+                for (const GridPoint& corner : grid_corners_of(place)) box.add(to_metres(corner));
         const double size = length(box.high - box.low);
         const Real rounding = abs(lost) * Real(0x1p-51) + Real(size * size * size * 0x1p-90);
         if (abs(Real(result_.report.volume) - lost) > rounding)
@@ -283,9 +282,9 @@ private:
     Vec3 target() {
         const std::vector<FacetPlace>& facets = change_.come.empty() ? change_.gone : change_.come;
         const FacetPlace& place = facets[rng_.below(std::uint32_t(facets.size()))];
-        const auto corners = place.block->corners_of(place.record());
+        const auto corners = grid_corners_of(place);
         const std::uint32_t k = rng_.below(std::uint32_t(corners.size()));
-        const auto at = [&](std::size_t c) { return to_metres(place.block->vertices[corners[c % corners.size()]]); };
+        const auto at = [&](std::size_t c) { return to_metres(corners[c % corners.size()]); };
         const Vec3 a = at(k), b = at(k + 1), c = at(k + 2);
         const double which = rng_.uniform(), u = rng_.uniform(), v = rng_.uniform();
         if (which < 0.4) return a;

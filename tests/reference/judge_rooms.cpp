@@ -10,6 +10,7 @@
 
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/directed_edges.h"
+#include "tests/reference/facet_corners.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
 
@@ -92,8 +93,7 @@ RoomBounds::RoomBounds(const World& world) : world_(world), rooms_(world.room_co
     }
     for (Bounds& bounds : rooms_) {
         for (const FacetPlace& place : bounds.facets)
-            for (const std::uint16_t corner : place.block->corners_of(place.record()))
-                bounds.box.add(to_metres(place.block->vertices[corner]));
+            for (const GridPoint& corner : grid_corners_of(place)) bounds.box.add(to_metres(corner));
         for (const std::vector<Vec3>& polygon : bounds.portals)
             for (const Vec3& corner : polygon) bounds.box.add(corner);
     }

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "solid/append_faces.h"
+#include "tests/reference/facet_corners.h"
 #include "world/assemble_world.h"
 
 namespace firma::reference {
@@ -36,9 +37,7 @@ bool same_facet(const FacetPlace& a, const FacetPlace& b) {
     if (f.id != g.id || f.source != g.source || f.material != g.material || f.mask != g.mask || f.edit != g.edit ||
         f.two_sided != g.two_sided || f.solid != g.solid || a.block->owner_of(f) != b.block->owner_of(g))
         return false;
-    const auto p = a.block->corners_of(f), q = b.block->corners_of(g);
-    return std::equal(p.begin(), p.end(), q.begin(), q.end(),
-                      [&](std::uint16_t i, std::uint16_t k) { return a.block->vertices[i] == b.block->vertices[k]; });
+    return grid_corners_of(a) == grid_corners_of(b);
 }
 
 }  // namespace
@@ -112,7 +111,7 @@ std::uint64_t hash_of_facets(const World& world) {
         hash.add(std::uint64_t(face.material) << 32 | face.edit);
         hash.add(std::uint64_t(face.mask) << 32 | std::uint64_t(face.corner_count) << 2 |
                  std::uint64_t(face.two_sided) << 1 | face.solid);
-        for (const std::uint16_t corner : place.block->corners_of(face)) hash.add(place.block->vertices[corner]);
+        place.block->for_each_corner(face, [&](const GridPoint& corner) { hash.add(corner); });
         const FaceOwner* owner = place.block->owner_of(face);
         if (!owner) continue;
         for (int axis = 0; axis < 3; ++axis) hash.add(std::bit_cast<std::uint64_t>(owner->normal[axis]));
@@ -126,8 +125,7 @@ std::uint64_t hash_of_surface(const World& world) {
     std::uint64_t sum = 0;
     for (const FacetPlace& place : all_facets(world)) {
         std::vector<GridPoint> corners;
-        for (const std::uint16_t corner : place.block->corners_of(place.record()))
-            corners.push_back(place.block->vertices[corner]);
+        for (const GridPoint& corner : grid_corners_of(place)) corners.push_back(corner);
         std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
         Fnv hash;
         for (const GridPoint& corner : corners) hash.add(corner);

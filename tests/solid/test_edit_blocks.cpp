@@ -54,7 +54,7 @@ void expect_sound(const EditedTree& edited) {
             const auto held = edited.held.find(face.id.value);
             ASSERT_NE(held, edited.held.end()) << "face " << face.id.value << " should be gone";
             Corners corners;
-            for (const std::uint16_t corner : block.corners_of(face)) corners.push_back(block.vertices[corner]);
+            block.for_each_corner(face, [&](const GridPoint& corner) { corners.push_back(corner); });
             ASSERT_EQ(corners, held->second) << "face " << face.id.value;
             ASSERT_EQ(face.source, face.id.value);
         }
@@ -101,10 +101,13 @@ std::vector<std::uint64_t> everything(const Node& node) {
     }
     if (!node.is_leaf()) return all;
     const Block& block = block_of(node);
-    for (const FaceRecord& face : block.faces) all.push_back(std::uint64_t(face.id.value) << 32 | face.first_corner);
-    for (const GridPoint& p : block.vertices)
-        all.push_back(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y));
-    for (const std::uint16_t corner : block.corner_vertices) all.push_back(corner);
+    for (const FaceRecord& face : block.faces) {
+        all.push_back(std::uint64_t(face.id.value) << 32 | face.first_lane);
+        block.for_each_corner(face, [&](const GridPoint& p) {
+            all.push_back(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y));
+            all.push_back(std::uint32_t(p.z));
+        });
+    }
     return all;
 }
 

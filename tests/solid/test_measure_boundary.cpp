@@ -63,11 +63,10 @@ ExactMeasures exact_measures(const Boundary& boundary) {
         sums.area += sqrt(Float(square)) / 2;
     }
     for (const FacetPlace& facet : boundary.facets) {
-        const auto corners = facet.block->corners_of(facet.record());
         const auto corner = [&](std::size_t k, Big(&p)[3]) {
-            for (int axis = 0; axis < 3; ++axis) p[axis] = facet.block->vertices[corners[k]][axis];
+            for (int axis = 0; axis < 3; ++axis) p[axis] = facet.block->corner(facet.record(), k)[axis];
         };
-        for (std::size_t k = 2; k < corners.size(); ++k) {
+        for (std::size_t k = 2; k < facet.record().corner_count; ++k) {
             Big a[3], b[3], c[3];
             corner(0, a);
             corner(k - 1, b);

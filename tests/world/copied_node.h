@@ -35,8 +35,6 @@ inline Block& own_block(Node& leaf) {
     made->part = from.part;
     made->mask_of_all = from.mask_of_all;
     made->faces = from.faces;
-    made->vertices = from.vertices;
-    made->corner_vertices = from.corner_vertices;
     made->owners = from.owners;
     made->lanes = from.lanes;
     for (FaceLanes& lanes : made->lanes) {

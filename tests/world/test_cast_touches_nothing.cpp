@@ -219,7 +219,7 @@ TEST(CastTouchesNothing, AllOfTheWorldIsInMemoryThatIsWatched) {
         const Block& block = block_of(node);
         ++blocks;
         outside += !pool_arena.holds(&block) || !pool_arena.holds(block.faces.data());
-        outside += !pool_arena.holds(block.vertices.data()) || !pool_arena.holds(block.corner_vertices.data());
+        outside += !pool_arena.holds(block.lanes.data());
         for (const Ref<const FaceOwner>& owner : block.owners) outside += !pool_arena.holds(owner.get());
         owners += block.owners.size();
     }

@@ -16,6 +16,8 @@
 #include "firma/rooms.h"
 #include "scenes/one_tree.h"
 #include "scenes/rng.h"
+#include "solid/append_faces.h"
+#include "solid/build_blocks.h"
 #include "tests/openarena_maps.h"
 #include "tests/sample.h"
 #include "world/sweep_lanes.h"
@@ -124,15 +126,22 @@ TEST(RoomTrees, ABoxOfAFaceIsAroundItsCorners) {
         return rng.chance(0.1) ? INT32_MIN : rng.chance(0.1) ? INT32_MAX : std::int32_t(rng.uniform(-0x1p31, 0x1p31));
     };
     for (int k = 0; k < test::sample(2000); ++k) {
-        Block block;
-        FaceRecord face;
-        face.first_corner = std::uint16_t(rng.below(5));
-        face.corner_count = std::uint8_t(3 + rng.below(62));
-        for (std::uint32_t c = 0; c < 80; ++c) {
-            block.vertices.push_back({steps(), steps(), steps()});
-            block.corner_vertices.push_back(std::uint16_t(rng.below(c + 1)));
+        FaceSet faces;
+        GridBox expected;
+        std::vector<GridPoint> corners;
+        for (std::uint32_t c = 3 + rng.below(62); c > 0; --c) {
+            GridPoint& corner = corners.emplace_back();
+            for (int axis = 0; axis < 3; ++axis) corner[axis] = steps();
+            expected.add(corner);
         }
-        const GridBox expected = block.box_of(face);
+        add_facet(faces, corners, {.id = {0}});
+        const std::vector<PartIndex> made = build_blocks(faces, {});
+        const Block& block = block_of(*made[0].root);
+        const FaceRecord& face = block.faces[0];
+        std::vector<GridPoint> kept;
+        block.for_each_corner(face, [&](const GridPoint& corner) { kept.push_back(corner); });
+        ASSERT_EQ(kept, corners);
+        for (std::uint32_t c = 0; c < corners.size(); ++c) ASSERT_EQ(block.corner(face, c), corners[c]);
         const Vec3 low = to_metres(expected.low), high = to_metres(expected.high);
         const BoxD box = box_of_face(block, face);
         for (int axis = 0; axis < 3; ++axis) {

@@ -238,7 +238,13 @@ TEST(World, CheckFindsWhatIsBroken) {
         return fault ? fault->what : "";
     };
     EXPECT_EQ(broken([](Spoilt&) {}), "");
-    EXPECT_EQ(broken([](Spoilt& s) { s.block.vertices[0].z += 64; }), "a face is not planar");
+    EXPECT_EQ(broken([](Spoilt& s) {
+                  for (int axis = 0; axis < 3; ++axis) {  // the third corner, in both triangles of the first wall
+                      ++s.block.lanes[0].corner[2][axis][0];
+                      ++s.block.lanes[0].corner[1][axis][1];
+                  }
+              }),
+              "a face is not planar");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].id = s.block.faces[0].id; }), "two faces have one id");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[1].solid = false; }), "a face of the solid does not say so");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.part = 1; }), "a block lies in a room that its faces are not part of");
@@ -250,7 +256,7 @@ TEST(World, CheckFindsWhatIsBroken) {
               }),
               "a face reaches out of its wide node");
     EXPECT_EQ(broken([](Spoilt& s) { s.node.wide.clear(); }), "an index block has no nodes");
-    EXPECT_EQ(broken([](Spoilt& s) { s.block.corner_vertices[2] = 99; }), "a corner has no vertex");
+    EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[2].first_lane = 9999; }), "a face has corners that are not there");
     EXPECT_EQ(broken([](Spoilt& s) { s.block.faces[0].owner = 3; }), "a face has an owner that is not there");
     EXPECT_EQ(broken([](Spoilt& s) { ++s.node.facets_below; }),
               "an index block's count of faces is not how many there are");
