@@ -9,7 +9,6 @@
 #include "bindings/c/objects.h"
 #include "firma/batch.h"
 #include "world/cast_many.h"
-#include "world/run_tasks.h"
 
 namespace firma::c {
 namespace {

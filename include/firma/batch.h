@@ -60,10 +60,11 @@ enum class ManyResult {
 
 /// The first touch of each, as cast() says it.
 /// @param hits  as many as casts
-/// Costs less than its casts one by one: several are on their way at one time in each thread, so that the processor has
-/// something to do while one waits for memory; over large levels about half. 256 of them are a piece of work. Allocates
-/// 150 KB a piece, returned at its end, some bytes a piece, and once where tasks are given and there are several
-/// pieces.
+/// Several are on their way at one time in each thread, so that the processor has something to do while one waits for
+/// memory: over millions of faces it costs 0.5 to 0.7 of its casts one by one, over fewer than a hundred thousand as
+/// much (docs/performance.md). 256 of them are a piece of work. Each piece allocates 150 KB and returns it at its end,
+/// so each thread at work holds as much; beside it some bytes a piece, and once where tasks are given and there are
+/// several pieces.
 [[nodiscard]] FIRMA_EXPORT ManyResult cast_many(const World& world, std::span<const CastInput> casts,
                                                 std::span<Hit> hits, const ManyOptions& options = {});
 [[nodiscard]] FIRMA_EXPORT ManyResult cast_many(const World& world, std::span<const CapsuleInput> casts,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Questions to a world: casts of rays, spheres, capsules and hulls, what these overlap, the nearest point.
 //
-// None of them allocates, but where one fills a vector, and batches that count or are spread over tasks; none takes a
-// lock or touches a reference count (by room, where there are more than 4,096 rooms or more than 256 wait at a time, a
-// thread's first such casts take memory that it keeps). Any number of threads may ask the same World.
+// None of them allocates, but where one fills a vector, and batches (batch.h); none takes a lock or touches a reference
+// count (by room, where there are more than 4,096 rooms or more than 256 wait at a time, a thread's first such casts
+// take memory that it keeps). Any number of threads may ask the same World.
 //
 // What they cost grows with the logarithm of the faces, and with the faces near the path: up to the first touch for
 // cast(), up to any touch for cast_any(), up to where the visitor ends it for cast_each(), along all of it for

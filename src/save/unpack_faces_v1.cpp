@@ -8,6 +8,8 @@
 namespace firma {
 namespace {
 
+constexpr std::uint16_t kOwnFaceV1 = 0xFFFF;  // in place of an owner: the face is its own exact face
+
 class BlockReader {
 public:
     BlockReader(Sections& sections, const UnpackedData& data, std::span<const Ref<SolidFace>> exact, Damage& damage)
@@ -100,10 +102,11 @@ private:
             return fault("does not have 3 to 64 corners");
         if (face.material >= data_.material_count()) return fault("has a material that is not there");
         if (std::size_t(first) + face.corner_count > of_block_.size()) return fault("has corners that are not there");
-        if (owner != kNoOwner && owner >= of_block_owners_.size()) return fault("has an exact face that is not there");
-        if (owner != kNoOwner && !face.solid) return fault("bounds no solid, and yet has an exact face");
+        if (owner != kOwnFaceV1 && owner >= of_block_owners_.size())
+            return fault("has an exact face that is not there");
+        if (owner != kOwnFaceV1 && !face.solid) return fault("bounds no solid, and yet has an exact face");
         if (flags > (kTwoSidedFace | kSolidFace) || read_u16(at + 26) != 0) return fault("has flags that mean nothing");
-        if (owner != kNoOwner) {
+        if (owner != kOwnFaceV1) {
             face.owner = exact_[of_block_owners_[owner]].get();
             ++exact_[of_block_owners_[owner]]->facets;
         }

@@ -34,21 +34,23 @@ public:
     std::uint64_t hash = 0;    ///< of everything that makes it what it is
 };
 
-inline constexpr std::uint16_t kNoOwner = 0xFFFF;
+inline constexpr std::uint32_t kNoOwner = 127;
 
-/// What a face is besides its corners.
+/// What a face is besides its corners. Small, as there is one for each face; one type throughout, as compilers for
+/// Windows begin a new number at each other one.
 struct FaceRecord {
     FaceId id;
     std::uint32_t source = 0;
     std::uint32_t material = 0;
     std::uint32_t mask = ~0u;
-    std::uint16_t first_lane = 0;  ///< where the first triangle of its fan is: Block::fan_of()
-    std::uint8_t corner_count = 0;
-    bool two_sided = false;
-    bool solid = false;              ///< bounds a closed solid that can be carved
-    std::uint16_t owner = kNoOwner;  ///< index into Block::owners; kNoOwner: the face is its own exact face
-    std::uint32_t edit = 0;          ///< 0: `source` is a face of the level's file; else of the cutter of that edit
+    std::uint32_t edit = 0;             ///< 0: `source` is a face of the level's file; else of the cutter of that edit
+    std::uint32_t first_lane : 14 = 0;  ///< where the first triangle of its fan is: Block::fan_of()
+    std::uint32_t corner_count : 7 = 0;
+    std::uint32_t owner : 7 = kNoOwner;  ///< index into Block::owners; kNoOwner: the face is its own exact face
+    std::uint32_t two_sided : 1 = 0;
+    std::uint32_t solid : 1 = 0;  ///< bounds a closed solid that can be carved
 };
+static_assert(sizeof(FaceRecord) == 24);
 
 class Block final : public IndexedFacets {
 public:
@@ -79,9 +81,9 @@ public:
     template <class Function>
     void for_each_corner(const FaceRecord& face, const Function& function) const {
         FaceFan fan = fan_of(face);
-        function(fan.corner(0));
-        function(fan.corner(1));
-        function(fan.corner(2));
+        GridPoint first[3];
+        fan.read_corners(first);
+        for (const GridPoint& corner : first) function(corner);
         for (std::uint32_t k = 3; k < face.corner_count; ++k) {
             fan.advance(1);
             function(fan.corner(2));

@@ -35,11 +35,11 @@ bool is_done(const FaceSet& faces, std::span<const BuildItem> items, const GridB
 }
 
 /// In order of first use: never by address.
-std::uint16_t owner_index(Block& block, const FaceOwner* owner) {
+std::uint32_t owner_index(Block& block, const FaceOwner* owner) {
     for (std::size_t k = block.owners.size(); k-- > 0;)
-        if (block.owners[k].get() == owner) return std::uint16_t(k);
+        if (block.owners[k].get() == owner) return std::uint32_t(k);
     block.owners.emplace_back(owner);
-    return std::uint16_t(block.owners.size() - 1);
+    return std::uint32_t(block.owners.size() - 1);
 }
 
 void add_face(Block& block, const FaceSet::Entry& face) {
@@ -52,7 +52,7 @@ void add_face(Block& block, const FaceSet::Entry& face) {
     record.solid = face.solid;
     record.edit = face.edit;
     record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
-    record.corner_count = std::uint8_t(face.corner_count);
+    record.corner_count = face.corner_count & 127;
     block.mask_of_all &= face.mask;
     block.faces.push_back(record);
 }

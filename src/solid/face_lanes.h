@@ -77,6 +77,18 @@ struct FaceLanes {
             for (int axis = 0; axis < 3; ++axis) at[axis] += steps(k, axis, lane);
         return at;
     }
+    /// All three, exact.
+    void grid_corners(std::uint32_t lane, GridPoint (&corners)[3]) const {
+        const int shift = step_bits();
+        const auto read = [&](const auto& steps_of) {
+            for (int k = 0; k < 3; ++k)
+                for (int axis = 0; axis < 3; ++axis) corners[k][axis] = origin[axis] + steps_of(k, axis);
+        };
+        if (!is_wide()) [[likely]]
+            read([&](int k, int axis) { return std::int32_t(corner[k][axis][lane]) << shift; });
+        else
+            read([&](int k, int axis) { return steps(std::uint32_t(k), axis, lane); });
+    }
     /// The corners of a lane, metres, exact.
     void read_corners(std::uint32_t lane, Vec3 (&corners)[3]) const {
         const int shift = step_bits();
@@ -118,6 +130,7 @@ public:
         }
     }
     GridPoint corner(std::uint32_t k) const { return lanes_->grid_corner(lane_, k); }
+    void read_corners(GridPoint (&corners)[3]) const { lanes_->grid_corners(lane_, corners); }
 
     const FaceLanes* lanes() const { return lanes_; }
     std::uint32_t lane() const { return lane_; }

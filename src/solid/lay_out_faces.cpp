@@ -55,6 +55,11 @@ double unevenness(std::span<const GridPoint> corners) {
     return (most + farthest * off) / long_as * (1 + 0x1p-28) + (max_abs(first) + 2 * farthest) * 0x1p-44;
 }
 
+// FaceRecord::first_lane: of as many corners as there may be, in twice as many lanes, and in each of as many groups one
+// that is not filled.
+static_assert(2 * (kNodeItems * (kMaxCorners - 2) + kNodeItems * FaceLanes::kLanes) < 1 << 14);
+static_assert(kMaxCorners < 128 && kNodeItems < kNoOwner);
+
 /// Of steps of lanes, so that they and their sums stay far from the ends of whole numbers.
 constexpr int kMostStepBits = 16;
 
@@ -195,7 +200,9 @@ void lay_out(Block& block, const FaceSet& faces, std::span<const BuildItem> item
                 group.reset();
             }
             if (!group) group.emplace(block);
-            if (k == 0) block.faces[slot].first_lane = std::uint16_t(lanes.size() * FaceLanes::kLanes + group->count());
+            if (k == 0)
+                block.faces[slot].first_lane =
+                    std::uint32_t(lanes.size() * FaceLanes::kLanes + group->count()) & 0x3FFF;
             group->add(slot, corners, k, uneven);
         }
         ++slot;

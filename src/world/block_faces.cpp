@@ -13,8 +13,8 @@ FaceInfo face_info(RoomId room, const Block& block, const FaceRecord& record, co
             .source_edit = record.edit,
             .material = record.material,
             .mask = record.mask,
-            .two_sided = record.two_sided,
-            .solid = record.solid,
+            .two_sided = record.two_sided != 0,
+            .solid = record.solid != 0,
             .normal = owner ? owner->normal : polygon.unit_normal()};
 }
 

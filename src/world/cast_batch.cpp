@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "world/cast_many.h"
-#include "world/run_tasks.h"
 
 namespace firma {
 namespace {

@@ -94,7 +94,9 @@ ManyResult run_many(const World& world, const ManyCasts& casts, FunctionRef<Answ
     const auto make = [&](const AskedCasts& some, const CastOptions& each) {
         cast_together(world, some, answer, each);
     };
-    const auto refuse = [&](std::size_t k) { answer(k, [](Hit& hit) { hit = invalid_hit({}); }); };
+    const auto refuse = [&](std::size_t k) {
+        answer(k, [&](Hit& hit) { hit = invalid_hit(casts.ask(k).around.centre); });
+    };
     return ManyRun(casts, make, refuse, options).run();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "base/assert.h"
 #include "world/cast_asked.h"
 #include "world/cast_together.h"
 #include "world/put_hit.h"
@@ -18,9 +19,9 @@ namespace {
 /// Where caches hold a level there is little to wait for, and what is on its way pushes other things out of the nearest
 /// cache; by measurement (docs/performance.md).
 std::uint32_t places_that_pay(std::size_t faces) {
-    return faces < 150'000 ? 2 : faces < 1'000'000 ? 6 : 8;
+    constexpr std::size_t kMany = 150'000, kVeryMany = 1'000'000;
+    return faces < kMany ? 2 : faces < kVeryMany ? 6 : LaneSource::kPlaces;
 }
-static_assert(LaneSource::kPlaces == 8);
 
 /// @tparam Found  what is kept of touches while a cast goes on
 template <class Found, class Mover>
@@ -28,7 +29,7 @@ class Flights final : public LaneSource {
 public:
     static_assert(std::is_trivially_destructible_v<Asked>);
 
-    /// Of a cast that is over.
+    /// A cast from when it is asked until it is answered.
     struct Flight {
         Flight() {}
 
@@ -52,6 +53,7 @@ public:
     Flights(const World& world, const AskedCasts& casts, Answer answer, const CastOptions& options)
         : world_(world), casts_(casts), answer_(answer), options_(options), next_(casts.first) {
         places = casts.places ? casts.places : places_that_pay(world.face_count());
+        FIRMA_ASSERT(places <= kPlaces, "more casts at one time than there is room for");
     }
 
     static Mover mover_of(const Asked& asked) {

@@ -6,7 +6,6 @@
 #include "firma/queries.h"
 #include "world/cast_asked.h"
 #include "world/put_hit.h"
-#include "world/run_tasks.h"
 #include "world/touch_takers.h"
 
 namespace firma {

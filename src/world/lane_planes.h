@@ -226,12 +226,13 @@ struct Passes {
 };
 
 /// With d the path's direction, w the first corner as seen from its start, b and c the edges from there, the line
-/// passes b by b . (d x w), c by c . (d x w), and the third edge by what is left of d . (b x c), which is the sum of
-/// all three. Let u be half an ulp of 1, L above the sums of the coordinates of b and of c, F above each coordinate of
-/// w; those of d are below 2. Each part of d x w is a difference of two products, off by 3 u of their sum for rounding,
-/// w's among them, so b . (d x w) is by 36 u L F; and so is c's. Both are below 6 L F. The normal is exact, and d . n,
-/// below 2 L L, off by 6 u L L. The third is off by all that and by what the two differences round: by 96 u L F and
-/// 10 u L L in all. L is at most twice `size` of the lanes.
+/// passes b by b . (d x w), the edge that comes back from c by -c . (d x w), and the third edge by what is left of d .
+/// (b x c), which is the sum of all three. Let u be half an ulp of 1, L above the sums of the sizes of the coordinates
+/// of b and of c, F above the size of each coordinate of w, all in one unit; those of d are below 2. Each part of d x w
+/// is a difference of two products, off by 3 u of their sum for rounding, w's among them, so b . (d x w) is by 36 u L
+/// F; and so is c's. Both are below 6 L F. The normal is exact, and d . n, below 2 L L, off by 6 u L L. The third is
+/// off by all that and by what the two differences round: by 96 u L F and 10 u L L in all. L is at most twice `size` of
+/// the lanes.
 /// @param open  lanes that are crossed
 HWY_NOINLINE Passes pass_edges(const FaceLanes& lanes, const LaneQuery& query, unsigned open,
                                const Crossings& crossings) {

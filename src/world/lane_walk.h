@@ -92,7 +92,9 @@ HWY_INLINE bool look_through_planes(const FaceLanes& lanes, LaneQuery& query, co
     if (const unsigned open = crossed & ~inside; open && !query.through_edge) {
         const Passes passes = pass_edges(lanes, query, open, known);
         inside |= passes.inside & open;
-        crossed &= ~(passes.outside & open);
+        const unsigned outside = passes.outside & open;
+        if (query.counts) query.counts->faces += unsigned(__builtin_popcount(outside));  // as where each is asked
+        crossed &= ~outside;
     }
 #endif
     while (crossed) {

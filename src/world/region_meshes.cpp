@@ -153,14 +153,14 @@ private:
                                face.source,
                                face.edit,
                                face.mask,
-                               face.two_sided,
-                               face.solid,
+                               face.two_sided != 0,
+                               face.solid != 0,
                                first_triangle,
                                triangles,
                                first_vertex,
                                vertices});
         if (made_.runs.empty() || drawn.run != last_run_)
-            made_.runs.push_back({face.material, face.edit != 0, face.two_sided, TextureUnit(drawn.run & 3),
+            made_.runs.push_back({face.material, face.edit != 0, face.two_sided != 0, TextureUnit(drawn.run & 3),
                                   first_triangle, 0, first_vertex, 0});
         made_.runs.back().triangle_count += triangles;
         made_.runs.back().vertex_count += vertices;

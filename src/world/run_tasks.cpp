@@ -8,7 +8,7 @@
 namespace firma {
 namespace {
 
-enum class Progress : std::uint8_t { kWaiting, kBegun, kDone };
+enum class Progress : std::uint8_t { kWaiting, kBegun, kDone, kFailed };
 
 /// The work as the hook is given it: a number too large or called before does nothing.
 struct Watched {
@@ -23,8 +23,13 @@ void work_watched(void* context, std::size_t k) {
     if (k >= watched.count) return;
     Progress expected = Progress::kWaiting;
     if (!watched.progress[k].compare_exchange_strong(expected, Progress::kBegun, std::memory_order_acquire)) return;
+    struct Tell {  // also where the work throws, so that nobody waits for it
+        std::atomic<Progress>& progress;
+        Progress how = Progress::kFailed;
+        ~Tell() { progress.store(how, std::memory_order_release); }
+    } tell{watched.progress[k]};
     watched.work(watched.context, k);
-    watched.progress[k].store(Progress::kDone, std::memory_order_release);
+    tell.how = Progress::kDone;
 }
 
 /// Waits for what has begun and is not done, which would otherwise write into memory that is gone.
@@ -35,8 +40,9 @@ bool all_done(const Watched& watched) {
         Progress progress = Progress::kWaiting;
         // From now on too late to begin.
         const bool missing = watched.progress[k].compare_exchange_strong(progress, Progress::kDone);
-        done = done && !missing && progress == Progress::kDone;
+        const bool was_done = !missing && progress == Progress::kDone;
         while (progress == Progress::kBegun) progress = watched.progress[k].load(std::memory_order_acquire);
+        done = done && was_done;
     }
     return done;
 }

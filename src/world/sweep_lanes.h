@@ -107,8 +107,8 @@ struct LaneQuery {
     void* whose;
     Look look;
     bool earliest_only = false;  ///< only the touch that is met first is wanted; of several at one time the lowest id
-    bool met = false;            ///< set by `look`: whether the facet was met
-    bool through_edge = false;   ///< set by `look`: the line runs exactly through an edge or a corner of some facet
+    bool met = false;            ///< set by `look` where the crossing was known: whether the facet was met
+    bool through_edge = false;   ///< set by `look`: the line is known to run exactly through an edge of some facet
     CastCounts* counts;          ///< null: nothing is counted
     TriangleCrossing crossing;   ///< of the facet to look at
 };

@@ -333,7 +333,7 @@ TEST_F(CheckWideNodes, FindsFaultsOfLanes) {
             return true;
         });
     expect_found("a face has corners that are not there", true, [](Node& node) {
-        if (node.is_leaf()) test::own_block(node).faces[0].first_lane = 0xFFFF;
+        if (node.is_leaf()) test::own_block(node).faces[0].first_lane = 0x3FFF;
         return node.is_leaf();
     });
     expect_found("a face has fewer than three corners", true, [](Node& node) {
