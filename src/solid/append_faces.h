@@ -57,7 +57,7 @@ inline FaceSet::Entry entry_of(const Block& block, const FaceRecord& record) {
 }
 
 /// The corners of a face of a block, each as a vertex of its own.
-inline void append_corners(const Block& block, const FaceRecord& face, FaceSet& set) {
+FIRMA_SELDOM inline void append_corners(const Block& block, const FaceRecord& face, FaceSet& set) {
     block.for_each_corner(face, [&](const GridPoint& corner) {
         set.corners.push_back(std::uint32_t(set.vertices.size()));
         set.vertices.push_back(corner);

@@ -71,7 +71,7 @@ public:
 
     /// The triangles of a face's fan: of the first corner, the k-th after it and the next.
     FaceFan fan_of(const FaceRecord& face) const { return FaceFan(lanes.data(), face.first_lane); }
-    GridPoint corner(const FaceRecord& face, std::size_t k) const {
+    FIRMA_SELDOM GridPoint corner(const FaceRecord& face, std::size_t k) const {
         FaceFan fan = fan_of(face);
         if (k <= 2) return fan.corner(std::uint32_t(k));
         fan.advance(std::uint32_t(k) - 2);
@@ -89,23 +89,14 @@ public:
             function(fan.corner(2));
         }
     }
-    /// Calls `function(from, to)` for each side, in order.
-    template <class Function>
-    void for_each_side(const FaceRecord& face, const Function& function) const {
-        GridPoint from = corner(face, face.corner_count - 1u);
-        for_each_corner(face, [&](const GridPoint& to) {
-            function(from, to);
-            from = to;
-        });
-    }
     /// Around its corners.
-    GridBox box_of(const FaceRecord& face) const {
+    FIRMA_SELDOM GridBox box_of(const FaceRecord& face) const {
         GridBox box;
         for_each_corner(face, [&](const GridPoint& corner) { box.add(corner); });
         return box;
     }
     /// Around all.
-    GridBox box() const {
+    FIRMA_SELDOM GridBox box() const {
         GridBox all;
         for (const FaceRecord& face : faces) all.add(box_of(face));
         return all;
@@ -117,7 +108,7 @@ public:
 };
 
 /// The first corner in order of coordinates: it says which region a face belongs to.
-inline GridPoint lowest_corner(const Block& block, const FaceRecord& face) {
+FIRMA_SELDOM inline GridPoint lowest_corner(const Block& block, const FaceRecord& face) {
     GridPoint lowest = block.corner(face, 0);
     for (std::uint32_t k = 1; k < face.corner_count; ++k) lowest = std::min(lowest, block.corner(face, k));
     return lowest;

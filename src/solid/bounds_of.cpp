@@ -25,9 +25,8 @@ struct Farthest {
     bool facets(const IndexedFacets& facets, std::uint32_t first, std::uint32_t count) {
         const Block& block = as_block(facets);
         for (std::uint32_t slot = first; slot < first + count; ++slot)
-            block.for_each_corner(block.faces[slot], [&](const GridPoint& corner) {
-                best = std::max(best, sign * to_metres(corner)[axis]);
-            });
+            for (std::uint32_t k = 0; k < block.faces[slot].corner_count; ++k)
+                best = std::max(best, sign * to_metres(block.corner(block.faces[slot], k))[axis]);
         return false;
     }
 };

@@ -179,10 +179,11 @@ private:
 
     void check_untouched() {
         const FacetPlace& facet = face().facet;
-        facet.block->for_each_corner(facet.record(), [&](const GridPoint& corner) {
+        for (std::uint32_t k = 0; k < facet.record().corner_count; ++k) {
+            const GridPoint corner = facet.block->corner(facet.record(), k);
             if (!on_input_grid(corner))
-                report("a face that no cut touched has a corner off the input grid", to_metres(corner));
-        });
+                return report("a face that no cut touched has a corner off the input grid", to_metres(corner));
+        }
     }
 
     void check_facets() {

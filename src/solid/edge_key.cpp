@@ -56,11 +56,13 @@ struct AcrossSearch {
 
     /// Of an edge that is a point on the surface grid: a corner.
     bool has_side(const Block& block, const FaceRecord& face) const {
-        bool has = false;
-        block.for_each_side(face, [&](const GridPoint& last, const GridPoint& next) {
-            has = has || (next == to && (last == from || from == to));
-        });
-        return has;
+        GridPoint last = block.corner(face, face.corner_count - 1u);
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const GridPoint next = block.corner(face, k);
+            if (next == to && (last == from || from == to)) return true;
+            last = next;
+        }
+        return false;
     }
     bool has_edge(const Block& block, const FaceRecord& face) const {
         const auto* owner = static_cast<const SolidFace*>(block.owner_of(face));

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/seldom.h"
 #include "firma/grid.h"
 #include "firma/vec.h"
 
@@ -78,7 +79,7 @@ struct FaceLanes {
         return at;
     }
     /// All three, exact.
-    void grid_corners(std::uint32_t lane, GridPoint (&corners)[3]) const {
+    FIRMA_SELDOM void grid_corners(std::uint32_t lane, GridPoint (&corners)[3]) const {
         const int shift = step_bits();
         const auto read = [&](const auto& steps_of) {
             for (int k = 0; k < 3; ++k)
@@ -122,14 +123,14 @@ public:
         : lanes_(of_block + first_lane / FaceLanes::kLanes), lane_(first_lane % FaceLanes::kLanes) {}
 
     /// @param triangles  the fan has so many more
-    void advance(std::uint32_t triangles) {
+    FIRMA_SELDOM void advance(std::uint32_t triangles) {
         lane_ += triangles;
         while (lane_ >= FaceLanes::kLanes) {  // one that goes on in the next fills this one
             lane_ -= FaceLanes::kLanes;
             lanes_ += lanes_->in_a_row();
         }
     }
-    GridPoint corner(std::uint32_t k) const { return lanes_->grid_corner(lane_, k); }
+    FIRMA_SELDOM GridPoint corner(std::uint32_t k) const { return lanes_->grid_corner(lane_, k); }
     void read_corners(GridPoint (&corners)[3]) const { lanes_->grid_corners(lane_, corners); }
 
     const FaceLanes* lanes() const { return lanes_; }

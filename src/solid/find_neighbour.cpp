@@ -30,7 +30,9 @@ struct EdgeVisitor {
     }
 
     void look_at(const Block& block, const FaceRecord& face) {
-        block.for_each_side(face, [&](const GridPoint& from, const GridPoint& to) {
+        GridPoint from = block.corner(face, face.corner_count - 1u);
+        for (std::uint32_t k = 0; k < face.corner_count; ++k) {
+            const GridPoint to = block.corner(face, k);
             const bool along = from == a && to == b;
             if (along || (from == b && to == a)) {
                 ++uses;
@@ -38,7 +40,8 @@ struct EdgeVisitor {
                 two = one;
                 one = face.id;
             }
-        });
+            from = to;
+        }
     }
 };
 

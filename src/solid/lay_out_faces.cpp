@@ -33,7 +33,7 @@ FIRMA_SELDOM double unevenness(const PolygonShape& polygon) {
 /// The same without exact sums, a little more. Differences of corners are exact; the normal's components, sums of 2n
 /// products, are off by (n + 3) 2^-53 of the sum of the products' sizes at most. Where that is so little of the normal
 /// that it does not matter, a corner's height is off by as little of its distance.
-double unevenness(std::span<const GridPoint> corners) {
+FIRMA_SELDOM double unevenness(std::span<const GridPoint> corners) {
     const Vec3 first = to_metres(corners[0]);
     Vec3 normal, sizes, last = to_metres(corners[1]) - first;
     double farthest = 0;

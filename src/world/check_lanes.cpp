@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/seldom.h"
 #include "solid/block.h"
 #include "solid/face_shape.h"
 
@@ -225,7 +226,7 @@ class CornersChecker {
 public:
     explicit CornersChecker(const Block& block) : block_(block) {}
 
-    std::optional<WorldFault> check() {
+    FIRMA_SELDOM std::optional<WorldFault> check() {
         for (std::size_t at = 0; at < block_.lanes.size(); at += block_.lanes[at].in_a_row()) {
             const FaceLanes& it = block_.lanes[at];
             if (it.block != &block_ || it.faces != block_.faces.data())
@@ -244,9 +245,9 @@ public:
     }
 
 private:
-    const char* fault_of_fan(std::uint32_t slot) const {
+    FIRMA_SELDOM const char* fault_of_fan(std::uint32_t slot) const {
         const FaceRecord& face = block_.faces[slot];
-        if (face.corner_count < 3) return "a face has fewer than three corners";
+        if (face.corner_count < 3) return "a face has corners that are not there";
         std::size_t at = face.first_lane / FaceLanes::kLanes;
         std::uint32_t lane = face.first_lane % FaceLanes::kLanes;
         GridPoint first, last;

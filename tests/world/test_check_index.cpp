@@ -336,7 +336,7 @@ TEST_F(CheckWideNodes, FindsFaultsOfLanes) {
         if (node.is_leaf()) test::own_block(node).faces[0].first_lane = 0x3FFF;
         return node.is_leaf();
     });
-    expect_found("a face has fewer than three corners", true, [](Node& node) {
+    expect_found("a face has corners that are not there", true, [](Node& node) {
         if (node.is_leaf()) test::own_block(node).faces[0].corner_count = 2;
         return node.is_leaf();
     });
