@@ -54,7 +54,7 @@ struct ManyOptions {
 
 enum class ManyResult {
     kDone,       ///< all answers are there
-    kCancelled,  ///< progress said so: answers of casts that were not made are kInvalid
+    kCancelled,  ///< progress said so: answers of casts that were not made are kInvalid, at their starts
     kRefused,    ///< spans of different lengths, or Tasks::run returned before all its work had: all are kInvalid
 };
 

@@ -22,8 +22,8 @@ struct WideNode {
     /// Box k holds the points from side[0][axis][k] to side[1][axis][k], metres. Those beyond the ones in use hold
     /// none.
     float side[2][3][kLanes];
-    /// Where what a lane leads to begins. Of facets the first FaceLanes, null where Firma is compiled without, and
-    /// kFacets; of a node its first wide node; else a wide node of the same Node. Of lanes beyond 0.
+    /// Where what a lane leads to begins. Of facets the first FaceLanes, null over what has none, and kFacets; of a
+    /// node its first wide node; else a wide node of the same Node. Of lanes beyond 0.
     std::uintptr_t below[kLanes];
 
     BoxF box(std::uint32_t lane) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Facets laid out for casts: triangles eight side by side, with their corners inside, so that a processor looks at
-// eight at a time and fetches nothing else for those that are not met.
+// eight at a time and fetches nothing else for those that are not met. Corners are exact here, and nowhere else.
 #pragma once
 
 #include <bit>

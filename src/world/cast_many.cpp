@@ -95,7 +95,7 @@ ManyResult run_many(const World& world, const ManyCasts& casts, FunctionRef<Answ
         cast_together(world, some, answer, each);
     };
     const auto refuse = [&](std::size_t k) {
-        answer(k, [&](Hit& hit) { hit = invalid_hit(casts.ask(k).around.centre); });
+        answer(k, [&](Hit& hit) { hit = invalid_hit(casts.fits ? casts.ask(k).around.centre : Vec3{}); });
     };
     return ManyRun(casts, make, refuse, options).run();
 }
