@@ -95,7 +95,8 @@ ManyResult run_many(const World& world, const ManyCasts& casts, FunctionRef<Answ
         cast_together(world, some, answer, each);
     };
     const auto refuse = [&](std::size_t k) {
-        answer(k, [&](Hit& hit) { hit = invalid_hit(casts.fits ? casts.ask(k).around.centre : Vec3{}); });
+        const Vec3 start = casts.fits ? casts.ask(k).around.centre : Vec3{};
+        answer(k, [&](Hit& hit) { hit = invalid_hit(start); });
     };
     return ManyRun(casts, make, refuse, options).run();
 }
