@@ -34,7 +34,12 @@ public:
     std::uint64_t hash = 0;    ///< of everything that makes it what it is
 };
 
-inline constexpr std::uint32_t kNoOwner = 127;
+/// Bits of the small numbers in a FaceRecord, and their largest values.
+inline constexpr int kFirstLaneBits = 14, kCornerCountBits = 7, kOwnerBits = 7;
+inline constexpr std::uint32_t kLastFirstLane = (1u << kFirstLaneBits) - 1,
+                               kLastCornerCount = (1u << kCornerCountBits) - 1, kLastOwner = (1u << kOwnerBits) - 1;
+
+inline constexpr std::uint32_t kNoOwner = kLastOwner;
 
 /// What a face is besides its corners. Small, as there is one for each face; one type throughout, as compilers for
 /// Windows begin a new number at each other one.
@@ -43,10 +48,11 @@ struct FaceRecord {
     std::uint32_t source = 0;
     std::uint32_t material = 0;
     std::uint32_t mask = ~0u;
-    std::uint32_t edit = 0;             ///< 0: `source` is a face of the level's file; else of the cutter of that edit
-    std::uint32_t first_lane : 14 = 0;  ///< where the first triangle of its fan is: Block::fan_of()
-    std::uint32_t corner_count : 7 = 0;
-    std::uint32_t owner : 7 = kNoOwner;  ///< index into Block::owners; kNoOwner: the face is its own exact face
+    std::uint32_t edit = 0;  ///< 0: `source` is a face of the level's file; else of the cutter of that edit
+    std::uint32_t first_lane : kFirstLaneBits = 0;  ///< where the first triangle of its fan is: Block::fan_of()
+    std::uint32_t corner_count : kCornerCountBits = 0;
+    /// Index into Block::owners; kNoOwner: the face is its own exact face.
+    std::uint32_t owner : kOwnerBits = kNoOwner;
     std::uint32_t two_sided : 1 = 0;
     std::uint32_t solid : 1 = 0;  ///< bounds a closed solid that can be carved
 };

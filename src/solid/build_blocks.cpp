@@ -52,7 +52,7 @@ void add_face(Block& block, const FaceSet::Entry& face) {
     record.solid = face.solid;
     record.edit = face.edit;
     record.owner = face.owner ? owner_index(block, face.owner) : kNoOwner;
-    record.corner_count = face.corner_count & 127;
+    record.corner_count = face.corner_count & kLastCornerCount;
     block.mask_of_all &= face.mask;
     block.faces.push_back(record);
 }

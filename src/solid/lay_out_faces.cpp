@@ -57,8 +57,8 @@ FIRMA_SELDOM double unevenness(std::span<const GridPoint> corners) {
 
 // FaceRecord::first_lane: of as many corners as there may be, in twice as many lanes, and in each of as many groups one
 // that is not filled.
-static_assert(2 * (kNodeItems * (kMaxCorners - 2) + kNodeItems * FaceLanes::kLanes) < 1 << 14);
-static_assert(kMaxCorners < 128 && kNodeItems < kNoOwner);
+static_assert(2 * (kNodeItems * (kMaxCorners - 2) + kNodeItems * FaceLanes::kLanes) <= kLastFirstLane);
+static_assert(kMaxCorners <= kLastCornerCount && kNodeItems <= kNoOwner);
 
 /// Of steps of lanes, so that they and their sums stay far from the ends of whole numbers.
 constexpr int kMostStepBits = 16;
@@ -202,7 +202,7 @@ void lay_out(Block& block, const FaceSet& faces, std::span<const BuildItem> item
             if (!group) group.emplace(block);
             if (k == 0)
                 block.faces[slot].first_lane =
-                    std::uint32_t(lanes.size() * FaceLanes::kLanes + group->count()) & 0x3FFF;
+                    std::uint32_t(lanes.size() * FaceLanes::kLanes + group->count()) & kLastFirstLane;
             group->add(slot, corners, k, uneven);
         }
         ++slot;
