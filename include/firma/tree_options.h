@@ -21,7 +21,8 @@ struct TreeOptions {
     /// up to 64 in half.
     Split split = Split::kSurfaceArea;
     int max_depth = 48;  ///< divisions above a leaf, 0..64; out of range counts as the nearest end
-    /// At most this many triangles are a leaf, >= 1, rounded up to a multiple of eight: casts test eight at a time.
+    /// At most this many triangles are a leaf, >= 1, rounded up to a multiple of eight: casts test eight at a time. By
+    /// surface area eight and fewer are divided where they lie apart.
     int faces_per_leaf = 4;
     double min_node_volume = 0;  ///< cubic metres; faces whose box holds less are a leaf
 };

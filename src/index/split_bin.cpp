@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "index/box_growth.h"
+
 namespace firma {
 namespace {
 
@@ -140,30 +142,34 @@ float cost_of(std::size_t count, std::size_t all) {
     return float(all > kAtOnce ? (count + kAtOnce - 1) / kAtOnce : count);
 }
 
-constexpr std::size_t kFew = 12;  ///< items that are sorted rather than dropped into buckets
-
-/// The best plane along one axis, by sweeps over few items in order of their buckets.
-void improve_with_few(std::span<const Extent> extents, std::span<const FourSteps> buckets, int axis, Plane& best) {
+/// The best plane along one axis, by sweeps over few items in order of their buckets. Few are sorted rather than
+/// dropped into buckets.
+/// @param counted  whether many items cost more
+void improve_with_few(std::span<const Extent> extents, std::span<const FourSteps> buckets, int axis, bool counted,
+                      Plane& best) {
     const std::size_t count = extents.size();
-    std::array<std::uint8_t, kFew> order;
+    const auto cost = [&](const Extent& box, std::size_t items) {
+        return counted ? box.half_area() * cost_of(items, count) : box.half_area();
+    };
+    std::array<std::uint8_t, kFewItems> order;
     for (std::size_t k = 0; k < count; ++k) {
         std::size_t at = k;
         for (; at > 0 && buckets[order[at - 1]][axis] > buckets[k][axis]; --at) order[at] = order[at - 1];
         order[at] = std::uint8_t(k);
     }
-    std::array<float, kFew> right_cost;  // of all from this one on
+    std::array<float, kFewItems> right_cost;  // of all from this one on
     Extent box = extents[order[count - 1]];
     for (std::size_t k = count; k-- > 1;) {
         box.add(extents[order[k]]);
-        right_cost[k] = box.half_area() * cost_of(count - k, count);
+        right_cost[k] = cost(box, count - k);
     }
     box = extents[order[0]];
     for (std::size_t k = 0; k + 1 < count; ++k) {
         box.add(extents[order[k]]);
         const int bucket = buckets[order[k]][axis];
         if (bucket == buckets[order[k + 1]][axis]) continue;
-        const float cost = box.half_area() * cost_of(k + 1, count) + right_cost[k + 1];
-        if (best.axis < 0 || cost < best.cost) best = {axis, bucket, cost};
+        const float both = cost(box, k + 1) + right_cost[k + 1];
+        if (best.axis < 0 || both < best.cost) best = {axis, bucket, both};
     }
 }
 
@@ -205,22 +211,25 @@ void improve_with_buckets(const Filled& filled, std::size_t all, int axis, Plane
     }
 }
 
+Plane best_plane_of_few(std::span<const BuildItem> items, const Centres& centres, bool counted) {
+    Plane best;
+    std::array<Extent, kFewItems> extents;
+    std::array<FourSteps, kFewItems> buckets;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        const Sides sides(items[k]);
+        extents[k] = Extent(sides);
+        buckets[k] = centres.buckets_of(sides);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (centres.apart[std::size_t(axis)])
+            improve_with_few({extents.data(), items.size()}, {buckets.data(), items.size()}, axis, counted, best);
+    return best;
+}
+
 /// @return the plane of least cost; without an axis when all centres are one
 Plane best_plane(std::span<const BuildItem> items, const Centres& centres) {
+    if (items.size() <= kFewItems) return best_plane_of_few(items, centres, true);
     Plane best;
-    if (items.size() <= kFew) {
-        std::array<Extent, kFew> extents;
-        std::array<FourSteps, kFew> buckets;
-        for (std::size_t k = 0; k < items.size(); ++k) {
-            const Sides sides(items[k]);
-            extents[k] = Extent(sides);
-            buckets[k] = centres.buckets_of(sides);
-        }
-        for (int axis = 0; axis < 3; ++axis)
-            if (centres.apart[std::size_t(axis)])
-                improve_with_few({extents.data(), items.size()}, {buckets.data(), items.size()}, axis, best);
-        return best;
-    }
     std::array<Filled, 3> filled;
     for (const BuildItem& item : items) {
         const Sides sides(item);
@@ -269,6 +278,12 @@ std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box) {
 std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridBox& box) {
     const Centres centres(items, box);
     return split_at(items, best_plane_along(centres.widest_axis(), items, centres), centres);
+}
+
+std::size_t split_apart(std::span<BuildItem> items, const GridBox& box, double share) {
+    const Centres centres(items, box);
+    const Plane best = best_plane_of_few(items, centres, false);
+    return best.axis >= 0 && double(best.cost) < share * half_area(box) ? split_at(items, best, centres) : 0;
 }
 
 std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split) {

@@ -35,6 +35,14 @@ std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box);
 /// third of the work.
 std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridBox& box);
 
+/// The most items that split_apart() takes.
+inline constexpr std::size_t kFewItems = 12;
+
+/// Few items into two parts that lie apart: the surfaces of the boxes around them are less than `share` of the surface
+/// of the box around all.
+/// @return 0 when no plane between centres parts them so
+std::size_t split_apart(std::span<BuildItem> items, const GridBox& box, double share);
+
 /// @param items  one or more
 GridBox box_around(std::span<const BuildItem> items);
 

@@ -19,20 +19,26 @@ TreeOptions in_range(TreeOptions options) {
     return options;
 }
 
-/// The stop rules.
-bool is_done(const FaceSet& faces, std::span<const BuildItem> items, const GridBox& box, int depth,
-             const TreeOptions& options) {
+/// The stop rules of a bin's depth and size.
+bool ends_here(std::span<const BuildItem> items, const GridBox& box, int depth, const TreeOptions& options) {
     if (depth >= options.max_depth || items.size() == 1) return true;
+    return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
+}
+
+/// The one of its faces.
+bool has_few(const FaceSet& faces, std::span<const BuildItem> items, const TreeOptions& options) {
     // In eights, as casts look at them.
     const std::size_t most =
         (std::size_t(options.faces_per_leaf) + FaceLanes::kLanes - 1) / FaceLanes::kLanes * FaceLanes::kLanes;
-    if (items.size() <= most) {
-        std::size_t triangles = 0;
-        for (const BuildItem& item : items) triangles += faces.faces[item.face].corner_count - 2;
-        if (triangles <= most) return true;
-    }
-    return options.min_node_volume > 0 && box.volume() < options.min_node_volume;
+    if (items.size() > most) return false;
+    std::size_t triangles = 0;
+    for (const BuildItem& item : items) triangles += faces.faces[item.face].corner_count - 2;
+    return triangles <= most;
 }
+
+/// Faces that casts look at together are divided, too, where the boxes around two parts of them have less than this
+/// share of the surface: large faces of levels, of which a cast would often look at some for the sake of others.
+constexpr double kApart = 0.55;
 
 /// In order of first use: never by address.
 std::uint32_t owner_index(Block& block, const FaceOwner* owner) {
@@ -72,7 +78,7 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const BuildItem> items) {
 
 Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
     if (faces.faces.empty()) return {};
-    divide(faces, options, by_area, 0);
+    divide(faces, options, {by_area, 0, options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0});
     const Ref<const Node> root = widener_.widen_all(tree_, [&](std::uint32_t bin) { return pack_leaf(bin); });
     return join_nodes({&root, 1});
 }
@@ -80,7 +86,7 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
 void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options,
                                 std::vector<Ref<const Node>>& leaves) {
     if (faces.faces.empty()) return;
-    divide(faces, options, 0, kNodeItems);
+    divide(faces, options, {0, kNodeItems, 0});
     const auto below = [&](const auto& self, std::uint32_t bin) -> void {
         const BinNode& node = tree_.nodes[bin];
         if (node.count <= kNodeItems) return leaves.push_back(pack_leaf(bin));
@@ -90,9 +96,7 @@ void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options
     below(below, 0);
 }
 
-/// @param along_one_axis  of bins divided by surface area, those of so many faces at most are along one axis
-void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, std::size_t by_area,
-                          std::size_t along_one_axis) {
+void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area) {
     faces_ = &faces;
     tree_.items.resize(faces.faces.size());
     tree_.nodes.clear();
@@ -103,15 +107,17 @@ void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, std:
     const TreeOptions rules = in_range(options);
     divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
-                    if (!is_done(faces, items, box, at, rules)) {
+                    if (ends_here(items, box, at, rules)) return items.size() <= kNodeItems ? 0 : split_by_count(items);
+                    if (!has_few(faces, items, rules)) {
                         // Those that casts look at together need not be divided well.
                         if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
-                        if (items.size() <= by_area) return split_bin(items, box, rules.split);
-                        const std::size_t left = items.size() > along_one_axis
+                        if (items.size() <= by_area.above) return split_bin(items, box, rules.split);
+                        const std::size_t left = items.size() > by_area.along_one_axis
                                                      ? split_by_area(items, box)
                                                      : split_by_area_along_one_axis(items, box);
                         return left != 0 ? left : split_by_count(items);
                     }
+                    if (items.size() <= by_area.apart) return split_apart(items, box, kApart);
                     return items.size() <= kNodeItems ? 0 : split_by_count(items);
                 });
     sort_bins_by_id();

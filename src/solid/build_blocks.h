@@ -28,7 +28,13 @@ public:
     void build_leaves(const FaceSet& faces, const TreeOptions& options, std::vector<Ref<const Node>>& leaves);
 
 private:
-    void divide(const FaceSet& faces, const TreeOptions& options, std::size_t by_area, std::size_t along_one_axis);
+    /// What parts bins by surface area, by how many faces they have.
+    struct ByArea {
+        std::size_t above;           ///< bins of more faces, whatever the options say
+        std::size_t along_one_axis;  ///< of these, those of so many faces at most are along one axis
+        std::size_t apart;           ///< bins of few faces, so many at most, are divided where these lie apart
+    };
+    void divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area);
     void sort_bins_by_id();
     Ref<const Node> pack_leaf(std::uint32_t bin);
 

@@ -31,7 +31,7 @@ struct FaceLanes {
     std::uint32_t mask_of_all = 0;  ///< bits that all facets have
     std::uint32_t packed = 0;       ///< see below
     std::uint16_t uneven_high = 0;  ///< the upper half of uneven(), and kMore
-    std::uint8_t whole = 0;         ///< lanes whose corners are all that the facet has, and exact in float
+    std::uint8_t whole = 0;  ///< lanes whose corners are all that the facet has, with a normal that is exact in double
     std::uint8_t two_sided = 0;
     std::int16_t corner[3][3][kLanes] = {};  ///< by corner and axis; of two in a row the upper halves
 

@@ -16,8 +16,10 @@ namespace {
 
 constexpr float kUp = 1 + 0x1p-20f;  ///< far more than the rounding of a few floats
 
-/// Up to so many steps differences of corners, and what is made of their products, have no rounding in floats.
-constexpr std::int64_t kExactSteps = std::int64_t(1) << 23;
+/// Corners within so many steps of the origin make normals that double holds exactly: sides have 2^26 steps at most,
+/// and a normal is a difference of two products of these. Where 16 bits hold a corner, sides have 2^17 steps.
+constexpr std::int64_t kExactSteps = std::int64_t(1) << 25;
+static_assert(2 * kExactSteps * (2 * kExactSteps) * 2 <= std::int64_t(1) << 53);
 
 /// How far corners lie from the plane of casts: that of the normal, through the first one. Metres, rounded up.
 FIRMA_SELDOM double unevenness(const PolygonShape& polygon) {
@@ -123,7 +125,7 @@ public:
                 double sum = 0, off = 0;
                 for (int axis = 0; axis < 3; ++axis) {
                     const auto steps = std::int32_t(std::int64_t(from.corners[c][axis]) - it.origin[axis]);
-                    exact = exact && std::abs(std::int64_t(steps)) <= kExactSteps;
+                    exact = exact && (!wide || std::abs(std::int64_t(steps)) <= kExactSteps);
                     sum += std::fabs(double(steps));
                     if (wide) {
                         off += std::fabs(double(steps) - double(float(steps)));

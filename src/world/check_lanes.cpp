@@ -189,15 +189,14 @@ private:
                 const double from = double(std::int64_t(point[axis]) - it.origin[axis]) / kSurfaceSteps;
                 size += std::fabs(from);
                 shift += std::fabs(from - double(float(from)));
-                exact = exact && std::fabs(from) <= 32;
+                exact = exact && (!it.is_wide() || std::fabs(from) <= 128);
             }
             if (!(size <= double(it.size))) return report("a lane's corner is farther than its lanes say", face.id);
             off = std::max(off, shift);
         }
         if (!(off <= double(it.shifted())))
             return report("a lane's corner is shifted more than its lanes say", face.id);
-        if ((it.whole >> lane & 1) && (off != 0 || !exact))
-            return report("a lane says it is exact and is not", face.id);
+        if ((it.whole >> lane & 1) && !exact) return report("a lane says it is exact and is not", face.id);
         if ((it.two_sided >> lane & 1) != face.two_sided)
             return report("a lane says which sides its face has, and is wrong", face.id);
         if (it.mask_of_all & ~face.mask) report("lanes have bits in their mask that a face has not", face.id);

@@ -96,5 +96,31 @@ TEST(SplitBin, TakesThePlaneOfLeastCost) {
     }
 }
 
+/// A cube of two steps.
+BuildItem cube_at(std::uint32_t face, std::int32_t x, std::int32_t y, std::int32_t z) {
+    return {{{x - 1, y - 1, z - 1}, {x + 1, y + 1, z + 1}}, face};
+}
+
+TEST(SplitBin, PartsFewItemsOnlyWhereTheyLieApart) {
+    std::vector<BuildItem> items;
+    for (std::int32_t k = 0; k < 8; ++k)  // two heaps of four, mixed
+        items.push_back(cube_at(std::uint32_t(k), k % 2 * 1000 + k, -k, k));
+    ASSERT_EQ(split_apart(items, box_around(items), 0.55), 4u);
+    for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(items[k].face % 2, k / 4) << k;
+    // Boxes of 10 x 8 x 10 and 8 steps or less, in one of 1009 x 9 x 9 across: far less than a hundredth.
+    EXPECT_GT(split_apart(items, box_around(items), 0.03), 0u);
+    EXPECT_EQ(split_apart(items, box_around(items), 0.001), 0u);
+
+    items.clear();
+    for (std::int32_t k = 0; k < 8;
+         ++k)  // a cube of eight beside each other: halves have two thirds of its surface each
+        items.push_back(cube_at(std::uint32_t(k), k % 2 * 2, k / 2 % 2 * 2, k / 4 * 2));
+    EXPECT_EQ(split_apart(items, box_around(items), 1.3), 0u);
+    EXPECT_EQ(split_apart(items, box_around(items), 1.4), 4u);
+
+    items.assign(8, cube_at(0, 5, 5, 5));  // no plane parts them
+    EXPECT_EQ(split_apart(items, box_around(items), 100), 0u);
+}
+
 }  // namespace
 }  // namespace firma

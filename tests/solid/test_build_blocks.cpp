@@ -10,6 +10,7 @@
 
 #include "index/statistics.h"
 #include "scenes/rng.h"
+#include "solid/append_faces.h"
 #include "tests/index/wide_contents.h"
 
 namespace firma {
@@ -90,6 +91,60 @@ TEST(BuildBlocks, StopRules) {
     EXPECT_LT(coarse, all / 2);
     EXPECT_EQ(count_faces(*index_over(faces, {.max_depth = -5, .faces_per_leaf = -5})), 5000u)
         << "nonsense counts as the nearest end";
+}
+
+/// Triangles of ten metres in two walls, a kilometre apart.
+FaceSet two_walls() {
+    FaceSet set;
+    constexpr auto kMetre = std::int32_t(kSurfaceSteps);
+    for (std::int32_t k = 0; k < 8; ++k) {
+        const GridPoint corner{k / 4 * 1000 * kMetre, k % 4 * 10 * kMetre, 0};
+        FaceSet::Entry face;
+        face.id = {std::uint32_t(k)};
+        const GridPoint corners[] = {
+            corner, {corner.x, corner.y + 10 * kMetre, 0}, {corner.x, corner.y, 10 * kMetre + k}};
+        add_facet(set, corners, face);
+    }
+    return set;
+}
+
+TEST(BuildBlocks, FewFacesAreDividedBySurfaceAreaWhereTheyLieApart) {
+    EXPECT_EQ(tree_statistics(*index_over(two_walls(), {})).max_leaf_faces, 4u);
+    EXPECT_EQ(tree_statistics(*index_over(two_walls(), {.max_depth = 0})).max_leaf_faces, 8u) << "a rule to stop";
+    EXPECT_EQ(tree_statistics(*index_over(two_walls(), {.min_node_volume = 1e9})).max_leaf_faces, 8u);
+    EXPECT_EQ(tree_statistics(*index_over(two_walls(), {.split = Split::kLongestAxis})).max_leaf_faces, 8u);
+}
+
+/// Lanes that say they have all of a triangle, of those that hold the faces.
+std::size_t count_whole(const Node& root) {
+    std::size_t whole = 0;
+    for_each_block(root, [&](const Block& block) {
+        for (std::size_t at = 0; at < block.lanes.size(); at += block.lanes[at].in_a_row())
+            for (std::uint32_t lane = 0; lane < block.lanes[at].count(); ++lane)
+                whole += block.lanes[at].whole >> lane & 1;
+    });
+    return whole;
+}
+
+TEST(BuildBlocks, LanesHaveTrianglesWholeUnlessTheirNormalsNeedMoreThanDouble) {
+    // Of a corner that 16 bits cannot hold, which is as far from the origin as it is from the corner opposite.
+    const auto whole_at = [](std::int32_t size) {
+        FaceSet set;
+        const GridPoint corners[] = {{1, 0, 0}, {2 * size + 1, 2 * size, 0}, {2 * size, 0, 2 * size + 1}};
+        add_facet(set, corners, {});
+        return count_whole(*index_over(set, {}));
+    };
+    constexpr std::int32_t kMost = 1 << 25;
+    EXPECT_EQ(whole_at(1 << 12), 1u);
+    EXPECT_EQ(whole_at(kMost - 1), 1u) << "256 m across";
+    EXPECT_EQ(whole_at(kMost + 1), 0u);
+
+    // 2 km across, in steps of 16 m: 16 bits hold that.
+    FaceSet set;
+    constexpr std::int32_t kStep = 1 << 22;
+    const GridPoint corners[] = {{-60 * kStep, 0, 0}, {60 * kStep, 120 * kStep, 0}, {0, 0, 120 * kStep}};
+    add_facet(set, corners, {});
+    EXPECT_EQ(count_whole(*index_over(set, {})), 1u);
 }
 
 TEST(BuildBlocks, TooFullABinIsHalvedByCountUntilItFitsABlock) {
