@@ -75,7 +75,9 @@ struct Extent {
 /// fall. In floats, each by the same operations, so that one item always falls into the same.
 class Centres {
 public:
-    Centres(std::span<const BuildItem> items, const GridBox& box) : base_{box.low.x, box.low.y, box.low.z, 0} {
+    /// Not in three places: the module for browsers has to be small.
+    [[gnu::noinline]] Centres(std::span<const BuildItem> items, const GridBox& box)
+        : base_{box.low.x, box.low.y, box.low.z, 0} {
         for (int axis = 0; axis < 3; ++axis)
             if (std::uint32_t(box.high[axis]) - std::uint32_t(box.low[axis]) >= std::uint32_t(1) << 30) shift_ = 2;
         FourFloats low = of(Sides(items[0])), high = low;
@@ -142,14 +144,27 @@ float cost_of(std::size_t count, std::size_t all) {
     return float(all > kAtOnce ? (count + kAtOnce - 1) / kAtOnce : count);
 }
 
-/// The best plane along one axis, by sweeps over few items in order of their buckets. Few are sorted rather than
-/// dropped into buckets.
+/// Few items, which are sorted rather than dropped into buckets.
+struct FewItems {
+    std::size_t count;
+    std::array<Extent, kFewItems> extents;
+    std::array<FourSteps, kFewItems> buckets;
+
+    FewItems(std::span<const BuildItem> items, const Centres& centres) : count(items.size()) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const Sides sides(items[k]);
+            extents[k] = Extent(sides);
+            buckets[k] = centres.buckets_of(sides);
+        }
+    }
+};
+
+/// The best plane along one axis, by sweeps over the items in order of their buckets.
 /// @param counted  whether many items cost more
-void improve_with_few(std::span<const Extent> extents, std::span<const FourSteps> buckets, int axis, bool counted,
-                      Plane& best) {
-    const std::size_t count = extents.size();
-    const auto cost = [&](const Extent& box, std::size_t items) {
-        return counted ? box.half_area() * cost_of(items, count) : box.half_area();
+void improve_with_few(const FewItems& items, int axis, bool counted, Plane& best) {
+    const auto& [count, extents, buckets] = items;
+    const auto cost = [counted, all = items.count](const Extent& box, std::size_t some) {
+        return counted ? box.half_area() * cost_of(some, all) : box.half_area();
     };
     std::array<std::uint8_t, kFewItems> order;
     for (std::size_t k = 0; k < count; ++k) {
@@ -211,25 +226,15 @@ void improve_with_buckets(const Filled& filled, std::size_t all, int axis, Plane
     }
 }
 
-Plane best_plane_of_few(std::span<const BuildItem> items, const Centres& centres, bool counted) {
-    Plane best;
-    std::array<Extent, kFewItems> extents;
-    std::array<FourSteps, kFewItems> buckets;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        const Sides sides(items[k]);
-        extents[k] = Extent(sides);
-        buckets[k] = centres.buckets_of(sides);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-        if (centres.apart[std::size_t(axis)])
-            improve_with_few({extents.data(), items.size()}, {buckets.data(), items.size()}, axis, counted, best);
-    return best;
-}
-
 /// @return the plane of least cost; without an axis when all centres are one
 Plane best_plane(std::span<const BuildItem> items, const Centres& centres) {
-    if (items.size() <= kFewItems) return best_plane_of_few(items, centres, true);
     Plane best;
+    if (items.size() <= kFewItems) {
+        const FewItems few(items, centres);
+        for (int axis = 0; axis < 3; ++axis)
+            if (centres.apart[std::size_t(axis)]) improve_with_few(few, axis, true, best);
+        return best;
+    }
     std::array<Filled, 3> filled;
     for (const BuildItem& item : items) {
         const Sides sides(item);
@@ -282,8 +287,10 @@ std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridB
 
 std::size_t split_apart(std::span<BuildItem> items, const GridBox& box, double share) {
     const Centres centres(items, box);
-    const Plane best = best_plane_of_few(items, centres, false);
-    return best.axis >= 0 && double(best.cost) < share * half_area(box) ? split_at(items, best, centres) : 0;
+    Plane best;
+    if (const int axis = centres.widest_axis(); axis >= 0)
+        improve_with_few(FewItems(items, centres), axis, false, best);
+    return double(best.cost) < share * half_area(box) ? split_at(items, best, centres) : 0;
 }
 
 std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split split) {

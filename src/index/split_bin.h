@@ -38,8 +38,8 @@ std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridB
 /// The most items that split_apart() takes.
 inline constexpr std::size_t kFewItems = 12;
 
-/// Few items into two parts that lie apart: the surfaces of the boxes around them are less than `share` of the surface
-/// of the box around all.
+/// Few items into two parts that lie apart, along the axis along which the centres do most: the surfaces of the boxes
+/// around them are less than `share` of the surface of the box around all.
 /// @return 0 when no plane between centres parts them so
 std::size_t split_apart(std::span<BuildItem> items, const GridBox& box, double share);
 
