@@ -45,6 +45,35 @@ HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) 
     return reach;
 }
 
+/// Narrows [in, out] to the times at which the extent comes up to a plane that parts it from the triangle when it is
+/// where it is at `in`: at a right angle to the way from there to the rim.
+/// @param p, e, squares  the triangle's corners, its sides from each to the next, and the squares of their lengths
+/// @param d              the path's direction
+/// @param grown          the extent's radius and rounding
+template <int known>
+HWY_INLINE void clip_beside_rim(const LaneSweep& sweep, const Floats (&p)[3][3], const Floats (&e)[3][3],
+                                const Floats (&squares)[3], const Floats (&d)[3], float grown, Floats& in,
+                                Floats& out) {
+    constexpr float kNone = 0x1p-100f, kLeast = 0x1p-60f, kFar = 0x1p100f;
+    const Floats zero = hn::Zero(kFloats);
+    Floats away[3] = {zero, zero, zero}, nearest = all(kFar);
+    for (int c = 0; c < 3; ++c) {
+        Floats from[3];
+        for (int axis = 0; axis < 3; ++axis) from[axis] = hn::Sub(hn::Mul(d[axis], in), p[c][axis]);
+        const Floats along = hn::Div(dot(from, e[c]), hn::Max(squares[c], all(kNone)));
+        const Floats share = hn::Min(hn::Max(along, zero), all(1));
+        for (int axis = 0; axis < 3; ++axis) from[axis] = hn::Sub(from[axis], hn::Mul(e[c][axis], share));
+        const Floats square = dot(from, from);
+        const auto nearer = hn::Lt(square, nearest);
+        nearest = hn::Min(nearest, square);
+        for (int axis = 0; axis < 3; ++axis) away[axis] = hn::IfThenElse(nearer, from[axis], away[axis]);
+    }
+    const Floats most = hn::Max(hn::Max(dot(away, p[0]), dot(away, p[1])), dot(away, p[2]));
+    const Floats reach = beside<known>(sweep, away, hn::Mul(hn::Sqrt(nearest), all(grown)));
+    // Of a middle on the rim all of that is 0, and says nothing.
+    clip(dot(away, d), add(add(reach, most), all(kLeast)), in, out);
+}
+
 /// Corners of lanes, metres from their origin.
 #if HWY_TARGET == HWY_WASM  // read at once: the module has to be small
 struct Corners {
@@ -107,7 +136,6 @@ template <int known, class Read>
 HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQuery& query, const Way& way,
                          float enter, float latest, float* times) {
     const LaneSweep& sweep = query.sweep;
-    const unsigned filled = used(lanes);
     const int axes = axes_of<known>(sweep);
     float o[3], size = lanes.size + sweep.size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -118,56 +146,71 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQ
     const float unsure = lanes.uneven() + sweep.margin + 8 * kRoundoff * size;
     const float reach = (sweep.radius + unsure) * kMore;
     const float error = (axes ? 64 : 32) * kRoundoff * size;
-    unsigned met = 0;
-    for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
-        Floats p[3][3];  // corners seen from there
-        for (int c = 0; c < 3; ++c)
-            for (int axis = 0; axis < 3; ++axis) p[c][axis] = hn::Sub(corner(c, axis, part), all(o[axis]));
-        Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Floats aside = all(axes ? (sweep.extent[axis] + unsure) * kMore : reach);
-            const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), aside);
-            const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), aside);
-            const Floats one = hn::Mul(low, way.slope[axis]), other = hn::Mul(high, way.slope[axis]);
-            in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
-            out = hn::Min(out, hn::Max(one, other));
+    unsigned met = used(lanes);
+    alignas(64) float ends[kLanes];
+    for (int round = 0;; ++round) {
+        unsigned found = 0;
+        for (std::uint32_t part = 0; part < kLanes; part += kAtOnce) {
+            unsigned left = met >> part & ((1u << kAtOnce) - 1);
+            if (left == 0) continue;
+            Floats p[3][3];  // corners seen from there
+            for (int c = 0; c < 3; ++c)
+                for (int axis = 0; axis < 3; ++axis) p[c][axis] = hn::Sub(corner(c, axis, part), all(o[axis]));
+            Floats in = hn::Zero(kFloats), out = all((latest - enter) * kMore);
+            const auto keep = [&]() HWY_ATTR {
+                left &= bits(hn::Le(hn::Mul(in, all(kLess)), hn::Mul(out, all(kMore))));
+                return left != 0;
+            };
+            if (round == 0) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    const Floats aside = all(axes ? (sweep.extent[axis] + unsure) * kMore : reach);
+                    const Floats low = hn::Sub(hn::Min(hn::Min(p[0][axis], p[1][axis]), p[2][axis]), aside);
+                    const Floats high = hn::Add(hn::Max(hn::Max(p[0][axis], p[1][axis]), p[2][axis]), aside);
+                    const Floats one = hn::Mul(low, way.slope[axis]), other = hn::Mul(high, way.slope[axis]);
+                    in = hn::Max(in, hn::Min(one, other));  // which is which cannot be foreseen by a branch
+                    out = hn::Min(out, hn::Max(one, other));
+                }
+                if (!keep()) continue;
+            }
+            Floats e[3][3];
+            for (int c = 0; c < 3; ++c)
+                for (int axis = 0; axis < 3; ++axis)
+                    e[c][axis] = hn::Sub(corner((c + 1) % 3, axis, part), corner(c, axis, part));
+            const Floats squares[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
+            const Floats d[3] = {all(float(sweep.path->direction[0])), all(float(sweep.path->direction[1])),
+                                 all(float(sweep.path->direction[2]))};
+            if (round == 0) {
+                Floats n[3];
+                cross(e[0], e[1], n);
+                const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
+                const Floats g =
+                    add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
+                const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
+                // -height + rise t lies between -far and far.
+                clip(rise, hn::Add(far, height), in, out);
+                clip(hn::Neg(rise), hn::Sub(far, height), in, out);
+                if (query.front_only) {
+                    Floats doubt = hn::Mul(longest, all(128 * kRoundoff));
+                    if (const float tilted = lanes.uneven() + lanes.shifted(); tilted > 0)
+                        doubt = add(doubt, hn::Mul(hn::Sqrt(longest), all(32 * tilted)));
+                    const unsigned away = bits(hn::Gt(rise, doubt));
+                    left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
+                }
+                if (!keep()) continue;
+            } else {
+                in = hn::Load(kFloats, times + part);
+                out = hn::Load(kFloats, ends + part);
+            }
+            clip_beside_rim<known>(sweep, p, e, squares, d, (reach + error) * kMore, in, out);
+            keep();
+            hn::Store(hn::Mul(in, all(kLess)), kFloats, times + part);
+            hn::Store(out, kFloats, ends + part);
+            found |= left << part;
         }
-        unsigned left = bits(hn::Le(hn::Mul(in, all(kLess)), hn::Mul(out, all(kMore))));
-        if ((left << part & filled) == 0) continue;
-        Floats e[3][3], n[3];
-        for (int c = 0; c < 3; ++c)
-            for (int axis = 0; axis < 3; ++axis)
-                e[c][axis] = hn::Sub(corner((c + 1) % 3, axis, part), corner(c, axis, part));
-        cross(e[0], e[1], n);
-        const Floats squares[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
-        const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
-        const Floats g =
-            add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
-        const Floats d[3] = {all(float(sweep.path->direction[0])), all(float(sweep.path->direction[1])),
-                             all(float(sweep.path->direction[2]))};
-        const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
-        // -height + rise t lies between -far and far.
-        clip(rise, hn::Add(far, height), in, out);
-        clip(hn::Neg(rise), hn::Sub(far, height), in, out);
-        for (int c = 0; c < 3; ++c) {
-            Floats m[3];
-            cross(e[c], n, m);
-            const Floats grown = hn::Mul(hn::Mul(hn::Sqrt(squares[c]), all(kMore)), g);
-            clip(dot(m, d), add(beside<known>(sweep, m, grown), dot(m, p[c])), in, out);
-        }
-        in = hn::Mul(in, all(kLess));
-        left &= bits(hn::Le(in, hn::Mul(out, all(kMore))));
-        if (query.front_only) {
-            Floats doubt = hn::Mul(longest, all(128 * kRoundoff));
-            if (const float tilted = lanes.uneven() + lanes.shifted(); tilted > 0)
-                doubt = add(doubt, hn::Mul(hn::Sqrt(longest), all(32 * tilted)));
-            const unsigned away = bits(hn::Gt(rise, doubt));
-            left &= ~(away & ~(unsigned(lanes.two_sided) >> part));
-        }
-        hn::StoreU(in, kFloats, times + part);
-        met |= left << part;
+        met = found;
+        // Of several the nearest should be known better.
+        if (round > 0 || (met & (met - 1)) == 0) return met;
     }
-    return met & filled;
 }
 
 /// Of a power of two that is neither the smallest nor the largest.

@@ -7,11 +7,10 @@
 // point, of the farthest corner, and of the radius. With u = 2^-24: a corner as seen from there is off by 2 u S at
 // most, and so is the way along the direction until the sphere has met anything. So where a sphere touches the
 // triangle, one that is larger by 8 u S touches the triangle that the floats say; that is the sphere, and the triangle,
-// of all that follows. Its centre then is within a reach R of the triangle's plane and, along each side's normal in
-// that plane, of the side; and in the triangle's box grown by R. Each says of a time t: a + b t <= g. By n = e1 x e2,
-// which is off by 6 u E^2 where E is the longest side, and m = e x n, a plane's a + b t is off by 16 u E^2 S, a side's
-// by as much times its length: twice that is in g. Quotients are off by less than the 16 u by which times are lowered
-// and raised.
+// of all that follows. Its centre then is within a reach R of the triangle's plane, and in the triangle's box grown by
+// R. Each says of a time t: a + b t <= g. By n = e1 x e2, which is off by 6 u E^2 where E is the longest side, a
+// plane's a + b t is off by 16 u E^2 S: twice that is in g. Quotients are off by less than the 16 u by which times are
+// lowered and raised.
 //
 // A side b of a node's box is a float, rounded outward once, when the node was made. With a the point that its distance
 // counts from, it is passed at (b - a) v, v the inverse of the direction: off by 3 u of itself, which is in the 16 u by
@@ -23,8 +22,15 @@
 //
 // A capsule or a hull moves within its ShapeExtent: a ball added to segments from -a to a. By these its reach along n
 // is larger by the sum of all |n.a|, each off by 6 u E^2 |a| for n, 3 u |n| |a| for the rounding of the product and as
-// much for that of a: below 32 u E^2 S in all, with S above the sum of the lengths |a|; along m by the same times a
-// side's length. So it has 64 u E^2 S where a sphere has 32.
+// much for that of a: below 32 u E^2 S in all, with S above the sum of the lengths |a|. So it has 64 u E^2 S where a
+// sphere has 32.
+//
+// One more plane says the same, a + b t <= g, whatever its normal n: where the extent touches the triangle, n.(d t) is
+// not above the most of n.p of the corners p, its reach along n added. The plane taken is that which parts the
+// triangle's rim from the extent where this is at the time known so far, at a right angle to the shortest way: so
+// spheres that pass a corner or an edge are mostly left out, and of those that touch one it is known nearly when. b t
+// is off by 5 u |n| S, as each n.p is, the reach by 5 u |n| S, their sum by 2 u |n| S, and of other extents by 32 u |n|
+// S more: 32 u |n| S and 64 u |n| S are taken. However n is rounded, it is a normal.
 //
 // A particle needs no normal, and is seen from its start. Along its path corners p and q have twice the area p x q with
 // it, a positive factor of d.n in sum. With the projection a corner is off by 17 u S and by twice what else is in R,

@@ -24,6 +24,7 @@
 #include "scenes/cast_families.h"
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
+#include "scenes/terrain.h"
 #include "solid/face_shape.h"
 #include "tests/every_kernel.h"
 #include "tests/sample.h"
@@ -324,6 +325,35 @@ TEST(LaneKernels, GiveTheAnswersOfCastsOneByOneInEveryFamily) {
         });
         for (const auto& bits : all) EXPECT_EQ(bits, all[0]) << family.name;
     }
+}
+
+/// Of the hundreds of triangles that are in reach of a large sphere where it comes down, few are asked for.
+TEST(LaneKernels, LeaveFewFacesToLargeSpheres) {
+    const World terrain = make_world(scenes::terrain({.squares = 64})).value();
+    const Box bounds = terrain.bounds();
+    scenes::Rng rng(23);
+    std::vector<AnyCast> casts;
+    for (int k = 0; k < 500; ++k) {
+        AnyCast it;
+        it.sphere.radius = 6;
+        it.sphere.centre = {rng.uniform(bounds.low.x, bounds.high.x), 0, 0};
+        it.sphere.centre.y = rng.uniform(bounds.low.y, bounds.high.y);
+        it.sphere.centre.z = bounds.high.z + 7;
+        it.path = rng.direction() * 4;
+        it.path.z = bounds.low.z - bounds.high.z - 8;
+        casts.push_back(it);
+    }
+    std::vector<std::vector<std::uint64_t>> all;
+    std::vector<std::size_t> asked;
+    test::with_every_kernel([&](const char*) {
+        CastCounts counts;
+        std::vector<std::uint64_t>& bits = all.emplace_back();
+        for (const AnyCast& it : casts) add_bits(bits, cast(terrain, it.sphere, it.path, {.counts = &counts}));
+        asked.push_back(counts.faces);
+    });
+    for (const auto& bits : all) EXPECT_EQ(bits, all[0]);
+    for (std::size_t k = 0; k + 1 < asked.size(); ++k) EXPECT_LT(asked[k], 15 * casts.size()) << "of kernel " << k;
+    EXPECT_GT(asked.back(), 100 * casts.size()) << "one by one";
 }
 
 /// The path runs within a triangle's plane, which is decided apart, and through another before.
