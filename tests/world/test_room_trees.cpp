@@ -73,9 +73,10 @@ void expect_less(const World& world, const World& one, double share, double of_f
     }
 }
 
-/// Lanes leave few faces that are not met, in one tree as by room: what differs is in which order they come.
+/// Lanes leave hardly more faces to ask for than are met, one or two a cast, in one tree as by room: what differs is in
+/// which order they come.
 void expect_less_by_lanes(const World& world, const World& one, double share) {
-    expect_less(world, one, share, 1.05);
+    expect_less(world, one, share, 1.1);
 }
 
 void expect_less_one_by_one(const World& world, const World& one, double share) {
