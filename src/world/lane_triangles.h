@@ -17,9 +17,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace firma::HWY_NAMESPACE {
 
-/// Narrows [in, out] to the times t with b t <= w.
+/// Narrows [in, out] to the times t with b t <= w. Where both are 0, as of a triangle whose corners are one in float or
+/// of a middle on a rim, that says nothing: kNothing makes such a time later than any.
 HWY_INLINE void clip(Floats b, Floats w, Floats& in, Floats& out) {
-    constexpr float kLevel = 0x1p-120f;
+    constexpr float kLevel = 0x1p-120f, kNothing = 0x1p-80f;
+    w = hn::Add(w, all(kNothing));
     b = hn::IfThenElse(hn::Lt(hn::Abs(b), all(kLevel)), all(kLevel), b);
     const Floats t = hn::Div(w, b);
     const auto falls = hn::Lt(b, hn::Zero(kFloats));
@@ -54,7 +56,7 @@ template <int known>
 HWY_INLINE void clip_beside_rim(const LaneSweep& sweep, const Floats (&p)[3][3], const Floats (&e)[3][3],
                                 const Floats (&squares)[3], const Floats (&d)[3], float grown, Floats& in,
                                 Floats& out) {
-    constexpr float kNone = 0x1p-100f, kLeast = 0x1p-60f, kFar = 0x1p100f;
+    constexpr float kNone = 0x1p-100f, kFar = 0x1p100f;
     const Floats zero = hn::Zero(kFloats);
     Floats away[3] = {zero, zero, zero}, nearest = all(kFar);
     for (int c = 0; c < 3; ++c) {
@@ -70,8 +72,7 @@ HWY_INLINE void clip_beside_rim(const LaneSweep& sweep, const Floats (&p)[3][3],
     }
     const Floats most = hn::Max(hn::Max(dot(away, p[0]), dot(away, p[1])), dot(away, p[2]));
     const Floats reach = beside<known>(sweep, away, hn::Mul(hn::Sqrt(nearest), all(grown)));
-    // Of a middle on the rim all of that is 0, and says nothing.
-    clip(dot(away, d), add(add(reach, most), all(kLeast)), in, out);
+    clip(dot(away, d), add(reach, most), in, out);
 }
 
 /// Corners of lanes, metres from their origin.

@@ -327,6 +327,28 @@ TEST(LaneKernels, GiveTheAnswersOfCastsOneByOneInEveryFamily) {
     }
 }
 
+/// Far from what it shares its lanes with, floats hold the corners of a triangle of micrometres as one.
+TEST(LaneKernels, MeetTrianglesThatAreOnePointInFloat) {
+    constexpr std::int32_t kStepsAMetre = std::int32_t(kSurfaceSteps);
+    for (const std::int32_t metres : {100, 500, 2000, 5000}) {
+        const std::int32_t far = metres * kStepsAMetre;
+        std::vector<scenes::GridPolygon> polygons{{{far, far, 0}, {far + 1, far, 0}, {far, far + 1, 0}}};
+        for (std::int32_t k = 0; k < 5; ++k)
+            polygons.push_back({{-far, -far, -kStepsAMetre * (k + 2)},
+                                {far + 8 * kStepsAMetre, -far, 3 * kStepsAMetre},
+                                {far + 4 * kStepsAMetre, far + (8 + k) * kStepsAMetre, -3 * kStepsAMetre}});
+        const World world = make_world(scenes::level_of(polygons, std::vector<bool>(polygons.size(), true))).value();
+        const Sphere sphere{to_metres(GridPoint{far, far, 3 * kStepsAMetre}), 0.5};
+        std::vector<std::vector<std::uint64_t>> all;
+        test::with_every_kernel([&](const char*) {
+            const Hit hit = cast(world, sphere, {0, 0, -4});
+            EXPECT_EQ(hit.face.id.value, 0u) << metres;
+            add_bits(all.emplace_back(), hit);
+        });
+        for (const auto& bits : all) EXPECT_EQ(bits, all[0]);
+    }
+}
+
 /// Of the hundreds of triangles that are in reach of a large sphere where it comes down, few are asked for.
 TEST(LaneKernels, LeaveFewFacesToLargeSpheres) {
     const World terrain = make_world(scenes::terrain({.squares = 64})).value();
