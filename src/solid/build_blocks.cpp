@@ -78,7 +78,9 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const BuildItem> items) {
 
 Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
     if (faces.faces.empty()) return {};
-    divide(faces, options, {by_area, 0, options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0});
+    divide(
+        faces, options,
+        {.above = by_area, .along_one_axis = 0, .apart = options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0});
     const Ref<const Node> root = widener_.widen_all(tree_, [&](std::uint32_t bin) { return pack_leaf(bin); });
     return join_nodes({&root, 1});
 }
@@ -86,7 +88,7 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
 void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options,
                                 std::vector<Ref<const Node>>& leaves) {
     if (faces.faces.empty()) return;
-    divide(faces, options, {0, kNodeItems, 0});
+    divide(faces, options, {.above = 0, .along_one_axis = kNodeItems, .apart = 0});
     const auto below = [&](const auto& self, std::uint32_t bin) -> void {
         const BinNode& node = tree_.nodes[bin];
         if (node.count <= kNodeItems) return leaves.push_back(pack_leaf(bin));

@@ -18,9 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace firma::HWY_NAMESPACE {
 
 /// Narrows [in, out] to the times t with b t <= w. Where both are 0, as of a triangle whose corners are one in float or
-/// of a middle on a rim, that says nothing: kNothing makes such a time later than any.
+/// of a middle on a rim, that says nothing: kNothing makes such a time later than any. It stands in for the rounding,
+/// too, of numbers so small that products of theirs are 0.
 HWY_INLINE void clip(Floats b, Floats w, Floats& in, Floats& out) {
-    constexpr float kLevel = 0x1p-120f, kNothing = 0x1p-80f;
+    constexpr float kLevel = 0x1p-120f, kNothing = 0x1p-60f;
     w = hn::Add(w, all(kNothing));
     b = hn::IfThenElse(hn::Lt(hn::Abs(b), all(kLevel)), all(kLevel), b);
     const Floats t = hn::Div(w, b);
@@ -45,6 +46,25 @@ HWY_INLINE Floats beside(const LaneSweep& sweep, const Floats* n, Floats reach) 
         reach = add(reach, hn::Mul(hn::Abs(dot(n, a)), all(kMore)));
     }
     return reach;
+}
+
+/// Narrows [in, out] to the times at which the extent reaches the triangle's plane.
+/// @param p, e     the triangle's corners, and its sides from each to the next
+/// @param longest  the square of the longest side
+/// @param error    what rounding makes of a length, for each square of a metre of `longest`
+/// @return how fast the path rises along the triangle's normal
+template <int known>
+HWY_INLINE Floats clip_to_plane(const LaneSweep& sweep, const Floats (&p)[3][3], const Floats (&e)[3][3],
+                                Floats longest, const Floats (&d)[3], float reach, float error, Floats& in,
+                                Floats& out) {
+    Floats n[3];
+    cross(e[0], e[1], n);
+    const Floats g = add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
+    const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
+    // -height + rise t lies between -far and far.
+    clip(rise, hn::Add(far, height), in, out);
+    clip(hn::Neg(rise), hn::Sub(far, height), in, out);
+    return rise;
 }
 
 /// Narrows [in, out] to the times at which the extent comes up to a plane that parts it from the triangle when it is
@@ -181,15 +201,8 @@ HWY_INLINE unsigned look(const FaceLanes& lanes, const Read& corner, const LaneQ
             const Floats d[3] = {all(float(sweep.path->direction[0])), all(float(sweep.path->direction[1])),
                                  all(float(sweep.path->direction[2]))};
             if (round == 0) {
-                Floats n[3];
-                cross(e[0], e[1], n);
                 const Floats longest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
-                const Floats g =
-                    add(hn::Mul(hn::Mul(hn::Sqrt(dot(n, n)), all(kMore)), all(reach)), hn::Mul(longest, all(error)));
-                const Floats height = dot(n, p[0]), rise = dot(n, d), far = beside<known>(sweep, n, g);
-                // -height + rise t lies between -far and far.
-                clip(rise, hn::Add(far, height), in, out);
-                clip(hn::Neg(rise), hn::Sub(far, height), in, out);
+                const Floats rise = clip_to_plane<known>(sweep, p, e, longest, d, reach, error, in, out);
                 if (query.front_only) {
                     Floats doubt = hn::Mul(longest, all(128 * kRoundoff));
                     if (const float tilted = lanes.uneven() + lanes.shifted(); tilted > 0)

@@ -30,7 +30,11 @@
 // triangle's rim from the extent where this is at the time known so far, at a right angle to the shortest way: so
 // spheres that pass a corner or an edge are mostly left out, and of those that touch one it is known nearly when. b t
 // is off by 5 u |n| S, as each n.p is, the reach by 5 u |n| S, their sum by 2 u |n| S, and of other extents by 32 u |n|
-// S more: 32 u |n| S and 64 u |n| S are taken. However n is rounded, it is a normal.
+// S more: 32 u |n| S and 64 u |n| S are taken, with the lengths |a| in S. However n is rounded, it is a normal. Where
+// several triangles are left that is asked twice, and times are lowered by 16 u each time.
+//
+// Where n and all that is made of it are 0, each of these says 0 <= 0, which is true at all times: g is larger by
+// 2^-60. So it is where corners that a step parts, far from the lanes' origin, are one in float.
 //
 // A particle needs no normal, and is seen from its start. Along its path corners p and q have twice the area p x q with
 // it, a positive factor of d.n in sum. With the projection a corner is off by 17 u S and by twice what else is in R,

@@ -111,9 +111,8 @@ TEST(SplitBin, PartsFewItemsOnlyWhereTheyLieApart) {
     EXPECT_GT(split_apart(items, box_around(items), 0.03), 0u);
     EXPECT_EQ(split_apart(items, box_around(items), 0.001), 0u);
 
-    items.clear();
-    for (std::int32_t k = 0; k < 8;
-         ++k)  // a cube of eight beside each other: halves have two thirds of its surface each
+    items.clear();  // a cube of eight beside each other: halves have two thirds of its surface each
+    for (std::int32_t k = 0; k < 8; ++k)
         items.push_back(cube_at(std::uint32_t(k), k % 2 * 2, k / 2 % 2 * 2, k / 4 * 2));
     EXPECT_EQ(split_apart(items, box_around(items), 1.3), 0u);
     EXPECT_EQ(split_apart(items, box_around(items), 1.4), 4u);
