@@ -21,6 +21,9 @@ namespace {
 
 /// Milliseconds between two tries to open a file that another writer has.
 constexpr DWORD kBetweenTries = 5;
+/// Milliseconds for which a name is asked for while the file that has it is open: a writer renames before it closes,
+/// and a reader may be at it.
+constexpr DWORD kWaitForName = 2000;
 /// A single write takes no more.
 constexpr std::size_t kPiece = std::size_t(1) << 30;
 
@@ -33,6 +36,17 @@ int reason_of(DWORD error) {
 HANDLE open_alone(const std::string& path, DWORD how) {
     return CreateFileW(wide_path(path).c_str(), GENERIC_WRITE | DELETE, 0, nullptr, how, FILE_ATTRIBUTE_NORMAL,
                        nullptr);
+}
+
+/// Gives an open file a name, which another file may have. @return the system's reason, or ERROR_SUCCESS
+DWORD rename_open(HANDLE file, FILE_RENAME_INFO& info, DWORD bytes) {
+    for (DWORD waited = 0;; waited += kBetweenTries) {
+        if (SetFileInformationByHandle(file, FileRenameInfo, &info, bytes)) return ERROR_SUCCESS;
+        const DWORD error = GetLastError();
+        const bool is_open = error == ERROR_ACCESS_DENIED || error == ERROR_SHARING_VIOLATION;
+        if (!is_open || waited >= kWaitForName) return error;
+        Sleep(kBetweenTries);
+    }
 }
 
 /// Takes over the handle. @return -1 when no descriptor is left
@@ -95,11 +109,9 @@ int FileAside::rename_to(const std::string& target) {
     info->ReplaceIfExists = TRUE;
     info->FileNameLength = DWORD(bytes);
     std::copy(name.begin(), name.end(), info->FileName);
-    if (!SetFileInformationByHandle(handle_of(descriptor_), FileRenameInfo, info,
-                                    DWORD(memory.size() * sizeof(std::uint64_t))))
-        return reason_of(GetLastError());
-    renamed_ = true;
-    return 0;
+    const DWORD error = rename_open(handle_of(descriptor_), *info, DWORD(memory.size() * sizeof(std::uint64_t)));
+    renamed_ = error == ERROR_SUCCESS;
+    return renamed_ ? 0 : reason_of(error);
 }
 
 int write_all(int descriptor, std::span<const std::byte> bytes) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Worlds in files on Windows: whole or not at all, under names in UTF-8, and what cannot be says why.
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+
 #include <gtest/gtest.h>
 #include <process.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -66,6 +70,47 @@ TEST_F(SaveWorldWindows, WhatCannotBeSays) {
     std::ofstream(path("empty.firma"));
     EXPECT_EQ(load_world(path("empty.firma")).error().text(),
               path("empty.firma") + ": it does not begin as a .firma file does");
+    EXPECT_EQ(files(), 1u);
+}
+
+/// A file that nobody else may open or take the name of.
+class OpenAlone {
+public:
+    explicit OpenAlone(const std::string& path)
+        : handle_(CreateFileA(path.c_str(), GENERIC_READ, 0, nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr)) {
+        EXPECT_NE(handle_, INVALID_HANDLE_VALUE);
+    }
+    ~OpenAlone() { CloseHandle(handle_); }
+    OpenAlone(const OpenAlone&) = delete;
+    OpenAlone& operator=(const OpenAlone&) = delete;
+
+private:
+    const HANDLE handle_;
+};
+
+TEST_F(SaveWorldWindows, WaitsForWhoHasTheFileOpen) {
+    const World before = room_world(), after = cut_room(2, 1);
+    ASSERT_EQ(text_of(save_world(before, path("a.firma"))), "");
+    std::thread saves;
+    {
+        const OpenAlone reader(path("a.firma"));
+        saves = std::thread([&] { EXPECT_EQ(text_of(save_world(after, path("a.firma"))), ""); });
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+    saves.join();
+    EXPECT_EQ(hash_world(load_world(path("a.firma")).value()), hash_world(after));
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(SaveWorldWindows, SaysSoWhenTheFileStaysOpen) {
+    const World before = room_world(), after = cut_room(2, 1);
+    ASSERT_EQ(text_of(save_world(before, path("a.firma"))), "");
+    {
+        const OpenAlone reader(path("a.firma"));
+        EXPECT_EQ(text_of(save_world(after, path("a.firma"))),
+                  path("a.firma") + ": cannot be written: Permission denied");
+    }
+    EXPECT_EQ(hash_world(load_world(path("a.firma")).value()), hash_world(before));
     EXPECT_EQ(files(), 1u);
 }
 
