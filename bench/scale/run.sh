@@ -5,8 +5,8 @@
 # bench/results/scale_*.csv and docs/benchmarks.md, pictures to docs/pictures/scale_*.svg.
 #
 #   bench/scale/run.sh [--quick | --full] [--rounds N] [--no-node]
-#     (nothing)   up to a million triangles: about 10 minutes
-#     --full      ten million as well, and slow libraries on larger scenes: about half an hour, 8 GB
+#     (nothing)   up to a million triangles: 5 to 10 minutes
+#     --full      ten million as well, and slow libraries on larger scenes: 10 to 30 minutes, 8 GB
 #     --quick     ten thousand, few casts; tables and pictures to build/scale/quick alone
 #     --no-node   without jolt-physics, for who has no node
 # Installs what is missing (apt, npm).
