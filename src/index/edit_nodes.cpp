@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kFindsInAStep = 32;
 constexpr std::size_t kPlacesInAStep = 64;
-constexpr double kCoversMuch = 0.25;        ///< of a node's surface: worth making anew with it
+constexpr double kCoversMuch = 0.1;         ///< of a node's surface: worth making anew with it
 constexpr std::size_t kFewestChildren = 8;  ///< a node of fewer hands them to the node above
 
 /// A deeper node is built anew over its leaves, and is then less deep than this.
