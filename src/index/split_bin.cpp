@@ -247,19 +247,6 @@ Plane best_plane(std::span<const BuildItem> items, const Centres& centres) {
     return best;
 }
 
-/// The best one along one axis; none for none.
-Plane best_plane_along(int axis, std::span<const BuildItem> items, const Centres& centres) {
-    Plane best;
-    if (axis < 0) return best;
-    Filled filled;
-    for (const BuildItem& item : items) {
-        const Sides sides(item);
-        filled.add(centres.buckets_of(sides)[axis], Extent(sides));
-    }
-    improve_with_buckets(filled, items.size(), axis, best);
-    return best;
-}
-
 std::size_t split_at(std::span<BuildItem> items, const Plane& plane, const Centres& centres) {
     if (plane.axis < 0) return 0;
     return partition_items(items,
@@ -278,11 +265,6 @@ std::size_t split_by_count(std::span<BuildItem> items) {
 std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box) {
     const Centres centres(items, box);
     return split_at(items, best_plane(items, centres), centres);
-}
-
-std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridBox& box) {
-    const Centres centres(items, box);
-    return split_at(items, best_plane_along(centres.widest_axis(), items, centres), centres);
 }
 
 std::size_t split_apart(std::span<BuildItem> items, const GridBox& box, double share) {

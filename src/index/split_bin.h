@@ -31,10 +31,6 @@ std::size_t split_bin(std::span<BuildItem> items, const GridBox& box, Split spli
 /// @return 0 when no plane separates the centres
 std::size_t split_by_area(std::span<BuildItem> items, const GridBox& box);
 
-/// The same along one axis only, that along which the centres lie farthest apart: nearly as good for few items, for a
-/// third of the work.
-std::size_t split_by_area_along_one_axis(std::span<BuildItem> items, const GridBox& box);
-
 /// The most items that split_apart() takes.
 inline constexpr std::size_t kFewItems = 12;
 

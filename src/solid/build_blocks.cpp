@@ -78,9 +78,7 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const BuildItem> items) {
 
 Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
     if (faces.faces.empty()) return {};
-    divide(
-        faces, options,
-        {.above = by_area, .along_one_axis = 0, .apart = options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0});
+    divide(faces, options, {.above = by_area, .apart = options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0});
     const Ref<const Node> root = widener_.widen_all(tree_, [&](std::uint32_t bin) { return pack_leaf(bin); });
     return join_nodes({&root, 1});
 }
@@ -88,7 +86,7 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
 void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options,
                                 std::vector<Ref<const Node>>& leaves) {
     if (faces.faces.empty()) return;
-    divide(faces, options, {.above = 0, .along_one_axis = kNodeItems, .apart = 0});
+    divide(faces, options, {.above = 0, .apart = 0});
     const auto below = [&](const auto& self, std::uint32_t bin) -> void {
         const BinNode& node = tree_.nodes[bin];
         if (node.count <= kNodeItems) return leaves.push_back(pack_leaf(bin));
@@ -114,9 +112,7 @@ void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, cons
                         // Those that casts look at together need not be divided well.
                         if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
                         if (items.size() <= by_area.above) return split_bin(items, box, rules.split);
-                        const std::size_t left = items.size() > by_area.along_one_axis
-                                                     ? split_by_area(items, box)
-                                                     : split_by_area_along_one_axis(items, box);
+                        const std::size_t left = split_by_area(items, box);
                         return left != 0 ? left : split_by_count(items);
                     }
                     if (items.size() <= by_area.apart) return split_apart(items, box, kApart);

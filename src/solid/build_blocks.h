@@ -22,17 +22,15 @@ public:
     /// @return the root; null for no faces
     Ref<const Node> build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area = ~std::size_t{});
 
-    /// Only the leaves, for edits: divided by surface area, bins that fit a block along one axis (along all three they
-    /// take another twenty-fifth of a crater).
+    /// Only the leaves, for edits: divided by surface area, whatever the options say.
     /// @param leaves  they are added to these
     void build_leaves(const FaceSet& faces, const TreeOptions& options, std::vector<Ref<const Node>>& leaves);
 
 private:
     /// What parts bins by surface area, by how many faces they have.
     struct ByArea {
-        std::size_t above;           ///< bins of more faces, whatever the options say
-        std::size_t along_one_axis;  ///< of these, those of so many faces at most are along one axis
-        std::size_t apart;           ///< bins of few faces, so many at most, are divided where these lie apart
+        std::size_t above;  ///< bins of more faces, whatever the options say
+        std::size_t apart;  ///< bins of few faces, so many at most, are divided where these lie apart
     };
     void divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area);
     void sort_bins_by_id();
