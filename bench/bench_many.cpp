@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Casts together: a batch against single casts, on one thread and on two, where a half of the casts for each is what
-// two threads can gain. Scattered casts over open ground, by the clock: nothing else should run.
+// two threads can gain. Scattered casts over open ground, by the clock: nothing else should run. And worlds made on one
+// thread and on two.
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "firma/batch.h"
+#include "scenes/room_grid.h"
 #include "scenes/terrain.h"
 #include "support/race.h"
 #include "support/settings.h"
@@ -87,7 +89,34 @@ void measure_casts(const std::string& what, const World& world, const std::vecto
                times(pieces), percent(pieces / halves)});
 }
 
+/// Levels made on one thread and on two.
+void measure_builds(const std::string& what, const Level& level, int rounds, Table& table) {
+    const Tasks tasks{run_on_threads, nullptr};
+    WorldOptions together;
+    together.work.tasks = &tasks;
+    const std::vector<double> seconds = least({
+                                                  [&] { keep(make_world(level).value()); },
+                                                  [&] { keep(make_world(level, together).value()); },
+                                              },
+                                              rounds);
+    table.add({what, count(level.faces.size()), number(seconds[0] * 1e3), number(seconds[1] * 1e3),
+               times(seconds[0] / seconds[1])});
+}
+
+bool measure_all_builds(const Settings& settings) {
+    Table table("many_builds", {"made", "faces", "ms on one thread", "ms on two", "gain"});
+    for (const std::uint32_t faces : {100'000, 1'000'000, 10'000'000}) {
+        if (settings.quick && faces > 100'000) break;
+        Level level = scenes::room_grid(scenes::room_grid_of(faces));
+        measure_builds("with the exact part", level, settings.quick ? 1 : 3, table);
+        for (LevelFace& face : level.faces) face.two_sided = true;
+        measure_builds("castable only", level, settings.quick ? 1 : 3, table);
+    }
+    return table.finish(settings.csv);
+}
+
 int measure(const Settings& settings) {
+    const bool builds = measure_all_builds(settings);
     Table table("many", {"casts", "faces", "how many", "ns a single cast", "ns of a batch", "to single",
                          "two threads, half each", "two threads, pieces", "pieces to halves"});
     for (const int squares : {70, 200, 500, 1000}) {
@@ -105,7 +134,7 @@ int measure(const Settings& settings) {
         measure_range("spheres, 0.1-2 m", scenes::kShortSpheres);
         measure_range("spheres, 50 m", scenes::kLongSpheres);
     }
-    return table.finish(settings.csv) ? 0 : 1;
+    return table.finish(settings.csv) && builds ? 0 : 1;
 }
 
 }  // namespace
@@ -113,5 +142,6 @@ int measure(const Settings& settings) {
 
 int main(int argc, char** argv) {
     using namespace firma::bench;
-    return measure(read_settings(argc, argv, "Batches of casts against single ones, on one thread and on two."));
+    return measure(
+        read_settings(argc, argv, "Batches of casts against single ones, and worlds made, on one thread and on two."));
 }

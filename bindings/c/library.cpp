@@ -71,6 +71,8 @@ firma_code fail(const Error& error) noexcept {
                 return FIRMA_ERROR_CANNOT_WRITE;
             case ErrorCode::kNoMemory:
                 return FIRMA_ERROR_NO_MEMORY;
+            case ErrorCode::kCancelled:  // nothing that C asks for is
+                break;
         }
         return FIRMA_ERROR_INTERNAL;
     };

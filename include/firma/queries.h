@@ -22,6 +22,7 @@
 #include "firma/function_ref.h"
 #include "firma/hit.h"
 #include "firma/polygon.h"
+#include "firma/tasks.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -130,13 +131,6 @@ FIRMA_EXPORT Status cast_all(const World& world, const Capsule& capsule, const V
 struct CastInput {
     Sphere sphere{};
     Vec3 path{};
-};
-
-/// Who runs a batch. `run` calls work(context, k) once for each k below count, in any order and on any threads, and
-/// returns when all have returned.
-struct Tasks {
-    void (*run)(std::size_t count, void (*work)(void* context, std::size_t k), void* context, void* user) = nullptr;
-    void* user = nullptr;  ///< handed to run
 };
 
 /// Many casts: hits[k] answers inputs[k] as cast() would.

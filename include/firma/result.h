@@ -19,6 +19,7 @@ enum class ErrorCode : std::uint8_t {
     kInvalid,      ///< a call with arguments that make no sense
     kCannotWrite,  ///< the file cannot be made or written: no folder, no permission, no room
     kNoMemory,     ///< an edit in slices was broken off when memory ran out: see CarveJob
+    kCancelled,    ///< who was told of the progress said that it should not go on
 };
 
 /// Where and why. `place` is "file", "file:line" or "file: entry", whichever the format has.

@@ -17,6 +17,7 @@
 #include "firma/polygon.h"
 #include "firma/result.h"
 #include "firma/solid.h"
+#include "firma/tasks.h"
 #include "firma/texture.h"
 #include "firma/tree_options.h"
 
@@ -116,6 +117,7 @@ struct WorldOptions {
     bool textures = true;
     /// What the level is made of: nothing takes default_matters().
     std::optional<MatterTable> matters{};
+    WorkOptions work{};  ///< for many faces
 };
 
 /// The same world with its index built anew, over all faces. Only how quickly it answers changes: no id, answer, edit
@@ -136,7 +138,8 @@ struct WorldOptions {
 [[nodiscard]] FIRMA_EXPORT Result<World> make_world(const Solid& solid, const WorldOptions& options = {});
 
 /// Makes a world of a level: one room.
-/// @return kTooLarge beyond 2^31 faces; kInvalid when the contact offset is negative or not finite, for rules as
+/// @return kTooLarge beyond 2^31 faces; kCancelled when WorkOptions::progress said so; kInvalid when the contact offset
+/// is negative or not finite, for rules as
 ///         with_rules(), or when a face of the level is not convex, planar and of 3 to 64 corners, or has a corner,
 ///         material or group that is not there (readers never make such), naming it; kMalformed for a level without a
 ///         face, with what its reader left out: such a world would answer every cast with a miss (World() is one).

@@ -17,7 +17,7 @@ void NodeJoiner::divide(std::span<const NodeItem> nodes) {
     tree_.items.resize(nodes.size());
     tree_.nodes.clear();
     for (std::uint32_t k = 0; k < nodes.size(); ++k) tree_.items[k] = {nodes[k].box, k};
-    divide_bins(tree_, 0, std::uint32_t(nodes.size()), 0,
+    divide_bins(tree_.items, tree_.nodes, 0, std::uint32_t(nodes.size()), 0,
                 [&](std::span<BuildItem> items, const GridBox& box, int depth) -> std::size_t {
                     if (items.size() <= kTogether) return 0;
                     const std::size_t left = depth < kUnevenLevels ? split_by_area(items, box) : 0;

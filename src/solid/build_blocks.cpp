@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/pool.h"
+#include "index/divide_together.h"
 #include "index/join_nodes.h"
 #include "solid/append_faces.h"
 
@@ -76,12 +77,48 @@ Ref<Block> make_block(const FaceSet& faces, std::span<const BuildItem> items) {
 
 }  // namespace
 
-Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area) {
+Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& options, std::size_t by_area,
+                                    LongWork* work) {
     if (faces.faces.empty()) return {};
-    divide(faces, options, {.above = by_area, .apart = options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0});
-    const Ref<const Node> root = widener_.widen_all(tree_, [&](std::uint32_t bin) { return pack_leaf(bin); });
+    const std::size_t apart = options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0;
+    if (!divide(faces, options, {.above = by_area, .apart = apart}, work)) return {};
+    const auto leaf_of = [&](std::uint32_t bin) {
+#if !defined(__wasm__)  // which has no threads, and has to be small
+        if (!packed_.empty()) return std::move(packed_[bin]);
+#endif
+        return pack_leaf(bin, layout_);
+    };
+#if !defined(__wasm__)
+    packed_.clear();
+    if (work && !pack_leaves(*work)) return {};
+#endif
+    const Ref<const Node> root = widener_.widen_all(tree_, leaf_of);
     return join_nodes({&root, 1});
 }
+
+#if !defined(__wasm__)
+bool BlockBuilder::pack_leaves(LongWork& work) {
+    constexpr std::size_t kTogether = 64;  // leaves
+    std::vector<std::uint32_t> leaves, open{0};
+    while (!open.empty()) {
+        const BinNode& node = tree_.nodes[open.back()];
+        if (node.count <= kNodeItems) leaves.push_back(open.back());
+        open.pop_back();
+        if (node.count > kNodeItems) open.insert(open.end(), {node.right, node.left});
+    }
+    packed_.resize(tree_.nodes.size());
+    return work.each((leaves.size() + kTogether - 1) / kTogether, [&](std::size_t part) {
+        FaceLayout layout;
+        std::size_t done = 0;
+        const std::size_t end = std::min(leaves.size(), (part + 1) * kTogether);
+        for (std::size_t k = part * kTogether; k < end; ++k) {
+            packed_[leaves[k]] = pack_leaf(leaves[k], layout);
+            done += tree_.nodes[leaves[k]].count;
+        }
+        work.add(done);
+    });
+}
+#endif
 
 void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options,
                                 std::vector<Ref<const Node>>& leaves) {
@@ -89,14 +126,16 @@ void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options
     divide(faces, options, {.above = 0, .apart = 0});
     const auto below = [&](const auto& self, std::uint32_t bin) -> void {
         const BinNode& node = tree_.nodes[bin];
-        if (node.count <= kNodeItems) return leaves.push_back(pack_leaf(bin));
+        if (node.count <= kNodeItems) return leaves.push_back(pack_leaf(bin, layout_));
         self(self, node.left);
         self(self, node.right);
     };
     below(below, 0);
 }
 
-void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area) {
+/// @return false when the work was stopped
+bool BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area,
+                          [[maybe_unused]] LongWork* work) {
     faces_ = &faces;
     tree_.items.resize(faces.faces.size());
     tree_.nodes.clear();
@@ -105,45 +144,58 @@ void BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, cons
         tree_.items[k] = {faces.box_of(faces.faces[k]), k};
     }
     const TreeOptions rules = in_range(options);
-    divide_bins(tree_, 0, std::uint32_t(tree_.items.size()), 0,
-                [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
-                    if (ends_here(items, box, at, rules)) return items.size() <= kNodeItems ? 0 : split_by_count(items);
-                    if (!has_few(faces, items, rules)) {
-                        // Those that casts look at together need not be divided well.
-                        if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
-                        if (items.size() <= by_area.above) return split_bin(items, box, rules.split);
-                        const std::size_t left = split_by_area(items, box);
-                        return left != 0 ? left : split_by_count(items);
-                    }
-                    if (items.size() <= by_area.apart) return split_apart(items, box, kApart);
-                    return items.size() <= kNodeItems ? 0 : split_by_count(items);
-                });
+    const auto split = [&](std::span<BuildItem> items, const GridBox& box, int at) -> std::size_t {
+        if (ends_here(items, box, at, rules)) return items.size() <= kNodeItems ? 0 : split_by_count(items);
+        if (!has_few(faces, items, rules)) {
+            // Those that casts look at together need not be divided well.
+            if (items.size() <= FaceLanes::kLanes) return split_bin(items, box, Split::kLongestAxis);
+            if (items.size() <= by_area.above) return split_bin(items, box, rules.split);
+            const std::size_t left = split_by_area(items, box);
+            return left != 0 ? left : split_by_count(items);
+        }
+        if (items.size() <= by_area.apart) return split_apart(items, box, kApart);
+        return items.size() <= kNodeItems ? 0 : split_by_count(items);
+    };
+#if !defined(__wasm__)
+    if (work) {
+        if (!divide_together(tree_, split, *work)) return false;
+        constexpr std::size_t kTogether = 4096;  // bins
+        return work->each((tree_.nodes.size() + kTogether - 1) / kTogether, [&](std::size_t part) {
+            const std::size_t end = std::min(tree_.nodes.size(), (part + 1) * kTogether);
+            for (std::size_t k = part * kTogether; k < end; ++k) sort_by_id(tree_.nodes[k]);
+        });
+    }
+#endif
+    divide_bins(tree_.items, tree_.nodes, 0, std::uint32_t(tree_.items.size()), 0, split);
     sort_bins_by_id();
+    return true;
+}
+
+void BlockBuilder::sort_bins_by_id() {
+    for (const BinNode& bin : tree_.nodes) sort_by_id(bin);
 }
 
 /// Of faces that casts look at together: of several that are met at one time the one of the lowest id counts.
-void BlockBuilder::sort_bins_by_id() {
+void BlockBuilder::sort_by_id(const BinNode& bin) {
+    if (bin.left != 0) return;
     const auto by_id = [&](const BuildItem& a, const BuildItem& b) {
         return faces_->faces[a.face].id < faces_->faces[b.face].id;
     };
-    for (const BinNode& bin : tree_.nodes) {
-        if (bin.left != 0) continue;
-        const std::span<BuildItem> items = tree_.items_of(bin.first, bin.count);
-        if (!std::is_sorted(items.begin(), items.end(), by_id)) std::sort(items.begin(), items.end(), by_id);
-    }
+    const std::span<BuildItem> items = tree_.items_of(bin.first, bin.count);
+    if (!std::is_sorted(items.begin(), items.end(), by_id)) std::sort(items.begin(), items.end(), by_id);
 }
 
-Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top) {
+Ref<const Node> BlockBuilder::pack_leaf(std::uint32_t top, FaceLayout& layout) const {
     Ref<Node> leaf(new Node);
     const BinNode& node = tree_.nodes[top];
     leaf->facets_below = node.count;
     const Ref<Block> block = make_block(*faces_, tree_.items_of(node));
-    layout_.make(*leaf, *block, *faces_, tree_, top);
+    layout.make(*leaf, *block, *faces_, tree_, top);
     leaf->facets = Ref<const IndexedFacets>(block.get());
     return Ref<const Node>(leaf.get());
 }
 
-std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options) {
+std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& options, LongWork* work) {
     std::vector<PartIndex> parts;
     if (faces.faces.empty()) return parts;
     std::optional<PoolInLargePages> large_pages;  // of what no crater will change
@@ -154,7 +206,8 @@ std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& opt
     const std::uint32_t first = faces.faces[0].part;
     if (std::all_of(faces.faces.begin(), faces.faces.end(),
                     [&](const FaceSet::Entry& face) { return face.part == first; })) {
-        parts.push_back({first, builder.build(faces, options)});
+        if (const Ref<const Node> root = builder.build(faces, options, ~std::size_t{}, work))
+            parts.push_back({first, root});
         return parts;
     }
     std::vector<std::uint32_t> order(faces.faces.size());
@@ -171,7 +224,9 @@ std::vector<PartIndex> build_blocks(const FaceSet& faces, const TreeOptions& opt
             append_face(faces, faces.faces[order[k]], some);
         // As edits divide: casts go through one room's index after another, and the middle of a room's box is rarely
         // where its walls part.
-        parts.push_back({part, builder.build(some, options, kNodeItems)});
+        const Ref<const Node> root = builder.build(some, options, kNodeItems, work);
+        if (!root) return {};
+        parts.push_back({part, root});
     }
     return parts;
 }

@@ -45,20 +45,63 @@ void FaceSums::add_to(FaceStore& store) const {
     regions_.add_to(store.regions);
 }
 
-BuiltStore build_store(const FaceSet& faces, const TreeOptions& options) {
-    return store_of_parts(build_blocks(faces, options));
+void FaceSums::add(const FaceSums& other) {
+    for (const PartChange& change : other.parts_) {
+        PartChange& mine = part(change.part);
+        mine.faces += change.faces;
+        mine.hash += change.hash;
+    }
+    for (const auto& [region, sum] : other.regions_.sums()) regions_.add(region, sum);
+    count_ += other.count_;
+    hash_ += other.hash_;
 }
 
-BuiltStore store_of_parts(std::vector<PartIndex> parts) {
+namespace {
+
+void add_faces(const Block& block, FaceSums& sums) {
+    for (const FaceRecord& face : block.faces) sums.add(block, face);
+}
+
+#if !defined(__wasm__)  // which has no threads, and has to be small
+/// @return false when the work was stopped
+bool add_together(const std::vector<PartIndex>& parts, LongWork& work, FaceSums& sums) {
+    constexpr std::size_t kTogether = 1024;  // blocks
+    std::vector<const Block*> blocks;
+    for (const PartIndex& part : parts)
+        for_each_block(*part.root, [&](const Block& block) { blocks.push_back(&block); });
+    std::vector<FaceSums> some((blocks.size() + kTogether - 1) / kTogether);
+    const bool done = work.each(some.size(), [&](std::size_t part) {
+        std::size_t faces = 0;
+        const std::size_t end = std::min(blocks.size(), (part + 1) * kTogether);
+        for (std::size_t k = part * kTogether; k < end; ++k) {
+            add_faces(*blocks[k], some[part]);
+            faces += blocks[k]->faces.size();
+        }
+        work.add(faces);
+    });
+    for (const FaceSums& of_some : some) sums.add(of_some);
+    return done;
+}
+#endif
+
+}  // namespace
+
+BuiltStore build_store(const FaceSet& faces, const TreeOptions& options, LongWork* work) {
+    return store_of_parts(build_blocks(faces, options, work), work);
+}
+
+BuiltStore store_of_parts(std::vector<PartIndex> parts, [[maybe_unused]] LongWork* work) {
     BuiltStore built;
     FaceSums sums;
     std::vector<Ref<const Node>> roots;
-    for (const PartIndex& part : parts) {
-        roots.push_back(part.root);
-        for_each_block(*part.root, [&](const Block& block) {
-            for (const FaceRecord& face : block.faces) sums.add(block, face);
-        });
-    }
+    for (const PartIndex& part : parts) roots.push_back(part.root);
+#if !defined(__wasm__)
+    if (work) {
+        if (!add_together(parts, *work, sums)) return built;
+    } else
+#endif
+        for (const PartIndex& part : parts)
+            for_each_block(*part.root, [&](const Block& block) { add_faces(block, sums); });
     built.store.root = join_nodes(roots);
     sums.add_to(built.store);
     built.parts = std::move(parts);

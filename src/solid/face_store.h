@@ -35,6 +35,7 @@ public:
     void add(const FaceSet& set, const FaceSet::Entry& face);
     void add(const Block& block, const FaceRecord& face) { change(block, face, 1); }
     void remove(const Block& block, const FaceRecord& face) { change(block, face, -1); }
+    void add(const FaceSums& other);
 
     const std::vector<PartChange>& parts() const { return parts_; }
     void add_to(FaceStore& store) const;
@@ -59,11 +60,13 @@ struct BuiltStore {
     std::vector<PartIndex> parts;     ///< an index over the faces of each, ascending
     std::vector<PartChange> changes;  ///< of each part with faces, in no order
 };
-BuiltStore build_store(const FaceSet& faces, const TreeOptions& options);
+/// @param work  does it, and is told of each face three times; null: this thread does it. When it was stopped, there
+///              is nothing in the store
+BuiltStore build_store(const FaceSet& faces, const TreeOptions& options, LongWork* work = nullptr);
 
 /// A store over blocks that are there already.
 /// @param parts  an index over the faces of each
-BuiltStore store_of_parts(std::vector<PartIndex> parts);
+BuiltStore store_of_parts(std::vector<PartIndex> parts, LongWork* work = nullptr);
 
 /// One change to a store: faces go, others come.
 class StoreEdit {

@@ -2,9 +2,11 @@
 // From rooms, portals and options to a World: what readers of levels end with.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/long_work.h"
 #include "firma/result.h"
 #include "firma/world.h"
 #include "solid/face_set.h"
@@ -28,6 +30,7 @@ struct WorldParts {
     std::vector<std::string> materials;
     bool rock_outside = false;  ///< what no face separates from infinity is solid
     WorldOptions options;
+    LongWork* work = nullptr;                      ///< what does it, already under way; null: by the options
     std::shared_ptr<const FaceTextures> textures;  ///< null: none
     MatterPieces matters;
 };
@@ -56,8 +59,11 @@ Cells cells_of(StoredWorld& stored);
 /// What a world keeps of it: null where it says nothing.
 std::shared_ptr<const MatterPieces> kept_matters(MatterPieces matters);
 
-/// @return the world, version 0; kTooLarge beyond 2^31 faces, rooms or portals; kInvalid, naming the portal, where
-/// rooms
+/// Why work was stopped, if it was.
+std::optional<Error> stopped(const LongWork& work, const std::string& name);
+
+/// @return the world, version 0; why the work was stopped; kTooLarge beyond 2^31 faces, rooms or portals; kInvalid,
+/// naming the portal, where rooms
 ///         are not there or the same, or a polygon has not 3 to 64 corners; kInvalid for no room, or two that reach to
 ///         infinity
 Result<World> assemble_world(WorldParts parts);

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "base/lock.h"
-#include "world/run_tasks.h"
+#include "base/run_tasks.h"
+#include "world/invalid_hit.h"
 
 namespace firma {
 namespace {

@@ -6,7 +6,7 @@
 #include "firma/queries.h"
 #include "firma/rooms.h"
 #include "geometry/rounding.h"
-#include "world/run_tasks.h"
+#include "world/invalid_hit.h"
 #include "world/sweep_world.h"
 
 namespace firma {

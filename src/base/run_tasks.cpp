@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spreads the work of a batch over the threads that a caller has, and watches that the caller does all of it.
-#include "world/run_tasks.h"
+// Spreads pieces of work over the threads that a caller has, and watches that the caller does all of it.
+#include "base/run_tasks.h"
 
 #include <atomic>
 #include <memory>
