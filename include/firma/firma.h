@@ -26,6 +26,7 @@
 #include "firma/rooms.h"
 #include "firma/save.h"
 #include "firma/solid.h"
+#include "firma/tasks.h"
 #include "firma/texture.h"
 #include "firma/tree_options.h"
 #include "firma/triangles.h"
