@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bindings/c/convert.h"
+#include "bindings/c/make_on_threads.h"
 #include "bindings/c/objects.h"
 #include "firma/brush_world.h"
 
@@ -111,7 +112,7 @@ firma_code firma_world_from_level(firma_level level, const firma_world_options* 
         WorldOptions chosen;
         ReadOptions unused;
         if (const firma_code code = read_options(options, chosen, unused, function)) return code;
-        Result<World> made = make_world(object->level, chosen);
+        Result<World> made = make_on_threads(object->level, chosen);
         if (!made) return fail(made.error());
         return give(std::make_unique<WorldObject>(std::move(made.value())), world, function);
     });

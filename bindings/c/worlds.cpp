@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/c/convert.h"
+#include "bindings/c/make_on_threads.h"
 #include "bindings/c/objects.h"
 #include "firma/brush_world.h"
 #include "firma/memory.h"
@@ -24,7 +25,7 @@ firma_code give_world(World world, firma_world* out, const char* function) {
 template <class AnyLevel>
 firma_code make(const Result<AnyLevel>& level, const WorldOptions& options, firma_world* out, const char* function) {
     if (!level) return fail(level.error());
-    Result<World> world = make_world(level.value(), options);
+    Result<World> world = make_on_threads(level.value(), options);
     if (!world) return fail(world.error());
     return give_world(std::move(world).value(), out, function);
 }

@@ -97,18 +97,19 @@ typedef struct firma_allocator {
  * `take` costs. */
 FIRMA_API firma_code firma_set_allocator(const firma_allocator* allocator);
 
-/* How a batch is spread over threads. `run` calls work(context, k) once for each k below count, in any order and on any
- * threads, and returns when all have returned. When it returns earlier, the batch fails with FIRMA_ERROR_BAD_CALL; what
- * it leaves undone must not be called later. */
+/* How a batch, or making a world, is spread over threads. `run` calls work(context, k) once for each k below count, in
+ * any order and on any threads, and returns when all have returned. When it returns earlier, a batch fails with
+ * FIRMA_ERROR_BAD_CALL, a world with FIRMA_ERROR_INVALID; what it leaves undone must not be called later. */
 typedef struct firma_tasks {
     uint32_t size; /* sizeof(firma_tasks) */
     void (*run)(size_t count, void (*work)(void* context, size_t k), void* context, void* user);
     void* user;
 } firma_tasks;
 
-/* For all batches that begin from now on; null: in the calling thread (the default). Answers do not depend on it. A
- * batch that is spread takes memory, 150 KB in each thread at work and a byte for each piece of work of 256 casts.
- * `work` may be called by any number of threads at once. */
+/* For all batches, and all worlds made of levels, that begin from now on; null: in the calling thread (the default).
+ * Answers and worlds do not depend on it. For a world it is called several times, one after the other. A batch that is
+ * spread takes memory, 150 KB in each thread at work and a byte for each piece of work of 256 casts. `work` may be
+ * called by any number of threads at once. */
 FIRMA_API firma_code firma_set_tasks(const firma_tasks* tasks);
 
 /* Handles that are not released yet, of all kinds: 0 when nothing has leaked. */

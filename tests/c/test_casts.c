@@ -133,6 +133,56 @@ static void test_all(firma_world room) {
     CHECK_FAILS(firma_cast_all(room, &through, NULL, NULL, 3, &count), FIRMA_ERROR_BAD_CALL, "null");
 }
 
+/* Open ground of 2 * kSquares^2 triangles. */
+enum { kSquares = 80 };
+
+static uint64_t hash_of_ground(firma_code* code) {
+    double* positions = calloc((kSquares + 1) * (kSquares + 1) * 3, sizeof *positions);
+    uint32_t* corners = calloc(kSquares * kSquares * 6, sizeof *corners);
+    uint32_t seed = 7, *corner = corners;
+    for (uint32_t k = 0; k < (kSquares + 1) * (kSquares + 1); ++k) {
+        positions[3 * k] = k % (kSquares + 1);
+        positions[3 * k + 1] = k / (kSquares + 1);
+        positions[3 * k + 2] = between(&seed, 0, 1);
+    }
+    for (uint32_t k = 0; k < kSquares * kSquares; ++k) {
+        const uint32_t at = k / kSquares * (kSquares + 1) + k % kSquares;
+        const uint32_t of_square[6] = {at, at + 1, at + kSquares + 2, at, at + kSquares + 2, at + kSquares + 1};
+        memcpy(corner, of_square, sizeof of_square);
+        corner += 6;
+    }
+    firma_mesh mesh = {0};
+    mesh.size = sizeof mesh;
+    mesh.positions = positions;
+    mesh.vertex_count = (kSquares + 1) * (kSquares + 1);
+    mesh.corners = corners;
+    mesh.face_count = 2 * kSquares * kSquares;
+    firma_world ground = {0};
+    uint64_t hash = 0;
+    *code = firma_world_from_mesh(&mesh, "ground", NULL, &ground);
+    if (*code == FIRMA_OK) {
+        CHECK_OK(firma_world_hash(ground, &hash));
+        CHECK_OK(firma_world_release(ground));
+    }
+    free(positions);
+    free(corners);
+    return hash;
+}
+
+static void test_worlds_on_threads(void) {
+    firma_code code = FIRMA_OK;
+    const uint64_t alone = hash_of_ground(&code);
+    CHECK(code == FIRMA_OK && alone != 0);
+    int runs = 0;
+    const firma_tasks tasks = {sizeof tasks, run_on_threads, &runs}, lazy = {sizeof lazy, run_nothing, NULL};
+    CHECK_OK(firma_set_tasks(&tasks));
+    CHECK(hash_of_ground(&code) == alone && code == FIRMA_OK && runs > 2);
+    CHECK_OK(firma_set_tasks(&lazy));
+    hash_of_ground(&code);
+    CHECK(code == FIRMA_ERROR_INVALID && strstr(firma_error_message(), "Tasks::run"));
+    CHECK_OK(firma_set_tasks(NULL));
+}
+
 static void test_batch(firma_world room) {
     firma_cast_input* inputs = calloc(kCasts, sizeof *inputs);
     firma_hit* hits = calloc(kCasts, sizeof *hits);
@@ -232,6 +282,7 @@ void test_casts(void) {
     test_one(room);
     test_all(room);
     test_batch(room);
+    test_worlds_on_threads();
     test_points(room);
     CHECK_OK(firma_world_release(room));
 }
