@@ -11,6 +11,13 @@
 
 namespace firma {
 
+/// Whether work is lent to threads and told of: the module for browsers and node has no threads, and has to be small.
+#if defined(__wasm__)
+inline constexpr bool kHasLongWork = false;
+#else
+inline constexpr bool kHasLongWork = true;
+#endif
+
 class LongWork {
 public:
     /// @param count  what all of it comes to, as progress() tells it
@@ -19,7 +26,7 @@ public:
     LongWork& operator=(const LongWork&) = delete;
 
     /// Whether there is anything to gain or to tell.
-    static bool asked(const WorkOptions& options) { return options.tasks || options.progress; }
+    static bool asked(const WorkOptions& options) { return kHasLongWork && (options.tasks || options.progress); }
 
     /// Calls part(k) for each k below count, once, on any threads; what comes after a stop is left out.
     /// @return whether all was done

@@ -68,15 +68,11 @@ Result<World> make_world(const Level& level, const WorldOptions& options) {
     if (auto error = judge_options(options, level.name)) return *std::move(error);
     if (level.faces.empty()) return nothing_left(level.name, "", level.omissions);
     WorldParts parts;
-#if !defined(__wasm__)             // which has no threads, and has to be small
     std::optional<LongWork> work;  // finding what is solid counts once, what stands in face_store.h three times
     if (LongWork::asked(options.work)) parts.work = &work.emplace(options.work, 4 * level.faces.size());
-#endif
     const LevelSolids solids = solids_of(level);
-#if !defined(__wasm__)
     if (work) work->add(level.faces.size());
     if (work && work->stopped()) return *stopped(*work, level.name);
-#endif
     parts.name = level.name;
     parts.rooms.push_back({face_set(level, solids), {}, false});
     parts.materials = level.materials;

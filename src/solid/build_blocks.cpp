@@ -83,20 +83,15 @@ Ref<const Node> BlockBuilder::build(const FaceSet& faces, const TreeOptions& opt
     const std::size_t apart = options.split == Split::kSurfaceArea ? FaceLanes::kLanes : 0;
     if (!divide(faces, options, {.above = by_area, .apart = apart}, work)) return {};
     const auto leaf_of = [&](std::uint32_t bin) {
-#if !defined(__wasm__)  // which has no threads, and has to be small
-        if (!packed_.empty()) return std::move(packed_[bin]);
-#endif
+        if (kHasLongWork && !packed_.empty()) return std::move(packed_[bin]);
         return pack_leaf(bin, layout_);
     };
-#if !defined(__wasm__)
     packed_.clear();
-    if (work && !pack_leaves(*work)) return {};
-#endif
+    if (kHasLongWork && work && !pack_leaves(*work)) return {};
     const Ref<const Node> root = widener_.widen_all(tree_, leaf_of);
     return join_nodes({&root, 1});
 }
 
-#if !defined(__wasm__)
 bool BlockBuilder::pack_leaves(LongWork& work) {
     constexpr std::size_t kTogether = 64;  // leaves
     std::vector<std::uint32_t> leaves, open{0};
@@ -118,7 +113,6 @@ bool BlockBuilder::pack_leaves(LongWork& work) {
         work.add(done);
     });
 }
-#endif
 
 void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options,
                                 std::vector<Ref<const Node>>& leaves) {
@@ -134,8 +128,7 @@ void BlockBuilder::build_leaves(const FaceSet& faces, const TreeOptions& options
 }
 
 /// @return false when the work was stopped
-bool BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area,
-                          [[maybe_unused]] LongWork* work) {
+bool BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, const ByArea& by_area, LongWork* work) {
     faces_ = &faces;
     tree_.items.resize(faces.faces.size());
     tree_.nodes.clear();
@@ -156,8 +149,7 @@ bool BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, cons
         if (items.size() <= by_area.apart) return split_apart(items, box, kApart);
         return items.size() <= kNodeItems ? 0 : split_by_count(items);
     };
-#if !defined(__wasm__)
-    if (work) {
+    if (kHasLongWork && work) {
         if (!divide_together(tree_, split, *work)) return false;
         constexpr std::size_t kTogether = 4096;  // bins
         return work->each((tree_.nodes.size() + kTogether - 1) / kTogether, [&](std::size_t part) {
@@ -165,7 +157,6 @@ bool BlockBuilder::divide(const FaceSet& faces, const TreeOptions& options, cons
             for (std::size_t k = part * kTogether; k < end; ++k) sort_by_id(tree_.nodes[k]);
         });
     }
-#endif
     divide_bins(tree_.items, tree_.nodes, 0, std::uint32_t(tree_.items.size()), 0, split);
     sort_bins_by_id();
     return true;

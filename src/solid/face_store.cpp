@@ -62,7 +62,6 @@ void add_faces(const Block& block, FaceSums& sums) {
     for (const FaceRecord& face : block.faces) sums.add(block, face);
 }
 
-#if !defined(__wasm__)  // which has no threads, and has to be small
 /// @return false when the work was stopped
 bool add_together(const std::vector<PartIndex>& parts, LongWork& work, FaceSums& sums) {
     constexpr std::size_t kTogether = 1024;  // blocks
@@ -82,7 +81,6 @@ bool add_together(const std::vector<PartIndex>& parts, LongWork& work, FaceSums&
     for (const FaceSums& of_some : some) sums.add(of_some);
     return done;
 }
-#endif
 
 }  // namespace
 
@@ -90,18 +88,17 @@ BuiltStore build_store(const FaceSet& faces, const TreeOptions& options, LongWor
     return store_of_parts(build_blocks(faces, options, work), work);
 }
 
-BuiltStore store_of_parts(std::vector<PartIndex> parts, [[maybe_unused]] LongWork* work) {
+BuiltStore store_of_parts(std::vector<PartIndex> parts, LongWork* work) {
     BuiltStore built;
     FaceSums sums;
     std::vector<Ref<const Node>> roots;
     for (const PartIndex& part : parts) roots.push_back(part.root);
-#if !defined(__wasm__)
-    if (work) {
+    if (kHasLongWork && work) {
         if (!add_together(parts, *work, sums)) return built;
-    } else
-#endif
+    } else {
         for (const PartIndex& part : parts)
             for_each_block(*part.root, [&](const Block& block) { add_faces(block, sums); });
+    }
     built.store.root = join_nodes(roots);
     sums.add_to(built.store);
     built.parts = std::move(parts);

@@ -207,20 +207,16 @@ Result<World> assemble_world(WorldParts parts) {
         for (const FaceSet::Entry& face : room.faces.faces)
             stored.next_face = std::max(stored.next_face, face.id.value + 1);
     LongWork* work = parts.work;
-#if !defined(__wasm__)  // which has no threads, and has to be small
     std::optional<LongWork> own;
     if (!work && LongWork::asked(parts.options.work)) {
         std::size_t faces = 0;
         for (const RoomPart& room : parts.rooms) faces += room.faces.faces.size();
         work = &own.emplace(parts.options.work, 3 * faces);
     }
-#endif
     stored.solid = build_store(take_faces(parts.rooms, true), parts.options.tree, work);
     stored.castable = build_store(take_faces(parts.rooms, false), parts.options.tree, work);
-#if !defined(__wasm__)
-    if (work)
+    if (kHasLongWork && work)
         if (std::optional<Error> error = stopped(*work, parts.name)) return *error;
-#endif
     stored.records = records_of(parts.rooms);
     stored.portals = std::move(parts.portals);
     stored.rock_outside = parts.rock_outside;

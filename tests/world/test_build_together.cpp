@@ -2,36 +2,17 @@
 // Worlds made on several threads: the same as on one, told of as they are made, and broken off when that is said.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <thread>
 #include <vector>
 
 #include "firma/world.h"
 #include "scenes/room_grid.h"
 #include "scenes/terrain.h"
+#include "tests/lent_threads.h"
 #include "tests/sample.h"
 #include "world/world_data.h"
 
 namespace firma {
 namespace {
-
-/// As many threads as are said.
-struct OwnThreads {
-    explicit OwnThreads(std::size_t threads) : count(threads), tasks{run, this} {}
-
-    static void run(std::size_t pieces, void (*work)(void* context, std::size_t k), void* context, void* user) {
-        std::atomic<std::size_t> next = 0;
-        std::vector<std::thread> threads;
-        for (std::size_t t = 0; t < static_cast<OwnThreads*>(user)->count; ++t)
-            threads.emplace_back([&] {
-                for (std::size_t k = next++; k < pieces; k = next++) work(context, k);
-            });
-        for (std::thread& thread : threads) thread.join();
-    }
-
-    std::size_t count;
-    Tasks tasks;
-};
 
 /// What is told: never less than before, all of it at the end.
 struct HeardProgress {
@@ -92,7 +73,7 @@ TEST(BuildTogether, IsTheSameOnAnyThreads) {
     for (const Level& level : {rooms, castable}) {
         const World alone = make_world(level).value();
         for (const std::size_t count : {1, 2, 5}) {
-            const OwnThreads threads(count);
+            const test::LentThreads threads(count);
             WorldOptions options;
             options.work.tasks = &threads.tasks;
             expect_same_world(alone, make_world(level, options).value());
@@ -102,7 +83,7 @@ TEST(BuildTogether, IsTheSameOnAnyThreads) {
 
 TEST(BuildTogether, TellsHowFarItIs) {
     const Level level = ground();
-    const OwnThreads threads(2);
+    const test::LentThreads threads(2);
     for (const Tasks* tasks : {static_cast<const Tasks*>(nullptr), &threads.tasks}) {
         HeardProgress told;
         WorldOptions options;
@@ -116,7 +97,7 @@ TEST(BuildTogether, TellsHowFarItIs) {
 
 TEST(BuildTogether, StopsWhenToldTo) {
     const Level level = ground();
-    const OwnThreads threads(2);
+    const test::LentThreads threads(2);
     HeardProgress all;
     WorldOptions options;
     options.work = {&threads.tasks, HeardProgress::tell, &all};

@@ -8,7 +8,6 @@
 #include <array>
 #include <map>
 #include <set>
-#include <thread>
 #include <vector>
 
 #include "firma/carve.h"
@@ -16,6 +15,7 @@
 #include "scenes/divided_building.h"
 #include "scenes/rng.h"
 #include "scenes/room_grid.h"
+#include "tests/lent_threads.h"
 #include "world/assemble_world.h"
 
 namespace firma {
@@ -122,15 +122,6 @@ TEST(Queries, EachHitComesOnceAndAVisitorShortensAndStops) {
     EXPECT_EQ(cast_each(building(), {{0, 0, 0}, -1}, {1, 0, 0}, never), Status::kInvalid);
 }
 
-void run_on_threads(std::size_t count, void (*work)(void*, std::size_t), void* context, void*) {
-    std::vector<std::thread> threads;
-    for (std::size_t t = 0; t < 3; ++t)
-        threads.emplace_back([=] {
-            for (std::size_t k = t; k < count; k += 3) work(context, k);
-        });
-    for (std::thread& thread : threads) thread.join();
-}
-
 void run_nothing(std::size_t, void (*)(void*, std::size_t), void*, void*) {}
 
 TEST(Queries, ABatchAnswersAsOneByOne) {
@@ -138,7 +129,9 @@ TEST(Queries, ABatchAnswersAsOneByOne) {
     std::vector<Hit> hits(casts.size()), threaded(casts.size());
     CastCounts alone, batched, spread;
     EXPECT_TRUE(cast_batch(building(), casts, hits, {.counts = &batched}));
-    const Tasks tasks{run_on_threads, nullptr}, lazy{run_nothing, nullptr};
+    const test::LentThreads threads(3);
+    const Tasks& tasks = threads.tasks;
+    const Tasks lazy{run_nothing, nullptr};
     EXPECT_TRUE(cast_batch(building(), casts, threaded, {.counts = &spread}, &tasks));
     for (std::size_t k = 0; k < casts.size(); ++k) {
         const Hit hit = cast(building(), casts[k].sphere, casts[k].path, {.counts = &alone});
