@@ -72,15 +72,16 @@ public:
             "choices=%llu "
             "portals_made=%llu portals_grown=%llu portals_divided=%llu portals_clipped=%llu portals_filled=%llu "
             "portal_sides=%llu door_casts=%llu open_casts=%llu room_casts=%llu ways=%llu crossings=%llu "
-            "chunk_searches=%llu chunks=%llu ms_judged=%.1f\n",
+            "chunk_searches=%llu chunks=%llu protected=%llu ms_judged=%.1f\n",
             ull(all_.filled), ull(all_.shot_from), ull(all_.cut_short), ull(all_.rooms_made), ull(all_.rooms_swallowed),
             ull(all_.rooms_filled), ull(all_.choices), ull(all_.portals_made), ull(all_.portals_grown),
             ull(all_.portals_divided), ull(all_.portals_clipped), ull(all_.portals_filled), ull(all_.portal_sides),
             ull(all_.door_casts), ull(all_.open_casts), ull(all_.room_casts), ull(all_.ways), ull(all_.crossings),
-            ull(all_.chunk_searches), ull(all_.chunks), 1e3 * all_.judge_seconds / double(std::max<ull>(all_.cuts, 1)));
+            ull(all_.chunk_searches), ull(all_.chunks), ull(all_.protected_points),
+            1e3 * all_.judge_seconds / double(std::max<ull>(all_.cuts, 1)));
         return all_.filled > 0 && all_.shot_from > 0 && all_.rooms_made > 0 && all_.choices > 0 &&
                all_.portals_made > 0 && all_.portal_sides > 0 && all_.door_casts > 0 && all_.open_casts > 0 &&
-               all_.crossings > 0 && all_.chunks > 0;
+               all_.crossings > 0 && all_.chunks > 0 && all_.protected_points > 0;
     }
 
 private:

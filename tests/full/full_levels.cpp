@@ -301,15 +301,17 @@ int judge_level_cuts(const Options& options, const std::vector<NamedWorld>& all)
         std::printf("refused %llu times: %s (first %s)\n", ull(some.count), reason.c_str(), some.first.c_str());
     if (double(total.blamed) > kMostBlamed * double(total.cuts))
         tally.fail("too many refusals to blame the library for");
-    const bool pass = tally.failed == 0 && total.done > 0 && total.crossings > 0 && total.holed > 0;
+    const bool pass =
+        tally.failed == 0 && total.done > 0 && total.crossings > 0 && total.holed > 0 && total.protected_points > 0;
     std::printf(
         "claim=level_cuts family=total count=%llu seed=%llu failed=%llu done=%llu nothing=%llu refused=%llu "
         "unplaceable=%llu blamed=%llu sliced=%llu commuted=%llu reseamed=%llu replayed=%llu points=%llu "
-        "rays=%llu casts=%llu room_casts=%llu crossings=%llu ways=%llu holed=%llu ms_a_cut=%.3f result=%s\n",
+        "rays=%llu casts=%llu room_casts=%llu crossings=%llu ways=%llu holed=%llu protected=%llu ms_a_cut=%.3f "
+        "result=%s\n",
         ull(total.cuts), ull(options.seed), ull(tally.failed), ull(total.done), ull(total.nothing), ull(total.refused),
         ull(total.unplaceable), ull(total.blamed), ull(total.sliced), ull(total.commuted), ull(total.reseamed),
         ull(total.replayed), ull(total.points), ull(total.rays), ull(total.casts), ull(total.room_casts),
-        ull(total.crossings), ull(total.ways), ull(total.holed),
+        ull(total.crossings), ull(total.ways), ull(total.holed), ull(total.protected_points),
         1e3 * total.carve_seconds / double(std::max<ull>(total.cuts, 1)), pass ? "pass" : "fail");
     return pass ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -17,7 +17,7 @@ namespace firma::reference {
 /// What judging came to, beside what it came to of cuts.
 struct BlastTally : CutTally {
     std::uint64_t filled = 0, shot_from = 0;
-    std::uint64_t cut_short = 0;  ///< by what may not be carved: what was taken is not compared with the cutter then
+    std::uint64_t cut_short = 0;  ///< by what may not be carved
     std::uint64_t rooms_made = 0, rooms_swallowed = 0, rooms_filled = 0;
     std::uint64_t choices = 0;  ///< carvings without `from` that took walls of several rooms, and went to one
     std::uint64_t portals_made = 0, portals_grown = 0, portals_divided = 0, portals_clipped = 0, portals_filled = 0;

@@ -20,6 +20,7 @@
 #include "tests/reference/facet_corners.h"
 #include "tests/reference/judge_contact.h"
 #include "tests/reference/judge_rooms.h"
+#include "tests/reference/protected_part.h"
 #include "tests/reference/world_facets.h"
 #include "world/world_data.h"
 
@@ -81,7 +82,8 @@ public:
           where_(where),
           tally_(tally),
           options_(options),
-          fill_(order.kind == CarveKind::kFill) {}
+          fill_(order.kind == CarveKind::kFill),
+          protected_(before, fill_) {}
 
     void judge() {
         place();
@@ -91,6 +93,7 @@ public:
             if (result_.status == CarveStatus::kRefused && !result_.reproduction.empty())
                 fail("a contradiction: " + result_.error.text());
             if (result_.status == CarveStatus::kNothing && options_.volume) judge_volume();
+            if (is_left_by_protection()) judge_points();
             return;
         }
         if (!placed_) return fail("done with a cutter that cannot be placed");
@@ -156,10 +159,19 @@ private:
         return meets;
     }
 
+    /// Whether what may not be carved left nothing to cut.
+    bool is_left_by_protection() const {
+        return placed_ && result_.status == CarveStatus::kRefused && protected_.is_by_pieces() &&
+               result_.error.reason.ends_with(" may not be carved");
+    }
+
     void judge_volume() {
         if (!placed_) return;
         const Real all = volume_of(*placed_), within = volume_within(before_, *placed_);
-        const Real expected = fill_ ? Real(within - all) : within;
+        Real expected = fill_ ? Real(within - all) : within;
+        // What was protected is still there, and judge_points() asks whether that is all; outside the cutter nothing
+        // may have changed.
+        if (result_.report.cut_short > 0) expected = Real(within - volume_within(after_, *placed_));
         const Real lost = volume_lost(change_.gone, change_.come, *placed_);
         const auto digits = [](const Real& value) { return value.str(30); };
         if (abs(lost - expected) > all * Real("1e-20"))
@@ -258,12 +270,12 @@ private:
             if (!is_clear(p, 1e-4)) continue;
             ++tally_.points;
             const Where before = locate(before_.solid(), p), after = locate(after_.solid(), p);
-            const bool in_cutter = winding(*placed_, p) > 0.5;
+            const bool in_cutter = winding(*placed_, p) > 0.5, cut = in_cutter && !protected_.holds(p);
+            tally_.protected_points += in_cutter && !cut;
             for (const Where where : {before, after})
                 if (where != Where::kAir && where != Where::kSolid) return fail("locate() cannot tell of " + words(p));
             const bool was = before == Where::kSolid, is = after == Where::kSolid;
-            if (is != (fill_ ? was || in_cutter : was && !in_cutter))
-                return fail("wrong side after the cut: " + words(p));
+            if (is != (fill_ ? was || cut : was && !cut)) return fail("wrong side after the cut: " + words(p));
             const double now = winding(facets, p) - winding(change_.gone, p) + winding(change_.come, p) + rock;
             if (std::fabs(now - is) > 1e-3)
                 return fail("the surface winds " + std::to_string(now) + " times around " + words(p));
@@ -327,6 +339,7 @@ private:
     CutTally& tally_;
     const JudgeOptions& options_;
     const bool fill_;
+    const ProtectedPart protected_;
     std::optional<PlacedCutter> placed_;
     FacetChange change_;
     std::vector<Vec3> air_;
@@ -382,6 +395,7 @@ void CutTally::add(const CutTally& other) {
     reseamed += other.reseamed;
     replayed += other.replayed;
     points += other.points;
+    protected_points += other.protected_points;
     rays += other.rays;
     casts += other.casts;
     room_casts += other.room_casts;

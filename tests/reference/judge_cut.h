@@ -26,11 +26,12 @@ struct CutTally {
     std::uint64_t reseamed = 0;     ///< of those, with the same solid but its large faces divided otherwise
     std::uint64_t replayed = 0;     ///< made once more, a whole case from its level, and the last world was the same
     std::uint64_t points = 0, rays = 0, casts = 0;
-    std::uint64_t room_casts = 0;    ///< of worlds with rooms: casts by room against casts of all faces ...
-    std::uint64_t crossings = 0;     ///< ... of which so many went through portals
-    std::uint64_t ways = 0;          ///< of worlds with rooms: pairs of points in the air
-    std::uint64_t holed = 0;         ///< cuts that made a portal
-    std::uint64_t shared_edges = 0;  ///< edges that more than two facets use, over all cuts
+    std::uint64_t protected_points = 0;  ///< of points: in the cutter, and in what may not be carved
+    std::uint64_t room_casts = 0;        ///< of worlds with rooms: casts by room against casts of all faces ...
+    std::uint64_t crossings = 0;         ///< ... of which so many went through portals
+    std::uint64_t ways = 0;              ///< of worlds with rooms: pairs of points in the air
+    std::uint64_t holed = 0;             ///< cuts that made a portal
+    std::uint64_t shared_edges = 0;      ///< edges that more than two facets use, over all cuts
     // Of cuts in contact.
     std::uint64_t again = 0;           ///< made again where they were
     std::uint64_t reversed = 0;        ///< followed by the opposite one, and made again

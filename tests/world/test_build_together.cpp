@@ -62,12 +62,13 @@ void expect_same_world(const World& one, const World& other) {
     expect_same_index(one.data().castable.root.get(), other.data().castable.root.get());
 }
 
-Level ground() {
-    return scenes::terrain({.squares = test::sample(150)});
+/// @param squares  along each side; of some ten thousand faces the index is made in several tasks
+Level ground(int squares = 150) {
+    return scenes::terrain({.squares = squares});
 }
 
 TEST(BuildTogether, IsTheSameOnAnyThreads) {
-    Level castable = ground();
+    Level castable = ground(test::sample(150));
     for (LevelFace& face : castable.faces) face.two_sided = true;
     const Level rooms = scenes::room_grid(scenes::room_grid_of(std::uint32_t(test::sample(40000))));
     for (const Level& level : {rooms, castable}) {
@@ -96,7 +97,7 @@ TEST(BuildTogether, TellsHowFarItIs) {
 }
 
 TEST(BuildTogether, StopsWhenToldTo) {
-    const Level level = ground();
+    const Level level = ground(test::sample(150));
     const test::LentThreads threads(2);
     HeardProgress all;
     WorldOptions options;
