@@ -47,9 +47,9 @@ def reference(*names):
 
 ORACLE = reference('exact_number', 'exact_polygon', 'exact_oracle', 'judge', 'judge_scene', 'surely_apart')
 SHAPES = ['tests/full/full_shapes.cpp', 'tests/full/options.h'] + reference('exact_number', 'exact_polygon', 'exact_hull', 'judge_shapes', 'surely_apart')
-JUDGE_CUT = reference('carve_oracle', 'cut_history', 'directed_edges', 'judge_contact', 'judge_cut', 'judge_rooms', 'protected_part', 'world_facets')
+JUDGE_CUT = reference('carve_oracle', 'cut_history', 'directed_edges', 'facet_corners', 'judge_contact', 'judge_cut', 'judge_rooms', 'protected_part', 'world_facets')
 CARVED = ORACLE + JUDGE_CUT + reference('judge_carved_casts')
-JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'judge_joined', 'judge_rooms', 'world_facets')
+JUDGE_JOINED = reference('brush_oracle', 'carve_oracle', 'directed_edges', 'facet_corners', 'judge_joined', 'judge_rooms', 'world_facets')
 
 READ_SOURCES = HEADERS + LEVEL + ['src/base', 'src/geometry/check_polygon.cpp', 'src/geometry/polygon_shape.h',
                 'src/geometry/polygon_shape.cpp', 'CMakeLists.txt', 'CMakePresets.json']

@@ -48,19 +48,6 @@ std::string room_words(RoomId room) {
     return "room " + std::to_string(room.value);
 }
 
-Vec3 area_vector(std::span<const Vec3> polygon) {
-    Vec3 twice{0, 0, 0};
-    for (std::size_t k = 2; k < polygon.size(); ++k)
-        twice = twice + cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-    return twice;
-}
-
-std::vector<Vec3> facet_corners(const FacetPlace& facet) {
-    std::vector<Vec3> corners;
-    for (const GridPoint& corner : grid_corners_of(facet)) corners.push_back(to_metres(corner));
-    return corners;
-}
-
 double portal_area(const Portal& portal) {
     double sum = 0;
     for (const PortalPolygon& polygon : portal.polygons()) sum += length(area_vector(polygon.shape.corners)) / 2;

@@ -22,6 +22,7 @@
 #include "tests/reference/judge_rooms.h"
 #include "tests/reference/protected_part.h"
 #include "tests/reference/world_facets.h"
+#include "world/clip_columns.h"
 #include "world/world_data.h"
 
 namespace firma::reference {
@@ -145,18 +146,50 @@ private:
     }
 
     /// A face that bounds no solid: panes go whole, of others what lies in the cutter, of clips on walls what stands
-    /// over a hole, up to 8 m away.
+    /// straight over a hole, however far out.
     bool may_take(const FacetPlace& place) const {
         if (fill_ || (before_.data().rules && !before_.data().rules->open_faces)) return false;
         const CarveReport& report = result_.report;
         if (report.panes > 0) return true;
         if (report.open_trimmed + report.open_removed == 0) return false;
+        constexpr double kRounded = 1e-3;
         const Box box = box_of(*placed_), own = box_of_facet(place);
-        const double reach = report.clips > 0 ? 8 : 1e-3;
         bool meets = true;
         for (int axis = 0; axis < 3; ++axis)
-            meets = meets && own.low[axis] <= box.high[axis] + reach && own.high[axis] >= box.low[axis] - reach;
-        return meets;
+            meets = meets && own.low[axis] <= box.high[axis] + kRounded && own.high[axis] >= box.low[axis] - kRounded;
+        return meets || (report.clips > 0 && is_clip(place.record()) && stands_over_hole(place));
+    }
+
+    /// Whether it is in front of some wall that was cut, and straight over where the cutter may be in it.
+    bool stands_over_hole(const FacetPlace& clip) const {
+        const std::vector<Vec3> corners = facet_corners(clip);
+        std::vector<Vec3> cutter;
+        for (const InputPoint& p : placed_->vertices) cutter.push_back(to_metres(to_surface(p)));
+        return std::any_of(change_.gone.begin(), change_.gone.end(), [&](const FacetPlace& wall) {
+            return wall.record().solid && is_over(corners, facet_corners(wall), cutter);
+        });
+    }
+
+    static bool is_over(const std::vector<Vec3>& clip, const std::vector<Vec3>& wall, const std::vector<Vec3>& cutter) {
+        constexpr double kRounded = 1e-2;
+        const Vec3 normal = area_vector(wall);
+        const auto range = [](const std::vector<Vec3>& points, const Vec3& along) {
+            std::pair<double, double> ends{INFINITY, -INFINITY};
+            for (const Vec3& p : points)
+                ends = {std::min(ends.first, dot(p, along)), std::max(ends.second, dot(p, along))};
+            return ends;
+        };
+        if (range(clip, normal).second < dot(wall[0], normal) - kRounded * length(normal)) return false;
+        const auto meets_along = [&](const Vec3& along) {
+            const auto [low, high] = range(clip, along);
+            const auto [from, to] = range(cutter, along);
+            return low <= to + kRounded * length(along) && high >= from - kRounded * length(along);
+        };
+        for (std::size_t k = 0; k < wall.size(); ++k) {
+            const Vec3 side = wall[(k + 1) % wall.size()] - wall[k];
+            if (!meets_along(side) || !meets_along(cross(side, normal))) return false;
+        }
+        return true;
     }
 
     /// Whether what may not be carved left nothing to cut.
