@@ -22,7 +22,7 @@ THREAD = os.path.join('build', 'thread', 'bin')
 
 # What casts and carving are made of. Of the public headers those of files, brushes, histories and other languages do not
 # count.
-APART = ('brush_level.h', 'brush_world.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'triangles.h', 'versions.h')
+APART = ('bodies.h', 'brush_level.h', 'brush_world.h', 'cast_set.h', 'firma.h', 'firma_c.h', 'mesh.h', 'read_gltf.h', 'save.h', 'sphere_set.h', 'triangles.h', 'turn.h', 'versions.h')
 HEADERS = [f'include/firma/{name}' for name in sorted(os.listdir(os.path.join(ROOT, 'include', 'firma'))) if name not in APART]
 # From a level to a world: of src/level nothing else.
 MAKE_WORLD = [f'src/level/{name}' for name in (

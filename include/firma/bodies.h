@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Bodies that move, hit the world and each other, come to rest and sleep: plain arrays outside the World. A snapshot of
+// a game is a World and a copy of its Bodies.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "firma/chunk.h"
+#include "firma/export.h"
+#include "firma/mass.h"
+#include "firma/queries.h"
+#include "firma/result.h"
+#include "firma/sphere_set.h"
+#include "firma/turn.h"
+#include "firma/world.h"
+
+namespace firma {
+
+struct BodyShapeData;
+
+/// What a body is made of: spheres, and mass as of the solid that they stand for, in one frame. Immutable; copies share
+/// it.
+class BodyShape {
+public:
+    BodyShape() = default;
+    FIRMA_EXPORT explicit BodyShape(std::shared_ptr<const BodyShapeData> data);
+
+    bool valid() const { return data_ != nullptr; }
+    FIRMA_EXPORT std::span<const Sphere> spheres() const;  ///< as given
+    FIRMA_EXPORT double mass() const;                      ///< kilograms
+    FIRMA_EXPORT const Vec3& centre() const;               ///< of mass, in the frame
+    FIRMA_EXPORT const Vec3& moments() const;     ///< of inertia, about the principal axes, kg m2, largest first
+    FIRMA_EXPORT const Quaternion& axes() const;  ///< turns the axes of the frame to the principal ones
+    FIRMA_EXPORT double reach() const;            ///< metres: no sphere reaches farther from the centre of mass
+
+    const BodyShapeData& data() const { return *data_; }
+
+private:
+    std::shared_ptr<const BodyShapeData> data_;
+};
+
+/// @param spheres  1 to kMaxSpheres, of radii above zero
+/// @param mass     of the solid that they stand for, in the same frame: mass_properties(), Chunk::mass
+/// @return kInvalid for a number that is not finite, a radius, mass or inertia that is not above zero, or another count
+[[nodiscard]] FIRMA_EXPORT Result<BodyShape> make_body_shape(std::span<const Sphere> spheres,
+                                                             const MassProperties& mass);
+
+/// Of a solid ball around the origin.
+/// @param density  kilograms a cubic metre
+[[nodiscard]] FIRMA_EXPORT MassProperties mass_of_ball(double radius, double density);
+/// Of a solid box around the origin.
+/// @param half  metres, along each axis
+[[nodiscard]] FIRMA_EXPORT MassProperties mass_of_box(const Vec3& half, double density);
+
+/// Names a body, as long as it is there. A slot is used again with another number.
+struct BodyId {
+    std::uint32_t slot = ~0u, use = 0;
+    friend bool operator==(BodyId, BodyId) = default;
+};
+
+/// One body. All of it may be set between steps, but for `use`; set `asleep` to false then.
+struct Body {
+    Vec3 position{};                  ///< of the centre of mass, metres
+    Quaternion rotation{0, 0, 0, 1};  ///< of the frame of its shape; normalised when used
+    Vec3 velocity{};                  ///< of the centre of mass, metres a second
+    Vec3 spin{};                      ///< radians a second, in the world's axes
+    Vec3 force{};                     ///< newtons, besides gravity; kept from step to step
+    Vec3 torque{};                    ///< newton metres
+    BodyShape shape;                  ///< not valid() where no body is
+    double friction = 0.6;            ///< of two that touch the geometric mean counts, with the world's as 0.6
+    double restitution = 0.1;         ///< 0..1; of two that touch the larger counts
+    double rolling = 0.02;            ///< resistance to rolling, in radii of the sphere that rolls
+    double still_for = 0;             ///< seconds that it has hardly moved for
+    std::uint32_t mask = ~0u;         ///< faces and bodies that share a bit are met
+    std::uint32_t use = 0;            ///< of its slot
+    std::uint32_t island = ~0u;       ///< of those that sleep: they wake together
+    bool asleep = false;
+    bool stuck = false;  ///< a sphere's centre is in solid: see StepReport::stuck
+};
+
+/// What was pressed together where, kept from step to step: so stacks stay as they are.
+struct BodyContact {
+    std::uint32_t body = 0, other = ~0u;         ///< slots; ~0u: the world
+    std::uint32_t sphere = 0, other_sphere = 0;  ///< of their shapes
+    FaceRef face;                                ///< of the world; invalid of a body or a closed portal
+    PortalId portal;                             ///< a closed one
+    Vec3 point;                                  ///< metres
+    Vec3 normal;                                 ///< unit, toward `body`
+    double impulse = 0;                          ///< along the normal, newton seconds, of the last substep
+    Vec3 friction{};                             ///< across it
+    Vec3 slip{};                                 ///< metres slid since friction held: it pulls back
+    Vec3 rolling{};                              ///< newton metre seconds that resisted turning
+};
+
+/// All bodies of a game.
+struct Bodies {
+    std::vector<Body> slots;
+    std::vector<std::uint32_t> free;    ///< slots without a body, the last one is taken first
+    std::vector<BodyContact> contacts;  ///< by body, other, sphere, other sphere
+    std::uint64_t steps = 0;
+    std::uint64_t world_version = ~std::uint64_t{};  ///< of the world that the last step was in
+    std::uint32_t islands = 0;                       ///< numbers given so far
+
+    /// Null where it is not there any more.
+    FIRMA_EXPORT Body* find(BodyId id);
+    FIRMA_EXPORT const Body* find(BodyId id) const;
+};
+
+/// Where the frame of a body's shape is: where to draw what the shape was made of. Scale is 1.
+[[nodiscard]] FIRMA_EXPORT Pose pose_of(const Body& body);
+/// A body at rest, with the frame of its shape here; the scale does not count.
+[[nodiscard]] FIRMA_EXPORT Body body_at(const BodyShape& shape, const Pose& pose);
+/// A chunk as a body at rest where it came loose: spheres fitted into its solid, its mass.
+/// @return the errors of fit_spheres(), and of make_body_shape() for one without mass
+/// Costs fit_spheres().
+[[nodiscard]] FIRMA_EXPORT Result<Body> body_of(const Chunk& chunk, const FitOptions& fit = {});
+/// Joules: of its motion and its turning.
+[[nodiscard]] FIRMA_EXPORT double kinetic_energy(const Body& body);
+/// Newton metre seconds, about its centre of mass.
+[[nodiscard]] FIRMA_EXPORT Vec3 angular_momentum(const Body& body);
+
+/// @param body  its shape has to be valid()
+FIRMA_EXPORT BodyId add_body(Bodies& bodies, Body body);
+/// What it touched wakes up. Does nothing for one that is not there.
+FIRMA_EXPORT void remove_body(Bodies& bodies, BodyId id);
+/// Wakes what sleeps with it, too.
+FIRMA_EXPORT void wake_body(Bodies& bodies, BodyId id);
+/// A push at a point: newton seconds, metres.
+FIRMA_EXPORT void push_body(Bodies& bodies, BodyId id, const Vec3& impulse, const Vec3& point);
+
+struct StepOptions {
+    Vec3 gravity{0, 0, -9.81};      ///< metres a second squared
+    int substeps_a_second = 240;    ///< at least; a step has a whole number of them
+    double contact_friction = 0.6;  ///< of the world
+    double contact_offset = 0;      ///< metres that spheres may sink in; 0 takes the World's
+    double sleep_speed = 0.05;      ///< metres a second: what moves less at any point is still
+    double sleep_after = 0.5;       ///< seconds still; infinity: never
+    int max_bounces = 4;            ///< of one body on its way in one step
+};
+
+/// What a step did.
+struct StepReport {
+    std::size_t awake = 0, contacts = 0, swept = 0, bounces = 0, woken = 0;
+    /// Bodies with a sphere whose centre is in solid, as that came where they were: filled in, put back, a level made
+    /// anew. They move out the shortest way, at 4 m/s, and meet nothing until they are out.
+    std::size_t stuck = 0;
+};
+
+/// Moves all bodies on by `seconds`.
+///
+/// No sphere of a body that was clear of the world ends deeper in it than the contact offset, and none passes a wall,
+/// at any speed: at the end of a step each body is swept along its way.
+///
+/// @param seconds  above zero; of more than a quarter of a second, a quarter is made
+/// @return all 0 when seconds or gravity are not finite or the world has no face and there is nobody
+/// The same bits on every machine. Costs the bodies that are awake, with the faces near them.
+FIRMA_EXPORT StepReport step(Bodies& bodies, const World& world, double seconds, const StepOptions& options = {});
+
+/// A hash of all that the next steps depend on.
+[[nodiscard]] FIRMA_EXPORT std::uint64_t hash_bodies(const Bodies& bodies);
+
+}  // namespace firma

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What contacts do to bodies in the substeps of a step: impulses that keep spheres apart, with friction and
+// restitution.
+//
+// Source: E. Catto, Solver2D, 2024 (soft contacts in substeps, then once more without softness).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "body/mover.h"
+
+namespace firma {
+
+class ContactSolver {
+public:
+    /// @param kept  the contacts of the step before, in order: what their impulses were
+    ContactSolver(std::span<Mover> movers, std::span<NearContact> contacts, std::span<const BodyContact> kept,
+                  double substep);
+
+    /// One substep of `substep` seconds; forces have been added to velocities.
+    void substep();
+    /// After the last: what met faster than this bounces.
+    void bounce(double least_speed);
+    /// Puts impulses into the contacts.
+    void keep_impulses();
+
+    /// The largest impulse along the normal in any substep: a contact that pressed.
+    double pressed(std::size_t contact) const { return rows_[contact].max_normal; }
+
+private:
+    struct Row {
+        Vec3 normal, across[2];
+        Vec3 from_a, from_b;  ///< from the centres of mass to the point
+        double normal_mass = 0, across_mass[2] = {};
+        double impulse = 0, across_impulse[2] = {};
+        Vec3 rolling, slip;
+        double max_normal = 0;
+        double approach = 0;  ///< along the normal, before it first pressed
+    };
+
+    void prepare(Row& row, const NearContact& contact);
+    void put_masses(Row& row, const NearContact& contact);
+    bool turns_far(std::uint32_t mover) const;
+    void start_warm(std::span<const BodyContact> kept);
+    Vec3 speed_at(const Row& row, const NearContact& contact) const;
+    void push(const Row& row, const NearContact& contact, const Vec3& impulse);
+    void resist_rolling(Row& row, const NearContact& contact);
+    void twist(const NearContact& contact, const Vec3& impulse);
+    void solve(bool soft);
+    void move();
+    double gap_now(const NearContact& contact) const;
+
+    std::span<Mover> movers_;
+    std::span<NearContact> contacts_;
+    std::vector<Row> rows_;
+    const double seconds_;
+};
+
+}  // namespace firma

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A body that turns by itself.
+#include "body/free_spin.h"
+
+namespace firma {
+namespace {
+
+/// The momentum in the body's frame, and the turn of the frame so far.
+struct State {
+    Vec3 momentum;
+    Quaternion rotation;
+    const Vec3& inertia;
+
+    /// About one of its axes, at the pace of the momentum along it.
+    void turn(int axis, double seconds) {
+        const double angle = momentum[axis] / inertia[axis] * seconds;
+        const SineCosine whole = sine_cosine(angle), half = sine_cosine(angle * 0.5);
+        const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+        const double a = momentum[next], b = momentum[last];
+        momentum[next] = whole.cosine * a + whole.sine * b;
+        momentum[last] = whole.cosine * b - whole.sine * a;
+        Quaternion step{0, 0, 0, half.cosine};
+        step[std::size_t(axis)] = half.sine;
+        rotation = compose(rotation, step);
+    }
+};
+
+}  // namespace
+
+Spinning spin_freely(const Spinning& from, const Vec3& inertia, double seconds) {
+    const Vec3 own = matrix_of(from.rotation).back(from.spin);
+    if (inertia.x == inertia.y && inertia.y == inertia.z)
+        return {normalised(compose(turn_by(from.spin * seconds), from.rotation)), from.spin};
+    State state{{own.x * inertia.x, own.y * inertia.y, own.z * inertia.z}, from.rotation, inertia};
+    state.turn(0, seconds * 0.5);
+    state.turn(1, seconds * 0.5);
+    state.turn(2, seconds);
+    state.turn(1, seconds * 0.5);
+    state.turn(0, seconds * 0.5);
+    const Quaternion rotation = normalised(state.rotation);
+    const Vec3 spin{state.momentum.x / inertia.x, state.momentum.y / inertia.y, state.momentum.z / inertia.z};
+    return {rotation, matrix_of(rotation) * spin};
+}
+
+}  // namespace firma

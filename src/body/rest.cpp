@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Rest and waking.
+#include "body/rest.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "body/mover.h"
+#include "world/world_data.h"
+
+namespace firma {
+namespace {
+
+/// Sets of slots that press on each other.
+class Islands {
+public:
+    explicit Islands(std::size_t count) : parents_(count) {
+        for (std::uint32_t k = 0; k < count; ++k) parents_[k] = k;
+    }
+    std::uint32_t of(std::uint32_t slot) {
+        while (parents_[slot] != slot) slot = parents_[slot] = parents_[parents_[slot]];
+        return slot;
+    }
+    /// The lower one leads.
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = of(a);
+        b = of(b);
+        parents_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::uint32_t> parents_;
+};
+
+}  // namespace
+
+void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepOptions& options) {
+    const auto moves = [&](std::uint32_t slot) { return movers[slot] != kFixed; };
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        Body& body = bodies.slots[slot];
+        if (!body.shape.valid() || !moves(slot)) continue;
+        const double speed = length(body.velocity) + length(body.spin) * body.shape.reach();
+        body.still_for = speed < options.sleep_speed ? body.still_for + seconds : 0;
+    }
+    Islands islands(bodies.slots.size());
+    std::vector<bool> held(bodies.slots.size());
+    for (const BodyContact& contact : bodies.contacts) {
+        if (contact.other != kFixed && moves(contact.body) && moves(contact.other))
+            islands.join(contact.body, contact.other);
+        held[contact.body] = true;
+        if (contact.other != kFixed) held[contact.other] = true;
+    }
+    std::vector<bool> is_still(bodies.slots.size(), true);
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        if (!bodies.slots[slot].shape.valid() || !moves(slot)) continue;
+        if (bodies.slots[slot].still_for < options.sleep_after || !held[slot]) is_still[islands.of(slot)] = false;
+    }
+    std::vector<std::uint32_t> numbers(bodies.slots.size(), ~0u);
+    for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
+        Body& body = bodies.slots[slot];
+        if (!body.shape.valid() || !moves(slot)) continue;
+        const std::uint32_t island = islands.of(slot);
+        if (!is_still[island]) continue;
+        if (numbers[island] == ~0u) numbers[island] = bodies.islands++;
+        body.island = numbers[island];
+        body.asleep = true;
+        body.velocity = body.spin = {};
+    }
+}
+
+std::size_t wake_island(Bodies& bodies, std::uint32_t slot) {
+    const std::uint32_t island = bodies.slots[slot].island;
+    std::size_t woken = 0;
+    for (Body& body : bodies.slots) {
+        const bool is_it = &body == &bodies.slots[slot];
+        if (!body.shape.valid() || !body.asleep || !(is_it || body.island == island)) continue;
+        body.asleep = false;
+        body.still_for = 0;
+        ++woken;
+    }
+    return woken;
+}
+
+std::size_t wake_unsupported(Bodies& bodies, const World& world) {
+    if (bodies.world_version == world.version()) return 0;
+    bodies.world_version = world.version();
+    std::size_t woken = 0;
+    const Cells& cells = world.data().cells;
+    const auto is_there = [&](const BodyContact& contact) {
+        if (contact.portal.valid())
+            return contact.portal.value < cells.portal_count() && cells.is_closed(contact.portal.value);
+        return !contact.face.valid() || world.face_info(contact.face).has_value();
+    };
+    for (const BodyContact& contact : bodies.contacts)
+        if (bodies.slots[contact.body].asleep && !is_there(contact)) woken += wake_island(bodies, contact.body);
+    return woken;
+}
+
+}  // namespace firma

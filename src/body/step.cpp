@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// A step of all bodies: contacts, impulses in substeps, sweeps, rest.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "base/sort.h"
+#include "body/contact_solver.h"
+#include "body/pair_contacts.h"
+#include "body/rest.h"
+#include "body/stuck_bodies.h"
+#include "body/sweep_bodies.h"
+#include "body/world_contacts.h"
+
+namespace firma {
+namespace {
+
+constexpr double kLongestStep = 0.25;  // seconds
+/// Metres a second along the normal: what meets slower than this does not bounce.
+constexpr double kBounceSpeed = 0.5;
+
+/// One step of so many seconds, no longer than kLongestStep.
+class Step {
+public:
+    Step(Bodies& bodies, const World& world, double seconds, const StepOptions& options)
+        : bodies_(bodies),
+          world_(world),
+          options_(options),
+          seconds_(seconds),
+          skin_(options.contact_offset > 0 ? options.contact_offset : world.tolerance().contact_offset),
+          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - 1e-6)))) {}
+
+    StepReport run() {
+        find_stuck(bodies_, world_, bodies_.world_version != world_.version());
+        report_.woken = wake_unsupported(bodies_, world_);
+        free_stuck();
+        gather_movers();
+        find_contacts();
+        solve();
+        sweep();
+        put_back();
+        rest(bodies_, movers_of_slots_, seconds_, options_);
+        ++bodies_.steps;
+        return report_;
+    }
+
+private:
+    void free_stuck() {
+        for (Body& body : bodies_.slots)
+            if (body.shape.valid() && body.stuck) ++report_.stuck, move_out(body, world_, seconds_);
+    }
+
+    bool moves(const Body& body) const { return body.shape.valid() && !body.asleep && !body.stuck; }
+
+    void gather_movers() {
+        movers_of_slots_.assign(bodies_.slots.size(), kFixed);
+        for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
+            const Body& body = bodies_.slots[slot];
+            if (!moves(body)) continue;
+            movers_of_slots_[slot] = std::uint32_t(movers_.size());
+            movers_.push_back(make_mover(bodies_.slots[slot], slot));
+        }
+        report_.awake = movers_.size();
+    }
+
+    /// How far from a body something may be and still be met within the step. What is farther the sweep finds.
+    double margin_of(const Body& body, const BodyShapeData& shape) const {
+        const double speed =
+            length(body.velocity) + length(body.spin) * shape.reach + length(options_.gravity) * seconds_;
+        return std::min(speed * seconds_, 0.5 * shape.thinnest + 2 * skin_) + 2 * skin_;
+    }
+
+    PlacedBody placed(std::uint32_t slot) const {
+        const Body& body = bodies_.slots[slot];
+        return {body.position, matrix_of(principal_rotation(body)), &body.shape.data(), movers_of_slots_[slot], slot};
+    }
+
+    void find_pairs() {
+        std::vector<BodyBall> balls;
+        for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
+            const Body& body = bodies_.slots[slot];
+            if (!body.shape.valid() || body.stuck) continue;
+            const BodyShapeData& shape = body.shape.data();
+            balls.push_back({body.position, shape.reach + margin_of(body, shape), slot, body.mask, !body.asleep});
+        }
+        pairs_ = near_pairs(std::move(balls));
+    }
+
+    /// What moves against a sleeper wakes it, with all that sleeps with it.
+    void wake_what_is_met() {
+        for (std::size_t k = 0; k < pairs_.size(); ++k) {
+            const auto [one, other] = pairs_[k];
+            const std::uint32_t sleeper = bodies_.slots[one].asleep ? one : other, mover = one ^ other ^ sleeper;
+            if (!bodies_.slots[sleeper].asleep || movers_of_slots_[mover] == kFixed) continue;
+            const Body& moving = bodies_.slots[mover];
+            const double speed = length(moving.velocity) + length(moving.spin) * moving.shape.reach();
+            if (speed < 2 * options_.sleep_speed) continue;
+            near_.clear();
+            find_pair_contacts(placed(mover), placed(sleeper), margin_of(moving, moving.shape.data()), near_);
+            if (near_.empty()) continue;
+            report_.woken += wake_island(bodies_, sleeper);
+        }
+        near_.clear();
+        for (std::uint32_t slot = 0; slot < bodies_.slots.size(); ++slot) {
+            const Body& body = bodies_.slots[slot];
+            if (!moves(body) || movers_of_slots_[slot] != kFixed) continue;
+            movers_of_slots_[slot] = std::uint32_t(movers_.size());
+            movers_.push_back(make_mover(bodies_.slots[slot], slot));
+        }
+    }
+
+    void find_contacts() {
+        find_pairs();
+        wake_what_is_met();
+        WorldContacts of_world(world_, skin_);
+        for (std::uint32_t k = 0; k < movers_.size(); ++k) {
+            const Body& body = bodies_.slots[movers_[k].slot];
+            const std::size_t first = near_.size();
+            of_world.find(movers_[k], k, body, margin_of(body, *movers_[k].shape), near_);
+            for (std::size_t contact = first; contact < near_.size(); ++contact) {
+                near_[contact].friction = std::sqrt(body.friction * options_.contact_friction);
+                near_[contact].restitution = body.restitution;
+                near_[contact].rolling = body.rolling * near_[contact].radius_a;
+            }
+        }
+        for (auto [one, other] : pairs_) {
+            if (movers_of_slots_[one] == kFixed) std::swap(one, other);
+            if (movers_of_slots_[one] == kFixed) continue;
+            const Body &a = bodies_.slots[one], &b = bodies_.slots[other];
+            const std::size_t first = near_.size();
+            const double margin = margin_of(a, a.shape.data()) + (b.asleep ? 0 : margin_of(b, b.shape.data()));
+            find_pair_contacts(placed(one), placed(other), margin, near_);
+            for (std::size_t contact = first; contact < near_.size(); ++contact) {
+                near_[contact].friction = std::sqrt(a.friction * b.friction);
+                near_[contact].restitution = std::max(a.restitution, b.restitution);
+                near_[contact].rolling =
+                    std::max(a.rolling * near_[contact].radius_a, b.rolling * near_[contact].radius_b);
+            }
+        }
+        sort_range(near_, [](const NearContact& a, const NearContact& b) {
+            return std::tuple(a.at.body, a.at.other, a.at.sphere, a.at.other_sphere, a.gap, a.at.face.id, a.at.portal) <
+                   std::tuple(b.at.body, b.at.other, b.at.sphere, b.at.other_sphere, b.gap, b.at.face.id, b.at.portal);
+        });
+        report_.contacts = near_.size();
+    }
+
+    void solve() {
+        const double substep = seconds_ / substeps_;
+        ContactSolver solver(movers_, near_, bodies_.contacts, substep);
+        std::vector<bool> flies(movers_.size(), true);
+        for (const NearContact& contact : near_) {
+            flies[contact.a] = false;
+            if (contact.b != kFixed) flies[contact.b] = false;
+        }
+        for (int k = 0; k < substeps_; ++k) {
+            for (std::size_t m = 0; m < movers_.size(); ++m) {
+                Mover& mover = movers_[m];
+                const Body& body = bodies_.slots[mover.slot];
+                const Vec3 gain = (options_.gravity + body.force * mover.inverse_mass) * substep;
+                mover.velocity += gain;
+                mover.half_gain = flies[m] ? gain * 0.5 : Vec3{};
+                mover.spin += mover.inverse_inertia * body.torque * substep;
+            }
+            solver.substep();
+        }
+        solver.bounce(kBounceSpeed);
+        solver.keep_impulses();
+        for (std::size_t k = 0; k < near_.size(); ++k) pressed_.push_back(solver.pressed(k) > 0);
+    }
+
+    void sweep() {
+        const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
+        for (Mover& mover : movers_) {
+            if (moved_clearly(mover)) continue;
+            ++report_.swept;
+            report_.bounces += std::size_t(sweep_body(world_, mover, bodies_.slots[mover.slot], rules));
+        }
+    }
+
+    void put_back() {
+        for (const Mover& mover : movers_) {
+            put_back_mover(mover, bodies_.slots[mover.slot]);
+        }
+        // Of bodies that sleep the contacts are those that they fell asleep with.
+        std::erase_if(bodies_.contacts, [&](const BodyContact& contact) {
+            return movers_of_slots_[contact.body] != kFixed ||
+                   (contact.other != kFixed && movers_of_slots_[contact.other] != kFixed);
+        });
+        for (std::size_t k = 0; k < near_.size(); ++k)
+            if (pressed_[k]) bodies_.contacts.push_back(near_[k].at);
+        sort_range(bodies_.contacts, [](const BodyContact& a, const BodyContact& b) {
+            return std::tuple(a.body, a.other, a.sphere, a.other_sphere, a.face.id, a.portal) <
+                   std::tuple(b.body, b.other, b.sphere, b.other_sphere, b.face.id, b.portal);
+        });
+    }
+
+    Bodies& bodies_;
+    const World& world_;
+    const StepOptions& options_;
+    const double seconds_, skin_;
+    const int substeps_;
+    StepReport report_;
+    std::vector<Mover> movers_;
+    std::vector<std::uint32_t> movers_of_slots_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+    std::vector<NearContact> near_;
+    std::vector<bool> pressed_;
+};
+
+}  // namespace
+
+StepReport step(Bodies& bodies, const World& world, double seconds, const StepOptions& options) {
+    if (!(seconds > 0) || !is_finite(seconds) || !is_finite(options.gravity)) return {};
+    return Step(bodies, world, std::min(seconds, kLongestStep), options).run();
+}
+
+}  // namespace firma

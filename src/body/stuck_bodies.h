@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Bodies that solid has come to: out of it, the shortest way.
+#pragma once
+
+#include <cstddef>
+
+#include "firma/bodies.h"
+
+namespace firma {
+
+/// Says of each body whether the centre of one of its spheres is in solid. Those that are wake up.
+/// @param all  of all bodies; else of those that are stuck so far
+void find_stuck(Bodies& bodies, const World& world, bool all);
+
+/// Moves a stuck body on its way out of what is nearest to getting rid of, at kWayOutSpeed at most.
+void move_out(Body& body, const World& world, double seconds);
+
+}  // namespace firma
