@@ -90,10 +90,10 @@ struct BodyContact {
     PortalId portal;                             ///< a closed one
     Vec3 point;                                  ///< metres
     Vec3 normal;                                 ///< unit, toward `body`
-    double impulse = 0;                          ///< along the normal, newton seconds, of the last substep
-    Vec3 friction{};                             ///< across it
+    double force = 0;                            ///< along the normal, newtons, in the last substep
+    Vec3 friction{};                             ///< across it, newtons
     Vec3 slip{};                                 ///< metres slid since friction held: it pulls back
-    Vec3 rolling{};                              ///< newton metre seconds that resisted turning
+    Vec3 rolling{};                              ///< torque that resisted turning, newton metres
 };
 
 /// All bodies of a game.
