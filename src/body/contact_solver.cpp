@@ -39,8 +39,13 @@ auto key_of(const BodyContact& contact) {
 }  // namespace
 
 ContactSolver::ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
-                             std::span<const BodyContact> kept, double substep)
-    : movers_(movers), island_(island), contacts_(contacts), rows_(contacts.size()), seconds_(substep) {
+                             std::span<const BodyContact> kept, double substep, int iterations)
+    : movers_(movers),
+      island_(island),
+      contacts_(contacts),
+      rows_(contacts.size()),
+      seconds_(substep),
+      iterations_(iterations) {
     for (std::size_t k = 0; k < rows_.size(); ++k) prepare(rows_[k], contacts_[k]);
     start_warm(kept);
 }
@@ -203,14 +208,14 @@ void ContactSolver::substep() {
              row.normal * row.impulse + row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1]);
         if (contacts_[k].rolling > 0) twist(contacts_[k], row.rolling);
     }
-    solve(true);
+    for (int k = 0; k < iterations_; ++k) solve(true);
     move();
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         Row& row = rows_[k];
         const Vec3 speed = speed_at(row, contacts_[k]);
         row.slip += (speed - row.normal * dot(speed, row.normal)) * seconds_;
     }
-    solve(false);
+    for (int k = 0; k < iterations_; ++k) solve(false);
 }
 
 /// So far in a substep that levers and masses of before are those of another body.

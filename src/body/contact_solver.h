@@ -16,9 +16,10 @@ class ContactSolver {
 public:
     /// @param movers    all of the step's
     /// @param contacts  between `island` and what does not move
-    /// @param kept      the contacts of the step before, in order: what they pressed with
+    /// @param kept        the contacts of the step before, in order: what they pressed with
+    /// @param iterations  of a substep: how often it goes through all contacts
     ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
-                  std::span<const BodyContact> kept, double substep);
+                  std::span<const BodyContact> kept, double substep, int iterations);
 
     /// One substep of `substep` seconds; forces have been added to velocities.
     void substep();
@@ -57,6 +58,7 @@ private:
     std::span<NearContact> contacts_;
     std::vector<Row> rows_;
     const double seconds_;
+    const int iterations_;
 };
 
 }  // namespace firma

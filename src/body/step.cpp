@@ -157,7 +157,7 @@ private:
         const double substep = seconds_ / count;
         const std::span<Mover> movers = std::span(movers_).subspan(island.first_mover, island.movers);
         const std::span<NearContact> contacts = std::span(near_).subspan(island.first_contact, island.contacts);
-        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, substep);
+        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, substep, iterations_for(island.mass_ratio));
         for (int k = 0; k < count; ++k) {
             for (Mover& mover : movers) {
                 const Body& body = bodies_.slots[mover.slot];
@@ -172,6 +172,9 @@ private:
         solver.keep_forces();
         for (std::size_t k = 0; k < contacts.size(); ++k) pressed_[island.first_contact + k] = solver.pressed(k) > 0;
     }
+
+    /// What a light body takes at a time of the speed of a heavy one is in proportion to its mass.
+    static int iterations_for(double mass_ratio) { return std::clamp(int(std::sqrt(mass_ratio) * 0.5 + 0.5), 1, 16); }
 
     /// A light body gives way by so much less where there are more: how far falls with their square.
     static int substeps_for(double mass_ratio) {
