@@ -3,6 +3,7 @@
 #include "body/principal_axes.h"
 
 #include <cmath>
+#include <span>
 
 #include "base/sort.h"
 
