@@ -3,6 +3,7 @@
 #include "body/choose_balls.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -10,6 +11,20 @@ namespace firma {
 namespace {
 
 using Bits = std::vector<std::uint64_t>;
+
+/// Bit k: whether value k is at most bound k.
+std::uint64_t bits_within(const float* values, const float* bounds, std::size_t count) {
+    std::array<std::uint8_t, 64> flags{};
+    for (std::size_t k = 0; k < count; ++k) flags[k] = values[k] <= bounds[k];
+    std::uint64_t bits = 0;
+    for (std::size_t byte = 0; byte < 8; ++byte) {
+        // Eight bytes of 0 or 1, each brought to a bit of the highest one.
+        std::uint64_t eight = 0;
+        for (std::size_t k = 0; k < 8; ++k) eight |= std::uint64_t(flags[byte * 8 + k]) << 8 * k;
+        bits |= (eight * 0x0102040810204080u >> 56) << 8 * byte;
+    }
+    return bits;
+}
 
 std::size_t common(std::span<const std::uint64_t> a, const Bits& b) {
     std::size_t count = 0;
@@ -44,8 +59,10 @@ std::vector<std::uint32_t> BallChoice::cover(double error, const std::vector<flo
     std::vector<float> enough(points_.size());
     for (std::size_t k = 0; k < points_.size(); ++k) enough[k] = std::max(float(error), least[k]);
     for (std::size_t ball = 0; ball < balls_.size(); ++ball)
-        for (std::size_t k = 0; k < points_.size(); ++k)
-            near[ball * words + k / 64] |= std::uint64_t(gaps_[ball][k] <= enough[k]) << k % 64;
+        for (std::size_t word = 0; word < words; ++word) {
+            const std::size_t first = word * 64, count = std::min<std::size_t>(64, points_.size() - first);
+            near[ball * words + word] = bits_within(&gaps_[ball][first], &enough[first], count);
+        }
     for (std::size_t k = 0; k < points_.size(); ++k) left[k / 64] |= std::uint64_t(1) << k % 64;
     const auto of = [&](std::size_t ball) { return std::span(near).subspan(ball * words, words); };
 
@@ -66,22 +83,26 @@ std::vector<std::uint32_t> BallChoice::cover(double error, const std::vector<flo
     return chosen;
 }
 
-BallChoice::Chosen BallChoice::choose(std::size_t most, double error) const {
+BallChoice::Chosen BallChoice::choose(std::size_t most, double error, double guess) const {
+    constexpr double kWithin = 1.03;
     const std::vector<float> least = least_gaps();
-    Chosen best{error, cover(error, least, most + 1)};
-    double low = error, high = error;
-    for (const std::vector<float>& gaps : gaps_)
-        for (const float gap : gaps) high = std::max(high, double(gap));
-    while (best.balls.size() > most || (high > low * 1.02 && best.error > error)) {
-        const double middle = high > low * 1.02 ? std::sqrt(low * high) : high;
-        std::vector<std::uint32_t> balls = cover(middle, least, most + 1);
-        if (balls.size() > most && middle < high) {
-            low = middle;
-            continue;
-        }
-        high = middle;
-        best = {middle, std::move(balls)};
+    // Too many are needed at `low`, few enough at `best.error`.
+    Chosen best{0, {}};
+    double low = 0;
+    const auto attempt = [&](double at) {
+        std::vector<std::uint32_t> balls = cover(at, least, most + 1);
+        if (balls.size() > most) return low = at, false;
+        best = {at, std::move(balls)};
+        return true;
+    };
+    if (guess <= error || !attempt(guess / kWithin)) {
+        if (guess <= error && attempt(error)) low = error;
+        for (double step = kWithin; best.balls.empty(); step *= step) attempt(low * step);
+    } else {
+        for (double step = kWithin; low == 0; step *= step)
+            if (const double at = std::max(best.error / step, error); attempt(at) && at == error) low = error;
     }
+    while (best.error > low * kWithin) attempt(std::sqrt(low * best.error));
     for (const float gap : least) best.error = std::max(best.error, double(gap));
     return best;
 }

@@ -22,10 +22,11 @@ public:
         std::vector<std::uint32_t> balls;  ///< in the order in which they were taken
     };
     /// At most so many balls, such that each point is no farther from one than `error`, or than it is from the nearest
-    /// of all balls; or with the least error that so many reach, within a fiftieth.
+    /// of all balls; or with the least error that so many reach, within some hundredths.
     /// @param most   1 or more
     /// @param error  metres, above zero
-    Chosen choose(std::size_t most, double error) const;
+    /// @param guess  metres: about what it will come to; 0: `error`
+    Chosen choose(std::size_t most, double error, double guess) const;
 
 private:
     std::vector<float> least_gaps() const;

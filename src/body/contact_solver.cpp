@@ -38,9 +38,14 @@ auto key_of(const BodyContact& contact) {
 
 }  // namespace
 
-ContactSolver::ContactSolver(std::span<Mover> movers, std::span<NearContact> contacts,
-                             std::span<const BodyContact> kept, double substep)
-    : movers_(movers), contacts_(contacts), rows_(contacts.size()), seconds_(substep) {
+ContactSolver::ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
+                             std::span<const BodyContact> kept, double substep, int iterations)
+    : movers_(movers),
+      island_(island),
+      contacts_(contacts),
+      rows_(contacts.size()),
+      seconds_(substep),
+      iterations_(iterations) {
     for (std::size_t k = 0; k < rows_.size(); ++k) prepare(rows_[k], contacts_[k]);
     start_warm(kept);
 }
@@ -91,9 +96,10 @@ void ContactSolver::start_warm(std::span<const BodyContact> kept) {
             if (const double cosine = dot(found->normal, now.normal); cosine > alike) best = &*found, alike = cosine;
         if (!best) continue;
         Row& row = rows_[k];
-        row.impulse = best->impulse;
-        for (int axis = 0; axis < 2; ++axis) row.across_impulse[axis] = dot(best->friction, row.across[axis]);
-        row.rolling = best->rolling;
+        row.impulse = best->force * seconds_;
+        for (int axis = 0; axis < 2; ++axis)
+            row.across_impulse[axis] = dot(best->friction, row.across[axis]) * seconds_;
+        row.rolling = best->rolling * seconds_;
         row.slip = best->slip - row.normal * dot(best->slip, row.normal);
     }
 }
@@ -183,7 +189,7 @@ void ContactSolver::twist(const NearContact& contact, const Vec3& impulse) {
 }
 
 void ContactSolver::move() {
-    for (Mover& mover : movers_) {
+    for (Mover& mover : island_) {
         mover.position += (mover.velocity - mover.half_gain) * seconds_;
         const Spinning next = spin_freely({mover.rotation, mover.spin}, mover.shape->moments, seconds_);
         mover.rotation = next.rotation;
@@ -202,14 +208,14 @@ void ContactSolver::substep() {
              row.normal * row.impulse + row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1]);
         if (contacts_[k].rolling > 0) twist(contacts_[k], row.rolling);
     }
-    solve(true);
+    for (int k = 0; k < iterations_; ++k) solve(true);
     move();
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         Row& row = rows_[k];
         const Vec3 speed = speed_at(row, contacts_[k]);
         row.slip += (speed - row.normal * dot(speed, row.normal)) * seconds_;
     }
-    solve(false);
+    for (int k = 0; k < iterations_; ++k) solve(false);
 }
 
 /// So far in a substep that levers and masses of before are those of another body.
@@ -233,13 +239,14 @@ void ContactSolver::bounce(double least_speed) {
     }
 }
 
-void ContactSolver::keep_impulses() {
+void ContactSolver::keep_forces() {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         const Row& row = rows_[k];
         BodyContact& at = contacts_[k].at;
-        at.impulse = row.impulse;
-        at.friction = row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1];
-        at.rolling = row.rolling;
+        const double rate = 1 / seconds_;
+        at.force = row.impulse * rate;
+        at.friction = (row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1]) * rate;
+        at.rolling = row.rolling * rate;
         at.slip = row.impulse > 0 ? row.slip : Vec3{};
     }
 }

@@ -14,16 +14,19 @@ namespace firma {
 
 class ContactSolver {
 public:
-    /// @param kept  the contacts of the step before, in order: what their impulses were
-    ContactSolver(std::span<Mover> movers, std::span<NearContact> contacts, std::span<const BodyContact> kept,
-                  double substep);
+    /// @param movers    all of the step's
+    /// @param contacts  between `island` and what does not move
+    /// @param kept        the contacts of the step before, in order: what they pressed with
+    /// @param iterations  of a substep: how often it goes through all contacts
+    ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
+                  std::span<const BodyContact> kept, double substep, int iterations);
 
     /// One substep of `substep` seconds; forces have been added to velocities.
     void substep();
     /// After the last: what met faster than this bounces.
     void bounce(double least_speed);
-    /// Puts impulses into the contacts.
-    void keep_impulses();
+    /// Puts what pressed into the contacts.
+    void keep_forces();
 
     /// The largest impulse along the normal in any substep: a contact that pressed.
     double pressed(std::size_t contact) const { return rows_[contact].max_normal; }
@@ -51,10 +54,11 @@ private:
     void move();
     double gap_now(const NearContact& contact) const;
 
-    std::span<Mover> movers_;
+    std::span<Mover> movers_, island_;
     std::span<NearContact> contacts_;
     std::vector<Row> rows_;
     const double seconds_;
+    const int iterations_;
 };
 
 }  // namespace firma

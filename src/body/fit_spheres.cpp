@@ -44,8 +44,7 @@ struct Fitter {
         triangles = triangles_of(solid);
         double area = 0;
         for (const SurfaceTriangle& triangle : triangles) area += area_of(triangle);
-        for (const SurfaceTriangle& triangle : triangles)
-            for (const Vec3& corner : triangle) choice.add_point(corner);
+        for (const Vec3& corner : corners_of(triangles)) choice.add_point(corner);
         const double least = error / 2, count = double(options.max_spheres);
         const double some = std::clamp(kPointsASphere * count, kMinPoints, kMaxPoints);
         const double few = std::clamp(kBallsASphere * count, kMinBalls, kMaxBalls);
@@ -85,7 +84,7 @@ struct Fitter {
         choice.add_point(far);
         const std::size_t before = choice.balls().size();
         for (const SurfaceTriangle& triangle : triangles) {
-            if (choice.balls().size() > before + 16) break;
+            if (choice.balls().size() > before + 8) break;
             if (distance_to(triangle, far) > error) continue;
             const Vec3 to_middle = (triangle[0] + triangle[1] + triangle[2]) * (1.0 / 3) - far;
             const Vec3 twice = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
@@ -131,8 +130,10 @@ Result<SphereFit> fit_spheres(const Solid& solid, const FitOptions& options) {
     fitter.gather();
     SphereFit best;
     best.error = INFINITY;
+    double guess = 0;
     for (int round = 0; round < kRounds && !fitter.choice.balls().empty(); ++round) {
-        const BallChoice::Chosen chosen = fitter.choice.choose(options.max_spheres, error * (1 - kMeasuredTo));
+        const BallChoice::Chosen chosen = fitter.choice.choose(options.max_spheres, error * (1 - kMeasuredTo), guess);
+        guess = chosen.error;
         SphereSet spheres;
         for (const std::uint32_t ball : chosen.balls) spheres.push_back(fitter.choice.balls()[ball]);
         const CoverError far =

@@ -44,7 +44,7 @@ std::uint64_t hash_bodies(const Bodies& bodies) {
         hash.add(contact.face.id.value, contact.portal.value);
         for (const Vec3& v : {contact.point, contact.normal, contact.friction, contact.slip, contact.rolling})
             add_vector(hash, v);
-        hash.add(contact.impulse);
+        hash.add(contact.force);
     }
     hash.add(bodies.steps);
     hash.add(bodies.world_version);

@@ -3,6 +3,7 @@
 #include "body/principal_axes.h"
 
 #include <cmath>
+#include <span>
 
 #include "base/sort.h"
 
@@ -34,7 +35,7 @@ PrincipalAxes principal_axes(const std::array<Vec3, 3>& tensor) {
     }
     std::array<std::size_t, 3> order{0, 1, 2};
     const auto moment = [&](std::size_t k) { return a[k][int(k)]; };
-    sort_range(order,
+    sort_range(std::span<std::size_t>(order),
                [&](std::size_t k, std::size_t l) { return moment(k) != moment(l) ? moment(k) > moment(l) : k < l; });
     const Vec3 x = axes[order[0]], y = axes[order[1]], z = cross(x, y);
     return {{moment(order[0]), moment(order[1]), moment(order[2])}, turn_of_axes(x, y, z)};

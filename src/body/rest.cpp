@@ -5,34 +5,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "body/mover.h"
 #include "world/world_data.h"
 
 namespace firma {
-namespace {
-
-/// Sets of slots that press on each other.
-class Islands {
-public:
-    explicit Islands(std::size_t count) : parents_(count) {
-        for (std::uint32_t k = 0; k < count; ++k) parents_[k] = k;
-    }
-    std::uint32_t of(std::uint32_t slot) {
-        while (parents_[slot] != slot) slot = parents_[slot] = parents_[parents_[slot]];
-        return slot;
-    }
-    /// The lower one leads.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = of(a);
-        b = of(b);
-        parents_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parents_;
-};
-
-}  // namespace
 
 void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepOptions& options) {
     const auto moves = [&](std::uint32_t slot) { return movers[slot] != kFixed; };
@@ -42,7 +19,7 @@ void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds,
         const double speed = length(body.velocity) + length(body.spin) * body.shape.reach();
         body.still_for = speed < options.sleep_speed ? body.still_for + seconds : 0;
     }
-    Islands islands(bodies.slots.size());
+    DisjointSets islands(bodies.slots.size());
     std::vector<bool> held(bodies.slots.size());
     for (const BodyContact& contact : bodies.contacts) {
         if (contact.other != kFixed && moves(contact.body) && moves(contact.other))
@@ -53,13 +30,13 @@ void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds,
     std::vector<bool> is_still(bodies.slots.size(), true);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         if (!bodies.slots[slot].shape.valid() || !moves(slot)) continue;
-        if (bodies.slots[slot].still_for < options.sleep_after || !held[slot]) is_still[islands.of(slot)] = false;
+        if (bodies.slots[slot].still_for < options.sleep_after || !held[slot]) is_still[islands.find(slot)] = false;
     }
     std::vector<std::uint32_t> numbers(bodies.slots.size(), ~0u);
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& body = bodies.slots[slot];
         if (!body.shape.valid() || !moves(slot)) continue;
-        const std::uint32_t island = islands.of(slot);
+        const std::uint32_t island = islands.find(slot);
         if (!is_still[island]) continue;
         if (numbers[island] == ~0u) numbers[island] = bodies.islands++;
         body.island = numbers[island];

@@ -7,6 +7,7 @@
 
 #include "base/sort.h"
 #include "body/contact_solver.h"
+#include "body/islands.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
 #include "body/stuck_bodies.h"
@@ -146,27 +147,42 @@ private:
     }
 
     void solve() {
-        const double substep = seconds_ / substeps_;
-        ContactSolver solver(movers_, near_, bodies_.contacts, substep);
-        std::vector<bool> flies(movers_.size(), true);
-        for (const NearContact& contact : near_) {
-            flies[contact.a] = false;
-            if (contact.b != kFixed) flies[contact.b] = false;
-        }
-        for (int k = 0; k < substeps_; ++k) {
-            for (std::size_t m = 0; m < movers_.size(); ++m) {
-                Mover& mover = movers_[m];
+        pressed_.resize(near_.size());
+        for (const Island& island : part_into_islands(movers_, near_)) solve(island);
+        for (std::uint32_t k = 0; k < movers_.size(); ++k) movers_of_slots_[movers_[k].slot] = k;
+    }
+
+    void solve(const Island& island) {
+        const int count = substeps_ * substeps_for(island.mass_ratio);
+        const double substep = seconds_ / count;
+        const std::span<Mover> movers = std::span(movers_).subspan(island.first_mover, island.movers);
+        const std::span<NearContact> contacts = std::span(near_).subspan(island.first_contact, island.contacts);
+        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, substep, iterations_for(island.mass_ratio));
+        for (int k = 0; k < count; ++k) {
+            for (Mover& mover : movers) {
                 const Body& body = bodies_.slots[mover.slot];
                 const Vec3 gain = (options_.gravity + body.force * mover.inverse_mass) * substep;
                 mover.velocity += gain;
-                mover.half_gain = flies[m] ? gain * 0.5 : Vec3{};
+                mover.half_gain = contacts.empty() ? gain * 0.5 : Vec3{};
                 mover.spin += mover.inverse_inertia * body.torque * substep;
             }
             solver.substep();
         }
         solver.bounce(kBounceSpeed);
-        solver.keep_impulses();
-        for (std::size_t k = 0; k < near_.size(); ++k) pressed_.push_back(solver.pressed(k) > 0);
+        solver.keep_forces();
+        for (std::size_t k = 0; k < contacts.size(); ++k) pressed_[island.first_contact + k] = solver.pressed(k) > 0;
+    }
+
+    /// What a light body takes at a time of the speed of a heavy one is in proportion to its mass.
+    static int iterations_for(double mass_ratio) { return std::clamp(int(std::sqrt(mass_ratio) * 0.5 + 0.5), 1, 16); }
+
+    /// A light body gives way by so much less where there are more: how far falls with their square.
+    static int substeps_for(double mass_ratio) {
+        constexpr double kAlike = 16;
+        constexpr int kMax = 8;
+        int times = 1;
+        while (times < kMax && double(times) * times * kAlike < mass_ratio) ++times;
+        return times;
     }
 
     void sweep() {

@@ -2,6 +2,7 @@
 // Points spread over a surface.
 #include "body/surface_points.h"
 
+#include "base/sort.h"
 #include "body/point_order.h"
 
 #include <algorithm>
@@ -56,6 +57,14 @@ std::vector<SurfaceTriangle> triangles_of(const Solid& solid) {
 
 double area_of(const SurfaceTriangle& triangle) {
     return length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
+}
+
+std::vector<Vec3> corners_of(const std::vector<SurfaceTriangle>& triangles) {
+    std::vector<Vec3> corners;
+    for (const SurfaceTriangle& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+    sort_range(corners, comes_before);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
 }
 
 std::vector<Vec3> side_points(const std::vector<SurfaceTriangle>& triangles, double spacing) {

@@ -23,6 +23,9 @@ std::vector<SurfaceTriangle> triangles_of(const Solid& solid);
 
 double area_of(const SurfaceTriangle& triangle);
 
+/// Each once.
+std::vector<Vec3> corners_of(const std::vector<SurfaceTriangle>& triangles);
+
 /// Points about `spacing` apart along the sides of triangles, each side once.
 std::vector<Vec3> side_points(const std::vector<SurfaceTriangle>& triangles, double spacing);
 

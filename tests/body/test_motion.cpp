@@ -146,6 +146,29 @@ TEST(Motion, AStackOfTenStandsForAMinute) {
     }
 }
 
+/// Eight spheres in the corners of a box of this height, 0.7 m wide.
+BodyShape block(double half_height, double radius, double mass) {
+    SphereSet spheres;
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto side = [&](int axis) { return corner >> axis & 1 ? 1.0 : -1.0; };
+        spheres.push_back({{side(0) * 0.25, side(1) * 0.25, side(2) * (half_height - radius)}, radius});
+    }
+    const Vec3 half{0.35, 0.35, half_height};
+    return make_body_shape(spheres, mass_of_box(half, mass / (8 * half.x * half.y * half.z))).value();
+}
+
+TEST(Motion, AThousandTimesItsMassRestsOnABody) {
+    const World world = ground();
+    for (const double mass : {1.0, 30.0, 1000.0}) {
+        Bodies bodies;
+        const BodyId light = add_body(bodies, body_here(block(0.1, 0.1, 1), {0, 0, 0.1}));
+        const BodyId heavy = add_body(bodies, body_here(block(0.5, 0.25, mass), {0, 0, 0.7}));
+        run(bodies, world, 1200, never_asleep());
+        EXPECT_LT(length(bodies.find(light)->position - Vec3{0, 0, 0.1}), 0.002) << mass;
+        EXPECT_LT(length(bodies.find(heavy)->position - Vec3{0, 0, 0.7}), 0.004) << mass;
+    }
+}
+
 TEST(Motion, StepsOfAnyLengthComeToTheSame) {
     const World world = ground();
     for (const double seconds : {1.0 / 1000, 1.0 / 144, 1.0 / 60, 1.0 / 30, 1.0 / 10}) {

@@ -11,6 +11,7 @@
 #include "scenes/lattice_solids.h"
 #include "scenes/level_cuts.h"
 #include "solid/append_faces.h"
+#include "tests/brush/unprotected_world.h"
 #include "tests/carve/cutters.h"
 #include "tests/reference/carve_oracle.h"
 #include "tests/reference/cut_history.h"
@@ -98,9 +99,7 @@ TEST(MixedDigs, HoldWhatMustHoldAfterAnyCut) {
 TEST(ContactCuts, InTheDepotHoldEveryInvariant) {
     const reference::ContradictionsReported reported;
     const BrushLevel level = read_brush_level(FIRMA_ROOT "/levels/depot.map").value();
-    // Its sky may be carved, too.
-    const World world = with_rules(make_world(level).value(), {}).value();
-    const World again = with_rules(make_world(level).value(), {}).value();
+    const World world = test::unprotected_world(level, false), again = test::unprotected_world(level, false);
     const auto cuts = scenes::contact_cuts(scenes::cut_places(world).inside, 1, 0);
     ASSERT_GE(cuts.size(), 8u);
     expect_contact_holds(reference::judge_cuts(world, again, cuts, "depot", 1, contact_sample()));

@@ -10,6 +10,7 @@
 #include "firma/brush_world.h"
 #include "scenes/contact_families.h"
 #include "scenes/level_cuts.h"
+#include "tests/brush/unprotected_world.h"
 #include "tests/full/family_run.h"
 #include "tests/openarena_maps.h"
 
@@ -37,8 +38,8 @@ std::vector<Map> read_maps(const full::FamilyOptions& options, const std::string
             std::fprintf(stderr, "%s\n", level.error().text().c_str());
             std::exit(2);
         }
-        // Their sky may be carved, too.
-        const auto made = [&] { return with_rules(make_world(level.value()).value(), {}).value(); };
+        // What is judged is the solid: a carving that takes nothing of it is to be none.
+        const auto made = [&] { return test::unprotected_world(level.value(), false); };
         Map map{name, made(), made(), {}};
         map.walls = scenes::cut_places(map.world).inside;
         maps.push_back(std::move(map));

@@ -20,6 +20,7 @@
 #include "firma/carve.h"
 #include "scenes/level_cuts.h"
 #include "scenes/sweeps.h"
+#include "tests/brush/unprotected_world.h"
 #include "tests/full/options.h"
 
 namespace {
@@ -85,11 +86,7 @@ private:
 
 Tally craters(std::uint64_t count, std::uint64_t seed) {
     constexpr std::uint64_t kAtATime = 500;
-    // What the rules say of its sky's material counts: it may be carved, too.
-    const BrushLevel level = read_brush_level(FIRMA_ROOT "/levels/depot.map").value();
-    CarveRules rules;
-    rules.hardness.assign(level.materials.size(), 0.0);
-    const World depot = with_rules(make_world(level).value(), rules).value();
+    const World depot = test::unprotected_world(read_brush_level(FIRMA_ROOT "/levels/depot.map").value(), true);
     const scenes::CutPlaces places = scenes::cut_places(depot);
     Row row("craters", depot);
     std::uint64_t made = 0;
