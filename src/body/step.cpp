@@ -7,7 +7,7 @@
 
 #include "base/sort.h"
 #include "body/contact_solver.h"
-#include "body/islands.h"
+#include "body/mover_islands.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
 #include "body/stuck_bodies.h"
@@ -148,11 +148,11 @@ private:
 
     void solve() {
         pressed_.resize(near_.size());
-        for (const Island& island : part_into_islands(movers_, near_)) solve(island);
+        for (const MoverIsland& island : part_into_islands(movers_, near_)) solve(island);
         for (std::uint32_t k = 0; k < movers_.size(); ++k) movers_of_slots_[movers_[k].slot] = k;
     }
 
-    void solve(const Island& island) {
+    void solve(const MoverIsland& island) {
         const int count = substeps_ * substeps_for(island.mass_ratio);
         const double substep = seconds_ / count;
         const std::span<Mover> movers = std::span(movers_).subspan(island.first_mover, island.movers);

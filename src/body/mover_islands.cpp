@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Islands of movers.
-#include "body/islands.h"
+#include "body/mover_islands.h"
 
 #include <algorithm>
 
@@ -28,13 +28,13 @@ void put_in_places(std::vector<T>& all, const std::vector<std::uint32_t>& places
 
 }  // namespace
 
-std::vector<Island> part_into_islands(std::vector<Mover>& movers, std::vector<NearContact>& contacts) {
+std::vector<MoverIsland> part_into_islands(std::vector<Mover>& movers, std::vector<NearContact>& contacts) {
     DisjointSets sets(movers.size());
     for (const NearContact& contact : contacts)
         if (contact.b != kFixed) sets.join(contact.a, contact.b);
     // Numbers of islands, in the order of their first movers.
     std::vector<std::uint32_t> number_of_root(movers.size(), ~0u), island_of(movers.size());
-    std::vector<Island> islands;
+    std::vector<MoverIsland> islands;
     for (std::uint32_t k = 0; k < movers.size(); ++k) {
         std::uint32_t& number = number_of_root[sets.find(k)];
         if (number == ~0u) {
@@ -45,7 +45,7 @@ std::vector<Island> part_into_islands(std::vector<Mover>& movers, std::vector<Ne
         ++islands[number].movers;
     }
     for (const NearContact& contact : contacts) {
-        Island& island = islands[island_of[contact.a]];
+        MoverIsland& island = islands[island_of[contact.a]];
         ++island.contacts;
         if (contact.b == kFixed) continue;
         const double a = movers[contact.a].inverse_mass, b = movers[contact.b].inverse_mass;

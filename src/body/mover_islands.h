@@ -9,7 +9,7 @@
 
 namespace firma {
 
-struct Island {
+struct MoverIsland {
     std::uint32_t first_mover = 0, movers = 0;
     std::uint32_t first_contact = 0, contacts = 0;
     double mass_ratio = 1;  ///< the largest between two movers that touch
@@ -17,6 +17,6 @@ struct Island {
 
 /// Puts movers, and contacts, of an island side by side, the islands in order of their lowest slots; within each all
 /// keep their order. NearContact::a and b follow.
-std::vector<Island> part_into_islands(std::vector<Mover>& movers, std::vector<NearContact>& contacts);
+std::vector<MoverIsland> part_into_islands(std::vector<Mover>& movers, std::vector<NearContact>& contacts);
 
 }  // namespace firma
