@@ -6,6 +6,7 @@
 
 #include "firma/bodies.h"
 #include "firma/world.h"
+#include "tests/brush/depot_level.h"
 #include "tests/brush/map_text.h"
 #include "tests/world/matter_levels.h"
 
@@ -14,6 +15,10 @@ namespace firma::test {
 /// A slab whose top is at z = 0, 256 m wide.
 inline World ground() {
     return brush_world(map_text::box({-128, -128, -4}, {128, 128, 0}, "rock"));
+}
+
+inline World depot_world() {
+    return make_world(depot_level()).value();
 }
 
 inline BodyShape ball(double radius, double density = 1000) {

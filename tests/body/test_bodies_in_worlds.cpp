@@ -5,13 +5,11 @@
 
 #include <cmath>
 
-#include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
-#include "tests/brush/depot_level.h"
 #include "tests/carve/cutters.h"
 #include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
@@ -25,10 +23,6 @@ using test::body_here;
 using test::box_body;
 using test::ground;
 using test::run;
-
-World depot_world() {
-    return make_world(test::depot_level()).value();
-}
 
 /// Deeper than the skin in what bounds solid, or a centre in it: "" where no sphere is.
 std::string depth_fault(const World& world, const Bodies& bodies) {
@@ -79,7 +73,7 @@ Body random_body(const World& world, Rng& rng) {
 
 TEST(BodiesInWorlds, NeverThroughAWallWhileItIsCut) {
     for (const double rate : {60.0, 30.0}) {
-        World world = depot_world();
+        World world = test::depot_world();
         const scenes::CutPlaces places = scenes::cut_places(world);
         Rng rng(3);
         Bodies bodies;
@@ -101,7 +95,7 @@ TEST(BodiesInWorlds, NeverThroughAWallWhileItIsCut) {
 }
 
 TEST(BodiesInWorlds, TheSameBitsEachTimeAndFromASnapshot) {
-    const World world = depot_world();
+    const World world = test::depot_world();
     Rng rng(4);
     Bodies bodies;
     for (int k = 0; k < 20; ++k) add_body(bodies, random_body(world, rng));

@@ -5,21 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firma/brush_world.h"
 #include "firma/cast_set.h"
 #include "firma/rooms.h"
 #include "scenes/rng.h"
-#include "tests/brush/depot_level.h"
+#include "tests/body/simple_bodies.h"
 #include "tests/sample.h"
 
 namespace firma {
 namespace {
 
 using scenes::Rng;
-
-World depot_world() {
-    return make_world(test::depot_level()).value();
-}
 
 /// Spheres on a row, as a plank has them.
 SphereSet plank() {
@@ -62,7 +57,7 @@ void for_motions(const World& world, const SphereSet& spheres, double turn, int 
 }
 
 TEST(CastSet, StraightAsItsSpheresAlone) {
-    const World world = depot_world();
+    const World world = test::depot_world();
     const SphereSet spheres = plank();
     std::size_t hits = 0;
     for_motions(world, spheres, 0, test::sample(1500), [&](const SetMotion& motion) {
@@ -84,7 +79,7 @@ TEST(CastSet, StraightAsItsSpheresAlone) {
 }
 
 TEST(CastSet, TurningIsNeverLateAndHardlyEarly) {
-    const World world = depot_world();
+    const World world = test::depot_world();
     const SphereSet spheres = plank();
     for (const double turn : {0.3, 3.0, 20.0}) {
         std::size_t hits = 0;
@@ -106,7 +101,7 @@ TEST(CastSet, TurningIsNeverLateAndHardlyEarly) {
 }
 
 TEST(CastSet, OfNothingOrOfWhatIsNoNumber) {
-    const World world = depot_world();
+    const World world = test::depot_world();
     const SphereSet spheres = plank();
     SetMotion motion;
     motion.path = {1, 0, 0};

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "base/random.h"
 #include "carve/cutter_data.h"
 #include "scenes/rng.h"
 #include "tests/carve/cutters.h"
