@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The program of docs/bodies.md: a bridge shot at both ends falls and comes to rest; shot from below it wakes.
 #include <cstdio>
 
 #include "firma/firma.h"
