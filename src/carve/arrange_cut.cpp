@@ -405,10 +405,13 @@ std::uint32_t CutArranger::piece_start(const PieceUse& use) {
     return vertex_of(use.forward ? piece.from : piece.to);
 }
 
-/// Pieces in a row of one edge are one side.
+/// Pieces in a row of one edge are one side, as long as they go one way: along a slit a face has an edge there and
+/// back.
 void CutArranger::append_side(const PieceUse& use, std::uint32_t face, std::vector<PatchUse>& sides) {
     const std::uint32_t edge = edge_at(use, face);
-    if (!sides.empty() && sides.back().edge == edge) return;
+    const bool goes_on = !sides.empty() && sides.back().edge == edge && side_forward_ == use.forward;
+    side_forward_ = use.forward;
+    if (goes_on) return;
     const std::uint32_t first = std::uint32_t(in_.patch.edges.size());
     const std::uint32_t from = edge < first ? in_.patch.edges[edge].vertex[0] : loops_.edges[edge - first].from;
     sides.push_back({edge, from != piece_start(use)});
@@ -427,7 +430,10 @@ void CutArranger::write_taken(std::uint32_t index) {
     for (const std::uint32_t end : cells.ends(cell)) {
         // From where an edge begins.
         std::uint32_t start = first;
-        while (start + 1 < end && edge_at(uses[start], cell.face) == edge_at(uses[end - 1], cell.face)) ++start;
+        const PieceUse& last = uses[end - 1];
+        while (start + 1 < end && uses[start].forward == last.forward &&
+               edge_at(uses[start], cell.face) == edge_at(last, cell.face))
+            ++start;
         sides_.clear();
         for (std::uint32_t k = 0; k < end - first; ++k)
             append_side(uses[first + (start - first + k) % (end - first)], cell.face, sides_);

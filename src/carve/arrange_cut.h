@@ -106,6 +106,7 @@ private:
     std::vector<std::uint32_t> number_of_piece_;  ///< likewise, of pieces that only taken cells have; ~0: none yet
     std::vector<std::vector<PieceUse>> divided_;  ///< of the overlay's edges that are the patch's: their pieces
     std::vector<PatchUse> sides_;                 ///< scratch
+    bool side_forward_ = false;                   ///< which way the last of these goes
 
     // What the phases make, in their order.
     std::unique_ptr<PatchAdder> world_, solid_;
