@@ -42,7 +42,7 @@ struct SphereFit {
 /// @return kInvalid for a solid without faces, with rock outside, or without room for any sphere; for options that are
 ///         not finite or out of range. The same bits on every machine.
 /// Costs some thousand searches for the nearest facet and the product of a thousand balls and some thousand points of
-/// the surface: milliseconds for a chunk. Allocates as much as these.
+/// the surface. Allocates as much as these.
 /// Source: for balls from points of the surface, J. Ma, S. W. Bae, S. Choi, 3D medial axis point approximation using
 /// nearest neighbors and the normal field, 2012.
 [[nodiscard]] FIRMA_EXPORT Result<SphereFit> fit_spheres(const Solid& solid, const FitOptions& options = {});

@@ -3,6 +3,7 @@
 #include "body/cover_error.h"
 
 #include "base/sort.h"
+#include "body/body_tolerance.h"
 #include "body/point_order.h"
 
 #include <algorithm>
@@ -66,8 +67,8 @@ CoverError cover_error(std::span<const SurfaceTriangle> triangles, std::span<con
         for (const Vec3& corner : corners) reach = std::max(reach, length(corner - middle));
         const double here = gap_at(middle, spheres);
         if (here > farthest[of].gap) farthest[of] = {here, middle};
-        // Distance changes by no more than one goes; a nanometre is far above what all this rounds.
-        const double bound = here + reach + 1e-9;
+        // Distance changes by no more than one goes.
+        const double bound = here + reach + kDistanceRounding;
         known = std::max(known, here);
         if (bound > known + tolerance) pieces.push({bound, corners, of});
     };

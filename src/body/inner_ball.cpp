@@ -2,6 +2,7 @@
 // The largest ball inside a solid that touches a point of its surface: a ball too large shrinks until nothing is in it.
 #include "body/inner_ball.h"
 
+#include "body/body_tolerance.h"
 #include "carve/nearest_facet.h"
 #include "solid/solid_data.h"
 
@@ -11,16 +12,15 @@ constexpr double kRoundedBy = 0x1p-30;  // metres: what distances are rounded by
 
 std::optional<Sphere> inner_ball(const Solid& solid, const SurfacePoint& at, double reach) {
     constexpr int kSteps = 24;
-    constexpr double kSmallest = 1e-4;  // of reach: no ball worth having
     const Node* root = solid.data().faces.root.get();
     double radius = reach;
     for (int step = 0; step < kSteps; ++step) {
         const Vec3 centre = at.at - at.normal * radius;
-        const std::optional<NearestFacet> nearest = nearest_facet(root, centre, radius * (1 + 1e-9));
+        const std::optional<NearestFacet> nearest = nearest_facet(root, centre, radius * (1 + kSearchRounding));
         const double distance = nearest ? length(centre - nearest->at) : radius;
-        if (distance >= radius * (1 - 1e-6)) {
+        if (distance >= radius * (1 - kBallSlop)) {
             const double kept = (distance < radius ? distance : radius) - kRoundedBy;
-            if (!(kept > kSmallest * reach)) return std::nullopt;
+            if (!(kept > kSmallestBall * reach)) return std::nullopt;
             return Sphere{centre, kept};
         }
         // The ball through the nearest point that still touches at `at`: |at - p|^2 = 2 r n.(at - p).
@@ -28,7 +28,7 @@ std::optional<Sphere> inner_ball(const Solid& solid, const SurfacePoint& at, dou
         const double along = dot(to, at.normal);
         if (!(along > 0)) return std::nullopt;
         const double next = dot(to, to) / (2 * along);
-        if (!(next < radius) || next < kSmallest * reach) return std::nullopt;
+        if (!(next < radius) || next < kSmallestBall * reach) return std::nullopt;
         radius = next;
     }
     return std::nullopt;

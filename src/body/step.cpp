@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/sort.h"
+#include "body/body_tolerance.h"
 #include "body/contact_solver.h"
 #include "body/mover_islands.h"
 #include "body/pair_contacts.h"
@@ -30,7 +31,7 @@ public:
           options_(options),
           seconds_(seconds),
           skin_(options.contact_offset > 0 ? options.contact_offset : world.tolerance().contact_offset),
-          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - 1e-6)))) {}
+          substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))) {}
 
     StepReport run() {
         find_stuck(bodies_, world_, bodies_.world_version != world_.version());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/sort.h"
+#include "body/body_tolerance.h"
 #include "geometry/closest_point.h"
 #include "index/traverse.h"
 #include "solid/face_shape.h"
@@ -96,9 +97,8 @@ void WorldContacts::keep_apart(std::vector<NearContact>& found, Mover& mover, st
     const std::size_t first = found.size();
     for (const Touch& touch : touches_) {
         // Behind the plane of a nearer contact of the sphere there is nothing that it could touch.
-        constexpr double kInPlane = 1e-6;  // metres
         const auto hides = [&](const NearContact& other) {
-            return other.at.sphere == touch.sphere && dot(touch.point - other.at.point, other.at.normal) < kInPlane;
+            return other.at.sphere == touch.sphere && dot(touch.point - other.at.point, other.at.normal) < kInPlaneSlop;
         };
         if (std::any_of(found.begin() + std::ptrdiff_t(first), found.end(), hides)) continue;
         NearContact contact;
