@@ -52,6 +52,12 @@ void bounds_of(std::span<const Steps> points, Steps& low, Steps& high) {
     }
 }
 
+/// Its thickness is drawn before it: arguments of one call would be drawn in the compiler's order.
+LatticeSolid any_letter(Rng& rng) {
+    const int thick = 1 + int(rng.below(2));
+    return letter_solid(kLatticeLetters[rng.below(std::uint32_t(kLatticeLetters.size()))], thick);
+}
+
 /// Makes cuts that touch what is there: a level's faces, and the cutters before.
 class ContactMaker {
 public:
@@ -192,8 +198,7 @@ private:
             case Contact::kGear:
                 return placed(gear_solid(rng_, small(3)));
             case Contact::kLetter:
-                return placed(
-                    letter_solid(kLatticeLetters[rng_.below(std::uint32_t(kLatticeLetters.size()))], int(small(2))));
+                return placed(any_letter(rng_));
             case Contact::kSponge:
                 return placed(sponge_solid(rng_.chance(0.05) ? 2 : 1));
             case Contact::kSlope:
@@ -289,10 +294,6 @@ LatticeLevel one_solid(Rng& rng, const Make& make) {
     const Steps place = any_place(rng);
     level.add(turned(make(), rng.below(24)), place);
     return level;
-}
-
-LatticeSolid any_letter(Rng& rng) {
-    return letter_solid(kLatticeLetters[rng.below(std::uint32_t(kLatticeLetters.size()))], 1 + int(rng.below(2)));
 }
 
 void contact_blocks(Rng& rng, const Level&, CutCase& it) {

@@ -219,6 +219,7 @@ CutArranger::End CutArranger::start_labels() {
 }
 
 CutArranger::End CutArranger::start_keeping() {
+    joins_air_ = in_.fill || takes_walls();
     keeper_ =
         std::make_unique<CellKeeper>(overlay_, lines_, cell_finder_.cells(), users_, labeller_->labels(), selection());
     return End::kGoesOn;
@@ -234,7 +235,7 @@ bool CutArranger::alike(std::uint32_t face, std::uint32_t other) const {
     if (!of_world(face)) return true;
     const FaceRecord& a = record(face);
     if (a.edit == 0) return false;
-    if (!of_world(other)) return a.material == material_ && a.mask == ~0u && !a.two_sided;
+    if (!of_world(other)) return joins_air_ && a.material == material_ && a.mask == ~0u && !a.two_sided;
     const FaceRecord& b = record(other);
     return b.edit != 0 && a.material == b.material && a.mask == b.mask && a.two_sided == b.two_sided &&
            in_.patch.faces[world_face_[face]].facet.block->part ==

@@ -107,6 +107,7 @@ private:
     std::vector<std::vector<PieceUse>> divided_;  ///< of the overlay's edges that are the patch's: their pieces
     std::vector<PatchUse> sides_;                 ///< scratch
     bool side_forward_ = false;                   ///< which way the last of these goes
+    bool joins_air_ = false;  ///< what the cutter leaves bounds air that was there, not a room of its own
 
     // What the phases make, in their order.
     std::unique_ptr<PatchAdder> world_, solid_;

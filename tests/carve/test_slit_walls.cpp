@@ -40,6 +40,15 @@ std::string fault_of(const World& world) {
     return "";
 }
 
+/// Right-angled: a side at x = 0 that looks inward, a floor, and a slope down from the edge at the top. Its length
+/// along y is 2, its height and width are 1.
+Cutter wedge() {
+    const std::vector<Vec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 2, 0}, {1, 2, 0}, {0, 2, 1}};
+    const std::vector<CutterTriangle> triangles{{0, 1, 2}, {3, 5, 4}, {0, 2, 5}, {0, 5, 3},
+                                                {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}};
+    return make_cutter(vertices, triangles).value();
+}
+
 CarveResult open_slab(const World& world, double from, double to) {
     return carve(world, test::box_mesh({3, from, 4}, {5, to, 4.5}).cutter().value(), {});
 }
@@ -68,6 +77,24 @@ TEST(SlitWalls, AreOpenedWhereARidgeTouchesThem) {
         const CarveResult cut = open_slab(filled.world, it.from, it.to);
         ASSERT_TRUE(cut.done()) << cut.error.text();
         EXPECT_EQ(fault_of(cut.world), "") << it.before << " then " << it.from << " to " << it.to;
+    }
+}
+
+// What touches a pit along an edge alone is a room of its own: its side goes on in the plane of the pit's, and looks
+// into other air. Found by full_contact, seed 5, case 1 in islandctf.
+TEST(SlitWalls, ACavityAlongTheEdgeOfAPitKeepsItsSides) {
+    using map_text::box;
+    World world =
+        test::brush_world(box({-1, -1, -8}, {9, 9, 0}) + box({-1, -1, 8}, {9, 9, 9}) + box({-1, -1, 0}, {0, 9, 8}) +
+                          box({8, -1, 0}, {9, 9, 8}) + box({0, -1, 0}, {8, 0, 8}) + box({0, 8, 0}, {8, 9, 8}));
+    const std::uint32_t rooms = world.room_count();
+    world = carve(world, test::box_mesh({2, 2, -2}, {4, 4, 1}).cutter().value(), {}).world;
+    ASSERT_EQ(fault_of(world), "");
+    for (const double y : {2, 3, 1}) {
+        const CarveResult cut = carve(world, wedge(), test::pose_at(2, y, -3));
+        ASSERT_TRUE(cut.done()) << cut.error.text();
+        EXPECT_EQ(fault_of(cut.world), "") << y;
+        EXPECT_EQ(cut.world.room_count(), rooms + 1) << y;
     }
 }
 
