@@ -21,13 +21,13 @@ constexpr double kMaxPoints = 2000, kMaxBalls = 800;
 /// Of the error asked for, which part is left to what lies between points, and to measuring it.
 constexpr double kMeasuredTo = 1.0 / 32;
 /// Where points found are too far, they and balls near them are added, so many times.
-constexpr int kRounds = 6;
+constexpr int kRounds = 12;
+/// A round that makes the error less by no more than this share was in vain.
+constexpr double kGain = 1.0 / 16;
 /// So many balls are made as large as they can become: one for two spheres, of many a dozen.
 constexpr std::size_t kGrownEvery = 2, kMinGrown = 2, kMaxGrown = 12;
 /// Of the distance between as many points as spheres, spread over the surface: what errors about come to.
 constexpr double kErrorASpacing = 0.33;
-/// A round that makes it less by no more than this share was in vain.
-constexpr double kGain = 1.0 / 64;
 
 struct Fitter {
     const Solid& solid;
@@ -143,19 +143,21 @@ Result<SphereFit> fit_spheres(const Solid& solid, const FitOptions& options) {
     fitter.gather();
     SphereFit best;
     best.error = INFINITY;
-    double guess = kErrorASpacing * std::sqrt(fitter.area / double(options.max_spheres));
+    const double target = error * (1 - kMeasuredTo);
+    double guess = kErrorASpacing * std::sqrt(fitter.area / double(options.max_spheres)), before = INFINITY;
     for (int round = 0; round < kRounds && !fitter.choice.balls().empty(); ++round) {
-        const BallChoice::Chosen chosen = fitter.choice.choose(options.max_spheres, error * (1 - kMeasuredTo), guess);
-        guess = chosen.error;
+        const BallChoice::Chosen chosen = fitter.choice.choose(options.max_spheres, target, guess);
         SphereSet spheres;
         for (const std::uint32_t ball : chosen.balls) spheres.push_back(fitter.choice.balls()[ball]);
         const CoverError far =
             cover_error(fitter.triangles, spheres, fitter.wanted(chosen), chosen.error * kMeasuredTo);
-        const bool is_full = spheres.size() == options.max_spheres, gains = far.at_most < best.error * (1 - kGain);
-        // Else points of the surface were missed.
-        const bool is_right = far.at_most <= chosen.error * (1 + 2 * kMeasuredTo);
+        const bool is_full = spheres.size() == options.max_spheres;
         if (far.at_most < best.error) best = {std::move(spheres), far.at_most};
-        if (far.at_most <= error || (is_right && (is_full || !gains))) break;
+        // Else points of the surface were missed, or there were no balls near enough to some; more of these may do.
+        const bool is_right = far.at_most <= chosen.error * (1 + 2 * kMeasuredTo);
+        const bool in_vain = chosen.error > target && chosen.error > before * (1 - kGain);
+        if (far.at_most <= error || (is_right && (is_full || in_vain))) break;
+        guess = before = chosen.error;
         for (const Vec3& point : far.too_far) fitter.add_around(point);
     }
     if (best.spheres.empty()) return Error{ErrorCode::kInvalid, {}, "the solid has no room for a sphere"};
