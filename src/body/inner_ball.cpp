@@ -12,14 +12,14 @@ constexpr double kRoundedBy = 0x1p-30;  // metres: what distances are rounded by
 
 namespace {
 
-struct Touch {
+struct NearPoint {
     double distance;  ///< metres, at most `reach`
     Vec3 at;
 };
 
 /// A ball of at most this radius that touches at a point: as it shrinks until nothing is in it.
 /// @param slop     metres: what is no farther within it counts as outside
-/// @param nearest  (centre, reach) -> Touch: of what may not be in it
+/// @param nearest  (centre, reach) -> NearPoint: of what may not be in it
 /// @return its radius, and how near to its centre something is; nothing where it has no room
 template <class Nearest>
 std::optional<Sphere> shrunk_ball(const SurfacePoint& at, double radius, double smallest, double slop,
@@ -27,7 +27,7 @@ std::optional<Sphere> shrunk_ball(const SurfacePoint& at, double radius, double 
     constexpr int kSteps = 24;
     for (int step = 0; step < kSteps; ++step) {
         const Vec3 centre = at.at - at.normal * radius;
-        const Touch touch = nearest(centre, radius * (1 + kSearchRounding));
+        const NearPoint touch = nearest(centre, radius * (1 + kSearchRounding));
         if (touch.distance >= radius * (1 - kBallSlop) - slop)
             return Sphere{centre, touch.distance < radius ? touch.distance : radius};
         // The ball through the nearest point that still touches at `at`: |at - p|^2 = 2 r n.(at - p).
@@ -48,11 +48,11 @@ std::optional<Sphere> inner_ball(const Solid& solid, const PointCloud& samples, 
     const double smallest = kSmallestBall * reach;
     const auto by_samples = [&](const Vec3& centre, double) {
         const PointCloud::Nearest nearest = samples.nearest(centre);
-        return Touch{nearest.distance, nearest.at};
+        return NearPoint{nearest.distance, nearest.at};
     };
     const auto by_facets = [&](const Vec3& centre, double within) {
         const std::optional<NearestFacet> nearest = nearest_facet(root, centre, within);
-        return nearest ? Touch{length(centre - nearest->at), nearest->at} : Touch{within, centre};
+        return nearest ? NearPoint{length(centre - nearest->at), nearest->at} : NearPoint{within, centre};
     };
     const std::optional<Sphere> about = shrunk_ball(at, reach, smallest, kSampleRounding * reach, by_samples);
     const double at_most = about ? length(at.at - about->centre) : reach;
