@@ -8,6 +8,8 @@ namespace firma {
 inline constexpr double kDistanceRounding = 1e-9;
 /// Rounding, a share of a distance: the same of searches that end at one.
 inline constexpr double kSearchRounding = 1e-9;
+/// Rounding, a share of the longest side of a solid: of distances to points in single precision, see point_cloud.h.
+inline constexpr double kSampleRounding = 1e-6;
 /// Slop, a share of the radius: a ball is as large as it can become.
 inline constexpr double kBallSlop = 1e-6;
 /// Slop, a share of the longest side of the solid: no ball worth having is smaller.

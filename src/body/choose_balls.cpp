@@ -4,18 +4,20 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace firma {
 namespace {
 
+using Row = std::array<std::int16_t, PointCloud::kRow>;
+constexpr std::size_t kRow = PointCloud::kRow;
+static_assert(kRow == 64, "a row is a word of bits");
 using Bits = std::vector<std::uint64_t>;
 
 /// Bit k: whether value k is at most bound k.
-std::uint64_t bits_within(const float* values, const float* bounds, std::size_t count) {
-    std::array<std::uint8_t, 64> flags{};
-    for (std::size_t k = 0; k < count; ++k) flags[k] = values[k] <= bounds[k];
+std::uint64_t bits_within(const Row& values, const Row& bounds) {
+    std::array<std::uint8_t, kRow> flags;
+    for (std::size_t k = 0; k < kRow; ++k) flags[k] = values[k] <= bounds[k];
     std::uint64_t bits = 0;
     for (std::size_t byte = 0; byte < 8; ++byte) {
         // Eight bytes of 0 or 1, each brought to a bit of the highest one.
@@ -26,44 +28,73 @@ std::uint64_t bits_within(const float* values, const float* bounds, std::size_t 
     return bits;
 }
 
+/// How many are 1: std::popcount() is a call of a function where the machine is not known to count bits itself.
+std::uint64_t count_bits(std::uint64_t bits) {
+    bits -= bits >> 1 & 0x5555555555555555u;
+    bits = (bits & 0x3333333333333333u) + (bits >> 2 & 0x3333333333333333u);
+    bits = (bits + (bits >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
+    return bits * 0x0101010101010101u >> 56;
+}
+
 std::size_t common(std::span<const std::uint64_t> a, const Bits& b) {
     std::size_t count = 0;
-    for (std::size_t k = 0; k < b.size(); ++k) count += std::size_t(std::popcount(a[k] & b[k]));
+    for (std::size_t k = 0; k < b.size(); ++k) count += count_bits(a[k] & b[k]);
     return count;
 }
 
 }  // namespace
 
+/// Rounded up, so that what is near enough in units is near enough.
+std::int16_t BallChoice::in_units(float gap) const {
+    constexpr float kBias = 32000;  // so that all are positive, and cutting off rounds down
+    const float units = gap * float(1 / unit_) + kBias + 1;
+    const float kept = units < 0 ? 0 : units > 2 * kBias ? 2 * kBias : units;
+    return std::int16_t(std::int32_t(kept) - std::int32_t(kBias));
+}
+
+void BallChoice::gaps(const Sphere& ball, std::size_t row, Row& to) const {
+    PointCloud::Row squares;
+    points_.squares(row, ball.centre, squares);
+    const auto radius = float(ball.radius);
+    for (std::size_t k = 0; k < kRow; ++k) to[k] = in_units(std::sqrt(squares[k]) - radius);
+}
+
 void BallChoice::add_point(const Vec3& point) {
-    points_.push_back(point);
-    for (std::size_t k = 0; k < balls_.size(); ++k)
-        gaps_[k].push_back(float(length(point - balls_[k].centre) - balls_[k].radius));
+    const std::size_t at = points_.size() % kRow;
+    points_.add(point);
+    if (at == 0) {
+        least_.emplace_back().fill(INT16_MAX);
+        for (std::vector<Row>& own : gaps_) own.emplace_back().fill(INT16_MAX);
+    }
+    std::int16_t& least = least_.back()[at];
+    for (std::size_t ball = 0; ball < balls_.size(); ++ball) {
+        const std::int16_t gap = in_units(float(length(point - balls_[ball].centre) - balls_[ball].radius));
+        gaps_[ball].back()[at] = gap;
+        least = std::min(least, gap);
+    }
 }
 
 void BallChoice::add_ball(const Sphere& ball) {
     balls_.push_back(ball);
-    std::vector<float>& gaps = gaps_.emplace_back(points_.size());
-    for (std::size_t k = 0; k < points_.size(); ++k) gaps[k] = float(length(points_[k] - ball.centre) - ball.radius);
+    std::vector<Row>& own = gaps_.emplace_back(points_.row_count());
+    for (std::size_t row = 0; row < own.size(); ++row) {
+        gaps(ball, row, own[row]);
+        Row& least = least_[row];
+        for (std::size_t k = 0; k < kRow; ++k) least[k] = std::min(least[k], own[row][k]);
+    }
 }
 
-std::vector<float> BallChoice::least_gaps() const {
-    std::vector<float> least(points_.size(), INFINITY);
-    for (const std::vector<float>& gaps : gaps_)
-        for (std::size_t k = 0; k < least.size(); ++k) least[k] = std::min(least[k], gaps[k]);
-    return least;
-}
-
-std::vector<std::uint32_t> BallChoice::cover(double error, const std::vector<float>& least, std::size_t most) const {
-    const std::size_t words = (points_.size() + 63) / 64;
-    Bits near(balls_.size() * words), left(words);
-    std::vector<float> enough(points_.size());
-    for (std::size_t k = 0; k < points_.size(); ++k) enough[k] = std::max(float(error), least[k]);
+std::vector<std::uint32_t> BallChoice::cover(double error, std::size_t most) const {
+    const std::size_t words = points_.row_count();
+    Bits near(balls_.size() * words), left(words, ~std::uint64_t(0));
+    std::vector<Row> enough = least_;
+    const auto asked = std::int16_t(std::min(error / unit_, kMostUnits));
+    for (Row& row : enough)
+        for (std::int16_t& gap : row) gap = std::max(gap, asked);
     for (std::size_t ball = 0; ball < balls_.size(); ++ball)
-        for (std::size_t word = 0; word < words; ++word) {
-            const std::size_t first = word * 64, count = std::min<std::size_t>(64, points_.size() - first);
-            near[ball * words + word] = bits_within(&gaps_[ball][first], &enough[first], count);
-        }
-    for (std::size_t k = 0; k < points_.size(); ++k) left[k / 64] |= std::uint64_t(1) << k % 64;
+        for (std::size_t word = 0; word < words; ++word)
+            near[ball * words + word] = bits_within(gaps_[ball][word], enough[word]);
+    if (const std::size_t rest = points_.size() % kRow; rest != 0) left.back() = (std::uint64_t(1) << rest) - 1;
     const auto of = [&](std::size_t ball) { return std::span(near).subspan(ball * words, words); };
 
     // What a ball would add only falls as others are taken, so an old count that is beaten stays beaten.
@@ -84,26 +115,27 @@ std::vector<std::uint32_t> BallChoice::cover(double error, const std::vector<flo
 }
 
 BallChoice::Chosen BallChoice::choose(std::size_t most, double error, double guess) const {
-    constexpr double kWithin = 1.03;
-    const std::vector<float> least = least_gaps();
+    constexpr double kWithin = 1.03, kStep = 1.2;
     // Too many are needed at `low`, few enough at `best.error`.
     Chosen best{0, {}};
     double low = 0;
     const auto attempt = [&](double at) {
-        std::vector<std::uint32_t> balls = cover(at, least, most + 1);
+        std::vector<std::uint32_t> balls = cover(at, most + 1);
         if (balls.size() > most) return low = at, false;
         best = {at, std::move(balls)};
         return true;
     };
-    if (guess <= error || !attempt(guess / kWithin)) {
-        if (guess <= error && attempt(error)) low = error;
-        for (double step = kWithin; best.balls.empty(); step *= step) attempt(low * step);
+    double step = kStep;
+    if (attempt(std::max(guess, error))) {
+        for (; low == 0; step *= step)
+            if (const double at = std::max(best.error / step, error); at == best.error || (attempt(at) && at == error))
+                low = error;
     } else {
-        for (double step = kWithin; low == 0; step *= step)
-            if (const double at = std::max(best.error / step, error); attempt(at) && at == error) low = error;
+        for (; best.balls.empty(); step *= step) attempt(low * step);
     }
     while (best.error > low * kWithin) attempt(std::sqrt(low * best.error));
-    for (const float gap : least) best.error = std::max(best.error, double(gap));
+    for (std::size_t k = 0; k < points_.size(); ++k)
+        best.error = std::max(best.error, least_[k / kRow][k % kRow] * unit_);
     return best;
 }
 

@@ -2,17 +2,23 @@
 // Few of many balls such that each of many points is near one of them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "body/point_cloud.h"
 #include "firma/polygon.h"
 
 namespace firma {
 
 class BallChoice {
 public:
+    /// @param middle  near all points
+    /// @param reach   metres, above zero: no point is farther from any ball
+    BallChoice(const Vec3& middle, double reach) : unit_(reach / kMostUnits), points_(middle) {}
+
     void add_point(const Vec3& point);
     void add_ball(const Sphere& ball);
     const std::vector<Sphere>& balls() const { return balls_; }
@@ -25,17 +31,23 @@ public:
     /// of all balls; or with the least error that so many reach, within some hundredths.
     /// @param most   1 or more
     /// @param error  metres, above zero
-    /// @param guess  metres: about what it will come to; 0: `error`
+    /// @param guess  metres: about what it will come to; less than `error` is taken for that
     Chosen choose(std::size_t most, double error, double guess) const;
 
 private:
-    std::vector<float> least_gaps() const;
-    /// Taken one by one, each the one that is near most of the points that none so far is near. Of several the first.
-    std::vector<std::uint32_t> cover(double error, const std::vector<float>& least, std::size_t most) const;
+    static constexpr double kMostUnits = 30000;
+    using Row = std::array<std::int16_t, PointCloud::kRow>;
 
+    std::int16_t in_units(float gap) const;
+    void gaps(const Sphere& ball, std::size_t row, Row& to) const;
+    /// Taken one by one, each the one that is near most of the points that none so far is near. Of several the first.
+    std::vector<std::uint32_t> cover(double error, std::size_t most) const;
+
+    double unit_;  ///< metres: gaps are whole numbers of it
     std::vector<Sphere> balls_;
-    std::vector<Vec3> points_;
-    std::vector<std::vector<float>> gaps_;  ///< of a ball: how far each point is from it
+    PointCloud points_;
+    std::vector<std::vector<Row>> gaps_;  ///< of a ball, row by row: how far each point is from it
+    std::vector<Row> least_;              ///< of each point: from the nearest ball
 };
 
 }  // namespace firma

@@ -41,7 +41,7 @@ double gap_at(const Vec3& at, std::span<const Sphere> spheres) {
 
 /// The farthest points of several triangles, none within `apart` of another.
 std::vector<Vec3> apart_from_each_other(std::vector<FarPoint> points, double apart) {
-    constexpr std::size_t kMost = 16;
+    constexpr std::size_t kMost = 48;
     sort_range(points, [](const FarPoint& a, const FarPoint& b) {
         return a.gap != b.gap ? a.gap > b.gap : comes_before(a.at, b.at);
     });

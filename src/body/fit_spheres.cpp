@@ -21,19 +21,30 @@ constexpr double kMaxPoints = 2000, kMaxBalls = 800;
 /// Of the error asked for, which part is left to what lies between points, and to measuring it.
 constexpr double kMeasuredTo = 1.0 / 32;
 /// Where points found are too far, they and balls near them are added, so many times.
-constexpr int kRounds = 6;
-/// So many balls are made as large as they can become.
-constexpr std::size_t kGrown = 12;
+constexpr int kRounds = 12;
+/// A round that makes the error less by no more than this share was in vain.
+constexpr double kGain = 1.0 / 16;
+/// So many balls are made as large as they can become: one for two spheres, of many a dozen.
+constexpr std::size_t kGrownEvery = 2, kMinGrown = 2, kMaxGrown = 12;
+/// Of the distance between as many points as spheres, spread over the surface: what errors about come to.
+constexpr double kErrorASpacing = 0.33;
 
 struct Fitter {
     const Solid& solid;
     const FitOptions& options;
     const double error, reach;
+    double area = 0;
     std::vector<SurfaceTriangle> triangles;
     BallChoice choice;
+    PointCloud samples;  ///< of these: corners, and points within triangles
 
+    /// Also one of those that balls are judged by.
+    void add_sample(const Vec3& point) {
+        choice.add_point(point);
+        samples.add(point);
+    }
     void add_ball(const SurfacePoint& at) {
-        if (const std::optional<Sphere> ball = inner_ball(solid, at, reach)) add_ball(*ball);
+        if (const std::optional<Sphere> ball = inner_ball(solid, samples, at, reach)) add_ball(*ball);
     }
     void add_ball(Sphere ball) {
         ball.radius -= options.margin;
@@ -42,19 +53,18 @@ struct Fitter {
 
     void gather() {
         triangles = triangles_of(solid);
-        double area = 0;
         for (const SurfaceTriangle& triangle : triangles) area += area_of(triangle);
-        for (const Vec3& corner : corners_of(triangles)) choice.add_point(corner);
+        for (const Vec3& corner : corners_of(triangles)) add_sample(corner);
         const double least = error / 2, count = double(options.max_spheres);
         const double some = std::clamp(kPointsASphere * count, kMinPoints, kMaxPoints);
         const double few = std::clamp(kBallsASphere * count, kMinBalls, kMaxBalls);
         for (const SurfacePoint& point : surface_points(triangles, std::max(least, std::sqrt(area / some))))
-            choice.add_point(point.at);
+            add_sample(point.at);
         for (const Vec3& point : side_points(triangles, std::max(least, std::sqrt(area / some)) / 2))
             choice.add_point(point);
         std::vector<Sphere> balls;
         for (const SurfacePoint& point : surface_points(triangles, std::max(least, std::sqrt(area / few))))
-            if (const std::optional<Sphere> ball = inner_ball(solid, point, reach)) balls.push_back(*ball);
+            if (const std::optional<Sphere> ball = inner_ball(solid, samples, point, reach)) balls.push_back(*ball);
         for (const Sphere& ball : grown_from(balls)) add_ball(ball);
         for (const Sphere& ball : balls) add_ball(ball);
     }
@@ -62,14 +72,16 @@ struct Fitter {
     /// The largest: balls from points of the surface seldom are.
     std::vector<Sphere> grown_from(std::vector<Sphere> largest) const {
         sort_range(largest, is_larger);
+        const std::size_t most = std::clamp(options.max_spheres / kGrownEvery, kMinGrown, kMaxGrown);
         std::vector<Sphere> grown;
         for (const Sphere& ball : largest) {
-            if (grown.size() == kGrown) break;
+            if (grown.size() == most) break;
             // One from within another comes to much the same.
             const auto holds = [&](const Sphere& other) {
                 return length(other.centre - ball.centre) < 0.25 * other.radius;
             };
-            if (std::none_of(grown.begin(), grown.end(), holds)) grown.push_back(grown_ball(solid, ball));
+            if (std::none_of(grown.begin(), grown.end(), holds))
+                grown.push_back(grown_ball(solid, samples, reach, ball));
         }
         return grown;
     }
@@ -81,7 +93,7 @@ struct Fitter {
 
     /// Balls that touch near a point which is too far from all: small ones, such as fit into corners.
     void add_around(const Vec3& far) {
-        choice.add_point(far);
+        add_sample(far);
         const std::size_t before = choice.balls().size();
         for (const SurfaceTriangle& triangle : triangles) {
             if (choice.balls().size() > before + 8) break;
@@ -126,21 +138,26 @@ Result<SphereFit> fit_spheres(const Solid& solid, const FitOptions& options) {
     const Box box = solid.bounds();
     const Vec3 size = box.high - box.low;
     const double error = options.max_error > 0 ? options.max_error : max_abs(size) / 20;
-    Fitter fitter{solid, options, error, max_abs(size), {}, {}};
+    const Vec3 middle = (box.low + box.high) * 0.5;
+    Fitter fitter{solid, options, error, max_abs(size), 0, {}, BallChoice(middle, length(size)), PointCloud(middle)};
     fitter.gather();
     SphereFit best;
     best.error = INFINITY;
-    double guess = 0;
+    const double target = error * (1 - kMeasuredTo);
+    double guess = kErrorASpacing * std::sqrt(fitter.area / double(options.max_spheres)), before = INFINITY;
     for (int round = 0; round < kRounds && !fitter.choice.balls().empty(); ++round) {
-        const BallChoice::Chosen chosen = fitter.choice.choose(options.max_spheres, error * (1 - kMeasuredTo), guess);
-        guess = chosen.error;
+        const BallChoice::Chosen chosen = fitter.choice.choose(options.max_spheres, target, guess);
         SphereSet spheres;
         for (const std::uint32_t ball : chosen.balls) spheres.push_back(fitter.choice.balls()[ball]);
         const CoverError far =
             cover_error(fitter.triangles, spheres, fitter.wanted(chosen), chosen.error * kMeasuredTo);
         const bool is_full = spheres.size() == options.max_spheres;
         if (far.at_most < best.error) best = {std::move(spheres), far.at_most};
-        if (far.at_most <= error || (is_full && far.at_most <= chosen.error * (1 + 2 * kMeasuredTo))) break;
+        // Else points of the surface were missed, or there were no balls near enough to some; more of these may do.
+        const bool is_right = far.at_most <= chosen.error * (1 + 2 * kMeasuredTo);
+        const bool in_vain = chosen.error > target && chosen.error > before * (1 - kGain);
+        if (far.at_most <= error || (is_right && (is_full || in_vain))) break;
+        guess = before = chosen.error;
         for (const Vec3& point : far.too_far) fitter.add_around(point);
     }
     if (best.spheres.empty()) return Error{ErrorCode::kInvalid, {}, "the solid has no room for a sphere"};

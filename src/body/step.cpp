@@ -188,11 +188,11 @@ private:
 
     void sweep() {
         const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
-        for (Mover& mover : movers_) {
-            if (moved_clearly(mover)) continue;
-            ++report_.swept;
-            report_.bounces += std::size_t(sweep_body(world_, mover, bodies_.slots[mover.slot], rules));
-        }
+        BodySweep sweep(world_, bodies_, movers_, movers_of_slots_, rules);
+        sweep.run();
+        report_.swept = sweep.swept();
+        report_.bounces = sweep.bounces();
+        report_.woken += sweep.woken();
     }
 
     void put_back() {

@@ -1,90 +1,205 @@
 // SPDX-License-Identifier: MIT
-// Bodies swept along their way, and what they do where they meet the world.
+// Bodies swept along their ways, touch by touch.
 #include "body/sweep_bodies.h"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "body/body_tolerance.h"
+#include "body/pair_contacts.h"
+#include "body/rest.h"
+#include "body/touch_response.h"
 #include "body/turn_between.h"
-#include "firma/cast_set.h"
 
 namespace firma {
 namespace {
 
-/// The spheres as they are swept: thinner by the skin, so that what rests on the world is clear of it.
-const std::vector<Sphere>& cores_of(const BodyShapeData& shape, double skin) {
-    thread_local std::vector<Sphere> cores;
-    cores.clear();
-    for (const Sphere& sphere : shape.spheres)
-        cores.push_back({sphere.centre, sphere.radius - std::min(skin, 0.5 * sphere.radius)});
-    return cores;
+/// Of the thinnest sphere of two bodies: what comes no nearer to each other in a step than this is left to contacts.
+constexpr double kSlowShare = 0.5;
+
+/// As far as any point of a set may go.
+double way_of(const SetMotion& motion, double reach) {
+    return length(motion.path) + length(motion.turn) * reach;
 }
 
-/// What a touch does to the velocities: Newton's restitution, and Coulomb's friction, of no more than brings sliding to
-/// an end. Of both together no more than leaves the energy as it was.
-/// @return whether the body was coming nearer at all
-bool respond(Mover& mover, const Body& body, const SetHit& hit, const SweepRules& rules) {
-    const Vec3 normal = hit.normal, from = hit.point - mover.position;
-    const Vec3 speed = mover.velocity_at(from);
-    const double approach = dot(speed, normal);
-    if (!(approach < 0)) return false;
-    const double restitution = approach < -rules.bounce_speed ? body.restitution : 0;
-    const double pushed = -(1 + restitution) * approach / mover.yield(normal, from);
-    Vec3 impulse = normal * pushed;
-    Mover after = mover;
-    after.push(impulse, from);
-    const Vec3 sliding = speed - normal * approach;
-    if (const double slides = length(sliding); slides > 0) {
-        const Vec3 along = sliding * (1 / slides);
-        const double stops = std::max(dot(after.velocity_at(from), along), 0.0) / mover.yield(along, from);
-        impulse += along * -std::min(stops, std::sqrt(body.friction * rules.friction) * pushed);
-    }
-    after = mover;
-    after.push(impulse, from);
-    // Of s times the impulse the energy changes by s J.v + s^2 J.(v' - v) / 2.
-    const double taken = -dot(impulse, speed), given = dot(impulse, after.velocity_at(from) - speed) / 2;
-    mover.push(given > taken ? impulse * (taken / given) : impulse, from);
-    return true;
+/// Whether it may be left where it is: it moved too little to be deeper than the skin.
+bool moved_clearly(const Mover& mover, const SetMotion& motion) {
+    return way_of(motion, mover.shape->reach) < mover.clear;
+}
+
+SetMotion motion_of(const Mover& mover) {
+    return {mover.start, mover.start_rotation, mover.position - mover.start,
+            turn_between(mover.start_rotation, mover.rotation)};
 }
 
 }  // namespace
 
-bool moved_clearly(const Mover& mover) {
-    const Vec3 turn = turn_between(mover.start_rotation, mover.rotation);
-    return length(mover.position - mover.start) + length(turn) * mover.shape->reach < mover.clear;
+BodySweep::BodySweep(const World& world, Bodies& bodies, std::vector<Mover>& movers,
+                     std::vector<std::uint32_t>& movers_of_slots, const SweepRules& rules)
+    : world_(world), bodies_(bodies), movers_(movers), movers_of_slots_(movers_of_slots), rules_(rules) {}
+
+void BodySweep::run() {
+    start();
+    while (!touches_.empty()) {
+        const Touching next = touches_.top();
+        touches_.pop();
+        if (next.piece != ways_[next.slot].piece) continue;
+        if (next.other != kFixed && next.other_piece != ways_[next.other].piece) continue;
+        touch(next);
+    }
+    for (Mover& mover : movers_) {
+        const Way& way = ways_[mover.slot];
+        if (!way.swept) continue;
+        const Pose end = pose_at(way.motion, 1);
+        mover.position = end.position;
+        mover.rotation = normalised(end.rotation);
+        mover.turn_inertia();
+    }
 }
 
-int sweep_body(const World& world, Mover& mover, const Body& body, const SweepRules& rules) {
-    const std::vector<Sphere>& cores = cores_of(*mover.shape, rules.skin);
-    CastOptions options;
-    options.mask = body.mask;
-    options.contact_offset = rules.skin * 0.25;
-    SetMotion motion{mover.start, mover.start_rotation, mover.position - mover.start,
-                     turn_between(mover.start_rotation, mover.rotation)};
-    double left = rules.seconds;
-    int met = 0;
-    for (;;) {
-        const SetHit hit = cast(world, cores, motion, options);
-        if (!hit.touched()) {
-            const Pose end = pose_at(motion, 1);
-            mover.position = end.position;
-            mover.rotation = normalised(end.rotation);
-            if (hit.status == Status::kInvalid) mover.position = mover.start, mover.rotation = mover.start_rotation;
-            break;
-        }
-        ++met;
-        const Pose at = pose_at(motion, hit.safe_fraction);
-        mover.position = at.position;
-        mover.rotation = normalised(at.rotation);
-        mover.turn_inertia();
-        const bool approaching = respond(mover, body, hit, rules);
-        left *= 1 - hit.safe_fraction;
-        if (met > rules.max_bounces || !approaching) break;
-        motion = {mover.position, mover.rotation, mover.velocity * left, mover.spin * left};
+void BodySweep::start() {
+    ways_.resize(bodies_.slots.size());
+    std::vector<BodyBall> balls;
+    for (std::uint32_t slot = 0; slot < ways_.size(); ++slot) {
+        const Body& body = bodies_.slots[slot];
+        if (!body.shape.valid() || body.stuck) continue;
+        Way& way = ways_[slot];
+        way.is_there = true;
+        const bool moves = movers_of_slots_[slot] != kFixed;
+        if (moves)
+            way.motion = motion_of(movers_[movers_of_slots_[slot]]);
+        else
+            way.motion = {body.position, principal_rotation(body), {}, {}};
+        balls.push_back({way.motion.position, reach_of(slot), slot, body.mask, false});
+        if (!moves) continue;
+        const Mover& mover = movers_[movers_of_slots_[slot]];
+        balls.back().awake = way_of(way.motion, mover.shape->reach) > 0.5 * kSlowShare * mover.shape->thinnest;
+        if (moved_clearly(mover, way.motion)) continue;
+        find_world_touch(slot);
     }
+    for (const auto& [slot, other] : near_pairs(std::move(balls))) find_pair_touch(slot, other, Overlap::kPassed);
+}
+
+/// A sphere around all of the way that is left.
+double BodySweep::reach_of(std::uint32_t slot) const {
+    return bodies_.slots[slot].shape.reach() + length(ways_[slot].motion.path);
+}
+
+/// The spheres as they are swept: thinner by the skin, so that what rests on something is clear of it.
+std::span<const Sphere> BodySweep::cores_of(std::uint32_t slot, std::vector<Sphere>& into) const {
+    into.clear();
+    for (const Sphere& sphere : bodies_.slots[slot].shape.data().spheres)
+        into.push_back({sphere.centre, sphere.radius - std::min(rules_.skin, 0.5 * sphere.radius)});
+    return into;
+}
+
+SetMotion BodySweep::rest_of(const Way& way, double at) const {
+    if (at <= way.from) return way.motion;
+    const double done = (at - way.from) / (1 - way.from);
+    const Pose pose = pose_at(way.motion, done);
+    return {pose.position, normalised(pose.rotation), way.motion.path * (1 - done), way.motion.turn * (1 - done)};
+}
+
+void BodySweep::find_world_touch(std::uint32_t slot) {
+    Way& way = ways_[slot];
+    if (!way.swept) ++swept_;
+    way.swept = true;
+    CastOptions options;
+    options.mask = bodies_.slots[slot].mask;
+    options.contact_offset = rules_.skin * 0.25;
+    const SetHit hit = cast(world_, cores_of(slot, cores_), way.motion, options);
+    if (hit.status == Status::kInvalid) way.motion.path = way.motion.turn = {};
+    if (!hit.touched()) return;
+    touches_.push({way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, hit.point, hit.normal});
+}
+
+/// @param at_start  what overlaps then was passed on to contacts, or meets there
+void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap at_start) {
+    const Way &one = ways_[slot], &two = ways_[other];
+    const BodyShapeData &shape = bodies_.slots[slot].shape.data(), &other_shape = bodies_.slots[other].shape.data();
+    const double from = std::max(one.from, two.from);
+    const SetMotion motion = rest_of(one, from), other_motion = rest_of(two, from);
+    const double nearer = length(motion.path - other_motion.path) + length(motion.turn) * shape.reach +
+                          length(other_motion.turn) * other_shape.reach;
+    if (nearer <= kSlowShare * std::min(shape.thinnest, other_shape.thinnest)) return;
+    const SetPairHit hit = cast(cores_of(slot, cores_), motion, cores_of(other, other_cores_), other_motion);
+    if (!hit.touched() || (at_start == Overlap::kPassed && hit.status == Status::kInitialOverlap)) return;
+    // Whether they come nearer there by more than rounding: along the normal, in the time that is left.
+    const auto moved_at = [&](const SetMotion& of) {
+        return of.path + cross(of.turn, hit.point - (of.position + of.path * hit.fraction));
+    };
+    if (dot(moved_at(motion) - moved_at(other_motion), hit.normal) > -kDistanceRounding) return;
+    touches_.push({from + hit.fraction * (1 - from), slot, other, one.piece, two.piece, hit.point, hit.normal});
+}
+
+/// All that a body comes to meet, on a new piece of its way.
+void BodySweep::find_touches(std::uint32_t slot) {
+    find_world_touch(slot);
+    const Vec3 centre = ways_[slot].motion.position;
+    const double reach = reach_of(slot);
+    for (std::uint32_t other = 0; other < ways_.size(); ++other) {
+        if (other == slot || !ways_[other].is_there) continue;
+        const Vec3 apart = ways_[other].motion.position - centre;
+        const double near = reach + reach_of(other);
+        if (dot(apart, apart) > near * near || !(bodies_.slots[slot].mask & bodies_.slots[other].mask)) continue;
+        find_pair_touch(std::min(slot, other), std::max(slot, other), Overlap::kMeets);
+    }
+}
+
+void BodySweep::wake(std::uint32_t slot) {
+    woken_ += wake_island(bodies_, slot);
+    for (std::uint32_t k = 0; k < ways_.size(); ++k) {
+        const Body& body = bodies_.slots[k];
+        if (!ways_[k].is_there || body.asleep || movers_of_slots_[k] != kFixed) continue;
+        movers_of_slots_[k] = std::uint32_t(movers_.size());
+        movers_.push_back(make_mover(body, k));
+    }
+}
+
+/// Where it is then.
+Mover& BodySweep::mover_at(std::uint32_t slot, double at) {
+    const SetMotion rest = rest_of(ways_[slot], at);
+    Mover& mover = movers_[movers_of_slots_[slot]];
+    mover.position = rest.position;
+    mover.rotation = rest.rotation;
     mover.turn_inertia();
-    return met;
+    return mover;
+}
+
+/// From there, with the velocities that it has now.
+void BodySweep::go_on(std::uint32_t slot, double at, bool stops) {
+    Way& way = ways_[slot];
+    const Mover& mover = movers_[movers_of_slots_[slot]];
+    const double left = rules_.seconds * (1 - at);
+    way.motion = {mover.position, mover.rotation, {}, {}};
+    if (!stops && way.met <= rules_.max_bounces) {
+        way.motion.path = mover.velocity * left;
+        way.motion.turn = mover.spin * left;
+    }
+    way.from = at;
+    ++way.piece;
+}
+
+void BodySweep::touch(const Touching& it) {
+    const Body& body = bodies_.slots[it.slot];
+    TouchTerms terms{body.restitution, std::sqrt(body.friction * rules_.friction), rules_.bounce_speed};
+    ++bounces_;
+    ++ways_[it.slot].met;
+    if (it.other == kFixed) {
+        const bool nearer = respond(mover_at(it.slot, it.at), nullptr, it.point, it.normal, terms);
+        go_on(it.slot, it.at, !nearer);
+        return find_touches(it.slot);
+    }
+    for (const std::uint32_t slot : {it.slot, it.other})
+        if (movers_of_slots_[slot] == kFixed) wake(slot);
+    const Body& other = bodies_.slots[it.other];
+    terms.restitution = std::max(body.restitution, other.restitution);
+    terms.friction = std::sqrt(body.friction * other.friction);
+    ++ways_[it.other].met;
+    Mover &one = mover_at(it.slot, it.at), &two = mover_at(it.other, it.at);
+    const bool nearer = respond(one, &two, it.point, it.normal, terms);
+    for (const std::uint32_t slot : {it.slot, it.other}) go_on(slot, it.at, !nearer);
+    for (const std::uint32_t slot : {it.slot, it.other}) find_touches(slot);
 }
 
 }  // namespace firma

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <queue>
+#include <vector>
 
 #include "body/mover.h"
+#include "firma/cast_set.h"
 #include "firma/world.h"
 
 namespace firma {
@@ -17,12 +20,66 @@ struct SweepRules {
     int max_bounces = 0;
 };
 
-/// Takes a mover from where the step began as far along its way as no sphere, less the skin, meets the world. There it
-/// bounces, or goes on along the wall, for what is left of the step.
-/// @return how often it met anything
-int sweep_body(const World& world, Mover& mover, const Body& body, const SweepRules& rules);
+/// Takes each body from where the step began as far along its way as no sphere, less the skin, meets the world or a
+/// sphere of another body, in the order of time. There it bounces, or goes on along the wall, for what is left of the
+/// step. What meets more than max_bounces times stays there until the next step.
+class BodySweep {
+public:
+    /// @param movers           where the step would take them; a sleeper that is met joins them
+    /// @param movers_of_slots  kFixed where no mover is
+    BodySweep(const World& world, Bodies& bodies, std::vector<Mover>& movers,
+              std::vector<std::uint32_t>& movers_of_slots, const SweepRules& rules);
 
-/// Whether it may be left where it is: it moved too little to be deeper than the skin.
-bool moved_clearly(const Mover& mover);
+    void run();
+
+    std::size_t swept() const { return swept_; }
+    std::size_t bounces() const { return bounces_; }
+    std::size_t woken() const { return woken_; }
+
+private:
+    /// The straight piece of a body's way that it is on.
+    struct Way {
+        SetMotion motion;
+        double from = 0;  ///< of the step: when the piece begins
+        int met = 0;
+        std::uint32_t piece = 0;
+        bool is_there = false, swept = false;
+    };
+    /// A touch that comes as long as both go on as they do now.
+    struct Touching {
+        double at = 0;  ///< of the step
+        std::uint32_t slot = 0, other = kFixed;
+        std::uint32_t piece = 0, other_piece = 0;
+        Vec3 point, normal;
+        /// The queue takes the greatest first.
+        friend bool operator<(const Touching& a, const Touching& b) {
+            if (a.at != b.at) return a.at > b.at;
+            return a.slot != b.slot ? a.slot > b.slot : a.other > b.other;
+        }
+    };
+
+    void start();
+    void find_world_touch(std::uint32_t slot);
+    enum class Overlap : std::uint8_t { kPassed, kMeets };
+    void find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap at_start);
+    void find_touches(std::uint32_t slot);
+    void touch(const Touching& it);
+    Mover& mover_at(std::uint32_t slot, double at);
+    void wake(std::uint32_t slot);
+    void go_on(std::uint32_t slot, double at, bool stops);
+    SetMotion rest_of(const Way& way, double at) const;
+    double reach_of(std::uint32_t slot) const;
+    std::span<const Sphere> cores_of(std::uint32_t slot, std::vector<Sphere>& into) const;
+
+    const World& world_;
+    Bodies& bodies_;
+    std::vector<Mover>& movers_;
+    std::vector<std::uint32_t>& movers_of_slots_;
+    const SweepRules& rules_;
+    std::vector<Way> ways_;  ///< of slots
+    std::priority_queue<Touching> touches_;
+    std::vector<Sphere> cores_, other_cores_;  ///< scratch
+    std::size_t swept_ = 0, bounces_ = 0, woken_ = 0;
+};
 
 }  // namespace firma

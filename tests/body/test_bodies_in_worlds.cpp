@@ -3,14 +3,15 @@
 // what comes upon them.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "firma/brush_world.h"
 #include "firma/carve.h"
 #include "firma/rooms.h"
 #include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/carve/cutters.h"
+#include "tests/openarena_maps.h"
+#include "tests/reference/judge_bodies.h"
 #include "tests/sample.h"
 #include "tests/solid/solid_levels.h"
 
@@ -24,81 +25,61 @@ using test::box_body;
 using test::ground;
 using test::run;
 
-/// Deeper than the skin in what bounds solid, or a centre in it: "" where no sphere is.
+using reference::random_body;
+
 std::string depth_fault(const World& world, const Bodies& bodies) {
-    const double skin = world.tolerance().contact_offset;
-    for (std::size_t slot = 0; slot < bodies.slots.size(); ++slot) {
-        const Body& body = bodies.slots[slot];
-        if (!body.shape.valid()) continue;
-        const Pose pose = pose_of(body);
-        const TurnMatrix turn = matrix_of(pose.rotation);
-        for (const Sphere& sphere : body.shape.spheres()) {
-            const Vec3 centre = pose.position + turn * sphere.centre;
-            if (locate(world.solid(), centre) == Where::kSolid) return "the centre of body " + std::to_string(slot);
-            const NearFace near = closest(world, centre, sphere.radius);
-            if (near && world.face_info(near.face)->solid && sphere.radius - near.distance > skin * 1.001)
-                return "body " + std::to_string(slot) + " by " + std::to_string(sphere.radius - near.distance);
-        }
-    }
-    return "";
+    return reference::BodyDepths().fault(world, bodies);
 }
 
-/// In the air of rooms, clear of all, of 1 to 40 spheres, at 1 to 1,000 m/s and up to 200 rad/s.
-Body random_body(const World& world, Rng& rng) {
-    SphereSet spheres;
-    const std::uint32_t count = rng.chance(0.1) ? 40 : 1 + rng.below(8);
-    const double size = rng.uniform(0.05, 0.3);
-    for (std::uint32_t k = 0; k < count; ++k)
-        spheres.push_back({rng.direction() * (count == 1 ? 0 : rng.uniform(0, size)), size * rng.uniform(0.15, 0.5)});
-    const BodyShape shape =
-        make_body_shape(spheres, mass_of_box({size, size * rng.uniform(0.3, 1), size}, 2000)).value();
-    const Box box = world.bounds();
-    for (;;) {
-        Pose pose;
-        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = rng.uniform(box.low[axis], box.high[axis]);
-        pose.rotation = random_turn(rng.next());
-        const Location at = locate(world, pose.position);
-        if (at.where != Where::kAir || room_info(world, at.room)->exterior || closest(world, pose.position, 1))
-            continue;
-        Body body = body_at(shape, pose);
-        const double tens = rng.uniform(0, 3);
-        body.velocity = rng.direction() * (tens < 1   ? 1 + 9 * tens
-                                           : tens < 2 ? 10 + 90 * (tens - 1)
-                                                      : 100 + 900 * (tens - 2));
-        body.spin = rng.direction() * rng.uniform(0, 200);
-        body.restitution = rng.uniform(0, 0.9);
-        return body;
-    }
+/// Two seconds.
+void judge_in(const World& level, double rate, bool cut_meanwhile) {
+    reference::BodyRun run;
+    run.bodies = std::uint32_t(test::sample(100));
+    run.seconds = 2;
+    run.rate = rate;
+    run.cut = cut_meanwhile;
+    run.seed = 3;
+    const reference::BodyVerdict verdict = reference::judge_bodies(level, run);
+    EXPECT_EQ(verdict.fault, "") << rate << (cut_meanwhile ? ", cut meanwhile" : ", cut before");
+    EXPECT_GT(verdict.bounces, run.bodies);
+    EXPECT_GT(verdict.cuts, 2u);
 }
 
-TEST(BodiesInWorlds, NeverThroughAWallWhileItIsCut) {
-    for (const double rate : {60.0, 30.0}) {
-        World world = test::depot_world();
-        const scenes::CutPlaces places = scenes::cut_places(world);
-        Rng rng(3);
-        Bodies bodies;
-        for (int k = 0; k < test::sample(100); ++k) add_body(bodies, random_body(world, rng));
-        std::size_t cuts = 0, bounces = 0;
-        for (int frame = 0; frame < 120; ++frame) {
-            if (frame % 2 == 0) {
-                const auto orders = scenes::level_cuts(places, scenes::LevelCuts::kSpread, 5, std::uint64_t(frame));
-                const CarveResult cut = carve(world, orders[0].cutter, orders[0].pose);
-                cuts += cut.done();
-                world = cut.world;
-            }
-            bounces += step(bodies, world, 1 / rate).bounces;
-            ASSERT_EQ(depth_fault(world, bodies), "") << "frame " << frame;
-        }
-        EXPECT_GT(cuts, 10u);
-        EXPECT_GT(bounces, std::size_t(test::sample(500)));
-    }
+TEST(BodiesInWorlds, NeverThroughAWallOfTheDepot) {
+    for (const double rate : {60.0, 30.0})
+        for (const bool cut : {false, true}) judge_in(test::depot_world(), rate, cut);
+}
+
+TEST(BodiesInWorlds, NeverThroughAWallOfAMap) {
+    const std::vector<std::filesystem::path> maps = openarena_maps();
+    const auto level = [&](const char* name) {
+        const auto map = std::find_if(maps.begin(), maps.end(), [&](const auto& path) { return path.stem() == name; });
+        return map == maps.end() ? World() : make_world(read_brush_level(map->string()).value()).value();
+    };
+    if (maps.empty()) GTEST_SKIP() << kNoOpenArena;
+    judge_in(level("kaos2"), 60, true);
+    judge_in(level("oa_koth1"), 30, true);
+}
+
+TEST(BodiesInWorlds, ABodyInAWallIsTold) {
+    const World world = ground();
+    Bodies bodies;
+    Body& body = *bodies.find(add_body(bodies, body_here(ball(0.2), {0, 0, 0.3})));
+    EXPECT_EQ(depth_fault(world, bodies), "");
+    body.position = {0, 0, 0.1985};
+    EXPECT_EQ(depth_fault(world, bodies), "body 0: a sphere 0.001500 m deep");
+    body.position = {0, 0, -1};
+    EXPECT_EQ(depth_fault(world, bodies), "body 0: a centre in solid");
+    body.position = {0, 0, -5};
+    EXPECT_EQ(reference::BodyDepths(world.bounds()).fault(world, bodies), "body 0: lost");
 }
 
 TEST(BodiesInWorlds, TheSameBitsEachTimeAndFromASnapshot) {
     const World world = test::depot_world();
+    const Level walls = scenes::cut_places(world).inside;
     Rng rng(4);
     Bodies bodies;
-    for (int k = 0; k < 20; ++k) add_body(bodies, random_body(world, rng));
+    for (int k = 0; k < 20; ++k) add_body(bodies, random_body(world, walls, rng));
     Bodies again = bodies;
     for (int k = 0; k < 60; ++k) step(bodies, world, 1.0 / 60);
     for (int k = 0; k < 30; ++k) step(again, world, 1.0 / 60);
