@@ -60,6 +60,8 @@ std::optional<Sphere> inner_ball(const Solid& solid, const PointCloud& samples, 
     if (!ball) return std::nullopt;
     ball->radius -= kRoundedBy;
     if (!(ball->radius > smallest)) return std::nullopt;
+    // A triangle of a facet that rounding bent may look the other way: its ball lies outside.
+    if (locate(solid, ball->centre) != Where::kSolid) return std::nullopt;
     return ball;
 }
 

@@ -6,7 +6,9 @@
 
 #include "body/cover_error.h"
 #include "body/surface_points.h"
+#include "firma/carve.h"
 #include "firma/queries.h"
+#include "scenes/level_cuts.h"
 #include "scenes/rng.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/sample.h"
@@ -71,6 +73,32 @@ TEST(FitSpheres, AreInsideAndAsNearAsTheySay) {
             judge(solid, fit.value());
         }
     }
+}
+
+// Their facets are bent by rounding; slivers among them look the other way.
+TEST(FitSpheres, AreInsideRubbleOfTheDepot) {
+    World world = with_anchors(test::depot_world());
+    const scenes::CutPlaces places = scenes::cut_places(world);
+    CarveOptions options;
+    options.chunks = ChunkOptions{};
+    int chunks = 0;
+    for (std::uint64_t index = 0; chunks < test::sample(100); ++index)
+        for (const scenes::CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts::kSpread, 7, index)) {
+            Pose pose = order.pose;
+            pose.scale *= 2;
+            const CarveResult cut = carve(world, order.cutter, pose, options);
+            world = cut.world;
+            for (const Chunk& chunk : cut.chunks) {
+                ++chunks;
+                const Result<SphereFit> fit = fit_spheres(chunk.solid, {.max_spheres = 12});
+                if (!fit) continue;
+                const World own = make_world(chunk.solid).value();
+                for (const Sphere& sphere : fit.value().spheres) {
+                    EXPECT_EQ(locate(chunk.solid, sphere.centre), Where::kSolid) << chunks;
+                    EXPECT_GE(closest(own, sphere.centre).distance, sphere.radius) << chunks;
+                }
+            }
+        }
 }
 
 TEST(FitSpheres, StopWhereTheErrorIsReached) {
