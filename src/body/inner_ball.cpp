@@ -8,8 +8,6 @@
 
 namespace firma {
 
-constexpr double kRoundedBy = 0x1p-30;  // metres: what distances are rounded by is far below
-
 namespace {
 
 struct NearPoint {
@@ -58,7 +56,7 @@ std::optional<Sphere> inner_ball(const Solid& solid, const PointCloud& samples, 
     const double at_most = about ? length(at.at - about->centre) : reach;
     std::optional<Sphere> ball = shrunk_ball(at, at_most, smallest, 0, by_facets);
     if (!ball) return std::nullopt;
-    ball->radius -= kRoundedBy;
+    ball->radius -= kDistanceRounding;
     if (!(ball->radius > smallest)) return std::nullopt;
     // A triangle of a facet that rounding bent may look the other way: its ball lies outside.
     if (locate(solid, ball->centre) != Where::kSolid) return std::nullopt;
@@ -80,7 +78,7 @@ Sphere grown_ball(const Solid& solid, const PointCloud& samples, double reach, S
                 if (!(at_most > best.radius)) continue;
                 const std::optional<NearestFacet> nearest =
                     nearest_facet(root, centre, at_most * (1 + kSearchRounding));
-                const double radius = nearest ? length(centre - nearest->at) - kRoundedBy : 0;
+                const double radius = nearest ? length(centre - nearest->at) - kDistanceRounding : 0;
                 if (radius > best.radius) best = {centre, radius};
             }
         if (best.radius > ball.radius)
