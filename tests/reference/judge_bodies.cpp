@@ -115,19 +115,19 @@ firma::Body random_body(const World& world, const Level& walls, Rng& rng) {
     const Vec3 half{size, size * rng.uniform(0.3, 1), size};
     const double density = std::pow(10.0, rng.uniform(2, 4));
     const BodyShape shape = make_body_shape(spheres, mass_of_box(half, density)).value();
-    constexpr double kClear = 0.5;  // no shape reaches so far
+    constexpr double kWide = 0.5;  // no shape reaches so far
     for (;;) {
         const LevelFace& face = walls.faces[rng.below(std::uint32_t(walls.faces.size()))];
         const auto corner = [&](std::uint32_t k) {
             return to_metres(walls.vertices[walls.corners[face.first_corner + k]]);
         };
         const Vec3 a = corner(0), b = corner(1), c = corner(2), across = cross(b - a, c - a);
-        const double i = rng.uniform(0, 1), j = rng.uniform(0, 1 - i), out = rng.uniform(kClear, 4);
+        const double i = rng.uniform(0, 1), j = rng.uniform(0, 1 - i), out = rng.uniform(kWide, 4);
         Pose pose;
         pose.position = a + (b - a) * i + (c - a) * j + across * (out / length(across));
         pose.rotation = random_turn(rng.next());
         const Location at = locate(world, pose.position);
-        if (at.where != Where::kAir || room_info(world, at.room)->exterior || closest(world, pose.position, kClear))
+        if (at.where != Where::kAir || room_info(world, at.room)->exterior || closest(world, pose.position, kWide))
             continue;
         firma::Body body = body_at(shape, pose);
         throw_body(body, rng);
