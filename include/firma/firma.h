@@ -21,6 +21,7 @@
 #include "firma/matter.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
+#include "firma/players.h"
 #include "firma/polygon.h"
 #include "firma/queries.h"
 #include "firma/region_meshes.h"

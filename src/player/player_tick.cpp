@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+// A tick of a player: out of what came, posture, speed, then on the ground or in the air.
+#include "player/player_tick.h"
+
+#include <algorithm>
+
+#include "firma/rooms.h"
+#include "player/way_out.h"
+
+namespace firma {
+namespace {
+
+constexpr int kMaxSlides = 8;
+/// Slop, metres: a step up that leads no farther is none.
+constexpr double kLeastClimb = 1e-4;
+/// Slop, a share of a fall: what falls no farther than that between what it touches is held.
+constexpr double kHeld = 1e-3;
+/// Slop, metres: what would go down or up by less stays where it is, to the bit.
+constexpr double kAtRest = 1e-7;
+/// Slop, a cosine: what leans by less is upright.
+constexpr double kUpright = 1e-6;
+
+Vec3 unit(const Vec3& v) {
+    const double size = length(v);
+    return size > 0 ? v * (1 / size) : Vec3{};
+}
+
+/// As near to `to` as a change of `most` allows.
+Vec3 approach(const Vec3& from, const Vec3& to, double most) {
+    const Vec3 change = to - from;
+    const double size = length(change);
+    return size <= most ? to : from + change * (most / size);
+}
+
+}  // namespace
+
+PlayerTick::PlayerTick(const World& world, const PlayerShapeData& shape, const Player& player, const PlayerWish& wish,
+                       double seconds, const PlayerRules& rules, double offset)
+    : world_(world),
+      shape_(shape),
+      wish_(wish),
+      rules_(rules),
+      ground_rules_(world, shape, rules, player.mask, offset),
+      up_(shape.up),
+      seconds_(seconds),
+      offset_(offset),
+      other_world_(player.world_version != world.version() || player.stuck),
+      posture_(world, shape, player.crouched, player.mask, offset) {
+    player_ = player;
+    ground_ = player.on_ground ? player.ground_normal : up_;
+}
+
+PlayerMove PlayerTick::run() {
+    if (other_world_ && !get_free()) {
+        player_.stuck = true;
+        player_.velocity = {};
+        return move_;
+    }
+    player_.stuck = false;
+    choose_posture();
+    if (other_world_ && player_.on_ground) settle(rules_.step_height);
+    accelerate();
+    if (player_.on_ground)
+        walk();
+    else
+        fly();
+    finish();
+    return move_;
+}
+
+bool PlayerTick::get_free() {
+    player_.world_version = world_.version();
+    if (is_free(posture_, player_.position)) return true;
+    const std::optional<Vec3> out =
+        way_out(world_, posture_, shape_, player_.position, player_.room, rules_.max_push, offset_);
+    if (!out) return false;
+    move_.pushed = *out - player_.position;
+    player_.position = *out;
+    return true;
+}
+
+void PlayerTick::choose_posture() {
+    if (wish_.crouch == player_.crouched) return;
+    const PostureIn other(world_, shape_, wish_.crouch, player_.mask, offset_);
+    if (!wish_.crouch && other.overlaps(player_.position)) return;
+    player_.crouched = wish_.crouch;
+    posture_ = other;
+}
+
+void PlayerTick::accelerate() {
+    const Vec3 wished = sideways(wish_.velocity) * (player_.crouched ? rules_.crouched_speed : 1);
+    const Vec3 side = sideways(player_.velocity);
+    double rise = dot(player_.velocity, up_);
+    Vec3 faster = side;
+    if (player_.on_ground) {
+        faster = approach(side, wished, rules_.ground_acceleration * seconds_);
+        rise = 0;
+        if (wish_.jump) {
+            rise = rules_.jump_speed;
+            player_.on_ground = false;
+            move_.jumped = true;
+        }
+    } else if (dot(wished, wished) > 0) {
+        faster = approach(side, wished, rules_.air_acceleration * seconds_);
+    }
+    player_.velocity = faster + up_ * rise;
+}
+
+Vec3 PlayerTick::along_ground(const Vec3& flat) const {
+    const Vec3 slanted = flat - up_ * (dot(ground_, flat) / dot(ground_, up_));
+    const double size = length(slanted);
+    return size > 0 ? slanted * (length(flat) / size) : Vec3{};
+}
+
+Vec3 PlayerTick::allowed_on_ground(const Vec3& motion) const {
+    AllowedMotion cone = walls_;
+    cone.add(ground_);
+    return cone.nearest(motion);
+}
+
+Hit PlayerTick::go(const Vec3& path) {
+    const Hit hit = posture_.sweep(player_.position, path);
+    player_.position += path * hit.safe_fraction;
+    if (hit.touched()) {
+        // Met again though it leads into nothing that was met: it overlapped. Then as if by the way out.
+        if (touched_.holds(hit.normal)) player_.position += hit.normal * offset_;
+        touched_.add(hit.normal);
+    }
+    return hit;
+}
+
+void PlayerTick::walk() {
+    const Vec3 from = player_.position;
+    Vec3 left = sideways(player_.velocity) * seconds_;
+    for (int slide = 0; slide < kMaxSlides; ++slide) {
+        const Vec3 path = allowed_on_ground(along_ground(left));
+        if (!(max_abs(path) > 0)) break;
+        const Hit hit = go(path);
+        left *= 1 - hit.safe_fraction;
+        if (!hit.touched()) break;
+        const Ground ground = ground_rules_.under(hit, player_.position);
+        note(hit, ground);
+        if (ground.carries && ground_rules_.walkable(hit.normal))
+            ground_ = hit.normal;
+        else if (!climb(left))
+            add_wall(hit.normal);
+    }
+    if (wish_.careful) keep_off_ledges(from);
+    settle(rules_.step_height);
+}
+
+// Up, along, and down again: on a step if what it comes down on carries.
+bool PlayerTick::climb(Vec3& left) {
+    const Vec3 from = player_.position;
+    const double rise = rules_.step_height * posture_.sweep(from, up_ * rules_.step_height).safe_fraction;
+    if (!(rise > offset_) || !(max_abs(left) > 0)) return false;
+    // A slow one goes as far as over the gap that it keeps.
+    Vec3 at = from + up_ * rise, to_do = left * std::max(1.0, 2 * offset_ / length(left));
+    AllowedMotion walls = walls_;
+    for (int slide = 0; slide < kMaxSlides; ++slide) {
+        const Vec3 path = walls.nearest(to_do);
+        if (!(max_abs(path) > 0)) break;
+        const Hit hit = posture_.sweep(at, path);
+        at += path * hit.safe_fraction;
+        to_do *= 1 - hit.safe_fraction;
+        const Vec3 side = sideways(hit.normal);
+        if (!hit.touched() || !(length(side) > kUpright)) break;
+        walls.add(unit(side));
+    }
+    if (!(length(sideways(at - from)) > kLeastClimb)) return false;
+    const Vec3 fall = up_ * -(rise + offset_);
+    const Hit down = posture_.sweep(at, fall);
+    const Vec3 there = at + fall * down.safe_fraction;
+    const Ground ground = ground_rules_.under(down, there);
+    if (!ground.carries || !(dot(there - from, up_) > offset_)) return false;
+    if (dot(down.point - foothold(from), up_) > rules_.step_height) return false;
+    player_.position = there;
+    left = to_do;
+    ground_ = ground.normal;
+    move_.stepped = true;
+    note(down, ground);
+    return true;
+}
+
+// Where it stands: the point that carries it, which for a round foot on an edge is higher than its lowest point.
+Vec3 PlayerTick::foothold(const Vec3& feet) const {
+    const Hit hit = posture_.sweep(feet, up_ * -rules_.step_height);
+    return hit.touched() ? hit.point : feet;
+}
+
+void PlayerTick::add_wall(const Vec3& normal) {
+    walls_.add(normal);
+    const Vec3 side = sideways(normal);
+    if (dot(normal, up_) > kUpright && length(side) > kUpright) walls_.add(unit(side));
+}
+
+bool PlayerTick::ground_within(const Vec3& feet, double far) const {
+    const Vec3 fall = up_ * -far;
+    const Hit hit = posture_.sweep(feet, fall);
+    return ground_rules_.under(hit, feet + fall * hit.safe_fraction).carries;
+}
+
+// Back to where the ground ends, then on along the face that drops there.
+void PlayerTick::keep_off_ledges(const Vec3& from) {
+    constexpr int kHalvings = 12;
+    const Vec3 to = player_.position, way = sideways(to - from);
+    if (!(max_abs(way) > 0) || ground_within(to, rules_.max_drop)) return;
+    double share = 0, over = 1;
+    for (int k = 0; k < kHalvings; ++k) {
+        const double middle = (share + over) * 0.5;
+        (ground_within(from + (to - from) * middle, rules_.max_drop) ? share : over) = middle;
+    }
+    player_.position = from + (to - from) * share;
+    CastOptions options;
+    options.mask = player_.mask;
+    const Vec3 beyond = to + unit(way) * (shape_.radius * 2) - up_ * (rules_.max_drop * 0.5);
+    const Hit drop = cast(world_, Ray{beyond, (from - to) + unit(way) * (shape_.radius * -4)}, options);
+    if (!drop) return;
+    AllowedMotion ledge = walls_;
+    ledge.add(unit(sideways(-drop.normal)));
+    const Vec3 along = ledge.nearest(way * (1 - share));
+    const Hit hit = posture_.sweep(player_.position, along);
+    const Vec3 there = player_.position + along * hit.safe_fraction;
+    if (ground_within(there, rules_.max_drop)) player_.position = there;
+}
+
+void PlayerTick::fly() {
+    const Vec3 fall = up_ * (-rules_.gravity * seconds_);
+    Vec3 left = (player_.velocity + fall * 0.5) * seconds_;
+    player_.velocity += fall;
+    for (int slide = 0; slide < kMaxSlides; ++slide) {
+        const Vec3 path = walls_.nearest(left);
+        if (!(max_abs(path) > 0)) break;
+        const Hit hit = go(path);
+        left *= 1 - hit.safe_fraction;
+        if (!hit.touched()) break;
+        if (come_down(hit, left)) return;
+        add_wall(hit.normal);
+    }
+    if (is_held()) stand_on(up_);
+}
+
+// Lands: what is left of the way goes along the ground.
+bool PlayerTick::come_down(const Hit& hit, const Vec3& left) {
+    const Ground ground = ground_rules_.under(hit, player_.position);
+    note(hit, ground);
+    if (!ground.carries || dot(player_.velocity, up_) > 0) return false;
+    move_.landed_speed = -dot(player_.velocity, up_);
+    stand_on(ground.normal);
+    if (ground_rules_.walkable(hit.normal)) ground_ = hit.normal;
+    Vec3 flat = sideways(left);
+    for (int slide = 0; slide < kMaxSlides; ++slide) {
+        const Vec3 path = allowed_on_ground(along_ground(flat));
+        if (!(max_abs(path) > 0)) break;
+        const Hit next = go(path);
+        flat *= 1 - next.safe_fraction;
+        if (!next.touched()) break;
+        add_wall(next.normal);
+    }
+    settle(rules_.step_height);
+    return true;
+}
+
+// Down to what carries, within reach of a step; else it is in the air, but where what it touches holds it.
+void PlayerTick::settle(double far) {
+    const Vec3 fall = up_ * -far;
+    const Hit hit = posture_.sweep(player_.position, fall);
+    const Vec3 there = player_.position + fall * hit.safe_fraction;
+    const Ground ground = ground_rules_.under(hit, there);
+    if (ground.carries) {
+        if (length(there - player_.position) > kAtRest) player_.position = there;
+        keep_offset(hit, far);
+        note(hit, ground);
+        return stand_on(ground.normal);
+    }
+    player_.on_ground = false;
+    Vec3 at = player_.position;
+    AllowedMotion below;
+    for (int slide = 0; slide < kMaxSlides; ++slide) {
+        const Vec3 path = below.nearest(up_ * (-4 * offset_));
+        if (-dot(path, up_) < 4 * offset_ * kHeld) return stand_on(up_);
+        const Hit met = posture_.sweep(at, path);
+        if (!met.touched()) return;
+        at += path * met.safe_fraction;
+        if (const Ground under = ground_rules_.under(met, at); under.carries) {
+            player_.position = at;
+            note(met, under);
+            return stand_on(under.normal);
+        }
+        below.add(met.normal);
+    }
+}
+
+// Up again by what is missing of the offset from the ground, as far as there is room: slides bring it as near as the
+// ground they begin on was, measured along another normal.
+void PlayerTick::keep_offset(const Hit& hit, double far) {
+    const double missing = offset_ / dot(hit.normal, up_) - hit.fraction * far;
+    if (missing > kAtRest)
+        player_.position += up_ * (missing * posture_.sweep(player_.position, up_ * missing).safe_fraction);
+}
+
+bool PlayerTick::is_held() const {
+    return length(touched_.nearest(-up_)) < kHeld;
+}
+
+void PlayerTick::stand_on(const Vec3& normal) {
+    player_.on_ground = true;
+    player_.ground_normal = normal;
+    player_.velocity = sideways(player_.velocity);
+}
+
+void PlayerTick::note(const Hit& hit, const Ground& ground) {
+    const double rise = dot(hit.normal, up_);
+    PlayerContact contact;
+    contact.kind = ground.carries ? ContactKind::kGround : rise < -0.5 ? ContactKind::kCeiling : ContactKind::kWall;
+    contact.point = hit.point;
+    contact.normal = hit.normal;
+    contact.face_normal = ground.carries ? ground.normal : hit.face_normal;
+    contact.face = hit.face;
+    contact.portal = hit.portal;
+    contact.material = hit.material;
+    for (std::size_t k = 0; k < move_.contact_count; ++k)
+        if (move_.touched[k].face == contact.face && move_.touched[k].portal == contact.portal) {
+            move_.touched[k] = contact;
+            return;
+        }
+    if (move_.contact_count < kMaxPlayerContacts) move_.touched[move_.contact_count++] = contact;
+}
+
+void PlayerTick::finish() {
+    player_.velocity = walls_.nearest(player_.velocity);
+    if (player_.on_ground) player_.velocity = sideways(player_.velocity);
+    if (!player_.on_ground) player_.ground_normal = {};
+    const Location at = posture_.where(player_.position);
+    if (at.where == Where::kAir) player_.room = at.room;
+}
+
+}  // namespace firma

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// One tick of one player: what it does, phase by phase.
+#pragma once
+
+#include "player/allowed_motion.h"
+#include "player/player_ground.h"
+#include "player/player_shape.h"
+
+namespace firma {
+
+class PlayerTick {
+public:
+    PlayerTick(const World& world, const PlayerShapeData& shape, const Player& player, const PlayerWish& wish,
+               double seconds, const PlayerRules& rules, double offset);
+
+    PlayerMove run();
+
+private:
+    bool get_free();
+    void choose_posture();
+    void accelerate();
+    void walk();
+    void keep_off_ledges(const Vec3& from);
+    void fly();
+    void settle(double far);
+    void keep_offset(const Hit& hit, double far);
+    void finish();
+
+    /// A sweep as far as is safe, noted, and what it touched.
+    Hit go(const Vec3& path);
+    bool climb(Vec3& left);
+    Vec3 foothold(const Vec3& feet) const;
+    bool come_down(const Hit& hit, const Vec3& left);
+    void add_wall(const Vec3& normal);
+    void note(const Hit& hit, const Ground& ground);
+    void stand_on(const Vec3& normal);
+    bool is_held() const;
+    bool ground_within(const Vec3& feet, double far) const;
+
+    Vec3 sideways(const Vec3& v) const { return v - up_ * dot(v, up_); }
+    /// As long as `flat`, above the same line, in the plane of the ground.
+    Vec3 along_ground(const Vec3& flat) const;
+    Vec3 allowed_on_ground(const Vec3& motion) const;
+
+    const World& world_;
+    const PlayerShapeData& shape_;
+    const PlayerWish& wish_;
+    const PlayerRules& rules_;
+    const GroundRules ground_rules_;
+    const Vec3 up_;
+    const double seconds_, offset_;
+    const bool other_world_;
+    PostureIn posture_;
+    PlayerMove move_;
+    Player& player_ = move_.player;
+    Vec3 ground_;            ///< normal of what it walks on
+    AllowedMotion walls_;    ///< what blocks it: faces too steep to walk on block upright, too
+    AllowedMotion touched_;  ///< all that was touched, as it was
+};
+
+}  // namespace firma
