@@ -49,8 +49,8 @@ Vec3 GroundRules::flattest_at(const Hit& hit) const {
 bool GroundRules::ground_below(const Vec3& feet) const {
     CastOptions options;
     options.mask = mask_;
-    const Hit hit =
-        cast(world_, Ray{feet + shape_.up * shape_.radius, shape_.up * -(shape_.radius + rules_.step_height)}, options);
+    const double far = shape_.radius + rules_.step_height + 2 * offset_;
+    const Hit hit = cast(world_, Ray{feet + shape_.up * shape_.radius, shape_.up * -far}, options);
     return hit && walkable(hit.normal);
 }
 
