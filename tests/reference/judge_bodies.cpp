@@ -9,6 +9,7 @@
 #include "firma/chunk.h"
 #include "firma/rooms.h"
 #include "scenes/level_cuts.h"
+#include "tests/reference/rooms_outside.h"
 
 namespace firma::reference {
 namespace {
@@ -27,13 +28,6 @@ void throw_body(firma::Body& body, Rng& rng) {
     body.velocity = random_velocity(rng);
     const Vec3 axis = rng.direction();
     body.spin = axis * rng.uniform(0, 200);
-}
-
-bool opens_hull(const World& before, const World& after) {
-    const std::vector<bool> was = rooms_outside(before), is = rooms_outside(after);
-    for (std::size_t room = 0; room < was.size(); ++room)
-        if (is[room] && !was[room]) return true;
-    return false;
 }
 
 /// A level, the cuts that are made in it, and its bodies.
@@ -74,7 +68,7 @@ private:
         CarveOptions options;
         options.chunks = ChunkOptions{};
         const CarveResult made = carve(world_, orders[0].cutter, orders[0].pose, options);
-        if (opens_hull(world_, made.world)) return;
+        if (opens_way_out(world_, made.world)) return;
         world_ = made.world;
         cuts_ += made.done();
         for (const Chunk& chunk : made.chunks) {
@@ -106,24 +100,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<bool> rooms_outside(const World& world) {
-    std::vector<bool> outside(world.room_count(), false);
-    std::vector<RoomId> to_do;
-    const auto reach = [&](RoomId room) {
-        if (outside[room.value]) return;
-        outside[room.value] = true;
-        to_do.push_back(room);
-    };
-    for (std::uint32_t room = 0; room < outside.size(); ++room)
-        if (room_info(world, {room})->exterior) reach({room});
-    while (!to_do.empty()) {
-        const RoomId room = to_do.back();
-        to_do.pop_back();
-        for (const RoomId next : neighbours(world, room)) reach(next);
-    }
-    return outside;
-}
 
 firma::Body random_body(const World& world, const Level& walls, Rng& rng) {
     SphereSet spheres;

@@ -12,9 +12,6 @@
 
 namespace firma::reference {
 
-/// Of each room: whether ways through portals, open or closed, lead from it to the exterior.
-std::vector<bool> rooms_outside(const World& world);
-
 /// In the air of rooms that are not outside, clear of all, of 1 to 40 spheres, at 1 to 1,000 m/s and up to 200 rad/s.
 /// @param walls  one of its faces is near
 firma::Body random_body(const World& world, const Level& walls, scenes::Rng& rng);
