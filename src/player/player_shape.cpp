@@ -144,22 +144,29 @@ Hit PostureIn::sweep(const Vec3& feet, const Vec3& path) const {
     return cast(*world_, posture_->spheres, motion, options_);
 }
 
+bool PostureIn::is_behind(const Vec3& middle, const Overlap& overlap) const {
+    const std::optional<FaceInfo> face = world_->face_info(overlap.face);
+    return face && !face->two_sided && dot(middle - overlap.point, face->normal) < 0;
+}
+
 void PostureIn::each_overlap(const Vec3& feet, OverlapVisitor visit) const {
+    const Vec3 middle = feet + posture_->middle;
+    bool on = true;
+    const auto met = [&](const Overlap& overlap) { return is_behind(middle, overlap) || (on = visit(overlap)); };
     switch (kind_) {
         case PlayerShapeData::Kind::kCapsule:
             overlap_each(*world_,
                          Capsule{posture_->capsule.from + feet, posture_->capsule.to + feet, posture_->capsule.radius},
-                         visit, near_);
+                         met, near_);
             return;
         case PlayerShapeData::Kind::kBox:
-            overlap_each(*world_, posture_->box, feet + posture_->middle, visit, near_);
+            overlap_each(*world_, posture_->box, middle, met, near_);
             return;
         case PlayerShapeData::Kind::kSpheres:
             break;
     }
-    bool on = true;
     for (const Sphere& sphere : posture_->spheres) {
-        overlap_each(*world_, put(sphere, feet), [&](const Overlap& overlap) { return on = visit(overlap); }, near_);
+        overlap_each(*world_, put(sphere, feet), met, near_);
         if (!on) return;
     }
 }

@@ -37,7 +37,9 @@ public:
     Location where(const Vec3& feet) const;  ///< of its middle
 
 private:
+    /// Of faces that can be met from where its middle is: of one-sided ones not from behind, as for casts.
     void each_overlap(const Vec3& feet, OverlapVisitor visit) const;
+    bool is_behind(const Vec3& middle, const Overlap& overlap) const;
 
     const World* world_;
     PlayerShapeData::Kind kind_;

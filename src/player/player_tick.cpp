@@ -328,9 +328,13 @@ void PlayerTick::note(const Hit& hit, const Ground& ground) {
 }
 
 void PlayerTick::finish() {
-    player_.velocity = walls_.nearest(player_.velocity);
-    if (player_.on_ground) player_.velocity = sideways(player_.velocity);
-    if (!player_.on_ground) player_.ground_normal = {};
+    if (player_.on_ground) {
+        const Vec3 along = along_ground(player_.velocity), allowed = allowed_on_ground(along);
+        if (!(allowed == along)) player_.velocity = unit(sideways(allowed)) * length(allowed);
+    } else {
+        player_.velocity = walls_.nearest(player_.velocity);
+        player_.ground_normal = {};
+    }
     const Location at = posture_.where(player_.position);
     if (at.where == Where::kAir) player_.room = at.room;
 }
