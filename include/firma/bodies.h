@@ -102,8 +102,8 @@ struct Bodies {
     std::vector<std::uint32_t> free;    ///< slots without a body, the last one is taken first
     std::vector<BodyContact> contacts;  ///< by body, other, sphere, other sphere
     std::uint64_t steps = 0;
-    std::uint64_t world_version = ~std::uint64_t{};  ///< of the world that the last step was in
-    std::uint32_t islands = 0;                       ///< numbers given so far
+    std::uint64_t world_hash = 0;  ///< hash_world() of the world that the last step was in
+    std::uint32_t islands = 0;     ///< numbers given so far
 
     /// Null where it is not there any more.
     FIRMA_EXPORT Body* find(BodyId id);

@@ -65,10 +65,10 @@ struct Player {
     std::uint32_t mask = ~0u;  ///< faces that share a bit are met
     bool on_ground = false;
     bool crouched = false;
-    bool stuck = false;                              ///< it overlaps, and no place to go was found
-    Vec3 ground_normal{};                            ///< of the face that it stands on; with on_ground
-    RoomId room;                                     ///< where its middle was last in air
-    std::uint64_t world_version = ~std::uint64_t{};  ///< of the world that it was last moved in
+    bool stuck = false;            ///< it overlaps, and no place to go was found
+    Vec3 ground_normal{};          ///< of the face that it stands on; with on_ground
+    RoomId room;                   ///< where its middle was last in air
+    std::uint64_t world_hash = 0;  ///< hash_world() of the world that it was last moved in
 };
 
 /// What is wished of it for one move.
@@ -114,7 +114,9 @@ struct PlayerMove {
     Player player;
     std::array<PlayerContact, kMaxPlayerContacts> touched{};
     std::size_t contact_count = 0;
-    Vec3 pushed{};            ///< metres: the way out of what came where the player was, before it moved
+    /// Metres: the way out of what came where the player was, before it moved; and what it backs off by, less than the
+    /// contact offset at a time, from what it has come nearer to than that.
+    Vec3 pushed{};
     double landed_speed = 0;  ///< metres a second against the ground, where it came down; else 0
     bool jumped = false;
     bool stepped = false;  ///< up a step

@@ -47,7 +47,7 @@ std::uint64_t hash_bodies(const Bodies& bodies) {
         hash.add(contact.force);
     }
     hash.add(bodies.steps);
-    hash.add(bodies.world_version);
+    hash.add(bodies.world_hash);
     hash.add(bodies.islands);
     return hash.value();
 }

@@ -59,8 +59,6 @@ std::size_t wake_island(Bodies& bodies, std::uint32_t slot) {
 }
 
 std::size_t wake_unsupported(Bodies& bodies, const World& world) {
-    if (bodies.world_version == world.version()) return 0;
-    bodies.world_version = world.version();
     std::size_t woken = 0;
     const Cells& cells = world.data().cells;
     const auto is_there = [&](const BodyContact& contact) {

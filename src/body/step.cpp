@@ -34,8 +34,11 @@ public:
           substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))) {}
 
     StepReport run() {
-        find_stuck(bodies_, world_, bodies_.world_version != world_.version());
-        report_.woken = wake_unsupported(bodies_, world_);
+        const std::uint64_t hash = hash_world(world_);
+        const bool other_world = bodies_.world_hash != hash;
+        bodies_.world_hash = hash;
+        find_stuck(bodies_, world_, other_world);
+        if (other_world) report_.woken = wake_unsupported(bodies_, world_);
         free_stuck();
         gather_movers();
         find_contacts();

@@ -44,7 +44,7 @@ PlayerTick::PlayerTick(const World& world, const PlayerShapeData& shape, const P
       up_(shape.up),
       seconds_(seconds),
       offset_(offset),
-      other_world_(player.world_version != world.version() || player.stuck),
+      other_world_(player.world_hash != hash_world(world) || player.stuck),
       posture_(world, shape, player.crouched, player.mask, offset) {
     player_ = player;
     ground_ = player.on_ground ? player.ground_normal : up_;
@@ -69,7 +69,7 @@ PlayerMove PlayerTick::run() {
 }
 
 bool PlayerTick::get_free() {
-    player_.world_version = world_.version();
+    player_.world_hash = hash_world(world_);
     if (is_free(posture_, player_.position)) return true;
     const std::optional<Vec3> out =
         way_out(world_, posture_, shape_, player_.position, player_.room, rules_.max_push, offset_);
@@ -121,12 +121,21 @@ Vec3 PlayerTick::allowed_on_ground(const Vec3& motion) const {
 Hit PlayerTick::go(const Vec3& path) {
     const Hit hit = posture_.sweep(player_.position, path);
     player_.position += path * hit.safe_fraction;
-    if (hit.touched()) {
-        // Met again though it leads into nothing that was met: it overlapped. Then as if by the way out.
-        if (touched_.holds(hit.normal)) player_.position += hit.normal * offset_;
-        touched_.add(hit.normal);
-    }
+    if (!hit.touched()) return hit;
+    touched_.add(hit.normal);
+    const double gap = -dot(path, hit.normal) * (hit.fraction - hit.safe_fraction);
+    if (gap < offset_ * 0.5) back_off(hit.normal, offset_ - gap);
     return hit;
+}
+
+// It stopped for something else nearer to this than the offset. Away from it again, at most half way to what is across:
+// so what has room on both sides touches neither.
+void PlayerTick::back_off(const Vec3& normal, double far) {
+    const Vec3 path = normal * far;
+    const Hit hit = posture_.sweep(player_.position, path);
+    const Vec3 way = path * std::max(hit.safe_fraction, hit.fraction * 0.5);
+    player_.position += way;
+    move_.pushed += way;
 }
 
 void PlayerTick::walk() {

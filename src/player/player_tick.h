@@ -28,6 +28,7 @@ private:
 
     /// A sweep as far as is safe, noted, and what it touched.
     Hit go(const Vec3& path);
+    void back_off(const Vec3& normal, double far);
     bool climb(Vec3& left);
     Vec3 foothold(const Vec3& feet) const;
     bool come_down(const Hit& hit, const Vec3& left);

@@ -150,7 +150,7 @@ private:
         verdict_.jumps += moved.jumped;
         verdict_.steps += moved.stepped;
         verdict_.landings += moved.landed_speed > 0;
-        verdict_.pushed += length(moved.pushed) > 0;
+        verdict_.pushed += length(moved.pushed) > 0.01;
         if (!moved.valid) return fail("refused");
         if (player_.stuck) {
             verdict_.stuck += !before.stuck;
