@@ -131,8 +131,8 @@ struct PlayerMove {
 /// never faster sideways, slopes and steps included. In the air it flies on, a parabola as long as it meets nothing.
 /// What it meets it slides along: of all motions that lead into nothing that was met, the one nearest to what is left
 /// (one plane, two, or three; the solution is that of the linear problem, without a nudge away from walls). It keeps
-/// the contact offset from all. A face too steep to walk on lifts nobody. No sweep is ever shortened, so it passes no
-/// wall at any speed.
+/// the contact offset from all. A face too steep to walk on lifts nobody, but to ground that is within a step above and
+/// near. No sweep is ever shortened, so it passes no wall at any speed.
 ///
 /// Where another world is given than last time, it is looked whether something came where the player is. If so it is
 /// moved out: the shortest way that overlaps lead to, else to the nearest of places around it that are free; none in

@@ -158,13 +158,15 @@ void PlayerTick::walk() {
     settle(rules_.step_height);
 }
 
-// Up, along, and down again: on a step if what it comes down on carries.
+// Up, along, and down again: on a step if what it comes down on carries. Else, as on the steep side of a small pit, if
+// a bit farther on something does that is no higher than a step: then it is on its way up.
 bool PlayerTick::climb(Vec3& left) {
     const Vec3 from = player_.position;
     const double rise = rules_.step_height * posture_.sweep(from, up_ * rules_.step_height).safe_fraction;
     if (!(rise > offset_) || !(max_abs(left) > 0)) return false;
     // A slow one goes as far as over the gap that it keeps.
     Vec3 at = from + up_ * rise, to_do = left * std::max(1.0, 2 * offset_ / length(left));
+    const Vec3 ahead = unit(left) * (2 * shape_.radius);
     AllowedMotion walls = walls_;
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = walls.nearest(to_do);
@@ -178,17 +180,36 @@ bool PlayerTick::climb(Vec3& left) {
     }
     if (!(length(sideways(at - from)) > kLeastClimb)) return false;
     const Vec3 fall = up_ * -(rise + offset_);
-    const Hit down = posture_.sweep(at, fall);
-    const Vec3 there = at + fall * down.safe_fraction;
-    const Ground ground = ground_rules_.under(down, there);
-    if (!ground.carries || !(dot(there - from, up_) > offset_)) return false;
-    if (dot(down.point - foothold(from), up_) > rules_.step_height) return false;
-    player_.position = there;
+    const Landing near = land(at, fall);
+    if (!near.hit.touched() || dot(near.feet - from, up_) < 0) return false;
+    if (is_step(near, from)) {
+        ground_ = near.ground.normal;
+    } else {
+        if (near.ground.carries) return false;
+        const Landing far = land(at + ahead * posture_.sweep(at, ahead).safe_fraction, fall);
+        if (!is_step(far, from)) return false;
+        climbing_ = true;
+        ground_ = up_;
+    }
+    player_.position = near.feet;
     left = to_do;
-    ground_ = ground.normal;
     move_.stepped = true;
-    note(down, ground);
+    note(near.hit, near.ground);
     return true;
+}
+
+PlayerTick::Landing PlayerTick::land(const Vec3& feet, const Vec3& fall) const {
+    Landing landing;
+    landing.hit = posture_.sweep(feet, fall);
+    landing.feet = feet + fall * landing.hit.safe_fraction;
+    landing.ground = ground_rules_.under(landing.hit, landing.feet);
+    return landing;
+}
+
+/// Whether it leads up, by no more than a step.
+bool PlayerTick::is_step(const Landing& landing, const Vec3& from) const {
+    return landing.ground.carries && dot(landing.feet - from, up_) > offset_ &&
+           dot(landing.hit.point - foothold(from), up_) <= rules_.step_height;
 }
 
 // Where it stands: the point that carries it, which for a round foot on an edge is higher than its lowest point.
@@ -243,10 +264,21 @@ void PlayerTick::fly() {
         const Hit hit = go(path);
         left *= 1 - hit.safe_fraction;
         if (!hit.touched()) break;
-        if (come_down(hit, left)) return;
+        if (come_down(hit, left) || climb_from_slide(hit, left)) return;
         add_wall(hit.normal);
     }
     if (is_held()) stand_on(up_);
+}
+
+// On a side too steep to stand on, with something below within a step: it may go on up as from the ground.
+bool PlayerTick::climb_from_slide(const Hit& hit, const Vec3& left) {
+    if (dot(player_.velocity, up_) > 0 || !(dot(hit.normal, up_) > kUpright)) return false;
+    if (!posture_.sweep(player_.position, up_ * -rules_.step_height).touched()) return false;
+    Vec3 flat = sideways(left);
+    if (!climb(flat)) return false;
+    stand_on(up_);
+    settle(rules_.step_height);
+    return true;
 }
 
 // Lands: what is left of the way goes along the ground.
@@ -282,6 +314,7 @@ void PlayerTick::settle(double far) {
         note(hit, ground);
         return stand_on(ground.normal);
     }
+    if (climbing_) return stand_on(up_);
     player_.on_ground = false;
     Vec3 at = player_.position;
     AllowedMotion below;

@@ -26,12 +26,21 @@ private:
     void keep_offset(const Hit& hit, double far);
     void finish();
 
+    struct Landing {
+        Hit hit;
+        Vec3 feet;
+        Ground ground;
+    };
+    Landing land(const Vec3& feet, const Vec3& fall) const;
+    bool is_step(const Landing& landing, const Vec3& from) const;
+
     /// A sweep as far as is safe, noted, and what it touched.
     Hit go(const Vec3& path);
     void back_off(const Vec3& normal, double far);
     bool climb(Vec3& left);
     Vec3 foothold(const Vec3& feet) const;
     bool come_down(const Hit& hit, const Vec3& left);
+    bool climb_from_slide(const Hit& hit, const Vec3& left);
     void add_wall(const Vec3& normal);
     void note(const Hit& hit, const Ground& ground);
     void stand_on(const Vec3& normal);
@@ -54,6 +63,7 @@ private:
     PostureIn posture_;
     PlayerMove move_;
     Player& player_ = move_.player;
+    bool climbing_ = false;  ///< up a side too steep to stand on, to ground within a step
     Vec3 ground_;            ///< normal of what it walks on
     AllowedMotion walls_;    ///< what blocks it: faces too steep to walk on block upright, too
     AllowedMotion touched_;  ///< all that was touched, as it was

@@ -7,23 +7,16 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "firma/players.h"
 #include "tests/brush/map_text.h"
+#include "tests/player/player_shapes.h"
 #include "tests/world/matter_levels.h"
 
 namespace firma::test {
 
 inline Vec3 across(const Vec3& v) {
     return {v.x, v.y, 0};
-}
-
-/// All three kinds, 1.8 m high and 0.6 m wide.
-inline std::vector<PlayerShape> player_shapes() {
-    const std::vector<Sphere> tall{{{0, 0, 0.3}, 0.3}, {{0, 0, 0.7}, 0.3}, {{0, 0, 1.1}, 0.3}, {{0, 0, 1.5}, 0.3}};
-    return {make_player_capsule().value(), make_player_box().value(),
-            make_player_spheres(tall, std::span(tall).first(2)).value()};
 }
 
 class Walk {

@@ -14,7 +14,7 @@ protected:
     }
 };
 std::string name_of_shape(const testing::TestParamInfo<int>& shape) {
-    return std::vector{"Capsule", "Box", "Spheres"}[std::size_t(shape.param)];
+    return kPlayerShapeNames[std::size_t(shape.param)];
 }
 INSTANTIATE_TEST_SUITE_P(, PlayerJumps, testing::Values(0, 1, 2), name_of_shape);
 

@@ -24,7 +24,7 @@ struct PlayerVerdict {
     std::size_t stuck = 0;                                       ///< times that there was no way out
     std::size_t tried = 0;                                       ///< places where all ways were tried
     double travelled = 0;                                        ///< metres
-    double seconds = 0;                                          ///< in move_player() alone
+    double seconds = 0;                                          ///< of the processor, in move_player() alone
 };
 
 /// @param level  with rooms that are not outside (judge_bodies.h); in these the player begins, and stays
