@@ -5,25 +5,18 @@
 #include <algorithm>
 
 #include "firma/rooms.h"
+#include "player/unit.h"
 #include "player/way_out.h"
 
 namespace firma {
 namespace {
 
-constexpr int kMaxSlides = 8;
-/// Slop, metres: a step up that leads no farther is none.
-constexpr double kLeastClimb = 1e-4;
 /// Slop, a share of a fall: what falls no farther than that between what it touches is held.
 constexpr double kHeld = 1e-3;
 /// Slop, metres: what would go down or up by less stays where it is, to the bit.
 constexpr double kAtRest = 1e-7;
 /// Slop, a cosine: what leans by less is upright.
 constexpr double kUpright = 1e-6;
-
-Vec3 unit(const Vec3& v) {
-    const double size = length(v);
-    return size > 0 ? v * (1 / size) : Vec3{};
-}
 
 /// As near to `to` as a change of `most` allows.
 Vec3 approach(const Vec3& from, const Vec3& to, double most) {
@@ -47,7 +40,7 @@ PlayerTick::PlayerTick(const World& world, const PlayerShapeData& shape, const P
       other_world_(player.world_hash != hash_world(world) || player.stuck),
       posture_(world, shape, player.crouched, player.mask, offset) {
     player_ = player;
-    ground_ = player.on_ground ? player.ground_normal : up_;
+    state_.ground = player.on_ground ? player.ground_normal : up_;
 }
 
 PlayerMove PlayerTick::run() {
@@ -107,14 +100,14 @@ void PlayerTick::accelerate() {
 }
 
 Vec3 PlayerTick::along_ground(const Vec3& flat) const {
-    const Vec3 slanted = flat - up_ * (dot(ground_, flat) / dot(ground_, up_));
+    const Vec3 slanted = flat - up_ * (dot(state_.ground, flat) / dot(state_.ground, up_));
     const double size = length(slanted);
     return size > 0 ? slanted * (length(flat) / size) : Vec3{};
 }
 
 Vec3 PlayerTick::allowed_on_ground(const Vec3& motion) const {
-    AllowedMotion cone = walls_;
-    cone.add(ground_);
+    AllowedMotion cone = state_.walls;
+    cone.add(state_.ground);
     return cone.nearest(motion);
 }
 
@@ -122,7 +115,7 @@ Hit PlayerTick::go(const Vec3& path) {
     const Hit hit = posture_.sweep(player_.position, path);
     player_.position += path * hit.safe_fraction;
     if (!hit.touched()) return hit;
-    touched_.add(hit.normal);
+    state_.touched.add(hit.normal);
     const double gap = -dot(path, hit.normal) * (hit.fraction - hit.safe_fraction);
     if (gap < offset_ * 0.5) back_off(hit.normal, offset_ - gap);
     return hit;
@@ -138,120 +131,10 @@ void PlayerTick::back_off(const Vec3& normal, double far) {
     move_.pushed += way;
 }
 
-void PlayerTick::walk() {
-    const Vec3 from = player_.position;
-    Vec3 left = sideways(player_.velocity) * seconds_;
-    for (int slide = 0; slide < kMaxSlides; ++slide) {
-        const Vec3 path = allowed_on_ground(along_ground(left));
-        if (!(max_abs(path) > 0)) break;
-        const Hit hit = go(path);
-        left *= 1 - hit.safe_fraction;
-        if (!hit.touched()) break;
-        const Ground ground = ground_rules_.under(hit, player_.position);
-        note(hit, ground);
-        if (ground.carries && ground_rules_.walkable(hit.normal))
-            ground_ = hit.normal;
-        else if (!climb(left))
-            add_wall(hit.normal);
-    }
-    if (wish_.careful) keep_off_ledges(from);
-    settle(rules_.step_height);
-}
-
-// Up, along, and down again: on a step if what it comes down on carries. Else, as on the steep side of a small pit, if
-// a bit farther on something does that is no higher than a step: then it is on its way up.
-bool PlayerTick::climb(Vec3& left) {
-    const Vec3 from = player_.position;
-    const double rise = rules_.step_height * posture_.sweep(from, up_ * rules_.step_height).safe_fraction;
-    if (!(rise > offset_) || !(max_abs(left) > 0)) return false;
-    // A slow one goes as far as over the gap that it keeps.
-    Vec3 at = from + up_ * rise, to_do = left * std::max(1.0, 2 * offset_ / length(left));
-    const Vec3 ahead = unit(left) * (2 * shape_.radius);
-    AllowedMotion walls = walls_;
-    for (int slide = 0; slide < kMaxSlides; ++slide) {
-        const Vec3 path = walls.nearest(to_do);
-        if (!(max_abs(path) > 0)) break;
-        const Hit hit = posture_.sweep(at, path);
-        at += path * hit.safe_fraction;
-        to_do *= 1 - hit.safe_fraction;
-        const Vec3 side = sideways(hit.normal);
-        if (!hit.touched() || !(length(side) > kUpright)) break;
-        walls.add(unit(side));
-    }
-    if (!(length(sideways(at - from)) > kLeastClimb)) return false;
-    const Vec3 fall = up_ * -(rise + offset_);
-    const Landing near = land(at, fall);
-    if (!near.hit.touched() || dot(near.feet - from, up_) < 0) return false;
-    if (is_step(near, from)) {
-        ground_ = near.ground.normal;
-    } else {
-        if (near.ground.carries) return false;
-        const Landing far = land(at + ahead * posture_.sweep(at, ahead).safe_fraction, fall);
-        if (!is_step(far, from)) return false;
-        climbing_ = true;
-        ground_ = up_;
-    }
-    player_.position = near.feet;
-    left = to_do;
-    move_.stepped = true;
-    note(near.hit, near.ground);
-    return true;
-}
-
-PlayerTick::Landing PlayerTick::land(const Vec3& feet, const Vec3& fall) const {
-    Landing landing;
-    landing.hit = posture_.sweep(feet, fall);
-    landing.feet = feet + fall * landing.hit.safe_fraction;
-    landing.ground = ground_rules_.under(landing.hit, landing.feet);
-    return landing;
-}
-
-/// Whether it leads up, by no more than a step.
-bool PlayerTick::is_step(const Landing& landing, const Vec3& from) const {
-    return landing.ground.carries && dot(landing.feet - from, up_) > offset_ &&
-           dot(landing.hit.point - foothold(from), up_) <= rules_.step_height;
-}
-
-// Where it stands: the point that carries it, which for a round foot on an edge is higher than its lowest point.
-Vec3 PlayerTick::foothold(const Vec3& feet) const {
-    const Hit hit = posture_.sweep(feet, up_ * -rules_.step_height);
-    return hit.touched() ? hit.point : feet;
-}
-
 void PlayerTick::add_wall(const Vec3& normal) {
-    walls_.add(normal);
+    state_.walls.add(normal);
     const Vec3 side = sideways(normal);
-    if (dot(normal, up_) > kUpright && length(side) > kUpright) walls_.add(unit(side));
-}
-
-bool PlayerTick::ground_within(const Vec3& feet, double far) const {
-    const Vec3 fall = up_ * -far;
-    const Hit hit = posture_.sweep(feet, fall);
-    return ground_rules_.under(hit, feet + fall * hit.safe_fraction).carries;
-}
-
-// Back to where the ground ends, then on along the face that drops there.
-void PlayerTick::keep_off_ledges(const Vec3& from) {
-    constexpr int kHalvings = 12;
-    const Vec3 to = player_.position, way = sideways(to - from);
-    if (!(max_abs(way) > 0) || ground_within(to, rules_.max_drop)) return;
-    double share = 0, over = 1;
-    for (int k = 0; k < kHalvings; ++k) {
-        const double middle = (share + over) * 0.5;
-        (ground_within(from + (to - from) * middle, rules_.max_drop) ? share : over) = middle;
-    }
-    player_.position = from + (to - from) * share;
-    CastOptions options;
-    options.mask = player_.mask;
-    const Vec3 beyond = to + unit(way) * (shape_.radius * 2) - up_ * (rules_.max_drop * 0.5);
-    const Hit drop = cast(world_, Ray{beyond, (from - to) + unit(way) * (shape_.radius * -4)}, options);
-    if (!drop) return;
-    AllowedMotion ledge = walls_;
-    ledge.add(unit(sideways(-drop.normal)));
-    const Vec3 along = ledge.nearest(way * (1 - share));
-    const Hit hit = posture_.sweep(player_.position, along);
-    const Vec3 there = player_.position + along * hit.safe_fraction;
-    if (ground_within(there, rules_.max_drop)) player_.position = there;
+    if (dot(normal, up_) > kUpright && length(side) > kUpright) state_.walls.add(unit(side));
 }
 
 void PlayerTick::fly() {
@@ -259,7 +142,7 @@ void PlayerTick::fly() {
     Vec3 left = (player_.velocity + fall * 0.5) * seconds_;
     player_.velocity += fall;
     for (int slide = 0; slide < kMaxSlides; ++slide) {
-        const Vec3 path = walls_.nearest(left);
+        const Vec3 path = state_.walls.nearest(left);
         if (!(max_abs(path) > 0)) break;
         const Hit hit = go(path);
         left *= 1 - hit.safe_fraction;
@@ -288,7 +171,7 @@ bool PlayerTick::come_down(const Hit& hit, const Vec3& left) {
     if (!ground.carries || dot(player_.velocity, up_) > 0) return false;
     move_.landed_speed = -dot(player_.velocity, up_);
     stand_on(ground.normal);
-    if (ground_rules_.walkable(hit.normal)) ground_ = hit.normal;
+    if (ground_rules_.walkable(hit.normal)) state_.ground = hit.normal;
     Vec3 flat = sideways(left);
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = allowed_on_ground(along_ground(flat));
@@ -314,7 +197,7 @@ void PlayerTick::settle(double far) {
         note(hit, ground);
         return stand_on(ground.normal);
     }
-    if (climbing_) return stand_on(up_);
+    if (state_.climbing) return stand_on(up_);
     player_.on_ground = false;
     Vec3 at = player_.position;
     AllowedMotion below;
@@ -342,7 +225,7 @@ void PlayerTick::keep_offset(const Hit& hit, double far) {
 }
 
 bool PlayerTick::is_held() const {
-    return length(touched_.nearest(-up_)) < kHeld;
+    return length(state_.touched.nearest(-up_)) < kHeld;
 }
 
 void PlayerTick::stand_on(const Vec3& normal) {
@@ -374,7 +257,7 @@ void PlayerTick::finish() {
         const Vec3 along = along_ground(player_.velocity), allowed = allowed_on_ground(along);
         if (!(allowed == along)) player_.velocity = unit(sideways(allowed)) * length(allowed);
     } else {
-        player_.velocity = walls_.nearest(player_.velocity);
+        player_.velocity = state_.walls.nearest(player_.velocity);
         player_.ground_normal = {};
     }
     const Location at = posture_.where(player_.position);

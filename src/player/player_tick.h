@@ -16,11 +16,21 @@ public:
     PlayerMove run();
 
 private:
+    /// All that a tick changes as it goes, so that a way can be tried.
+    struct State {
+        PlayerMove move;
+        bool climbing = false;  ///< up a side too steep to stand on, to ground within a step
+        Vec3 ground;            ///< normal of what it walks on
+        AllowedMotion walls;    ///< what blocks it: faces too steep to walk on block upright, too
+        AllowedMotion touched;  ///< all that was touched, as it was
+    };
+
     bool get_free();
     void choose_posture();
     void accelerate();
     void walk();
-    void keep_off_ledges(const Vec3& from);
+    void walk_along(Vec3 left);
+    void stop_at_ledge(const State& begun, const Vec3& way);
     void fly();
     void settle(double far);
     void keep_offset(const Hit& hit, double far);
@@ -52,6 +62,8 @@ private:
     Vec3 along_ground(const Vec3& flat) const;
     Vec3 allowed_on_ground(const Vec3& motion) const;
 
+    static constexpr int kMaxSlides = 8;
+
     const World& world_;
     const PlayerShapeData& shape_;
     const PlayerWish& wish_;
@@ -61,12 +73,9 @@ private:
     const double seconds_, offset_;
     const bool other_world_;
     PostureIn posture_;
-    PlayerMove move_;
-    Player& player_ = move_.player;
-    bool climbing_ = false;  ///< up a side too steep to stand on, to ground within a step
-    Vec3 ground_;            ///< normal of what it walks on
-    AllowedMotion walls_;    ///< what blocks it: faces too steep to walk on block upright, too
-    AllowedMotion touched_;  ///< all that was touched, as it was
+    State state_;
+    PlayerMove& move_ = state_.move;
+    Player& player_ = state_.move.player;
 };
 
 }  // namespace firma
