@@ -21,6 +21,8 @@
 #include "firma/matter.h"
 #include "firma/memory.h"
 #include "firma/mesh.h"
+#include "firma/motion.h"
+#include "firma/moving_parts.h"
 #include "firma/polygon.h"
 #include "firma/queries.h"
 #include "firma/region_meshes.h"
