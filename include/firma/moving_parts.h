@@ -86,8 +86,8 @@ struct PartHit : Hit {
 ///         fraction. Of a part that turns, safe_fraction is reckoned from the speed along the normal at the touch.
 ///         kInvalid also where any part's motion has a number that is not finite, or a turn beyond kMaxPartTurn
 /// Never allocates. Costs a cast through the level, a look at the box or ball around each part, and a cast through each
-/// part that is near; of one that turns, for each of its faces near the way some ten searches for the nearest points of
-/// face and shape.
+/// part that is near; of one that turns, for each of its faces near the way some searches (in the mean fewer than ten)
+/// for the nearest points of face and shape.
 [[nodiscard]] FIRMA_EXPORT PartHit cast(const Scene& scene, const Sphere& sphere, const Vec3& path,
                                         const CastOptions& options = {});
 /// Of a particle.

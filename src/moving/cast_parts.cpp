@@ -35,7 +35,11 @@ struct MovingSphere {
 
     Vec3 middle() const { return sphere.centre; }
     double reach() const { return sphere.radius; }
-    MoverCore core() const { return {{sphere.centre}, 1, sphere.radius, middle(), reach()}; }
+    MoverCore core() const {
+        MoverCore core(sphere.radius, middle(), reach());
+        core.corner.add(sphere.centre);
+        return core;
+    }
     Hit through(const World& world, const Vec3& path, const CastOptions& options) const {
         return cast(world, sphere, path, options);
     }
@@ -52,7 +56,12 @@ struct MovingCapsule {
     explicit MovingCapsule(const Capsule& c) : capsule(c) {}
     Vec3 middle() const { return around.centre; }
     double reach() const { return around.radius; }
-    MoverCore core() const { return {{capsule.from, capsule.to}, 2, capsule.radius, middle(), reach()}; }
+    MoverCore core() const {
+        MoverCore core(capsule.radius, middle(), reach());
+        core.corner.add(capsule.from);
+        core.corner.add(capsule.to);
+        return core;
+    }
     Hit through(const World& world, const Vec3& path, const CastOptions& options) const {
         return cast(world, capsule, path, options);
     }
@@ -70,10 +79,8 @@ struct MovingHull {
     Vec3 middle() const { return at; }
     double reach() const { return hull.valid() ? hull.shape()->reach : 0; }
     MoverCore core() const {
-        MoverCore core;
-        for (const Vec3& corner : hull.corners()) core.corner[core.count++] = at + corner;
-        core.middle = at;
-        core.reach = reach();
+        MoverCore core(0, at, reach());
+        for (const Vec3& corner : hull.corners()) core.corner.add(at + corner);
         return core;
     }
     Hit through(const World& world, const Vec3& path, const CastOptions& options) const {

@@ -145,7 +145,7 @@ Hit cast_turning(const MovingPart& part, const MoverCore& mover, const Vec3& pat
     const double reach = far_corner(part.bounds()) + mover.reach + 4 * kPartTouch;
     const TimeInReach time(start, way, reach * (1 + 0x1p-30), latest);
     if (!(time.from <= time.to)) return none;
-    const TurningShape shape(part.motion, mover.corners(), mover.radius, path);
+    const TurningShape shape(part.motion, mover.corner.all(), mover.radius, path);
     TurningTouch first;
     FaceInfo which;
     TurningCast(part, shape, options).between(time.from, time.to, 0, first, which);

@@ -2,13 +2,12 @@
 // From the world to the frame of a part and back.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <span>
 
 #include "firma/motion.h"
 #include "firma/moving_parts.h"
+#include "moving/corner_list.h"
 
 namespace firma {
 
@@ -52,13 +51,12 @@ inline Box box_around(const MovingPart& part, double reach) {
 
 /// A mover, whichever it is, as far as parts that turn are concerned: the hull of corners, and all within a radius.
 struct MoverCore {
-    std::array<Vec3, kMaxHullCorners> corner;  ///< in the world, at the start
-    std::size_t count = 0;
+    CornerList corner;  ///< in the world, at the start
     double radius = 0;
     Vec3 middle;       ///< Hit::centre at the start
     double reach = 0;  ///< no point of it is farther from the middle
 
-    std::span<const Vec3> corners() const { return std::span(corner).first(count); }
+    MoverCore(double r, const Vec3& at, double far) : radius(r), middle(at), reach(far) {}
 };
 
 }  // namespace firma

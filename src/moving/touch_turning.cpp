@@ -75,12 +75,10 @@ private:
         Place place(ShapeAt(shape_, time));
         // Seen from near by, so that nothing is lost far from the origin.
         const Vec3 origin = place.at.corner[0];
-        std::array<Vec3, kMaxHullCorners> core;
-        std::array<Vec3, kMaxCorners> outline;
-        for (std::size_t k = 0; k < place.at.count; ++k) core[k] = place.at.corner[k] - origin;
-        for (std::size_t k = 0; k < face_.corners.size(); ++k) outline[k] = face_.corners[k] - origin;
-        const ConvexDistance found =
-            convex_distance(std::span(core).first(place.at.count), std::span(outline).first(face_.corners.size()));
+        CornerList core, outline;
+        for (const Vec3& corner : place.at.corners()) core.add(corner - origin);
+        for (const Vec3& corner : face_.corners) outline.add(corner - origin);
+        const ConvexDistance found = convex_distance(core.all(), outline.all());
         place.point = origin + found.point;
         place.normal = found.apart ? found.normal : way_out(place);
         look_along(place);
@@ -122,7 +120,7 @@ private:
     /// along the normal where the middle is behind a one-sided face.
     Vec3 way_out(const Place& place) const {
         Vec3 middle;
-        for (const Vec3& corner : place.at.corners()) middle += corner * (1.0 / double(place.at.count));
+        for (const Vec3& corner : place.at.corners()) middle += corner * (1.0 / double(place.at.corner.count()));
         const bool behind = dot(middle - face_.corners[0], normal_) < 0;
         if (behind && !two_sided_) return normal_;
         Vec3 best = behind ? -normal_ : normal_;

@@ -10,8 +10,8 @@
 namespace firma {
 
 TurnedHull::TurnedHull(const PartFrame& frame, const Hull& hull, const Vec3& at)
-    : frame_(frame), shape_(*hull.shape()), count_(hull.corners().size()), place_(frame.in(at)) {
-    for (std::size_t k = 0; k < count_; ++k) corner_[k] = place_ + frame.direction_in(hull.corners()[k]);
+    : frame_(frame), shape_(*hull.shape()), place_(frame.in(at)) {
+    for (const Vec3& corner : hull.corners()) corner_.add(place_ + frame.direction_in(corner));
 }
 
 /// How far the hull has to go that way to be out.
@@ -57,13 +57,11 @@ Overlap TurnedHull::way_out(const PolygonShape& face, bool two_sided) const {
 
 /// Where they still touch when the hull is out.
 void TurnedHull::put_point(const PolygonShape& face, Overlap& overlap) const {
-    std::array<Vec3, kMaxHullCorners> moved;
-    std::array<Vec3, kMaxCorners> outline;
+    CornerList moved, outline;
     const Vec3 away = overlap.direction * (overlap.depth + 0x1p-20);
-    for (std::size_t k = 0; k < count_; ++k) moved[k] = corner_[k] - place_ + away;
-    for (std::size_t k = 0; k < face.corners.size(); ++k) outline[k] = face.corners[k] - place_;
-    const Vec3 nearest =
-        place_ + convex_distance(std::span(moved).first(count_), std::span(outline).first(face.corners.size())).point;
+    for (const Vec3& corner : corners()) moved.add(corner - place_ + away);
+    for (const Vec3& corner : face.corners) outline.add(corner - place_);
+    const Vec3 nearest = place_ + convex_distance(moved.all(), outline.all()).point;
     static_cast<ClosestPoint&>(overlap) = closest_point(nearest, face.corners);
     overlap.distance = 0;
 }
@@ -76,12 +74,10 @@ void TurnedHull::overlap_each(const MovingPart& part, const NearOptions& options
     box.high = box.high + more;
     each_face(part.world(), box, [&](const FaceView& view) {
         if (!(view.mask & options.mask)) return true;
-        std::array<Vec3, kMaxHullCorners> here;
-        std::array<Vec3, kMaxCorners> outline;
-        for (std::size_t k = 0; k < count_; ++k) here[k] = corner_[k] - place_;
-        for (std::size_t k = 0; k < view.corners.size(); ++k) outline[k] = view.corners[k] - place_;
-        if (convex_distance(std::span(here).first(count_), std::span(outline).first(view.corners.size())).apart)
-            return true;
+        CornerList here, outline;
+        for (const Vec3& corner : corners()) here.add(corner - place_);
+        for (const Vec3& corner : view.corners) outline.add(corner - place_);
+        if (convex_distance(here.all(), outline.all()).apart) return true;
         const PolygonShape face = make_shape(view.corners);
         Overlap overlap = way_out(face, view.two_sided);
         put_point(face, overlap);

@@ -4,6 +4,7 @@
 
 #include "cast/hull_shape.h"
 #include "geometry/polygon_shape.h"
+#include "moving/corner_list.h"
 #include "moving/part_frame.h"
 
 namespace firma {
@@ -18,16 +19,15 @@ public:
     void overlap_each(const MovingPart& part, const NearOptions& options, OverlapVisitor visit) const;
 
 private:
-    std::span<const Vec3> corners() const { return std::span(corner_).first(count_); }
+    std::span<const Vec3> corners() const { return corner_.all(); }
     double out_along(const PolygonShape& face, const Vec3& direction) const;
     Overlap way_out(const PolygonShape& face, bool two_sided) const;
     void put_point(const PolygonShape& face, Overlap& overlap) const;
 
     const PartFrame& frame_;
     const HullShape& shape_;
-    std::array<Vec3, kMaxHullCorners> corner_;  ///< in the part's frame
-    std::size_t count_ = 0;
-    Vec3 place_;  ///< where the hull is put, in the part's frame
+    CornerList corner_;  ///< in the part's frame
+    Vec3 place_;         ///< where the hull is put, in the part's frame
 };
 
 }  // namespace firma
