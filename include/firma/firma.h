@@ -23,6 +23,7 @@
 #include "firma/mesh.h"
 #include "firma/motion.h"
 #include "firma/moving_parts.h"
+#include "firma/part_path.h"
 #include "firma/polygon.h"
 #include "firma/queries.h"
 #include "firma/region_meshes.h"
