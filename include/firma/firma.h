@@ -5,6 +5,7 @@
 #include "firma/batch.h"
 #include "firma/bodies.h"
 #include "firma/brush_level.h"
+#include "firma/brush_parts.h"
 #include "firma/brush_world.h"
 #include "firma/capsule.h"
 #include "firma/carve.h"

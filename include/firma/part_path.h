@@ -3,7 +3,6 @@
 // Pure functions of the time: the same bits on every machine, and back in time as well as on.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "firma/export.h"
@@ -14,18 +13,18 @@ namespace firma {
 
 /// A place on the way.
 struct PartStop {
-    Vec3 position{};     ///< of the part's frame, metres
-    double angle = 0;    ///< radians about PartPath::axis
-    double wait = 0;     ///< seconds that it stands here; infinite: it goes no further. At the first stop it comes first
+    Vec3 position{};   ///< of the part's frame, metres
+    double angle = 0;  ///< radians about PartPath::axis
+    double wait = 0;   ///< seconds that it stands here; infinite: it goes no further. At the first stop it comes first
     double seconds = 0;  ///< to the next stop, or from the last to the first; not above 0: it is there at once
 };
 
 /// To and fro about where the stops have it, as a sine of the time.
 struct PartSwing {
-    Vec3 reach{};        ///< metres, to each side of the middle
-    double angle = 0;    ///< radians about the axis, likewise
-    double period = 0;   ///< seconds of a whole cycle; not above 0: none
-    double phase = 0;    ///< of a cycle, at time 0
+    Vec3 reach{};       ///< metres, to each side of the middle
+    double angle = 0;   ///< radians about the axis, likewise
+    double period = 0;  ///< seconds of a whole cycle; not above 0: none
+    double phase = 0;   ///< of a cycle, at time 0
 };
 
 /// What it adds up to: the stops in turn, evenly from each to the next, a swing, and a spin. Time 0 is when a door, a

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "firma/part_path.h"
 #include "scenes/rng.h"
@@ -65,7 +66,8 @@ TEST(PartPath, SpinKeepsItsPaceForDays) {
     blade.rotation = turn_by({0.4, 0, 0});
     for (const double seconds : {0.0, 0.7, 86400.0, -20.0, 3e7}) {
         const Pose pose = part_pose(blade, seconds);
-        const Quaternion wanted = compose(turn_by({0, 0, double(remainderl(3.0L * seconds, 2 * M_PIl))}), blade.rotation);
+        const Quaternion wanted =
+            compose(turn_by({0, 0, double(remainderl(3.0L * seconds, 2 * M_PIl))}), blade.rotation);
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 unit;
             unit[axis] = 1;
@@ -85,9 +87,9 @@ TEST(PartPath, SwingsAreSinesOfTheTime) {
         const double seconds = k * 0.1, sine = std::sin(2 * M_PI * (seconds / 4 + 0.125));
         const Pose pose = part_pose(bob, seconds);
         EXPECT_LT(length(pose.position - Vec3{1, 2, 3 + 0.5 * sine}), 1e-12);
-        EXPECT_LT(length(matrix_of(pose.rotation) * Vec3{1, 0, 0} -
-                         Vec3{std::cos(0.25 * sine), std::sin(0.25 * sine), 0}),
-                  1e-12);
+        EXPECT_LT(
+            length(matrix_of(pose.rotation) * Vec3{1, 0, 0} - Vec3{std::cos(0.25 * sine), std::sin(0.25 * sine), 0}),
+            1e-12);
     }
 }
 
