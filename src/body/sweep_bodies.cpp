@@ -18,16 +18,16 @@ namespace {
 constexpr double kSlowShare = 0.5;
 
 /// As far as any point of a set may go.
-double way_of(const SetMotion& motion, double reach) {
+double way_of(const RigidMotion& motion, double reach) {
     return length(motion.path) + length(motion.turn) * reach;
 }
 
 /// Whether it may be left where it is: it moved too little to be deeper than the skin.
-bool moved_clearly(const Mover& mover, const SetMotion& motion) {
+bool moved_clearly(const Mover& mover, const RigidMotion& motion) {
     return way_of(motion, mover.shape->reach) < mover.clear;
 }
 
-SetMotion motion_of(const Mover& mover) {
+RigidMotion motion_of(const Mover& mover) {
     return {mover.start, mover.start_rotation, mover.position - mover.start,
             turn_between(mover.start_rotation, mover.rotation)};
 }
@@ -93,7 +93,7 @@ std::span<const Sphere> BodySweep::cores_of(std::uint32_t slot, std::vector<Sphe
     return into;
 }
 
-SetMotion BodySweep::rest_of(const Way& way, double at) const {
+RigidMotion BodySweep::rest_of(const Way& way, double at) const {
     if (at <= way.from) return way.motion;
     const double done = (at - way.from) / (1 - way.from);
     const Pose pose = pose_at(way.motion, done);
@@ -118,14 +118,14 @@ void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap
     const Way &one = ways_[slot], &two = ways_[other];
     const BodyShapeData &shape = bodies_.slots[slot].shape.data(), &other_shape = bodies_.slots[other].shape.data();
     const double from = std::max(one.from, two.from);
-    const SetMotion motion = rest_of(one, from), other_motion = rest_of(two, from);
+    const RigidMotion motion = rest_of(one, from), other_motion = rest_of(two, from);
     const double nearer = length(motion.path - other_motion.path) + length(motion.turn) * shape.reach +
                           length(other_motion.turn) * other_shape.reach;
     if (nearer <= kSlowShare * std::min(shape.thinnest, other_shape.thinnest)) return;
     const SetPairHit hit = cast(cores_of(slot, cores_), motion, cores_of(other, other_cores_), other_motion);
     if (!hit.touched() || (at_start == Overlap::kPassed && hit.status == Status::kInitialOverlap)) return;
     // Whether they come nearer there by more than rounding: along the normal, in the time that is left.
-    const auto moved_at = [&](const SetMotion& of) {
+    const auto moved_at = [&](const RigidMotion& of) {
         return of.path + cross(of.turn, hit.point - (of.position + of.path * hit.fraction));
     };
     if (dot(moved_at(motion) - moved_at(other_motion), hit.normal) > -kDistanceRounding) return;
@@ -158,7 +158,7 @@ void BodySweep::wake(std::uint32_t slot) {
 
 /// Where it is then.
 Mover& BodySweep::mover_at(std::uint32_t slot, double at) {
-    const SetMotion rest = rest_of(ways_[slot], at);
+    const RigidMotion rest = rest_of(ways_[slot], at);
     Mover& mover = movers_[movers_of_slots_[slot]];
     mover.position = rest.position;
     mover.rotation = rest.rotation;

@@ -39,7 +39,7 @@ public:
 private:
     /// The straight piece of a body's way that it is on.
     struct Way {
-        SetMotion motion;
+        RigidMotion motion;
         double from = 0;  ///< of the step: when the piece begins
         int met = 0;
         std::uint32_t piece = 0;
@@ -67,7 +67,7 @@ private:
     Mover& mover_at(std::uint32_t slot, double at);
     void wake(std::uint32_t slot);
     void go_on(std::uint32_t slot, double at, bool stops);
-    SetMotion rest_of(const Way& way, double at) const;
+    RigidMotion rest_of(const Way& way, double at) const;
     double reach_of(std::uint32_t slot) const;
     std::span<const Sphere> cores_of(std::uint32_t slot, std::vector<Sphere>& into) const;
 

@@ -138,7 +138,7 @@ Hit PostureIn::sweep(const Vec3& feet, const Vec3& path) const {
         case PlayerShapeData::Kind::kSpheres:
             break;
     }
-    SetMotion motion;
+    RigidMotion motion;
     motion.position = feet;
     motion.path = path;
     return cast(*world_, posture_->spheres, motion, options_);
