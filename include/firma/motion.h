@@ -19,6 +19,9 @@ struct RigidMotion {
 /// Where it is at a fraction of its motion: scale is 1. Never allocates.
 [[nodiscard]] FIRMA_EXPORT Pose pose_at(const RigidMotion& motion, double fraction);
 
+/// The part of a motion from one fraction to another, as a motion of its own. Never allocates.
+[[nodiscard]] FIRMA_EXPORT RigidMotion motion_between(const RigidMotion& motion, double from, double to);
+
 /// How fast what moves like this is at a point, at a fraction: metres from fraction 0 to 1 at that pace.
 /// @param point  where it is then, metres, in the world
 /// Never allocates.

@@ -61,6 +61,9 @@ private:
 struct Scene {
     const World& world;
     std::span<const MovingPart> parts{};
+    /// Which stretch of the parts' motions the fractions 0 to 1 of questions stand for, itself in fractions of them,
+    /// from 0 to 1. Equal: they stand there.
+    double from = 0, to = 1;
 };
 
 /// A hit of the level or of a part.
@@ -84,7 +87,8 @@ struct PartHit : Hit {
 /// @return as cast() of a world, over all; of several at the smallest fraction the level, then the part with the lowest
 ///         index, then the face with the lowest id. Places and normals are in the world, where the part is at the
 ///         fraction. Of a part that turns, safe_fraction is reckoned from the speed along the normal at the touch.
-///         kInvalid also where any part's motion has a number that is not finite, or a turn beyond kMaxPartTurn
+///         kInvalid also where any part's motion has a number that is not finite, or a turn beyond kMaxPartTurn,
+///         and for a stretch that is not within 0..1
 /// Never allocates. Costs a cast through the level, a look at the box or ball around each part, and a cast through each
 /// part that is near; of one that turns, for each of its faces near the way some searches (in the mean fewer than ten)
 /// for the nearest points of face and shape.

@@ -25,6 +25,13 @@ bool is_usable_part(const MovingPart& part) {
            max_abs(motion.path) <= kLargestNumber;
 }
 
+bool is_usable_scene(const Scene& scene) {
+    if (!(scene.from >= 0 && scene.from <= scene.to && scene.to <= 1)) return false;
+    for (const MovingPart& part : scene.parts)
+        if (!is_usable_part(part)) return false;
+    return true;
+}
+
 namespace {
 
 /// What a mover has to tell: where its middle is, a ball around it, its core, and how it is cast, here or in a frame.
@@ -43,7 +50,7 @@ struct MovingSphere {
     Hit through(const World& world, const Vec3& path, const CastOptions& options) const {
         return cast(world, sphere, path, options);
     }
-    Hit through(const MovingPart& part, const PartFrame& frame, const Vec3& path, const CastOptions& options) const {
+    Hit through(const PartNow& part, const PartFrame& frame, const Vec3& path, const CastOptions& options) const {
         return cast(part.world(), {frame.in(sphere.centre), sphere.radius}, path, options);
     }
 };
@@ -65,7 +72,7 @@ struct MovingCapsule {
     Hit through(const World& world, const Vec3& path, const CastOptions& options) const {
         return cast(world, capsule, path, options);
     }
-    Hit through(const MovingPart& part, const PartFrame& frame, const Vec3& path, const CastOptions& options) const {
+    Hit through(const PartNow& part, const PartFrame& frame, const Vec3& path, const CastOptions& options) const {
         return cast(part.world(), Capsule{frame.in(capsule.from), frame.in(capsule.to), capsule.radius}, path, options);
     }
 };
@@ -86,7 +93,7 @@ struct MovingHull {
     Hit through(const World& world, const Vec3& path, const CastOptions& options) const {
         return cast(world, hull, at, path, options);
     }
-    Hit through(const MovingPart& part, const PartFrame& frame, const Vec3& path, const CastOptions& options) const {
+    Hit through(const PartNow& part, const PartFrame& frame, const Vec3& path, const CastOptions& options) const {
         return cast(part.world(), hull, frame.in(at), path, options);
     }
 };
@@ -99,7 +106,7 @@ PartHit refused(const Vec3& middle) {
 
 /// Against a part that does not turn.
 template <class Mover>
-Hit cast_straight(const MovingPart& part, const PartFrame& frame, const Mover& mover, const Vec3& path,
+Hit cast_straight(const PartNow& part, const PartFrame& frame, const Mover& mover, const Vec3& path,
                   const CastOptions& options) {
     const Vec3 way = frame.direction_in(path - part.motion.path);
     Hit hit;
@@ -120,7 +127,7 @@ Hit cast_straight(const MovingPart& part, const PartFrame& frame, const Mover& m
 
 /// @param latest  a touch later than this fraction need not be found
 template <class Mover>
-Hit cast_part(const MovingPart& part, const Mover& mover, const Vec3& path, double latest, const CastOptions& options) {
+Hit cast_part(const PartNow& part, const Mover& mover, const Vec3& path, double latest, const CastOptions& options) {
     if (!turns(part.motion)) {
         const PartFrame frame(part.motion, 0);
         if (Mover::kCanTurn || !frame.turned) return cast_straight(part, frame, mover, path, options);
@@ -134,15 +141,14 @@ PartHit cast_scene(const Scene& scene, const Mover& mover, const Vec3& path, con
     PartHit first;
     static_cast<Hit&>(first) = mover.through(scene.world, path, options);
     if (first.status == Status::kInvalid) return first;
-    for (const MovingPart& part : scene.parts)
-        if (!is_usable_part(part)) return refused(mover.middle());
+    if (!is_usable_scene(scene)) return refused(mover.middle());
     CastOptions of_part = options;
     of_part.room = kAnyRoom;
     of_part.trail = nullptr;
     for (std::size_t k = 0; k < scene.parts.size(); ++k) {
         if (first.touched() && (any || first.fraction == 0)) break;
-        const MovingPart& part = scene.parts[k];
-        if (!(part.mask & options.mask)) continue;
+        if (!(scene.parts[k].mask & options.mask)) continue;
+        const PartNow part(scene, scene.parts[k]);
         const Hit hit = cast_part(part, mover, path, first.fraction, of_part);
         if (hit.status == Status::kInvalid) return refused(mover.middle());
         if (!hit.touched() || (first.touched() && !(hit.fraction < first.fraction))) continue;

@@ -34,7 +34,7 @@ struct TimeInReach {
 
 class TurningCast {
 public:
-    TurningCast(const MovingPart& part, const TurningShape& shape, const CastOptions& options)
+    TurningCast(const PartNow& part, const TurningShape& shape, const CastOptions& options)
         : part_(part), shape_(shape), options_(options) {}
 
     /// @param first  replaced by a touch between two times; kept where none is earlier
@@ -91,13 +91,13 @@ private:
         which = face;
     }
 
-    const MovingPart& part_;
+    const PartNow& part_;
     const TurningShape& shape_;
     const CastOptions& options_;
 };
 
 /// What a touch says in the world.
-Hit hit_of(const MovingPart& part, const MoverCore& mover, const Vec3& path, const TurningTouch& found,
+Hit hit_of(const PartNow& part, const MoverCore& mover, const Vec3& path, const TurningTouch& found,
            const FaceInfo& face, const CastOptions& options) {
     Hit hit;
     const PartFrame frame(part.motion, found.time);
@@ -134,7 +134,7 @@ double far_corner(const Box& box) {
 
 }  // namespace
 
-Hit cast_turning(const MovingPart& part, const MoverCore& mover, const Vec3& path, double latest,
+Hit cast_turning(const PartNow& part, const MoverCore& mover, const Vec3& path, double latest,
                  const CastOptions& options) {
     const Vec3 start = mover.middle - part.motion.position, way = path - part.motion.path;
     if (!(max_abs(start) <= kMaxPartReach) || !(max_abs(way) <= kMaxPartReach) || !(mover.reach <= kMaxPartReach))

@@ -9,7 +9,7 @@ namespace firma {
 /// @param part    its motion is usable
 /// @param latest  a touch later than this fraction need not be found
 /// @return the first touch, in the world; kInvalid for a mover beyond kMaxPartReach
-Hit cast_turning(const MovingPart& part, const MoverCore& mover, const Vec3& path, double latest,
+Hit cast_turning(const PartNow& part, const MoverCore& mover, const Vec3& path, double latest,
                  const CastOptions& options);
 
 }  // namespace firma

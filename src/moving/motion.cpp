@@ -19,6 +19,12 @@ Pose pose_at(const RigidMotion& motion, double fraction) {
     return pose;
 }
 
+RigidMotion motion_between(const RigidMotion& motion, double from, double to) {
+    if (from == 0 && to == 1) return motion;
+    const Pose begin = pose_at(motion, from);
+    return {begin.position, begin.rotation, motion.path * (to - from), motion.turn * (to - from)};
+}
+
 Vec3 velocity_at(const RigidMotion& motion, double fraction, const Vec3& point) {
     return motion.path + cross(motion.turn, point - (motion.position + motion.path * fraction));
 }

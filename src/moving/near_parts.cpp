@@ -11,12 +11,6 @@ bool is_fraction(double fraction) {
     return fraction >= 0 && fraction <= 1;
 }
 
-bool all_usable(const Scene& scene) {
-    for (const MovingPart& part : scene.parts)
-        if (!is_usable_part(part)) return false;
-    return true;
-}
-
 bool box_holds(const Box& box, const Vec3& p) {
     for (int axis = 0; axis < 3; ++axis)
         if (!(p[axis] >= box.low[axis] && p[axis] <= box.high[axis])) return false;
@@ -24,7 +18,7 @@ bool box_holds(const Box& box, const Vec3& p) {
 }
 
 /// From the part's frame to the world.
-void put_out(const PartFrame& frame, const MovingPart& part, double fraction, std::size_t index, PartOverlap& overlap) {
+void put_out(const PartFrame& frame, const PartNow& part, double fraction, std::size_t index, PartOverlap& overlap) {
     overlap.point = frame.out(overlap.point);
     overlap.direction = frame.direction_out(overlap.direction);
     overlap.part = std::uint32_t(index);
@@ -36,7 +30,7 @@ void put_out(const PartFrame& frame, const MovingPart& part, double fraction, st
 template <class InLevel, class InPart>
 Status overlap_scene(const Scene& scene, const Vec3& middle, double reach, PartOverlapVisitor visit, double fraction,
                      const NearOptions& options, const InLevel& in_level, const InPart& in_part) {
-    if (!is_fraction(fraction) || !all_usable(scene)) return Status::kInvalid;
+    if (!is_fraction(fraction) || !is_usable_scene(scene)) return Status::kInvalid;
     bool any = false, goes_on = true;
     const Status level = in_level(
         [&](const Overlap& found) {
@@ -50,8 +44,8 @@ Status overlap_scene(const Scene& scene, const Vec3& middle, double reach, PartO
     NearOptions of_part = options;
     of_part.room = kAnyRoom;
     for (std::size_t k = 0; k < scene.parts.size() && goes_on; ++k) {
-        const MovingPart& part = scene.parts[k];
-        if (!(part.mask & options.mask)) continue;
+        if (!(scene.parts[k].mask & options.mask)) continue;
+        const PartNow part(scene, scene.parts[k]);
         const PartFrame frame(part.motion, fraction);
         if (!box_holds(box_around(part, reach), frame.in(middle))) continue;
         in_part(
@@ -75,7 +69,7 @@ Status overlap_each(const Scene& scene, const Sphere& sphere, PartOverlapVisitor
     return overlap_scene(
         scene, sphere.centre, sphere.radius, visit, fraction, options,
         [&](OverlapVisitor found, const NearOptions& near) { return overlap_each(scene.world, sphere, found, near); },
-        [&](const MovingPart& part, const PartFrame& frame, OverlapVisitor found, const NearOptions& near) {
+        [&](const PartNow& part, const PartFrame& frame, OverlapVisitor found, const NearOptions& near) {
             overlap_each(part.world(), Sphere{frame.in(sphere.centre), sphere.radius}, found, near);
         });
 }
@@ -86,7 +80,7 @@ Status overlap_each(const Scene& scene, const Capsule& capsule, PartOverlapVisit
     return overlap_scene(
         scene, around.centre, around.radius, visit, fraction, options,
         [&](OverlapVisitor found, const NearOptions& near) { return overlap_each(scene.world, capsule, found, near); },
-        [&](const MovingPart& part, const PartFrame& frame, OverlapVisitor found, const NearOptions& near) {
+        [&](const PartNow& part, const PartFrame& frame, OverlapVisitor found, const NearOptions& near) {
             const Capsule there{frame.in(capsule.from), frame.in(capsule.to), capsule.radius};
             overlap_each(part.world(), there, found, near);
         });
@@ -98,9 +92,9 @@ Status overlap_each(const Scene& scene, const Hull& hull, const Vec3& at, PartOv
     return overlap_scene(
         scene, at, hull.shape()->reach, visit, fraction, options,
         [&](OverlapVisitor found, const NearOptions& near) { return overlap_each(scene.world, hull, at, found, near); },
-        [&](const MovingPart& part, const PartFrame& frame, OverlapVisitor found, const NearOptions& near) {
+        [&](const PartNow& part, const PartFrame& frame, OverlapVisitor found, const NearOptions& near) {
             if (frame.turned)
-                TurnedHull(frame, hull, at).overlap_each(part, near, found);
+                TurnedHull(frame, hull, at).overlap_each(part.part, near, found);
             else
                 overlap_each(part.world(), hull, frame.in(at), found, near);
         });
@@ -108,7 +102,7 @@ Status overlap_each(const Scene& scene, const Hull& hull, const Vec3& at, PartOv
 
 PartNear closest(const Scene& scene, const Vec3& point, double reach, double fraction, const NearOptions& options) {
     PartNear best;
-    if (!is_fraction(fraction) || !all_usable(scene)) {
+    if (!is_fraction(fraction) || !is_usable_scene(scene)) {
         best.status = Status::kInvalid;
         return best;
     }
@@ -117,8 +111,8 @@ PartNear closest(const Scene& scene, const Vec3& point, double reach, double fra
     NearOptions of_part = options;
     of_part.room = kAnyRoom;
     for (std::size_t k = 0; k < scene.parts.size(); ++k) {
-        const MovingPart& part = scene.parts[k];
-        if (!(part.mask & options.mask)) continue;
+        if (!(scene.parts[k].mask & options.mask)) continue;
+        const PartNow part(scene, scene.parts[k]);
         const PartFrame frame(part.motion, fraction);
         const NearFace near = closest(part.world(), frame.in(point), best ? best.distance : reach, of_part);
         if (!near || (best && !(near.distance < best.distance))) continue;

@@ -38,8 +38,22 @@ inline bool turns(const RigidMotion& motion) {
 /// Whether a part's motion can be worked with.
 bool is_usable_part(const MovingPart& part);
 
+/// A part in the stretch of its motion that is asked about.
+struct PartNow {
+    const MovingPart& part;
+    RigidMotion motion;
+
+    PartNow(const Scene& scene, const MovingPart& of)
+        : part(of), motion(motion_between(of.motion, scene.from, scene.to)) {}
+    const World& world() const { return part.world(); }
+    const Box& bounds() const { return part.bounds(); }
+};
+
+/// Whether all parts' motions, and the stretch of them, can be worked with.
+bool is_usable_scene(const Scene& scene);
+
 /// A box around all of a part's solid and what is nearer than `reach` to it, in its frame; empty for no solid.
-inline Box box_around(const MovingPart& part, double reach) {
+inline Box box_around(const PartNow& part, double reach) {
     Box box = part.bounds();
     if (box.empty()) return box;
     // Far above the rounding of places within reach of the world.

@@ -19,8 +19,8 @@ double time_of(double seconds) {
 struct StopPlace {
     Vec3 position;
     double angle = 0;
-    bool first = false;         ///< it stands at the first stop
-    double until = INFINITY;    ///< seconds from now to when that changes
+    bool first = false;       ///< it stands at the first stop
+    double until = INFINITY;  ///< seconds from now to when that changes
 };
 
 StopPlace at_stop(const PartStop& stop, bool first, double until) {
