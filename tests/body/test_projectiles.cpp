@@ -368,7 +368,7 @@ TEST(Projectiles, BodiesTakeTheImpulse) {
 std::vector<ShotTerms> some_terms(const World& world) {
     std::vector<ShotTerms> terms(matters_of(world).matters.size());
     for (std::size_t k = 0; k < terms.size(); ++k)
-        terms[k] = {.ricochet_below = 0.1 * double(k % 4 + 1), .restitution = 0.5, .friction = 0.2,
+        terms[k] = {.ricochet_below = 0.3 * double(k % 4 + 1), .restitution = 0.5, .friction = 0.2,
                     .resistance = k % 3 == 2 ? kUnpierced : 500.0 * double(k + 1)};
     return terms;
 }
