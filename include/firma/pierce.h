@@ -27,21 +27,21 @@ struct PierceEnd {
 
 /// A stretch of solid that a path goes through; or a pane, which has no thickness.
 struct PierceSpan {
-    PierceEnd in, out;                ///< of a pane the same
-    double thickness = 0;             ///< metres along the path
-    std::uint32_t first_matter = 0;   ///< in Piercing::matters, in the order of the path
-    std::uint32_t matter_count = 0;   ///< 0 of panes, and where they were not asked for
-    PortalId portal;                  ///< of a closed portal
-    bool pane = false;                ///< a face that bounds no solid, or a closed portal
-    bool starts_inside = false;       ///< the path starts in this solid
-    bool ends_inside = false;         ///< and ends in it
+    PierceEnd in, out;               ///< of a pane the same
+    double thickness = 0;            ///< metres along the path
+    std::uint32_t first_matter = 0;  ///< in Piercing::matters, in the order of the path
+    std::uint32_t matter_count = 0;  ///< 0 of panes, and where they were not asked for
+    PortalId portal;                 ///< of a closed portal
+    bool pane = false;               ///< a face that bounds no solid, or a closed portal
+    bool starts_inside = false;      ///< the path starts in this solid
+    bool ends_inside = false;        ///< and ends in it
 };
 
 /// A part of a stretch that is of one matter.
 struct MatterLength {
-    std::uint32_t matter = 0;   ///< index into MatterTable::matters
-    double from = 0, to = 0;    ///< fractions of the path
-    double length = 0;          ///< metres
+    std::uint32_t matter = 0;  ///< index into MatterTable::matters
+    double from = 0, to = 0;   ///< fractions of the path
+    double length = 0;         ///< metres
 };
 
 /// What pierce() works in: memory, and nothing that anyone could ask for. A copy is a new one.
@@ -104,7 +104,7 @@ struct PierceOptions {
 /// @param found  replaced
 /// @return kInitialOverlap when the path starts in solid that is told, kHit when it meets anything, kMiss when not and
 ///         for a zero path; kInvalid, with nothing found, for a number that is not finite or beyond 2^200
-/// Allocates only to grow `found`. Costs cast_all() of the path, some 20 ns an edge of each face that is met, and for
+/// Allocates only to grow `found`. Costs cast_all() of the path, signs of the edges of each face that is met, and for
 /// matters the pieces of the level near each stretch. What crosses no face also costs a locate().
 FIRMA_EXPORT Status pierce(const World& world, const Ray& ray, Piercing& found, const PierceOptions& options = {});
 

@@ -32,7 +32,7 @@ struct Projectile {
     double mass = 0.01;        ///< kilograms
     double age = 0;            ///< seconds that it flew
     std::uint32_t mask = ~0u;  ///< faces, closed portals and bodies that share a bit are met
-    std::uint32_t user = 0;    ///< of the game; not looked at
+    std::uint32_t user = 0;    ///< of the game: no answer depends on it
     /// Of the world that it flew in last. In another one fly() looks whether it is in solid there.
     std::uint64_t world_version = ~std::uint64_t{};
     ProjectileState state = ProjectileState::kFlying;
@@ -69,10 +69,10 @@ struct FlyOptions {
     Vec3 gravity{0, 0, -9.81};  ///< metres a second squared
     /// Metres: no chord of the parabola is farther from it, at any time.
     double max_bow = 0.001;
-    double max_age = 10;       ///< seconds
-    double stop_speed = 1;     ///< metres a second: what an impact leaves slower stops there
-    int max_impacts = 8;       ///< of one projectile in one step: with the last one it stops
-    double max_thickness = 4;  ///< metres of a straight way through solid: what would take more stops
+    double max_age = 10;                   ///< seconds
+    double stop_speed = 1;                 ///< metres a second: what an impact leaves slower stops there
+    int max_impacts = 8;                   ///< of one projectile in one step, 1 to 1,000: with the last one it stops
+    double max_thickness = 4;              ///< metres of a straight way through solid: what would take more stops
     std::span<const ShotTerms> matters{};  ///< by index into the world's table of matters
     ShotTerms other{};                     ///< of matters beyond these
     ShotTerms bodies{};                    ///< their resistance does not count: what does not ricochet stops
@@ -89,7 +89,8 @@ enum class ShotEventKind : std::uint8_t {
     kEntered,  ///< went into solid: kLeft or kStopped comes next
     kLeft,     ///< came out of it
     kPassed,   ///< went through a pane
-    kStopped,  ///< at a face, a pane or a body; after kEntered in the solid; `face` is invalid where the solid came to it
+    kStopped,  ///< at a face, a pane or a body; after kEntered in the solid; `face` is invalid where the solid came to
+               ///< it
     kExpired,
 };
 
@@ -109,7 +110,7 @@ struct ShotEvent {
     std::uint32_t material = 0;      ///< of the face or portal
     std::uint32_t matter = 0;        ///< of the face; of kLeft the last one, of kStopped where it stopped
     double thickness = 0;            ///< metres that it went through: of kLeft, and of kStopped in solid
-    std::uint32_t first_matter = 0;  ///< of kLeft, in ShotEvents::matters: what it went through
+    std::uint32_t first_matter = 0;  ///< of these, in ShotEvents::matters: what it went through
     std::uint32_t matter_count = 0;
 };
 
@@ -131,15 +132,17 @@ inline constexpr int kMaxFlightChords = 4096;
 
 /// Lets projectiles fly on for some seconds.
 ///
-/// In free air each is on the parabola x + v t + g t^2 / 2, but for 2^-39 m a coordinate for each chord. The parabola is
-/// divided into chords of equal time h, with |g| h^2 / 8 <= max_bow: at each time the chord is no farther from it. So
-/// what it meets by more than max_bow is met, and what it clears by more is cleared. Chords are cast as rays and join
-/// exactly, so no projectile slips between faces.
+/// In free air each is on the parabola x + v t + g t^2 / 2, but for 2^-39 m a coordinate for each chord. The parabola
+/// is divided into chords of equal time h, with |g| h^2 / 8 <= max_bow: at each time the chord is no farther from it.
+/// So what it meets by more than max_bow is met, and what it clears by more is cleared. Chords are cast as rays and
+/// join exactly, so no projectile slips between faces.
 ///
 /// What is met:
-/// - At an angle below ShotTerms::ricochet_below it ricochets: its speed along the normal is turned about and multiplied
+/// - At an angle below ShotTerms::ricochet_below it ricochets: its speed along the normal is turned about and
+/// multiplied
 ///   by the restitution; along the face it loses at most friction times the change along the normal. It goes on from
-///   0.01 mm in front of the face.
+///   0.01 mm in front of the face. (Where the chord meets a face that the parabola leads away from, within max_bow, it
+///   goes on as fast as it was.)
 /// - Else it goes into solid, straight along the chord, in no time: each matter takes its resistance times its length
 ///   of the kinetic energy. It comes out with what is left, in the direction that it had; or it stops where nothing is
 ///   left. It goes on from 0.01 mm behind the face where it came out (half way, where air is thinner than that). Panes
@@ -154,7 +157,8 @@ inline constexpr int kMaxFlightChords = 4096;
 /// @param seconds      above zero, at most kMaxFlightSeconds
 /// @param events       replaced; keeps its memory
 /// @param bodies       may be null
-/// @return kInvalid for seconds or options that are not finite or out of range; kTooLarge for more than kMaxFlightChords;
+/// @return kInvalid for seconds or options that are not finite or out of range; kTooLarge for more than
+/// kMaxFlightChords;
 ///         kOutOfRange for a projectile that flies with a number that is not finite, a speed above 2^20 m/s, a mass not
 ///         above zero or a negative age, naming it; kInvalid also when Tasks::run returned before all its work had.
 ///         Nothing has moved then, and `events` is empty.

@@ -13,17 +13,17 @@ namespace firma {
 
 /// The first sphere of a body on the way of a ray.
 struct BodyMet {
-    double fraction = 2;        ///< of the path; beyond 1: none
+    double fraction = 2;  ///< of the path; beyond 1: none
     std::uint32_t slot = ~0u;
-    Vec3 point, normal;         ///< metres; unit, out of the sphere
+    Vec3 point, normal;  ///< metres; unit, out of the sphere
 };
 
 class BodyTargets {
 public:
     explicit BodyTargets(const Bodies& bodies);
 
-    /// Of several at one fraction that of the lowest slot. A ray that starts in a sphere meets it at once where it leads
-    /// farther in, else not at all.
+    /// Of several at one fraction that of the lowest slot. A ray that starts in a sphere meets it at once where it
+    /// leads farther in, else not at all.
     BodyMet first(const Ray& ray, std::uint32_t mask) const;
 
 private:

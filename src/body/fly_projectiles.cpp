@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kPerPiece = 256;
 constexpr double kFastest = 0x1p20;  // metres a second
+constexpr int kMostImpacts = 1000;
 
 Error refused(std::string reason) {
     return {ErrorCode::kInvalid, "fly", std::move(reason)};
@@ -28,13 +29,14 @@ std::optional<Error> fault_of_flight(double seconds, const FlyOptions& options) 
     if (!(options.max_bow > 0) || !is_finite(options.max_bow)) return refused("max_bow is no length above 0");
     if (!(options.max_age >= 0) || !is_finite(options.max_age)) return refused("max_age is no time");
     if (!(options.stop_speed >= 0) || !is_finite(options.stop_speed)) return refused("stop_speed is no speed");
-    if (options.max_impacts < 1) return refused("max_impacts is below 1");
+    if (options.max_impacts < 1 || options.max_impacts > kMostImpacts) return refused("max_impacts is out of range");
     if (!(options.max_thickness >= 0 && options.max_thickness <= kFlightReach))
         return refused("max_thickness is no length within reach");
     if (!(options.pane_energy >= 0) || !is_finite(options.pane_energy)) return refused("pane_energy is no energy");
     if (!is_usable(options.other) || !is_usable(options.bodies)) return refused("terms are out of range");
     for (std::size_t k = 0; k < options.matters.size(); ++k)
-        if (!is_usable(options.matters[k])) return refused("terms of matter " + std::to_string(k) + " are out of range");
+        if (!is_usable(options.matters[k]))
+            return refused("terms of matter " + std::to_string(k) + " are out of range");
     if (!(chords_for(seconds, options) <= kMaxFlightChords))
         return Error{ErrorCode::kTooLarge, "fly", "gravity and max_bow ask for too many chords"};
     return std::nullopt;

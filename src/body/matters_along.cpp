@@ -31,7 +31,12 @@ class PiecesOnTheWay {
 public:
     PiecesOnTheWay(const MatterPieces& all, const CarveRules* rules, const Sweep& sweep, double from, double to,
                    MatterScratch& scratch)
-        : all_(all), rules_(rules), any_hard_(firma::any_hard(all, rules)), sweep_(sweep), from_(from), to_(to),
+        : all_(all),
+          rules_(rules),
+          any_hard_(firma::any_hard(all, rules)),
+          sweep_(sweep),
+          from_(from),
+          to_(to),
           scratch_(scratch) {}
 
     void find() {

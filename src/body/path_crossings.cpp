@@ -92,7 +92,8 @@ unsigned start_of_lines(const Sweep& sweep, const std::vector<PathCrossing>& cro
 /// Goes through an index.
 class FacetCrossings {
 public:
-    FacetCrossings(const Sweep& sweep, std::vector<PathCrossing>& found) : sweep_(sweep), boxes_(sweep), found_(found) {}
+    FacetCrossings(const Sweep& sweep, std::vector<PathCrossing>& found)
+        : sweep_(sweep), boxes_(sweep), found_(found) {}
 
     bool enter(const BoxF& box, double& nearest) const { return boxes_.enters(box, sweep_.end, nearest); }
     bool still(double) const { return true; }

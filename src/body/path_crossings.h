@@ -36,8 +36,8 @@ struct PathCrossing {
 struct SolidStretch {
     static constexpr std::uint32_t kOpen = ~0u;
 
-    double from = 0, to = 0;                  ///< in the sweep's parameter
-    std::uint32_t in = kOpen, out = kOpen;    ///< of the crossings; kOpen: it starts, or ends, in the solid
+    double from = 0, to = 0;                ///< in the sweep's parameter
+    std::uint32_t in = kOpen, out = kOpen;  ///< of the crossings; kOpen: it starts, or ends, in the solid
 };
 
 /// Which of the two lines start inside, where what they cross does not tell.

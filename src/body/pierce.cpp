@@ -63,8 +63,7 @@ public:
 private:
     void add_face(const SweepContact& found, const PolygonShape& polygon) {
         const FaceRecord& face = found.face();
-        const int facing =
-            found.through_plane ? (found.away ? 1 : -1) : exact_facing(sweep_.direction, polygon);
+        const int facing = found.through_plane ? (found.away ? 1 : -1) : exact_facing(sweep_.direction, polygon);
         if (!face.solid) return add_pane(found, polygon, facing);
         if (facing == 0) return;  // along it
         PathCrossing crossing;
@@ -130,8 +129,9 @@ void look_along(const World& world, const Sweep& sweep, PathTouches& found) {
 unsigned start_in_world(const World& world, const Sweep& sweep, const PierceOptions& options,
                         std::vector<PathCrossing>& crossings) {
     constexpr unsigned kBoth = kLineOneWay | kLineOtherWay;
-    const Where where =
-        options.start == Where::kAir || options.start == Where::kSolid ? options.start : locate(world, sweep.start).where;
+    const Where where = options.start == Where::kAir || options.start == Where::kSolid
+                            ? options.start
+                            : locate(world, sweep.start).where;
     if (where == Where::kAir) return 0;
     if (where == Where::kSolid) return kBoth;
     crossings.clear();
@@ -151,7 +151,8 @@ public:
         PathTouches touches(world_, sweep_, options_, scratch_.crossings, options_.panes ? &found_.spans : nullptr);
         look_along(world_, sweep_, touches);
         find_stretches(
-            sweep_, scratch_.crossings, [&] { return start_in_world(world_, sweep_, options_, scratch_.far); }, scratch_.stretches);
+            sweep_, scratch_.crossings, [&] { return start_in_world(world_, sweep_, options_, scratch_.far); },
+            scratch_.stretches);
         for (const SolidStretch& stretch : scratch_.stretches) add(stretch);
         sort_range(found_.spans, [](const PierceSpan& a, const PierceSpan& b) {
             return std::tuple(a.in.fraction, !a.pane, a.in.face.id, a.portal) <

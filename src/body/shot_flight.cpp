@@ -107,7 +107,9 @@ void ShotFlight::fly_on(double seconds) {
                 meet(met);
             } else {
                 it_->position = target;
-                if (!within_reach(target)) return time_ = began + to, expire();
+                if (within_reach(target)) continue;
+                time_ = began + to;
+                return expire();
             }
         }
         if (met_any) continue;
@@ -321,7 +323,8 @@ ShotTerms ShotFlight::terms_of(const ShotImpact& impact, std::uint32_t matter) c
 std::uint32_t ShotFlight::matter_behind(const FaceInfo& face, const Vec3& point) const {
     const MatterPieces* pieces = world_.data().matters.get();
     if (!pieces) return 0;
-    return face.source_edit == 0 ? pieces->of_source(face.source) : matter_at(world_, point - face.normal * kBehindFace);
+    return face.source_edit == 0 ? pieces->of_source(face.source)
+                                 : matter_at(world_, point - face.normal * kBehindFace);
 }
 
 bool ShotFlight::is_in_solid(const Vec3& point) {

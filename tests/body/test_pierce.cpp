@@ -139,18 +139,18 @@ TEST(Pierce, StartsAndEndsInTheSolid) {
 
 TEST(Pierce, AlongFacesAndEdgesIsInTheAir) {
     // A floor with a block on it, of two brushes.
-    const World world = brush_world(map_text::box({-8, -8, -4}, {8, 8, 0}, "stone") +
-                                    map_text::box({2, -1, 0}, {4, 1, 2}, "stone"));
-    EXPECT_EQ(pierced(world, {-4, 3, 0}, {11, 0, 0}).spans.size(), 0u);    // along the floor, not to its end
-    EXPECT_EQ(pierced(world, {-12, 3, 0}, {24, 0, 0}).spans.size(), 0u);   // all along it
-    EXPECT_EQ(pierced(world, {-12, 8, 0}, {24, 0, 0}).spans.size(), 0u);   // along its edge
-    EXPECT_EQ(pierced(world, {-4, 1, 0}, {11, 0, 0}).spans.size(), 0u);    // along the block's foot
-    EXPECT_EQ(pierced(world, {0, -1, 1}, {6, 0, 0}).spans.size(), 0u);     // along a side of the block
-    EXPECT_EQ(pierced(world, {0, -1, 2}, {6, 0, 0}).spans.size(), 0u);     // along its upper edge
-    EXPECT_EQ(pierced(world, {1, -2, 2}, {2, 2, 0}).spans.size(), 0u);     // over an edge, in the plane above
-    EXPECT_EQ(pierced(world, {1, -2, 1}, {2, 2, 0}).spans.size(), 1u);     // through an edge that stands
-    EXPECT_EQ(pierced(world, {1, 0, 1}, {2, -2, 0}).spans.size(), 0u);     // past it, touching it
-    EXPECT_EQ(pierced(world, {1, 0, 1}, {2, 0, 2}).spans.size(), 0u);      // past the upper edge, touching it
+    const World world =
+        brush_world(map_text::box({-8, -8, -4}, {8, 8, 0}, "stone") + map_text::box({2, -1, 0}, {4, 1, 2}, "stone"));
+    EXPECT_EQ(pierced(world, {-4, 3, 0}, {11, 0, 0}).spans.size(), 0u);   // along the floor, not to its end
+    EXPECT_EQ(pierced(world, {-12, 3, 0}, {24, 0, 0}).spans.size(), 0u);  // all along it
+    EXPECT_EQ(pierced(world, {-12, 8, 0}, {24, 0, 0}).spans.size(), 0u);  // along its edge
+    EXPECT_EQ(pierced(world, {-4, 1, 0}, {11, 0, 0}).spans.size(), 0u);   // along the block's foot
+    EXPECT_EQ(pierced(world, {0, -1, 1}, {6, 0, 0}).spans.size(), 0u);    // along a side of the block
+    EXPECT_EQ(pierced(world, {0, -1, 2}, {6, 0, 0}).spans.size(), 0u);    // along its upper edge
+    EXPECT_EQ(pierced(world, {1, -2, 2}, {2, 2, 0}).spans.size(), 0u);    // over an edge, in the plane above
+    EXPECT_EQ(pierced(world, {1, -2, 1}, {2, 2, 0}).spans.size(), 1u);    // through an edge that stands
+    EXPECT_EQ(pierced(world, {1, 0, 1}, {2, -2, 0}).spans.size(), 0u);    // past it, touching it
+    EXPECT_EQ(pierced(world, {1, 0, 1}, {2, 0, 2}).spans.size(), 0u);     // past the upper edge, touching it
     for (const double start : {-4.0, -12.0}) {
         const Piercing block = pierced(world, {start, 0, 0}, {20, 0, 0});  // along the floor, and through the block
         ASSERT_EQ(block.spans.size(), 1u);
@@ -164,9 +164,9 @@ TEST(Pierce, AlongFacesAndEdgesIsInTheAir) {
 
 TEST(Pierce, ThroughEdgesAndVertices) {
     // Three boxes that share edges and a vertex, and a diagonal through all of them.
-    const World world = brush_world(map_text::box({0, 0, 0}, {2, 2, 2}, "stone") +
-                                    map_text::box({2, 0, 0}, {4, 2, 2}, "stone") +
-                                    map_text::box({0, 2, 0}, {2, 4, 2}, "stone"));
+    const World world =
+        brush_world(map_text::box({0, 0, 0}, {2, 2, 2}, "stone") + map_text::box({2, 0, 0}, {4, 2, 2}, "stone") +
+                    map_text::box({0, 2, 0}, {2, 4, 2}, "stone"));
     const Piercing diagonal = pierced(world, {-1, -1, -1}, {6, 6, 6});  // through the reflex edge
     ASSERT_EQ(diagonal.spans.size(), 1u);
     EXPECT_NEAR(diagonal.thickness, 2 * std::sqrt(3.0), 1e-12);
@@ -337,6 +337,36 @@ TEST(Pierce, MattersOneBehindTheOther) {
     options.matters = false;
     EXPECT_EQ(pierced(world, {-2, 2, 2}, {16, 0, 0}, options).matters.size(), 0u);
     EXPECT_EQ(pierced(world, {-2, 2, 2}, {16, 0, 0}, options).spans[0].matter_count, 0u);
+}
+
+TEST(Pierce, OfPiecesThatOverlapTheOneThatMayNotBeCarvedCounts) {
+    const std::string walls = map_text::box({0, 0, 0}, {4, 1, 4}, "old_brick") +  //
+                              map_text::box({2, 0, 0}, {6, 1, 4}, "steel");
+    const auto lengths = [&](double hardness) {
+        WorldOptions options;
+        options.matters = default_matters();
+        options.matters->matters[*matter_named(*options.matters, "steel")].hardness = hardness;
+        const World world = brush_world(walls, options);
+        const Piercing found = pierced(world, {-1, 0.5, 2}, {8, 0, 0});
+        std::vector<std::pair<std::string, double>> all;
+        for (const MatterLength& it : found.matters) all.emplace_back(matter(world, it.matter).name, it.length);
+        return all;
+    };
+    using Lengths = std::vector<std::pair<std::string, double>>;
+    EXPECT_EQ(lengths(0), (Lengths{{"brick", 4}, {"steel", 2}}));
+    EXPECT_EQ(lengths(1), (Lengths{{"brick", 2}, {"steel", 4}}));
+}
+
+TEST(Pierce, WhatIsFilledInIsOfTheRest) {
+    const World world = brush_world(map_text::box({0, 0, 0}, {1, 4, 4}, "steel"));
+    const World filled = fill(world, make_crater(CutterShape::kBox, 0), test::pose_at(2, 2, 2, 1)).world;
+    const Piercing found = pierced(filled, {-1, 2, 2}, {8, 0, 0});
+    ASSERT_EQ(found.spans.size(), 1u);
+    ASSERT_EQ(found.matters.size(), 2u);
+    EXPECT_EQ(matter(filled, found.matters[0].matter).name, "steel");
+    EXPECT_NEAR(found.matters[0].length, 1, 1e-12);
+    EXPECT_EQ(found.matters[1].matter, count_matters(filled).rest);
+    EXPECT_NEAR(found.matters[1].length, 2, 1e-12);
 }
 
 TEST(Pierce, MattersOfMeshes) {

@@ -225,8 +225,7 @@ TEST(Projectiles, RicochetBelowTheAngle) {
     for (const double below : {0.1, 0.4, 1.0}) {
         for (const double angle : {0.02, 0.09, 0.11, 0.39, 0.41, 0.99, 1.01, 1.5}) {
             const double speed = 200, along = std::cos(angle) * speed, down = std::sin(angle) * speed;
-            const FlyOptions options =
-                without_gravity({.ricochet_below = below, .restitution = 0.5, .friction = 0.25});
+            const FlyOptions options = without_gravity({.ricochet_below = below, .restitution = 0.5, .friction = 0.25});
             Projectile it = shot({0, 0, 0.25}, {along, 0, -down});
             const std::vector<ShotEvent> events = fly_one(world, it, 1.0 / 8, options);
             const bool expected = angle < below;
@@ -303,6 +302,64 @@ TEST(Projectiles, PanesStopItOrTakeEnergy) {
     EXPECT_NEAR(through.position.x, 4, 1e-9);
 }
 
+TEST(Projectiles, AWallRightBehindASheet) {
+    Level level = test::empty_level();
+    test::add_polygon(level, {{0, 1, 1}, {0, 1, 3}, {0, 3, 3}, {0, 3, 1}});  // on the wall
+    test::add_box(level, {0, 0, 0}, {1, 4, 4});
+    const World world = make_world(level).value();
+    FlyOptions options = without_gravity({.ricochet_below = 0, .resistance = 100});
+    options.pane_energy = 50;
+    Projectile it = shot({-2, 2, 2}, {300, 0, 0});
+    const std::vector<ShotEvent> events = fly_one(world, it, 0.02, options);
+    ASSERT_EQ(events.size(), 3u);
+    EXPECT_EQ(events[0].kind, ShotEventKind::kPassed);
+    EXPECT_EQ(events[1].kind, ShotEventKind::kEntered);
+    EXPECT_EQ(events[2].kind, ShotEventKind::kLeft);
+    EXPECT_NEAR(events[2].thickness, 1, 1e-9);
+    EXPECT_NEAR(length(it.velocity), std::sqrt(2 * 300 / 0.01), 1e-6);
+}
+
+TEST(Projectiles, OutOfAFloorAndRightIntoAWall) {
+    // Out of the floor 4 millionths of a metre before the wall that stands on it.
+    const World world = brush_world(map_text::box({-8, -4, -0.5}, {1, 4, 0}, "stone") +
+                                    map_text::box({1, -4, -1}, {1.25, 4, 4}, "stone"));
+    const FlyOptions options = without_gravity({.ricochet_below = 0, .resistance = 10});
+    Projectile it = shot({1 - 4e-6 - 2, 0, -2}, {200, 0, 200});
+    const std::vector<ShotEvent> events = fly_one(world, it, 0.02, options);
+    ASSERT_EQ(events.size(), 4u);
+    EXPECT_NEAR(events[1].thickness, std::sqrt(0.5), 1e-6);
+    EXPECT_EQ(events[1].normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(events[2].kind, ShotEventKind::kEntered);
+    EXPECT_EQ(events[2].normal, (Vec3{-1, 0, 0}));
+    EXPECT_NEAR(events[3].thickness, 0.25 * std::sqrt(2.0), 1e-6);
+    EXPECT_EQ(locate(world, it.position).where, Where::kAir);
+}
+
+TEST(Projectiles, ExactlyAtEdges) {
+    // Touching an edge it passes by, with a way through of no thickness; into an edge it goes as into a face.
+    const World world = brush_world(map_text::box({0, 0, 0}, {1, 1, 4}, "stone"));
+    const FlyOptions options = without_gravity({.ricochet_below = 0, .resistance = 100});
+    Projectile past = shot({-1, 1, 2}, {128, -128, 0});
+    past.position = {-1, 1, 2};
+    const std::vector<ShotEvent> touched = fly_one(world, past, 1.0 / 64, options);
+    double thickness = 0;
+    for (const ShotEvent& event : touched) thickness += event.thickness;
+    EXPECT_EQ(thickness, 0);
+    EXPECT_EQ(past.state, ProjectileState::kFlying);
+    EXPECT_LT(length(past.position - Vec3{1, -1, 2}), 2e-3);
+    EXPECT_NEAR(length(past.velocity), 128 * std::sqrt(2.0), 1e-9);
+    Projectile into = shot({-1, -1, 2}, {128, 128, 0});
+    const std::vector<ShotEvent> through = fly_one(world, into, 1.0 / 32, options);
+    ASSERT_EQ(through.size(), 2u);
+    EXPECT_NEAR(through[1].thickness, std::sqrt(2.0), 1e-9);
+    // Along a wall, exactly: it touches the edge that the wall begins with.
+    Projectile along = shot({-1, 1, 2}, {128, 0, 0});
+    for (const ShotEvent& event : fly_one(world, along, 1.0 / 32, options)) EXPECT_EQ(event.thickness, 0);
+    EXPECT_EQ(along.state, ProjectileState::kFlying);
+    EXPECT_NEAR(along.position.x, 3, 2e-3);
+    EXPECT_EQ(along.position.y, 1);
+}
+
 TEST(Projectiles, AShutDoorStopsIt) {
     LevelPortal hatch;
     hatch.polygons.emplace_back();
@@ -312,8 +369,7 @@ TEST(Projectiles, AShutDoorStopsIt) {
     Projectile it = shot({0, 0.5, 1}, {0, 0, -100});
     EXPECT_TRUE(fly_one(open, it, 0.02, without_gravity()).empty());
     Projectile other = shot({0, 0.5, 1}, {0, 0, -100});
-    const std::vector<ShotEvent> events =
-        fly_one(*set_portal_open(open, {0}, false), other, 0.02, without_gravity());
+    const std::vector<ShotEvent> events = fly_one(*set_portal_open(open, {0}, false), other, 0.02, without_gravity());
     ASSERT_EQ(events.size(), 1u);
     EXPECT_EQ(events[0].portal, PortalId{0});
     EXPECT_EQ(events[0].kind, ShotEventKind::kStopped);
@@ -368,7 +424,9 @@ TEST(Projectiles, BodiesTakeTheImpulse) {
 std::vector<ShotTerms> some_terms(const World& world) {
     std::vector<ShotTerms> terms(matters_of(world).matters.size());
     for (std::size_t k = 0; k < terms.size(); ++k)
-        terms[k] = {.ricochet_below = 0.3 * double(k % 4 + 1), .restitution = 0.5, .friction = 0.2,
+        terms[k] = {.ricochet_below = 0.3 * double(k % 4 + 1),
+                    .restitution = 0.5,
+                    .friction = 0.2,
                     .resistance = k % 3 == 2 ? kUnpierced : 500.0 * double(k + 1)};
     return terms;
 }
@@ -398,8 +456,9 @@ struct FlightJudge {
             ++kinds[std::size_t(event.kind)];
             EXPECT_GE(event.time, told.events[k > 0 ? k - 1 : 0].time);
             ++met[event.projectile];
-            EXPECT_EQ(inside[event.projectile] == 1, event.kind == ShotEventKind::kLeft ||
-                                                         (event.kind == ShotEventKind::kStopped && event.thickness > 0));
+            EXPECT_EQ(
+                inside[event.projectile] == 1,
+                event.kind == ShotEventKind::kLeft || (event.kind == ShotEventKind::kStopped && event.thickness > 0));
             if (event.kind == ShotEventKind::kEntered) ++inside[event.projectile];
             if (event.kind != ShotEventKind::kLeft) continue;
             --inside[event.projectile];
@@ -487,7 +546,8 @@ TEST(Projectiles, TheSameBitsOnAnyThreadsAndFromASnapshot) {
     ShotEvents events;
     const auto hash_of_events = [&] {
         double sum = 0;
-        for (const ShotEvent& it : events.events) sum += it.time * it.projectile + dot(it.point, it.velocity) + it.number;
+        for (const ShotEvent& it : events.events)
+            sum += it.time * it.projectile + dot(it.point, it.velocity) + it.number;
         for (const MatterLength& it : events.matters) sum = sum * 0.5 + it.length;
         return sum;
     };
@@ -581,6 +641,7 @@ TEST(Projectiles, BadInput) {
     EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.max_age = NAN; })));
     EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.stop_speed = -1; })));
     EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.max_impacts = 0; })));
+    EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.max_impacts = 1001; })));
     EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.max_thickness = INFINITY; })));
     EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.pane_energy = NAN; })));
     EXPECT_TRUE(refuses(0.1, with([](FlyOptions& o) { o.other.restitution = 1.5; })));
