@@ -29,13 +29,13 @@ constexpr double kFoldWidth = 2 / kSurfaceSteps;
 
 /// With sizes E, D and W of edge, direction and corner each part of the moment has at most 2 D W, off by four
 /// roundoffs; three of them times E, and two sums.
-constexpr double kSideError = rounding(64);
+constexpr double kMomentRounding = rounding(64);
 
 /// Sign of direction . ((a - start) x (b - start)).
 int side_of_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
     const Vec3 w = a - sweep.start, edge = b - a;
     const double side = dot(edge, cross(sweep.direction, w));
-    if (std::fabs(side) > kSideError * max_abs(edge) * max_abs(sweep.direction) * max_abs(w)) return side > 0 ? 1 : -1;
+    if (std::fabs(side) > kMomentRounding * max_abs(edge) * max_abs(sweep.direction) * max_abs(w)) return side > 0 ? 1 : -1;
     return exact_edge_side(sweep.start, sweep.direction, a, b);
 }
 

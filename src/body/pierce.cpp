@@ -117,7 +117,7 @@ private:
 };
 
 /// All rooms at once.
-void look_along(const World& world, const Sweep& sweep, PathTouches& found) {
+void meet_along(const World& world, const Sweep& sweep, PathTouches& found) {
     CastOptions all;
     all.sides = Sides::kBoth;
     TellAny& told = found;
@@ -137,7 +137,7 @@ unsigned start_in_world(const World& world, const Sweep& sweep, const PierceOpti
     crossings.clear();
     const Sweep far = far_on(sweep);
     PathTouches touches(world, far, options, crossings, nullptr);
-    look_along(world, far, touches);
+    meet_along(world, far, touches);
     return starts_inside(crossings, world.solid().rock_outside());
 }
 
@@ -149,7 +149,7 @@ public:
     Status pierce() {
         scratch_.crossings.clear();
         PathTouches touches(world_, sweep_, options_, scratch_.crossings, options_.panes ? &found_.spans : nullptr);
-        look_along(world_, sweep_, touches);
+        meet_along(world_, sweep_, touches);
         find_stretches(
             sweep_, scratch_.crossings, [&] { return start_in_world(world_, sweep_, options_, scratch_.far); },
             scratch_.stretches);
