@@ -35,7 +35,8 @@ constexpr double kMomentRounding = rounding(64);
 int side_of_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
     const Vec3 w = a - sweep.start, edge = b - a;
     const double side = dot(edge, cross(sweep.direction, w));
-    if (std::fabs(side) > kMomentRounding * max_abs(edge) * max_abs(sweep.direction) * max_abs(w)) return side > 0 ? 1 : -1;
+    if (std::fabs(side) > kMomentRounding * max_abs(edge) * max_abs(sweep.direction) * max_abs(w))
+        return side > 0 ? 1 : -1;
     return exact_edge_side(sweep.start, sweep.direction, a, b);
 }
 
