@@ -11,6 +11,7 @@
 #include <span>
 
 #include "firma/export.h"
+#include "firma/moving_parts.h"
 #include "firma/queries.h"
 #include "firma/result.h"
 #include "firma/sphere_set.h"
@@ -67,6 +68,8 @@ struct Player {
     bool crouched = false;
     bool stuck = false;            ///< it overlaps, and no place to go was found
     Vec3 ground_normal{};          ///< of the face that it stands on; with on_ground
+    std::uint32_t ground_part = kNoPart;             ///< the part that it stands on: index into Scene::parts
+    Vec3 ground_velocity{};                          ///< of that part at its feet, metres a second
     RoomId room;                   ///< where its middle was last in air
     std::uint64_t world_hash = 0;  ///< hash_world() of the world that it was last moved in
 };
@@ -104,6 +107,7 @@ struct PlayerContact {
     Vec3 face_normal;  ///< unit, of the face; of ground, of the flattest one there
     FaceRef face;      ///< invalid of a closed portal
     PortalId portal;
+    std::uint32_t part = kNoPart;  ///< that the face is of; kNoPart: of the level
     std::uint32_t material = 0;
 };
 
@@ -117,6 +121,11 @@ struct PlayerMove {
     /// Metres: the way out of what came where the player was, before it moved; and what it backs off by, less than the
     /// contact offset at a time, from what it has come nearer to than that.
     Vec3 pushed{};
+    Vec3 carried{};                      ///< metres: with the part that it stood on, and out of the way of parts
+    std::uint32_t pushed_by = kNoPart;   ///< a part that came where it was, the last one
+    /// A part that it is pressed by without room to give way: it overlaps that, never the level. The game decides: stop
+    /// the part, let it turn back, or hurt the player.
+    std::uint32_t crushed_by = kNoPart;
     double landed_speed = 0;  ///< metres a second against the ground, where it came down; else 0
     bool jumped = false;
     bool stepped = false;  ///< up a step
@@ -139,14 +148,28 @@ struct PlayerMove {
 /// the exterior of a world of several rooms, unless the player was there. Where there is none it is `stuck` and stays.
 ///
 /// @param seconds  0..1 of time; more is refused: divide it
+/// Parts go from fraction 0 to 1 of their motions first, in steps of at most a quarter of the radius: what the player
+/// stands on carries it, what comes pushes it. Then it moves as above, parts standing at fraction 1. Whoever steps or
+/// jumps off a part keeps its speed. Part k has to be the same one from tick to tick, as Player::ground_part names it.
+///
 /// The same bits on every machine. Never allocates. Costs two to four casts on plain ground, some more at walls and
 /// steps; at most a few hundred where a way out is looked for.
-[[nodiscard]] FIRMA_EXPORT PlayerMove move_player(const World& world, const PlayerShape& shape, const Player& player,
+[[nodiscard]] FIRMA_EXPORT PlayerMove move_player(const Scene& scene, const PlayerShape& shape, const Player& player,
                                                   const PlayerWish& wish, double seconds,
                                                   const PlayerRules& rules = {});
+/// Without parts.
+[[nodiscard]] inline PlayerMove move_player(const World& world, const PlayerShape& shape, const Player& player,
+                                            const PlayerWish& wish, double seconds, const PlayerRules& rules = {}) {
+    return move_player(Scene{world}, shape, player, wish, seconds, rules);
+}
 
 /// Whether a player would overlap anything there, or its middle lie in solid: for places to begin at.
-[[nodiscard]] FIRMA_EXPORT bool player_fits(const World& world, const PlayerShape& shape, const Vec3& position,
+/// @param scene  its parts where they are at Scene::from
+[[nodiscard]] FIRMA_EXPORT bool player_fits(const Scene& scene, const PlayerShape& shape, const Vec3& position,
                                             bool crouched = false, std::uint32_t mask = ~0u);
+[[nodiscard]] inline bool player_fits(const World& world, const PlayerShape& shape, const Vec3& position,
+                                      bool crouched = false, std::uint32_t mask = ~0u) {
+    return player_fits(Scene{world}, shape, position, crouched, mask);
+}
 
 }  // namespace firma

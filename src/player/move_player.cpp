@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Players moved: what was given is judged, then one tick is made.
 #include "firma/players.h"
+#include "moving/part_frame.h"
 #include "player/player_tick.h"
 #include "player/way_out.h"
 
@@ -21,7 +22,7 @@ bool all_good(const PlayerRules& rules) {
 
 }  // namespace
 
-PlayerMove move_player(const World& world, const PlayerShape& shape, const Player& player, const PlayerWish& wish,
+PlayerMove move_player(const Scene& scene, const PlayerShape& shape, const Player& player, const PlayerWish& wish,
                        double seconds, const PlayerRules& rules) {
     PlayerMove refused;
     refused.player = player;
@@ -31,14 +32,17 @@ PlayerMove move_player(const World& world, const PlayerShape& shape, const Playe
     if (!is_finite(player.ground_normal) || (player.on_ground && !(dot(player.ground_normal, shape.up()) > 0)))
         return refused;
     if (!is_finite(seconds) || seconds < 0 || seconds > kMaxTick || !all_good(rules)) return refused;
-    const double offset = rules.contact_offset > 0 ? rules.contact_offset : world.tolerance().contact_offset;
-    return PlayerTick(world, shape.data(), player, wish, seconds, rules, offset).run();
+    for (const MovingPart& part : scene.parts)
+        if (!is_usable_part(part)) return refused;
+    const double offset = rules.contact_offset > 0 ? rules.contact_offset : scene.world.tolerance().contact_offset;
+    return PlayerTick(scene, shape.data(), player, wish, seconds, rules, offset).run();
 }
 
-bool player_fits(const World& world, const PlayerShape& shape, const Vec3& position, bool crouched,
+bool player_fits(const Scene& scene, const PlayerShape& shape, const Vec3& position, bool crouched,
                  std::uint32_t mask) {
     if (!shape.valid() || !is_finite(position)) return false;
-    const PostureIn posture(world, shape.data(), crouched, mask, 0);
+    const Scene there{scene.world, scene.parts, scene.from, scene.from};
+    const PostureIn posture(there, shape.data(), crouched, mask, 0);
     return posture.where(position).where == Where::kAir && !(posture.deepest(position).depth > kTouching);
 }
 

@@ -16,16 +16,16 @@ constexpr double kUnder = 0.01;
 
 }  // namespace
 
-GroundRules::GroundRules(const World& world, const PlayerShapeData& shape, const PlayerRules& rules, std::uint32_t mask,
+GroundRules::GroundRules(const Scene& scene, const PlayerShapeData& shape, const PlayerRules& rules, std::uint32_t mask,
                          double offset)
-    : world_(world),
+    : scene_(scene),
       shape_(shape),
       rules_(rules),
       mask_(mask),
       least_up_(sine_cosine(rules.max_slope).cosine - kSlopeRounding),
       offset_(offset) {}
 
-Vec3 GroundRules::flattest_at(const Hit& hit) const {
+Vec3 GroundRules::flattest_at(const PartHit& hit) const {
     const auto outward = [&](const Vec3& normal, bool two_sided) {
         return two_sided && dot(normal, hit.normal) < 0 ? -normal : normal;
     };
@@ -34,15 +34,15 @@ Vec3 GroundRules::flattest_at(const Hit& hit) const {
     NearOptions near;
     near.mask = mask_;
     overlap_each(
-        world_, Sphere{hit.point, kAtTouch},
-        [&](const Overlap& overlap) {
-            const std::optional<FaceInfo> face = world_.face_info(overlap.face);
+        scene_, Sphere{hit.point, kAtTouch},
+        [&](const PartOverlap& overlap) {
+            const std::optional<FaceThere> face = face_there(scene_, overlap.part, overlap.face);
             if (!face) return true;
             const Vec3 normal = outward(face->normal, face->two_sided);
             if (dot(normal, shape_.up) > dot(best, shape_.up)) best = normal;
             return true;
         },
-        near);
+        0, near);
     return best;
 }
 
@@ -50,11 +50,11 @@ bool GroundRules::ground_below(const Vec3& feet) const {
     CastOptions options;
     options.mask = mask_;
     const double far = shape_.radius + rules_.step_height + 2 * offset_;
-    const Hit hit = cast(world_, Ray{feet + shape_.up * shape_.radius, shape_.up * -far}, options);
+    const Hit hit = cast(scene_, Ray{feet + shape_.up * shape_.radius, shape_.up * -far}, options);
     return hit && walkable(hit.normal);
 }
 
-Ground GroundRules::under(const Hit& hit, const Vec3& feet) const {
+Ground GroundRules::under(const PartHit& hit, const Vec3& feet) const {
     Ground ground;
     if (!hit.touched() || !(dot(hit.normal, shape_.up) > kUnder)) return ground;
     ground.normal = flattest_at(hit);

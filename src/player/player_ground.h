@@ -15,19 +15,19 @@ struct Ground {
 
 class GroundRules {
 public:
-    GroundRules(const World& world, const PlayerShapeData& shape, const PlayerRules& rules, std::uint32_t mask,
+    GroundRules(const Scene& scene, const PlayerShapeData& shape, const PlayerRules& rules, std::uint32_t mask,
                 double offset);
 
     /// Whether a player who touches this from above stands there: a face at that point is no steeper than max_slope,
     /// and the middle is not too far beyond it, or something to stand on is below it.
-    Ground under(const Hit& hit, const Vec3& feet) const;
+    Ground under(const PartHit& hit, const Vec3& feet) const;
     bool walkable(const Vec3& normal) const { return dot(normal, shape_.up) >= least_up_; }
 
 private:
-    Vec3 flattest_at(const Hit& hit) const;
+    Vec3 flattest_at(const PartHit& hit) const;
     bool ground_below(const Vec3& feet) const;
 
-    const World& world_;
+    const Scene& scene_;
     const PlayerShapeData& shape_;
     const PlayerRules& rules_;
     const std::uint32_t mask_;

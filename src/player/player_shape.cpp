@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "firma/cast_set.h"
+#include "moving/part_frame.h"
 
 namespace firma {
 namespace {
@@ -60,6 +62,10 @@ double reach_sideways(const SphereSet& spheres, const Vec3& up) {
 
 Sphere put(const Sphere& sphere, const Vec3& feet) {
     return {sphere.centre + feet, sphere.radius};
+}
+
+Capsule put(const Capsule& capsule, const Vec3& feet) {
+    return {capsule.from + feet, capsule.to + feet, capsule.radius};
 }
 
 }  // namespace
@@ -121,70 +127,76 @@ Result<PlayerShape> make_player_spheres(std::span<const Sphere> standing, std::s
     return PlayerShape(shape);
 }
 
-PostureIn::PostureIn(const World& world, const PlayerShapeData& shape, bool crouched, std::uint32_t mask, double offset)
-    : world_(&world), kind_(shape.kind), posture_(&shape.postures[crouched]) {
+std::optional<FaceThere> face_there(const Scene& scene, std::uint32_t part, const FaceRef& face) {
+    const World& world = part == kNoPart ? scene.world : scene.parts[part].world();
+    const std::optional<FaceInfo> info = world.face_info(face);
+    if (!info) return std::nullopt;
+    if (part == kNoPart) return FaceThere{info->normal, info->two_sided};
+    return FaceThere{PartFrame(scene.parts[part].motion, scene.from).direction_out(info->normal), info->two_sided};
+}
+
+PostureIn::PostureIn(const Scene& scene, const PlayerShapeData& shape, bool crouched, std::uint32_t mask, double offset)
+    : scene_(&scene), kind_(shape.kind), posture_(&shape.postures[crouched]) {
     options_.mask = near_.mask = mask;
     options_.contact_offset = offset;
 }
 
-Hit PostureIn::sweep(const Vec3& feet, const Vec3& path) const {
+PartHit PostureIn::sweep(const Vec3& feet, const Vec3& path) const {
     switch (kind_) {
-        case PlayerShapeData::Kind::kCapsule:
-            return cast(*world_,
-                        Capsule{posture_->capsule.from + feet, posture_->capsule.to + feet, posture_->capsule.radius},
-                        path, options_);
-        case PlayerShapeData::Kind::kBox:
-            return cast(*world_, posture_->box, feet + posture_->middle, path, options_);
-        case PlayerShapeData::Kind::kSpheres:
-            break;
+        case PlayerShapeData::Kind::kCapsule: return cast(*scene_, put(posture_->capsule, feet), path, options_);
+        case PlayerShapeData::Kind::kBox: return cast(*scene_, posture_->box, feet + posture_->middle, path, options_);
+        case PlayerShapeData::Kind::kSpheres: break;
     }
-    RigidMotion motion;
-    motion.position = feet;
-    motion.path = path;
-    return cast(*world_, posture_->spheres, motion, options_);
+    PartHit first;
+    if (scene_->parts.empty()) {
+        RigidMotion motion;
+        motion.position = feet;
+        motion.path = path;
+        static_cast<Hit&>(first) = cast(scene_->world, posture_->spheres, motion, options_);
+        return first;
+    }
+    for (const Sphere& sphere : posture_->spheres) {
+        const PartHit hit = cast(*scene_, put(sphere, feet), path, options_);
+        if (hit.touched() && (!first.touched() || hit.fraction < first.fraction)) first = hit;
+    }
+    return first;
 }
 
-bool PostureIn::is_behind(const Vec3& middle, const Overlap& overlap) const {
-    const std::optional<FaceInfo> face = world_->face_info(overlap.face);
+bool PostureIn::is_behind(const Vec3& middle, const PartOverlap& overlap) const {
+    const std::optional<FaceThere> face = face_there(*scene_, overlap.part, overlap.face);
     return face && !face->two_sided && dot(middle - overlap.point, face->normal) < 0;
 }
 
-void PostureIn::each_overlap(const Vec3& feet, OverlapVisitor visit) const {
+void PostureIn::each_overlap(const Vec3& feet, PartOverlapVisitor visit) const {
     const Vec3 middle = feet + posture_->middle;
     bool on = true;
-    const auto met = [&](const Overlap& overlap) { return is_behind(middle, overlap) || (on = visit(overlap)); };
+    const auto met = [&](const PartOverlap& overlap) { return is_behind(middle, overlap) || (on = visit(overlap)); };
     switch (kind_) {
-        case PlayerShapeData::Kind::kCapsule:
-            overlap_each(*world_,
-                         Capsule{posture_->capsule.from + feet, posture_->capsule.to + feet, posture_->capsule.radius},
-                         met, near_);
-            return;
-        case PlayerShapeData::Kind::kBox:
-            overlap_each(*world_, posture_->box, middle, met, near_);
-            return;
-        case PlayerShapeData::Kind::kSpheres:
-            break;
+        case PlayerShapeData::Kind::kCapsule: overlap_each(*scene_, put(posture_->capsule, feet), met, 0, near_); return;
+        case PlayerShapeData::Kind::kBox: overlap_each(*scene_, posture_->box, middle, met, 0, near_); return;
+        case PlayerShapeData::Kind::kSpheres: break;
     }
     for (const Sphere& sphere : posture_->spheres) {
-        overlap_each(*world_, put(sphere, feet), met, near_);
+        overlap_each(*scene_, put(sphere, feet), met, 0, near_);
         if (!on) return;
     }
 }
 
 bool PostureIn::overlaps(const Vec3& feet) const {
     bool any = false;
-    each_overlap(feet, [&](const Overlap&) {
+    each_overlap(feet, [&](const PartOverlap&) {
         any = true;
         return false;
     });
     return any;
 }
 
-Overlap PostureIn::deepest(const Vec3& feet) const {
-    Overlap deepest;
-    each_overlap(feet, [&](const Overlap& overlap) {
+PartOverlap PostureIn::deepest_where(const Vec3& feet, PartOverlapVisitor counts) const {
+    PartOverlap deepest;
+    each_overlap(feet, [&](const PartOverlap& overlap) {
+        if (!counts(overlap)) return true;
         const bool first = !deepest.found(), as_deep = overlap.depth == deepest.depth;
-        const auto name = [](const Overlap& of) { return std::pair(of.face.id, of.portal); };
+        const auto name = [](const PartOverlap& of) { return std::tuple(of.part, of.face.id, of.portal); };
         if (first || overlap.depth > deepest.depth || (as_deep && name(overlap) < name(deepest))) deepest = overlap;
         return true;
     });
@@ -192,7 +204,7 @@ Overlap PostureIn::deepest(const Vec3& feet) const {
 }
 
 Location PostureIn::where(const Vec3& feet) const {
-    return locate(*world_, feet + posture_->middle);
+    return locate(scene_->world, feet + posture_->middle);
 }
 
 }  // namespace firma

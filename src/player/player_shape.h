@@ -4,6 +4,7 @@
 
 #include "firma/capsule.h"
 #include "firma/hull.h"
+#include "firma/moving_parts.h"
 #include "firma/players.h"
 #include "firma/rooms.h"
 
@@ -25,23 +26,36 @@ struct PlayerShapeData {
     Posture postures[2];  ///< standing, crouched
 };
 
-/// One posture of a shape in a world: casts and overlaps with the feet anywhere.
+/// A face of the level or of a part, where it is.
+struct FaceThere {
+    Vec3 normal;
+    bool two_sided = false;
+};
+std::optional<FaceThere> face_there(const Scene& scene, std::uint32_t part, const FaceRef& face);
+
+/// One posture of a shape in a scene whose parts stand: casts and overlaps with the feet anywhere.
 class PostureIn {
 public:
-    PostureIn(const World& world, const PlayerShapeData& shape, bool crouched, std::uint32_t mask, double offset);
+    /// @param scene  outlives this
+    PostureIn(const Scene& scene, const PlayerShapeData& shape, bool crouched, std::uint32_t mask, double offset);
 
-    Hit sweep(const Vec3& feet, const Vec3& path) const;
+    PartHit sweep(const Vec3& feet, const Vec3& path) const;
     bool overlaps(const Vec3& feet) const;
     /// The one that it is deepest in; depth 0 where there is none.
-    Overlap deepest(const Vec3& feet) const;
+    PartOverlap deepest(const Vec3& feet) const { return deepest_where(feet, [](const PartOverlap&) { return true; }); }
+    /// The same of parts alone.
+    PartOverlap deepest_of_parts(const Vec3& feet) const {
+        return deepest_where(feet, [](const PartOverlap& overlap) { return overlap.part != kNoPart; });
+    }
     Location where(const Vec3& feet) const;  ///< of its middle
 
 private:
     /// Of faces that can be met from where its middle is: of one-sided ones not from behind, as for casts.
-    void each_overlap(const Vec3& feet, OverlapVisitor visit) const;
-    bool is_behind(const Vec3& middle, const Overlap& overlap) const;
+    void each_overlap(const Vec3& feet, PartOverlapVisitor visit) const;
+    PartOverlap deepest_where(const Vec3& feet, PartOverlapVisitor counts) const;
+    bool is_behind(const Vec3& middle, const PartOverlap& overlap) const;
 
-    const World* world_;
+    const Scene* scene_;
     PlayerShapeData::Kind kind_;
     const Posture* posture_;
     CastOptions options_;

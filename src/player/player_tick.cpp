@@ -27,18 +27,19 @@ Vec3 approach(const Vec3& from, const Vec3& to, double most) {
 
 }  // namespace
 
-PlayerTick::PlayerTick(const World& world, const PlayerShapeData& shape, const Player& player, const PlayerWish& wish,
+PlayerTick::PlayerTick(const Scene& scene, const PlayerShapeData& shape, const Player& player, const PlayerWish& wish,
                        double seconds, const PlayerRules& rules, double offset)
-    : world_(world),
+    : scene_{scene.world, scene.parts, 0, 0},
+      world_(scene.world),
       shape_(shape),
       wish_(wish),
       rules_(rules),
-      ground_rules_(world, shape, rules, player.mask, offset),
+      ground_rules_(scene_, shape, rules, player.mask, offset),
       up_(shape.up),
       seconds_(seconds),
       offset_(offset),
-      other_world_(player.world_hash != hash_world(world) || player.stuck),
-      posture_(world, shape, player.crouched, player.mask, offset) {
+      other_world_(player.world_hash != hash_world(scene.world) || player.stuck),
+      posture_(scene_, shape, player.crouched, player.mask, offset) {
     player_ = player;
     state_.ground = player.on_ground ? player.ground_normal : up_;
 }
@@ -50,6 +51,7 @@ PlayerMove PlayerTick::run() {
         return move_;
     }
     player_.stuck = false;
+    ride();
     choose_posture();
     if (other_world_ && player_.on_ground) settle(rules_.step_height);
     accelerate();
@@ -74,7 +76,7 @@ bool PlayerTick::get_free() {
 
 void PlayerTick::choose_posture() {
     if (wish_.crouch == player_.crouched) return;
-    const PostureIn other(world_, shape_, wish_.crouch, player_.mask, offset_);
+    const PostureIn other(scene_, shape_, wish_.crouch, player_.mask, offset_);
     if (!wish_.crouch && other.overlaps(player_.position)) return;
     player_.crouched = wish_.crouch;
     posture_ = other;
@@ -89,14 +91,16 @@ void PlayerTick::accelerate() {
         faster = approach(side, wished, rules_.ground_acceleration * seconds_);
         rise = 0;
         if (wish_.jump) {
-            rise = rules_.jump_speed;
-            player_.on_ground = false;
             move_.jumped = true;
         }
     } else if (dot(wished, wished) > 0) {
         faster = approach(side, wished, rules_.air_acceleration * seconds_);
     }
     player_.velocity = faster + up_ * rise;
+    if (move_.jumped) {
+        player_.velocity += up_ * rules_.jump_speed;
+        leave_ground();
+    }
 }
 
 Vec3 PlayerTick::along_ground(const Vec3& flat) const {
@@ -111,8 +115,8 @@ Vec3 PlayerTick::allowed_on_ground(const Vec3& motion) const {
     return cone.nearest(motion);
 }
 
-Hit PlayerTick::go(const Vec3& path) {
-    const Hit hit = posture_.sweep(player_.position, path);
+PartHit PlayerTick::go(const Vec3& path) {
+    const PartHit hit = posture_.sweep(player_.position, path);
     player_.position += path * hit.safe_fraction;
     if (!hit.touched()) return hit;
     state_.touched.add(hit.normal);
@@ -125,7 +129,7 @@ Hit PlayerTick::go(const Vec3& path) {
 // so what has room on both sides touches neither.
 void PlayerTick::back_off(const Vec3& normal, double far) {
     const Vec3 path = normal * far;
-    const Hit hit = posture_.sweep(player_.position, path);
+    const PartHit hit = posture_.sweep(player_.position, path);
     const Vec3 way = path * std::max(hit.safe_fraction, hit.fraction * 0.5);
     player_.position += way;
     move_.pushed += way;
@@ -144,39 +148,41 @@ void PlayerTick::fly() {
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = state_.walls.nearest(left);
         if (!(max_abs(path) > 0)) break;
-        const Hit hit = go(path);
+        const PartHit hit = go(path);
         left *= 1 - hit.safe_fraction;
         if (!hit.touched()) break;
         if (come_down(hit, left) || climb_from_slide(hit, left)) return;
         add_wall(hit.normal);
     }
-    if (is_held()) stand_on(up_);
+    if (is_held()) stand_on(up_, kNoPart);
 }
 
 // On a side too steep to stand on, with something below within a step: it may go on up as from the ground.
-bool PlayerTick::climb_from_slide(const Hit& hit, const Vec3& left) {
+bool PlayerTick::climb_from_slide(const PartHit& hit, const Vec3& left) {
     if (dot(player_.velocity, up_) > 0 || !(dot(hit.normal, up_) > kUpright)) return false;
     if (!posture_.sweep(player_.position, up_ * -rules_.step_height).touched()) return false;
     Vec3 flat = sideways(left);
     if (!climb(flat)) return false;
-    stand_on(up_);
+    stand_on(up_, hit.part);
     settle(rules_.step_height);
     return true;
 }
 
 // Lands: what is left of the way goes along the ground.
-bool PlayerTick::come_down(const Hit& hit, const Vec3& left) {
+bool PlayerTick::come_down(const PartHit& hit, const Vec3& left) {
     const Ground ground = ground_rules_.under(hit, player_.position);
     note(hit, ground);
-    if (!ground.carries || dot(player_.velocity, up_) > 0) return false;
-    move_.landed_speed = -dot(player_.velocity, up_);
-    stand_on(ground.normal);
+    if (!ground.carries) return false;
+    const double fall = dot(player_.velocity - speed_of(hit.part), up_);
+    if (fall > 0) return false;
+    move_.landed_speed = -fall;
+    stand_on(ground.normal, hit.part);
     if (ground_rules_.walkable(hit.normal)) state_.ground = hit.normal;
     Vec3 flat = sideways(left);
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = allowed_on_ground(along_ground(flat));
         if (!(max_abs(path) > 0)) break;
-        const Hit next = go(path);
+        const PartHit next = go(path);
         flat *= 1 - next.safe_fraction;
         if (!next.touched()) break;
         add_wall(next.normal);
@@ -188,32 +194,34 @@ bool PlayerTick::come_down(const Hit& hit, const Vec3& left) {
 // Down to what carries, within reach of a step; else it is in the air, but where what it touches holds it.
 void PlayerTick::settle(double far) {
     const Vec3 fall = up_ * -far;
-    const Hit hit = posture_.sweep(player_.position, fall);
+    const PartHit hit = posture_.sweep(player_.position, fall);
     const Vec3 there = player_.position + fall * hit.safe_fraction;
     const Ground ground = ground_rules_.under(hit, there);
     if (ground.carries) {
         if (length(there - player_.position) > kAtRest) player_.position = there;
         keep_offset(hit, far);
         note(hit, ground);
-        return stand_on(ground.normal);
+        return stand_on(ground.normal, hit.part);
     }
-    if (state_.climbing) return stand_on(up_);
-    player_.on_ground = false;
+    if (state_.climbing) return stand_on(up_, player_.ground_part);
     Vec3 at = player_.position;
     AllowedMotion below;
+    std::uint32_t part = kNoPart;
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = below.nearest(up_ * (-4 * offset_));
-        if (-dot(path, up_) < 4 * offset_ * kHeld) return stand_on(up_);
-        const Hit met = posture_.sweep(at, path);
-        if (!met.touched()) return;
+        if (-dot(path, up_) < 4 * offset_ * kHeld) return stand_on(up_, part);
+        const PartHit met = posture_.sweep(at, path);
+        if (!met.touched()) return leave_ground();
+        part = met.part;
         at += path * met.safe_fraction;
         if (const Ground under = ground_rules_.under(met, at); under.carries) {
             player_.position = at;
             note(met, under);
-            return stand_on(under.normal);
+            return stand_on(under.normal, met.part);
         }
         below.add(met.normal);
     }
+    leave_ground();
 }
 
 // Up again by what is missing of the offset from the ground, as far as there is room: slides bring it as near as the
@@ -228,13 +236,24 @@ bool PlayerTick::is_held() const {
     return length(state_.touched.nearest(-up_)) < kHeld;
 }
 
-void PlayerTick::stand_on(const Vec3& normal) {
+// Speed on the ground is that over what it stands on.
+void PlayerTick::stand_on(const Vec3& normal, std::uint32_t part) {
+    const Vec3 speed = speed_of(part);
+    player_.velocity = sideways(player_.velocity + player_.ground_velocity - speed);
+    player_.ground_velocity = speed;
+    player_.ground_part = part;
     player_.on_ground = true;
     player_.ground_normal = normal;
-    player_.velocity = sideways(player_.velocity);
 }
 
-void PlayerTick::note(const Hit& hit, const Ground& ground) {
+void PlayerTick::leave_ground() {
+    player_.velocity += player_.ground_velocity;
+    player_.ground_velocity = {};
+    player_.ground_part = kNoPart;
+    player_.on_ground = false;
+}
+
+void PlayerTick::note(const PartHit& hit, const Ground& ground) {
     const double rise = dot(hit.normal, up_);
     PlayerContact contact;
     contact.kind = ground.carries ? ContactKind::kGround : rise < -0.5 ? ContactKind::kCeiling : ContactKind::kWall;
@@ -243,9 +262,11 @@ void PlayerTick::note(const Hit& hit, const Ground& ground) {
     contact.face_normal = ground.carries ? ground.normal : hit.face_normal;
     contact.face = hit.face;
     contact.portal = hit.portal;
+    contact.part = hit.part;
     contact.material = hit.material;
     for (std::size_t k = 0; k < move_.contact_count; ++k)
-        if (move_.touched[k].face == contact.face && move_.touched[k].portal == contact.portal) {
+        if (move_.touched[k].face == contact.face && move_.touched[k].portal == contact.portal &&
+            move_.touched[k].part == contact.part) {
             move_.touched[k] = contact;
             return;
         }

@@ -10,7 +10,7 @@ namespace firma {
 
 class PlayerTick {
 public:
-    PlayerTick(const World& world, const PlayerShapeData& shape, const Player& player, const PlayerWish& wish,
+    PlayerTick(const Scene& scene, const PlayerShapeData& shape, const Player& player, const PlayerWish& wish,
                double seconds, const PlayerRules& rules, double offset);
 
     PlayerMove run();
@@ -26,6 +26,9 @@ private:
     };
 
     bool get_free();
+    void ride();
+    void carry(double before, double after);
+    void give_way();
     void choose_posture();
     void accelerate();
     void walk();
@@ -37,7 +40,7 @@ private:
     void finish();
 
     struct Landing {
-        Hit hit;
+        PartHit hit;
         Vec3 feet;
         Ground ground;
     };
@@ -45,16 +48,18 @@ private:
     bool is_step(const Landing& landing, const Vec3& from) const;
 
     /// A sweep as far as is safe, noted, and what it touched.
-    Hit go(const Vec3& path);
+    PartHit go(const Vec3& path);
     void back_off(const Vec3& normal, double far);
     bool climb(Vec3& left);
     Vec3 foothold(const Vec3& feet) const;
-    bool come_down(const Hit& hit, const Vec3& left);
-    bool climb_from_slide(const Hit& hit, const Vec3& left);
+    bool come_down(const PartHit& hit, const Vec3& left);
+    bool climb_from_slide(const PartHit& hit, const Vec3& left);
     void add_wall(const Vec3& normal);
-    void note(const Hit& hit, const Ground& ground);
-    void stand_on(const Vec3& normal);
+    void note(const PartHit& hit, const Ground& ground);
+    void stand_on(const Vec3& normal, std::uint32_t part);
+    void leave_ground();
     bool is_held() const;
+    Vec3 speed_of(std::uint32_t part) const;  ///< of a part at the feet, metres a second; zero of the level
     bool ground_within(const Vec3& feet, double far) const;
 
     Vec3 sideways(const Vec3& v) const { return v - up_ * dot(v, up_); }
@@ -64,6 +69,7 @@ private:
 
     static constexpr int kMaxSlides = 8;
 
+    Scene scene_;  ///< its parts stand where they are by now
     const World& world_;
     const PlayerShapeData& shape_;
     const PlayerWish& wish_;

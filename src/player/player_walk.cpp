@@ -30,7 +30,7 @@ void PlayerTick::walk_along(Vec3 left) {
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = allowed_on_ground(along_ground(left));
         if (!(max_abs(path) > 0)) break;
-        const Hit hit = go(path);
+        const PartHit hit = go(path);
         left *= 1 - hit.safe_fraction;
         if (!hit.touched()) break;
         const Ground ground = ground_rules_.under(hit, player_.position);
@@ -55,7 +55,7 @@ bool PlayerTick::climb(Vec3& left) {
     for (int slide = 0; slide < kMaxSlides; ++slide) {
         const Vec3 path = walls.nearest(to_do);
         if (!(max_abs(path) > 0)) break;
-        const Hit hit = posture_.sweep(at, path);
+        const PartHit hit = posture_.sweep(at, path);
         at += path * hit.safe_fraction;
         to_do *= 1 - hit.safe_fraction;
         const Vec3 side = sideways(hit.normal);
@@ -98,13 +98,13 @@ bool PlayerTick::is_step(const Landing& landing, const Vec3& from) const {
 
 // Where it stands: the point that carries it, which for a round foot on an edge is higher than its lowest point.
 Vec3 PlayerTick::foothold(const Vec3& feet) const {
-    const Hit hit = posture_.sweep(feet, up_ * -rules_.step_height);
+    const PartHit hit = posture_.sweep(feet, up_ * -rules_.step_height);
     return hit.touched() ? hit.point : feet;
 }
 
 bool PlayerTick::ground_within(const Vec3& feet, double far) const {
     const Vec3 fall = up_ * -far;
-    const Hit hit = posture_.sweep(feet, fall);
+    const PartHit hit = posture_.sweep(feet, fall);
     return ground_rules_.under(hit, feet + fall * hit.safe_fraction).carries;
 }
 
@@ -125,7 +125,7 @@ void PlayerTick::stop_at_ledge(const State& begun, const Vec3& way) {
     const Vec3 out = unit(way) * (2 * shape_.radius);
     CastOptions options;
     options.mask = player_.mask;
-    const Hit drop = cast(world_, Ray{over + out - up_ * (rules_.max_drop * 0.5), out * -2 - way}, options);
+    const Hit drop = cast(scene_, Ray{over + out - up_ * (rules_.max_drop * 0.5), out * -2 - way}, options);
     if (!drop || !(length(sideways(drop.normal)) > kLevel)) return;
     const State at_ledge = state_;
     AllowedMotion ledge;

@@ -55,7 +55,7 @@ std::optional<Vec3> way_out(const World& world, const PostureIn& posture, const 
     const WayOut out(world, posture, room);
     Vec3 at = feet;
     for (int k = 0; k < kMaxPushes; ++k) {
-        const Overlap overlap = posture.deepest(at);
+        const PartOverlap overlap = posture.deepest(at);
         if (!overlap.found()) break;
         at += overlap.direction * (overlap.depth + offset);
     }
