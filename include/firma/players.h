@@ -62,16 +62,16 @@ struct PlayerSize {
 /// One player, between two moves. All of it may be set.
 struct Player {
     Vec3 position{};           ///< of the feet, metres
-    Vec3 velocity{};           ///< metres a second; on the ground along `up` 0
+    Vec3 velocity{};           ///< metres a second; on the ground over what it stands on, along `up` 0
     std::uint32_t mask = ~0u;  ///< faces that share a bit are met
     bool on_ground = false;
     bool crouched = false;
-    bool stuck = false;            ///< it overlaps, and no place to go was found
-    Vec3 ground_normal{};          ///< of the face that it stands on; with on_ground
-    std::uint32_t ground_part = kNoPart;             ///< the part that it stands on: index into Scene::parts
-    Vec3 ground_velocity{};                          ///< of that part at its feet, metres a second
-    RoomId room;                   ///< where its middle was last in air
-    std::uint64_t world_hash = 0;  ///< hash_world() of the world that it was last moved in
+    bool stuck = false;                   ///< it overlaps, and no place to go was found
+    Vec3 ground_normal{};                 ///< of the face that it stands on; with on_ground
+    std::uint32_t ground_part = kNoPart;  ///< the part that it stands on: index into Scene::parts
+    Vec3 ground_velocity{};               ///< of that part at its feet, metres a second
+    RoomId room;                          ///< where its middle was last in air
+    std::uint64_t world_hash = 0;         ///< hash_world() of the world that it was last moved in
 };
 
 /// What is wished of it for one move.
@@ -121,8 +121,8 @@ struct PlayerMove {
     /// Metres: the way out of what came where the player was, before it moved; and what it backs off by, less than the
     /// contact offset at a time, from what it has come nearer to than that.
     Vec3 pushed{};
-    Vec3 carried{};                      ///< metres: with the part that it stood on, and out of the way of parts
-    std::uint32_t pushed_by = kNoPart;   ///< a part that came where it was, the last one
+    Vec3 carried{};                     ///< metres: with the part that it stood on, and out of the way of parts
+    std::uint32_t pushed_by = kNoPart;  ///< a part that came where it was, the last one
     /// A part that it is pressed by without room to give way: it overlaps that, never the level. The game decides: stop
     /// the part, let it turn back, or hurt the player.
     std::uint32_t crushed_by = kNoPart;

@@ -24,7 +24,12 @@ public:
     /// @param targets  null: no bodies
     ShotFlight(const World& world, const FlyOptions& options, const Bodies* bodies, const BodyTargets* targets,
                ShotEvents& events)
-        : world_(world), world_hash_(hash_world(world)), options_(options), bodies_(bodies), targets_(targets), events_(events) {}
+        : world_(world),
+          world_hash_(hash_world(world)),
+          options_(options),
+          bodies_(bodies),
+          targets_(targets),
+          events_(events) {}
 
     void fly(Projectile& projectile, std::uint32_t index, double seconds);
 

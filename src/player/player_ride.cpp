@@ -20,8 +20,8 @@ constexpr double kPressed = 1e-4;
 double reach_of(const MovingPart& part) {
     const Box& box = part.bounds();
     if (box.empty()) return 0;
-    const double far = length(Vec3{std::max(-box.low.x, box.high.x), std::max(-box.low.y, box.high.y),
-                                   std::max(-box.low.z, box.high.z)});
+    const double far = length(
+        Vec3{std::max(-box.low.x, box.high.x), std::max(-box.low.y, box.high.y), std::max(-box.low.z, box.high.z)});
     return length(part.motion.path) + length(part.motion.turn) * far;
 }
 
@@ -45,7 +45,8 @@ void PlayerTick::ride() {
         carry(before, after);
         give_way();
     }
-    if (player_.on_ground) stand_on(player_.ground_normal, player_.ground_part);
+    // Who stands on a part stands on it still when that changes its speed.
+    if (player_.on_ground) player_.ground_velocity = speed_of(player_.ground_part);
 }
 
 void PlayerTick::carry(double before, double after) {

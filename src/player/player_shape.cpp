@@ -143,9 +143,12 @@ PostureIn::PostureIn(const Scene& scene, const PlayerShapeData& shape, bool crou
 
 PartHit PostureIn::sweep(const Vec3& feet, const Vec3& path) const {
     switch (kind_) {
-        case PlayerShapeData::Kind::kCapsule: return cast(*scene_, put(posture_->capsule, feet), path, options_);
-        case PlayerShapeData::Kind::kBox: return cast(*scene_, posture_->box, feet + posture_->middle, path, options_);
-        case PlayerShapeData::Kind::kSpheres: break;
+        case PlayerShapeData::Kind::kCapsule:
+            return cast(*scene_, put(posture_->capsule, feet), path, options_);
+        case PlayerShapeData::Kind::kBox:
+            return cast(*scene_, posture_->box, feet + posture_->middle, path, options_);
+        case PlayerShapeData::Kind::kSpheres:
+            break;
     }
     PartHit first;
     if (scene_->parts.empty()) {
@@ -172,9 +175,14 @@ void PostureIn::each_overlap(const Vec3& feet, PartOverlapVisitor visit) const {
     bool on = true;
     const auto met = [&](const PartOverlap& overlap) { return is_behind(middle, overlap) || (on = visit(overlap)); };
     switch (kind_) {
-        case PlayerShapeData::Kind::kCapsule: overlap_each(*scene_, put(posture_->capsule, feet), met, 0, near_); return;
-        case PlayerShapeData::Kind::kBox: overlap_each(*scene_, posture_->box, middle, met, 0, near_); return;
-        case PlayerShapeData::Kind::kSpheres: break;
+        case PlayerShapeData::Kind::kCapsule:
+            overlap_each(*scene_, put(posture_->capsule, feet), met, 0, near_);
+            return;
+        case PlayerShapeData::Kind::kBox:
+            overlap_each(*scene_, posture_->box, middle, met, 0, near_);
+            return;
+        case PlayerShapeData::Kind::kSpheres:
+            break;
     }
     for (const Sphere& sphere : posture_->spheres) {
         overlap_each(*scene_, put(sphere, feet), met, 0, near_);

@@ -42,7 +42,9 @@ public:
     PartHit sweep(const Vec3& feet, const Vec3& path) const;
     bool overlaps(const Vec3& feet) const;
     /// The one that it is deepest in; depth 0 where there is none.
-    PartOverlap deepest(const Vec3& feet) const { return deepest_where(feet, [](const PartOverlap&) { return true; }); }
+    PartOverlap deepest(const Vec3& feet) const {
+        return deepest_where(feet, [](const PartOverlap&) { return true; });
+    }
     /// The same of parts alone.
     PartOverlap deepest_of_parts(const Vec3& feet) const {
         return deepest_where(feet, [](const PartOverlap& overlap) { return overlap.part != kNoPart; });
