@@ -12,6 +12,7 @@
 #include "firma/chunk.h"
 #include "firma/cutter.h"
 #include "firma/edit_log.h"
+#include "firma/fracture.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
