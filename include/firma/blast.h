@@ -16,9 +16,9 @@ namespace firma {
 
 /// An explosion.
 struct Blast {
-    Vec3 at{};             ///< metres
-    double radius = 4;     ///< metres, above zero: nothing is felt from there on
-    double impulse = 500;  ///< newton seconds a square metre that faces it, at `at`; >= 0
+    Vec3 at{};              ///< metres
+    double radius = 6;      ///< metres, above zero: nothing is felt from there on
+    double impulse = 3000;  ///< newton seconds a square metre that faces it, at `at`; >= 0
 };
 
 /// What is left of a blast at a distance: (1 - distance / radius)^2, 0 from the radius on and for what is not finite.

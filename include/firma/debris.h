@@ -61,16 +61,19 @@ struct ShatterOptions {
     /// FractureOptions::impact is in the world here, metres; its density is the body's. Pieces of less than its
     /// min_volume become dust.
     FractureOptions fracture{};
-    std::size_t max_spheres = 8;  ///< of a piece, 1 to kMaxSpheres: found in less time than by fit_spheres(), less near
-    /// A version of the world that it came from: each piece is of the matter that the place was of where its centre lay
-    /// there, and as dense as that, in proportion. Null: all are of the body's matter, and as dense.
+    std::size_t max_spheres =
+        12;  ///< of a piece, 1 to kMaxSpheres: found in less time than by fit_spheres(), less near
+    /// The world that it lies in, of the level that it came from. Each piece is of the matter that the place was of
+    /// where its centre was before it came loose, and as dense as that, in proportion. Spheres keep clear of what is
+    /// solid: a body that rests lies a little in the ground, where it has no spheres, and so do its pieces. Null: all
+    /// are of the body's matter, and as dense, and their spheres may be in the ground.
     const World* world = nullptr;
 };
 
 /// What a body broke into.
 struct Shattered {
     std::vector<BodyId> pieces;  ///< in place of the body; the body itself where nothing divided it
-    std::size_t dust = 0;        ///< pieces too small to be bodies, or without room for a sphere: they are gone
+    std::size_t dust = 0;        ///< pieces too small to be bodies, or without room for a sphere, or buried: no bodies
     double dust_mass = 0;        ///< kilograms
     Vec3 dust_momentum;          ///< newton seconds, that went with them
     Vec3 dust_angular_momentum;  ///< newton metre seconds, about where the body's centre of mass was
@@ -110,7 +113,7 @@ struct DebrisRules {
 /// What became of debris.
 struct DebrisReport {
     World world;  ///< after all that became ground
-    std::vector<BodyId> gone;
+    std::vector<BodyId> removed;
     std::vector<BodyId> to_ground;
     std::vector<RestingSolid> fills;  ///< of each of these: fill() with it was the edit
     std::vector<CarveReport> edits;   ///< and its report
@@ -141,7 +144,7 @@ struct BlastOptions {
     /// What broke so often does not break again.
     std::uint32_t max_broken = 3;
     std::uint64_t seed = 1;
-    std::size_t max_spheres = 8;  ///< as ShatterOptions::max_spheres, of chunks too; brought within its range
+    std::size_t max_spheres = 12;  ///< as ShatterOptions::max_spheres, of chunks too; brought within its range
     PushOptions push{};
 };
 
@@ -151,7 +154,7 @@ struct BlastResult {
     std::vector<BodyId> loose;   ///< bodies of what came loose, and of its pieces
     std::vector<BodyId> pieces;  ///< of debris that broke
     std::size_t broken = 0;      ///< bodies that broke, of both
-    std::size_t unfit = 0;       ///< chunks that could not be bodies: they are gone
+    std::size_t unfit = 0;       ///< chunks that could not be bodies: lost
     std::size_t dust = 0;        ///< see Shattered
     double dust_mass = 0;        ///< kilograms
     PushReport push;

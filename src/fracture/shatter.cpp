@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Pieces as bodies in place of one: they go on as one rigid body with its momentum and its angular momentum would.
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "firma/debris.h"
+#include "firma/queries.h"
 #include "fracture/piece_spheres.h"
 
 namespace firma {
@@ -89,8 +91,31 @@ RigidMotion motion_of(const Assembly& all, const Body& body, const Pose& pose, c
     return motion;
 }
 
-Result<Body> body_of_piece(const FracturePiece& piece, const Body& whole, const Pose& pose, std::size_t max_spheres) {
-    const Result<BodyShape> shape = make_body_shape(piece_spheres(piece.solid, max_spheres), piece.mass);
+/// Of a sphere's radius: what less is left of is no sphere.
+constexpr double kLeastLeft = 0.25;
+
+/// What is left of spheres clear of the world.
+SphereSet clear_of(const World& world, const SphereSet& spheres, const Pose& pose, std::uint32_t mask) {
+    const TurnMatrix turn = matrix_of(pose.rotation);
+    NearOptions options;
+    options.mask = mask;
+    SphereSet clear;
+    for (Sphere sphere : spheres) {
+        const Vec3 centre = pose.position + turn * sphere.centre;
+        const NearFace near = closest(world, centre, sphere.radius, options);
+        if (near && near.distance < sphere.radius * kLeastLeft) continue;
+        if (locate(world.solid(), centre) == Where::kSolid) continue;
+        if (near) sphere.radius = std::min(sphere.radius, near.distance);
+        clear.push_back(sphere);
+    }
+    return clear;
+}
+
+Result<Body> body_of_piece(const FracturePiece& piece, const Body& whole, const Pose& pose,
+                           const ShatterOptions& options) {
+    SphereSet spheres = piece_spheres(piece.solid, options.max_spheres);
+    if (options.world) spheres = clear_of(*options.world, spheres, pose, whole.mask);
+    const Result<BodyShape> shape = make_body_shape(spheres, piece.mass);
     if (!shape) return shape.error();
     Body body = body_at(shape.value(), pose);
     body.friction = whole.friction;
@@ -132,7 +157,7 @@ Result<Shattered> shatter(Bodies& bodies, Debris& debris, BodyId id, const Fract
     for (const auto& [piece, matter] : parts) {
         const Vec3 centre = pose.position + turn * piece.mass.centre, velocity = motion.velocity_at(centre);
         if (piece.mass.volume >= cracks.min_volume) {
-            if (Result<Body> body = body_of_piece(piece, whole, pose, options.max_spheres)) {
+            if (Result<Body> body = body_of_piece(piece, whole, pose, options)) {
                 body.value().velocity = velocity;
                 body.value().spin = motion.spin;
                 DebrisPiece part;

@@ -79,7 +79,7 @@ private:
 
     void go(BodyId id) {
         remove_debris(bodies_, debris_, id);
-        report_.gone.push_back(id);
+        report_.removed.push_back(id);
     }
 
     void settle(BodyId id, DebrisPiece& piece) {
