@@ -137,7 +137,7 @@ struct BlastOptions {
     CarveOptions carve{.material = {}, .chunks = ChunkOptions{}};
     /// Metres around the blast: debris with a sphere in it that the blast sees breaks; what comes loose breaks too. 0:
     /// none does.
-    double break_radius = 2;
+    double break_radius = 3;
     /// Pieces that a body breaks into at most, and where they become dust: FractureOptions.
     std::size_t max_pieces = 12;
     double min_volume = 0.001;

@@ -40,16 +40,16 @@ bool is_lower(const Vec3& a, const Vec3& b) {
 
 /// Directions of all triangles, those in one step together, the largest area first.
 std::vector<FlatSide> flat_sides(const std::vector<SurfaceTriangle>& triangles) {
-    struct Part {
+    struct Facing {
         Vec3 step, twice;
     };
-    std::vector<Part> parts;
+    std::vector<Facing> parts;
     for (const SurfaceTriangle& triangle : triangles) {
         const Vec3 twice = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
         const Vec3 direction = twice * (1 / length(twice)), step = in_steps(direction);
         parts.push_back({step, twice * (dot(step, direction) < 0 ? -1.0 : 1.0)});
     }
-    sort_range(parts, [](const Part& a, const Part& b) {
+    sort_range(parts, [](const Facing& a, const Facing& b) {
         return a.step == b.step ? is_lower(a.twice, b.twice) : is_lower(a.step, b.step);
     });
     std::vector<FlatSide> sides;

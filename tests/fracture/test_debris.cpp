@@ -166,7 +166,9 @@ TEST(Debris, ABlastMakesItAndTheNextBreaksIt) {
     EXPECT_EQ(third.carve.status, CarveStatus::kNothing);
     EXPECT_GT(third.broken, 0u);
     EXPECT_GT(scene.there(), before);
-    for (const BodyId id : third.pieces) EXPECT_EQ(scene.debris.find(scene.bodies, id)->broken, 2u);
+    std::uint32_t most = 0;
+    for (const BodyId id : third.pieces) most = std::max(most, scene.debris.find(scene.bodies, id)->broken);
+    EXPECT_EQ(most, 2u);
     for (int frame = 0; frame < 60; ++frame) {
         step(scene.bodies, scene.world, 1.0 / 60);
         ASSERT_EQ(depths.fault(scene.world, scene.bodies), "") << frame;

@@ -10,7 +10,7 @@
 namespace firma {
 namespace {
 
-struct Scene {
+struct Thrown {
     Bodies bodies;
     Debris debris;
 };
@@ -33,7 +33,7 @@ void expect_near(const Vec3& a, const Vec3& b, double error) {
 }
 
 /// A chunk that moves, tumbles and lies crooked.
-BodyId throw_chunk(Scene& scene, const Chunk& chunk) {
+BodyId throw_chunk(Thrown& scene, const Chunk& chunk) {
     const BodyId id = add_debris(scene.bodies, scene.debris, chunk).value();
     Body& body = *scene.bodies.find(id);
     body.rotation = random_turn(5);
@@ -44,7 +44,7 @@ BodyId throw_chunk(Scene& scene, const Chunk& chunk) {
 
 TEST(Shatter, AChunkIsABodyInOneCall) {
     const test::Rubble rubble = test::rubble_of(test::depot_world(), 1, 0.1);
-    Scene scene;
+    Thrown scene;
     const Chunk& chunk = rubble.chunks[0];
     const BodyId id = add_debris(scene.bodies, scene.debris, chunk, {.max_spheres = 20}).value();
     const Body& body = *scene.bodies.find(id);
@@ -70,7 +70,7 @@ TEST(Shatter, KeepsMassMomentumAndAngularMomentum) {
     std::size_t broken = 0, dust = 0;
     for (Chunk chunk : rubble.chunks) {
         chunk.mass = mass_properties(chunk.solid, 2000);  // as dense everywhere
-        Scene scene;
+        Thrown scene;
         const BodyId id = throw_chunk(scene, chunk);
         const Body whole = *scene.bodies.find(id);
         Motion before, after;
@@ -108,7 +108,7 @@ TEST(Shatter, PiecesAreOfTheMatterWhereTheyWere) {
     const test::Rubble rubble = test::rubble_of(test::depot_world(), std::size_t(test::sample(15)), 0.02);
     std::size_t mixed = 0;
     for (const Chunk& chunk : rubble.chunks) {
-        Scene scene;
+        Thrown scene;
         const BodyId id = throw_chunk(scene, chunk);
         const Body whole = *scene.bodies.find(id);
         Motion before, after;
@@ -147,7 +147,7 @@ TEST(Shatter, KeepsThemWhereDensityIsUneven) {
     for (int axis = 0; axis < 3; ++axis)
         chunk.mass.inertia[std::size_t(axis)] = chunk.mass.inertia[std::size_t(axis)] * 1.3;
     chunk.mass.mass *= 2;
-    Scene scene;
+    Thrown scene;
     const BodyId id = throw_chunk(scene, chunk);
     const Body whole = *scene.bodies.find(id);
     Motion before, after;
@@ -166,7 +166,7 @@ TEST(Shatter, KeepsThemWhereDensityIsUneven) {
 
 TEST(Shatter, WhatIsNotDividedStays) {
     const test::Rubble rubble = test::rubble_of(test::depot_world(), 1, 0.1);
-    Scene scene;
+    Thrown scene;
     const BodyId id = throw_chunk(scene, rubble.chunks[0]);
     const std::uint64_t before = hash_bodies(scene.bodies), solids = hash_debris(scene.debris);
     const Shattered none = shatter(scene.bodies, scene.debris, id, {.size = {90, 90, 90}}).value();
@@ -180,7 +180,7 @@ TEST(Shatter, WhatIsNotDividedStays) {
 void judge_pieces_in(const World& level, std::size_t count) {
     const test::Rubble rubble = test::rubble_of(level, count, 0.02);
     ASSERT_GE(rubble.chunks.size(), count / 2);
-    Scene scene;
+    Thrown scene;
     for (const Chunk& chunk : rubble.chunks) {
         const Result<BodyId> id = add_debris(scene.bodies, scene.debris, chunk, {.max_spheres = 12});
         if (!id) continue;
