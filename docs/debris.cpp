@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program of docs/debris.md: a bridge shot at both ends breaks into bodies that fall, break again, and become ground.
+// The program of docs/debris.md: a bridge shot at both ends breaks into bodies that fall and become ground.
 #include <cstdio>
 
 #include "firma/firma.h"
