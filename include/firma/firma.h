@@ -3,6 +3,7 @@
 #pragma once
 
 #include "firma/batch.h"
+#include "firma/blast.h"
 #include "firma/bodies.h"
 #include "firma/brush_level.h"
 #include "firma/brush_parts.h"
@@ -12,7 +13,9 @@
 #include "firma/cast_set.h"
 #include "firma/chunk.h"
 #include "firma/cutter.h"
+#include "firma/debris.h"
 #include "firma/edit_log.h"
+#include "firma/fracture.h"
 #include "firma/function_ref.h"
 #include "firma/grid.h"
 #include "firma/hit.h"
