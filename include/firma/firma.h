@@ -27,6 +27,7 @@
 #include "firma/mesh.h"
 #include "firma/motion.h"
 #include "firma/moving_parts.h"
+#include "firma/part_edits.h"
 #include "firma/part_path.h"
 #include "firma/pierce.h"
 #include "firma/players.h"
