@@ -9,7 +9,7 @@
 namespace firma {
 namespace {
 
-constexpr int kMaxPushes = 16;
+constexpr int kMaxWaysOut = 16;
 /// Metres: the first ring of places; each is half as far again as the last.
 constexpr double kFirstRing = 0.1;
 constexpr double kRingGrowth = 1.5;
@@ -54,7 +54,7 @@ std::optional<Vec3> way_out(const World& world, const PostureIn& posture, const 
                             const Vec3& feet, RoomId room, double reach, double offset) {
     const WayOut out(world, posture, room);
     Vec3 at = feet;
-    for (int k = 0; k < kMaxPushes; ++k) {
+    for (int k = 0; k < kMaxWaysOut; ++k) {
         const PartOverlap overlap = posture.deepest(at);
         if (!overlap.found()) break;
         at += overlap.direction * (overlap.depth + offset);
