@@ -14,8 +14,8 @@
 
 #include "base/sort.h"
 #include "cast/cast_sphere_polygon.h"
+#include "geometry/double_double.h"
 #include "geometry/exact_predicates.h"
-#include "geometry/expansion.h"
 #include "geometry/rounding.h"
 #include "index/sweep_box.h"
 #include "index/traverse.h"
@@ -40,12 +40,12 @@ int side_of_edge(const Sweep& sweep, const Vec3& a, const Vec3& b) {
     return exact_edge_side(sweep.start, sweep.direction, a, b);
 }
 
-/// Sign of a b - c d, exactly.
+/// Sign of a b - c d, exactly: rounding keeps the order of products, and what it left out orders those that round
+/// alike.
 int sign_of_minor(double a, double b, double c, double d) {
-    Expansion<4> sum;
-    sum.add_product(a, b);
-    sum.add_product(-c, d);
-    return sum.sign();
+    const DoubleDouble p = two_product(a, b), q = two_product(c, d);
+    if (p.high != q.high) return p.high > q.high ? 1 : -1;
+    return (p.low > q.low) - (p.low < q.low);
 }
 
 /// The sign that an edge which the path touches has for the line that is moved one way; 0 for one along the path.

@@ -15,7 +15,7 @@ namespace firma {
 namespace {
 
 /// An entity of a class with keys, and one box, 2 x 1 x 3 m with units of metres, from (4, 0, 0).
-std::string entity(const std::string& classname, const std::string& keys, const std::string& more = "") {
+std::string moving_entity(const std::string& classname, const std::string& keys, const std::string& more = "") {
     return "{\n\"classname\" \"" + classname + "\"\n" + keys + map_text::box({4, 0, 0}, {6, 1, 3}, "door") + more +
            "}\n";
 }
@@ -41,7 +41,8 @@ void expect_near(const Vec3& got, const Vec3& wanted) {
 }
 
 TEST(BrushParts, DoorsSlideBySizeLessLip) {
-    const BrushPart door = part_of(entity("func_door", key("angle", "90") + key("speed", "2") + key("lip", "1")));
+    const BrushPart door =
+        part_of(moving_entity("func_door", key("angle", "90") + key("speed", "2") + key("lip", "1")));
     EXPECT_EQ(door.entity, 1u);
     EXPECT_TRUE(door.waits_for_trigger);
     EXPECT_EQ(door.when_blocked, WhenBlocked::kReturns);
@@ -52,15 +53,15 @@ TEST(BrushParts, DoorsSlideBySizeLessLip) {
     expect_near(part_pose(door.path, 0.5).position, {0, 1, 0});
     expect_near(part_pose(door.path, 2.9).position, {0, 2, 0});
     expect_near(part_pose(door.path, 4).position, {0, 0, 0});
-    const BrushPart up = part_of(entity("func_door", key("angle", "-1") + key("lip", "0") + key("wait", "-1")));
+    const BrushPart up = part_of(moving_entity("func_door", key("angle", "-1") + key("lip", "0") + key("wait", "-1")));
     expect_near(part_pose(up.path, 1e6).position, {0, 0, 5});
-    const BrushPart open = part_of(entity("func_door", key("spawnflags", "5") + key("lip", "0")));
+    const BrushPart open = part_of(moving_entity("func_door", key("spawnflags", "5") + key("lip", "0")));
     expect_near(part_pose(open.path, 0).position, {4, 0, 0});
     EXPECT_EQ(open.when_blocked, WhenBlocked::kCrushes);
 }
 
 TEST(BrushParts, LiftsBeginBelowWhereTheyAreDrawn) {
-    const BrushPart lift = part_of(entity("func_plat", key("height", "6") + key("speed", "3")));
+    const BrushPart lift = part_of(moving_entity("func_plat", key("height", "6") + key("speed", "3")));
     expect_near(part_pose(lift.path, 0).position, {0, 0, -6});
     expect_near(part_pose(lift.path, 1).position, {0, 0, -3});
     expect_near(part_pose(lift.path, 2.5).position, {0, 0, 0});
@@ -68,19 +69,21 @@ TEST(BrushParts, LiftsBeginBelowWhereTheyAreDrawn) {
 
 TEST(BrushParts, WhatTurnsDoesSoAboutItsOriginBrush) {
     const std::string origin = map_text::box({3.5, 0.25, 1}, {4.5, 0.75, 2}, "common/origin");
-    const BrushPart door = part_of(entity("func_door_rotating", key("speed", "45") + key("distance", "90"), origin));
+    const BrushPart door =
+        part_of(moving_entity("func_door_rotating", key("speed", "45") + key("distance", "90"), origin));
     EXPECT_EQ(door.world.bounds().low, (Vec3{0, -0.5, -1.5}));  // seen from (4, 0.5, 1.5)
     EXPECT_EQ(door.world.bounds().high, (Vec3{2, 0.5, 1.5}));
     const Pose open = part_pose(door.path, 2.1);
     expect_near(open.position, {4, 0.5, 1.5});
     expect_near(matrix_of(open.rotation) * Vec3{2, 0, 0}, {0, 2, 0});
-    const BrushPart blade = part_of(entity("func_rotating", key("speed", "90") + key("spawnflags", "4"), origin));
+    const BrushPart blade =
+        part_of(moving_entity("func_rotating", key("speed", "90") + key("spawnflags", "4"), origin));
     expect_near(matrix_of(part_pose(blade.path, 1).rotation) * Vec3{0, 1, 0}, {0, 0, 1});
-    const BrushParts bare = parts_of(entity("func_rotating", ""));
+    const BrushParts bare = parts_of(moving_entity("func_rotating", ""));
     ASSERT_EQ(bare.notes.size(), 1u);
     EXPECT_EQ(bare.notes[0].entity, 1u);
     // The box that hangs 1.5 below its origin, in units of metres less than 8: as one of 8.
-    const BrushPart swings = part_of(entity("func_pendulum", key("speed", "10"), origin));
+    const BrushPart swings = part_of(moving_entity("func_pendulum", key("speed", "10"), origin));
     const double quarter = 0.25 * 2 * M_PI / std::sqrt(800.0 / 24);
     const Vec3 tip = matrix_of(part_pose(swings.path, quarter).rotation) * Vec3{0, 0, -1};
     expect_near(tip, {0, std::sin(10 * M_PI / 180), -std::cos(10 * M_PI / 180)});
@@ -88,7 +91,7 @@ TEST(BrushParts, WhatTurnsDoesSoAboutItsOriginBrush) {
 
 TEST(BrushParts, BobsTrainsAndWhatBreaks) {
     const BrushPart bob =
-        part_of(entity("func_bobbing", key("height", "2") + key("speed", "8") + key("phase", "0.25")));
+        part_of(moving_entity("func_bobbing", key("height", "2") + key("speed", "8") + key("phase", "0.25")));
     expect_near(part_pose(bob.path, 0).position, {0, 0, 2});
     expect_near(part_pose(bob.path, 2).position, {0, 0, 0});
     const auto corner = [](const std::string& name, const std::string& target, const std::string& place,
@@ -98,8 +101,8 @@ TEST(BrushParts, BobsTrainsAndWhatBreaks) {
     };
     const std::string origin = map_text::box({4, 0, 0}, {5, 1, 1}, "common/origin");
     const BrushPart train =
-        part_of(entity("func_train", key("target", "a") + key("speed", "2"), origin) + corner("a", "b", "1 2 3") +
-                corner("b", "a", "5 2 3", key("wait", "1") + key("speed", "4")));
+        part_of(moving_entity("func_train", key("target", "a") + key("speed", "2"), origin) +
+                corner("a", "b", "1 2 3") + corner("b", "a", "5 2 3", key("wait", "1") + key("speed", "4")));
     EXPECT_TRUE(train.path.repeats);
     for (const double round : {0.0, 4.0, 400.0}) {
         expect_near(part_pose(train.path, round).position, {1, 2, 3});
@@ -107,33 +110,35 @@ TEST(BrushParts, BobsTrainsAndWhatBreaks) {
         expect_near(part_pose(train.path, round + 2.5).position, {5, 2, 3});
         expect_near(part_pose(train.path, round + 3.5).position, {3, 2, 3});
     }
-    const BrushPart ends = part_of(entity("func_train", key("target", "a"), origin) + corner("a", "", "1 2 3"));
+    const BrushPart ends = part_of(moving_entity("func_train", key("target", "a"), origin) + corner("a", "", "1 2 3"));
     expect_near(part_pose(ends.path, 1e9).position, {1, 2, 3});
-    EXPECT_EQ(parts_of(entity("func_train", key("target", "nowhere"), origin)).notes.size(), 1u);
+    EXPECT_EQ(parts_of(moving_entity("func_train", key("target", "nowhere"), origin)).notes.size(), 1u);
 
-    const BrushPart crate = part_of(entity("func_breakable", key("health", "40")));
+    const BrushPart crate = part_of(moving_entity("func_breakable", key("health", "40")));
     EXPECT_TRUE(crate.breaks);
     EXPECT_EQ(crate.health, 40);
-    EXPECT_TRUE(part_of(entity("func_explosive", "")).breaks);
-    EXPECT_EQ(parts_of(entity("func_mystery", "")).notes.size(), 1u);
+    EXPECT_TRUE(part_of(moving_entity("func_explosive", "")).breaks);
+    EXPECT_EQ(parts_of(moving_entity("func_mystery", "")).notes.size(), 1u);
 }
 
 /// Brushes of one entity become one solid; triggers and portals make no part; bad keys are as none.
 TEST(BrushParts, SolidsAreJoinedAndOthersAreNone) {
-    const BrushPart two = part_of(entity("func_door", "", map_text::box({6, 0, 0}, {7, 1, 3}, "door")));
+    const BrushPart two = part_of(moving_entity("func_door", "", map_text::box({6, 0, 0}, {7, 1, 3}, "door")));
     EXPECT_EQ(two.world.bounds().high, (Vec3{7, 1, 3}));
     EXPECT_EQ(two.world.face_count(), 6u);
     EXPECT_GT(two.world.solid().face_count(), 0u);
-    EXPECT_TRUE(parts_of(entity("trigger_multiple", "")).parts.empty());
-    EXPECT_TRUE(parts_of(entity("func_wall", "")).parts.empty());  // of the level itself
-    const BrushPart odd = part_of(entity("func_door", key("speed", "-3") + key("lip", "x") + key("angle", "1e400")));
+    EXPECT_TRUE(parts_of(moving_entity("trigger_multiple", "")).parts.empty());
+    EXPECT_TRUE(parts_of(moving_entity("func_wall", "")).parts.empty());  // of the level itself
+    const BrushPart odd =
+        part_of(moving_entity("func_door", key("speed", "-3") + key("lip", "x") + key("angle", "1e400")));
     EXPECT_TRUE(is_finite(part_pose(odd.path, 1).position));
     EXPECT_EQ(make_brush_parts(BrushLevel{}).value().parts.size(), 0u);
 }
 
 /// A ball before a door that opens against it is met by the part as by any other.
 TEST(BrushParts, CastsMeetThem) {
-    const BrushPart door = part_of(entity("func_door", key("angle", "90") + key("speed", "2") + key("lip", "1")));
+    const BrushPart door =
+        part_of(moving_entity("func_door", key("angle", "90") + key("speed", "2") + key("lip", "1")));
     MovingPart part(door.world, part_motion(door.path, 0, 0.5));
     part.entity = door.entity;
     const World level;
