@@ -15,6 +15,13 @@
 
 namespace firma::test {
 
+inline constexpr double kOffset = 0.001;  ///< metres: what is kept from all that is touched
+
+/// Of tests that go through player_shapes() by number.
+inline std::string name_of_player_shape(const testing::TestParamInfo<int>& shape) {
+    return kPlayerShapeNames[std::size_t(shape.param)];
+}
+
 inline Vec3 across(const Vec3& v) {
     return {v.x, v.y, 0};
 }

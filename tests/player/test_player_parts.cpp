@@ -8,7 +8,6 @@
 namespace firma::test {
 namespace {
 
-constexpr double kOffset = 0.001;  // metres: what is kept from all that is touched
 constexpr double kTick = 1.0 / 60;
 
 World slab(const Vec3& low, const Vec3& high) {
@@ -64,10 +63,7 @@ protected:
         return Ride(course(level), slab({-2, -2, -0.5}, {2, 2, 0}), {0, 0, 1}, shape(), {0, 0, 1 + kOffset});
     }
 };
-std::string name_of_shape(const testing::TestParamInfo<int>& shape) {
-    return kPlayerShapeNames[std::size_t(shape.param)];
-}
-INSTANTIATE_TEST_SUITE_P(, PlayerParts, testing::Values(0, 1, 2), name_of_shape);
+INSTANTIATE_TEST_SUITE_P(, PlayerParts, testing::Values(0, 1, 2), name_of_player_shape);
 
 TEST_P(PlayerParts, ALiftTakesItUpAndDown) {
     for (const double speed : {1.0, 8.0, 40.0}) {

@@ -5,18 +5,13 @@
 namespace firma::test {
 namespace {
 
-constexpr double kOffset = 0.001;  // metres: what is kept from all that is touched
-
 class PlayerWalks : public testing::TestWithParam<int> {
 protected:
     Walk walk(const World& world, const Vec3& feet) const {
         return Walk(world, player_shapes()[std::size_t(GetParam())], feet);
     }
 };
-std::string name_of_shape(const testing::TestParamInfo<int>& shape) {
-    return kPlayerShapeNames[std::size_t(shape.param)];
-}
-INSTANTIATE_TEST_SUITE_P(, PlayerWalks, testing::Values(0, 1, 2), name_of_shape);
+INSTANTIATE_TEST_SUITE_P(, PlayerWalks, testing::Values(0, 1, 2), name_of_player_shape);
 
 TEST_P(PlayerWalks, FallsLandsAndStands) {
     Walk walk = this->walk(course(""), {0, 0, 5});

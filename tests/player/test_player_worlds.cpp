@@ -19,8 +19,6 @@
 namespace firma::test {
 namespace {
 
-constexpr double kOffset = 0.001;  // metres: what is kept from all that is touched
-
 World cut_at(const World& world, CutterShape shape, const Vec3& at, double size, std::uint64_t seed = 1) {
     const CarveResult made = carve(world, make_crater(shape, seed), pose_at(at.x, at.y, at.z, size));
     EXPECT_TRUE(made.done());
@@ -38,10 +36,7 @@ protected:
         return Walk(world, player_shapes()[std::size_t(GetParam())], feet);
     }
 };
-std::string name_of_shape(const testing::TestParamInfo<int>& shape) {
-    return kPlayerShapeNames[std::size_t(shape.param)];
-}
-INSTANTIATE_TEST_SUITE_P(, PlayerWorlds, testing::Values(0, 1, 2), name_of_shape);
+INSTANTIATE_TEST_SUITE_P(, PlayerWorlds, testing::Values(0, 1, 2), name_of_player_shape);
 
 TEST_P(PlayerWorlds, FallsWhenTheGroundIsCutAway) {
     Walk walk = this->walk(course(""), {0, 0, kOffset});
