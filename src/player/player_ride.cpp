@@ -13,8 +13,10 @@ constexpr int kMaxRideSteps = 64;
 constexpr int kMaxPushes = 8;
 /// Of the radius: no part goes farther at a time, so that what comes is met on the side that it comes from.
 constexpr double kRideStep = 0.25;
-/// Slop, metres: what overlaps by less is not worth a push.
-constexpr double kPressed = 1e-4;
+/// Rounding, metres: a touch is no overlap.
+constexpr double kPressed = 1e-9;
+/// Slop, a share of a push: one that leads no farther is held.
+constexpr double kHeldBack = 1e-3;
 
 /// The most that any point of a part goes, metres.
 double reach_of(const MovingPart& part) {
@@ -77,7 +79,7 @@ void PlayerTick::give_way() {
         player_.position += path * hit.safe_fraction;
         move_.carried += path * hit.safe_fraction;
         move_.pushed_by = overlap.part;
-        if (hit.safe_fraction * (overlap.depth + offset_) < kPressed) break;
+        if (hit.safe_fraction < kHeldBack) break;
     }
     const PartOverlap left = posture_.deepest_of_parts(player_.position);
     if (left.depth > kPressed) move_.crushed_by = left.part;

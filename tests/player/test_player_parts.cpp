@@ -132,7 +132,7 @@ TEST_P(PlayerParts, ATurntableTakesItRound) {
 TEST_P(PlayerParts, AWallStopsItOnAPlatformThatGoesOn) {
     Ride ride = on_platform(map_text::box({4, -8, -1}, {5, 8, 8}, "rock"));
     ride.ticks(5, {});
-    ride.ticks(70, {3, 0, 0});  // the platform goes into the wall; the player does not
+    ride.ticks(90, {3, 0, 0});  // the platform goes into the wall; the player does not
     EXPECT_NEAR(ride.at().x, 4 - 0.3 - kOffset, 0.01);
 }
 
@@ -198,7 +198,9 @@ TEST_P(PlayerParts, OntoAMovingPlatformFromTheGround) {
     for (int k = 0; k < 120 && ride.player.ground_part == kNoPart; ++k)
         ride.tick({-1, 0, 0}, {}, {.velocity = {3, 0, 0}});
     EXPECT_EQ(ride.player.ground_part, 0u);
+    ride.ticks(15, {-1, 0, 0}, {.velocity = {3, 0, 0}});  // a capsule is on its edge yet
     ride.ticks(30, {-1, 0, 0});
+    EXPECT_EQ(ride.player.ground_part, 0u);
     EXPECT_NEAR(ride.at().z, 0.25 + kOffset, 1e-6);
 }
 
