@@ -108,8 +108,8 @@ struct Bodies {
     std::vector<std::uint32_t> free;    ///< slots without a body, the last one is taken first
     std::vector<BodyContact> contacts;  ///< by body, other, sphere, other sphere
     std::uint64_t steps = 0;
-    std::uint64_t world_hash = 0;  ///< hash_world() of the world that the last step was in
-    std::uint32_t islands = 0;     ///< numbers given so far
+    std::uint64_t world_hash = 0;            ///< hash_world() of the world that the last step was in
+    std::uint32_t islands = 0;               ///< numbers given so far
     std::vector<std::uint64_t> part_hashes;  ///< of each part, its solid and place, as the last step began
 
     /// Null where it is not there any more.

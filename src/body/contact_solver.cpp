@@ -39,8 +39,7 @@ auto key_of(const BodyContact& contact) {
 }  // namespace
 
 ContactSolver::ContactSolver(std::span<Mover> movers, std::span<Mover> island, std::span<NearContact> contacts,
-                             std::span<const BodyContact> kept, const StepParts& parts, double substep,
-                             int iterations)
+                             std::span<const BodyContact> kept, const StepParts& parts, double substep, int iterations)
     : movers_(movers),
       island_(island),
       contacts_(contacts),

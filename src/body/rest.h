@@ -10,7 +10,8 @@
 
 namespace firma {
 
-/// Puts islands to sleep: bodies that press on each other, all of them still for long enough, none on a part that moves.
+/// Puts islands to sleep: bodies that press on each other, all of them still for long enough, none on a part that
+/// moves.
 /// @param movers  of each slot; kFixed of those that did not move in this step
 void rest(Bodies& bodies, std::span<const std::uint32_t> movers, double seconds, const StepParts& parts,
           const StepOptions& options);

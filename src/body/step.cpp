@@ -160,9 +160,8 @@ private:
         }
         sort_range(near_, [](const NearContact& a, const NearContact& b) {
             return std::tuple(a.at.body, a.at.other, a.at.sphere, a.at.other_sphere, a.gap, a.at.face.id, a.at.portal,
-                              a.at.part) <
-                   std::tuple(b.at.body, b.at.other, b.at.sphere, b.at.other_sphere, b.gap, b.at.face.id, b.at.portal,
-                              b.at.part);
+                              a.at.part) < std::tuple(b.at.body, b.at.other, b.at.sphere, b.at.other_sphere, b.gap,
+                                                      b.at.face.id, b.at.portal, b.at.part);
         });
         report_.contacts = near_.size();
     }

@@ -111,8 +111,7 @@ Hit StepParts::cast_sphere(std::uint32_t number, const Arc& arc, double radius, 
         if (!parts_[number].may_meet(start, radius + bulge + length(path))) return {};
         const double middle = (from + to) * 0.5;
         const Hit first = cast_sphere(number, arc, radius, stretch, from, middle, options);
-        return first.status != Status::kMiss ? first
-                                             : cast_sphere(number, arc, radius, stretch, middle, to, options);
+        return first.status != Status::kMiss ? first : cast_sphere(number, arc, radius, stretch, middle, to, options);
     }
     Hit hit = cast(between(stretch, from, to), Sphere{start, radius + bulge}, path, options);
     if (!hit.touched()) return hit;

@@ -104,7 +104,8 @@ void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& p
         if (!(all || body.stuck || ask_parts)) continue;
         bool stuck = false;
         if (all || body.stuck)
-            each_sphere(body, pose_of(body), [&](const Sphere& sphere) { return !(stuck = is_in(world, sphere.centre)); });
+            each_sphere(body, pose_of(body),
+                        [&](const Sphere& sphere) { return !(stuck = is_in(world, sphere.centre)); });
         for (std::size_t k = 0; k < parts.size() && !stuck; ++k) stuck = is_in_part(parts[k], body);
         if (stuck && body.asleep) wake_island(bodies, slot);
         body.stuck = stuck;

@@ -117,8 +117,8 @@ void BodySweep::find_world_touch(std::uint32_t slot) {
     const SetHit hit = cast(world_, cores_of(slot, cores_), way.motion, options);
     if (hit.status == Status::kInvalid) way.motion.path = way.motion.turn = {};
     if (!hit.touched()) return;
-    touches_.push({way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, kNoPart, hit.point,
-                   hit.normal});
+    touches_.push(
+        {way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, kNoPart, hit.point, hit.normal});
 }
 
 /// Whether body and parts went too little for it to be deeper in one than the skin.
@@ -142,8 +142,8 @@ void BodySweep::find_part_touch(std::uint32_t slot) {
     options.contact_offset = rules_.skin * 0.25;
     const SetPartHit hit = parts_.cast_set(cores_of(slot, cores_), way.motion, way.from, way.carried_by, options);
     if (!hit.touched()) return;
-    touches_.push({way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, hit.part, hit.point,
-                   hit.normal});
+    touches_.push(
+        {way.from + hit.safe_fraction * (1 - way.from), slot, kFixed, way.piece, 0, hit.part, hit.point, hit.normal});
 }
 
 /// @param at_start  what overlaps then was passed on to contacts, or meets there
@@ -162,8 +162,8 @@ void BodySweep::find_pair_touch(std::uint32_t slot, std::uint32_t other, Overlap
         return of.path + cross(of.turn, hit.point - (of.position + of.path * hit.fraction));
     };
     if (dot(moved_at(motion) - moved_at(other_motion), hit.normal) > -kDistanceRounding) return;
-    touches_.push({from + hit.fraction * (1 - from), slot, other, one.piece, two.piece, kNoPart, hit.point,
-                   hit.normal});
+    touches_.push(
+        {from + hit.fraction * (1 - from), slot, other, one.piece, two.piece, kNoPart, hit.point, hit.normal});
 }
 
 /// All that a body comes to meet, on a new piece of its way.

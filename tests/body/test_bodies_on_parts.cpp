@@ -216,7 +216,9 @@ TEST(BodiesOnParts, WhatADoorCrushesStaysClearOfTheWall) {
         ride.run(1);
         ASSERT_LT(deepest(ride.scene(), ride.bodies, true), kSkin) << k;
         ASSERT_LT(ride.bodies.find(id)->position.x, 1.75 + kSkin) << k;
-        if (k < 80) { ASSERT_EQ(ride.crushed, 0u) << k; }
+        if (k < 80) {
+            ASSERT_EQ(ride.crushed, 0u) << k;
+        }
     }
     EXPECT_GT(ride.crushed, 5u);
     for (int k = 0; k < 120; ++k) {
@@ -262,7 +264,9 @@ TEST(BodiesOnParts, SleepersWakeWhenTheirPartGoesOrChanges) {
 
 TEST(BodiesOnParts, ADoorWakesWhatSleepsInItsWay) {
     PartRide ride(box_world({-0.25, -1, 0.125}, {0, 1, 2}));
-    ride.motion = [](int step) { return straight({0, 0, 0}, {step < 120 ? 0.0 : 1.0, 0, 0}, step < 120 ? 0 : step - 120); };
+    ride.motion = [](int step) {
+        return straight({0, 0, 0}, {step < 120 ? 0.0 : 1.0, 0, 0}, step < 120 ? 0 : step - 120);
+    };
     const BodyId near = add_body(ride.bodies, body_here(flat_crate(), {1, 0, 0.2}));
     const BodyId far = add_body(ride.bodies, body_here(flat_crate(), {1, 9, 0.2}));
     ride.run(120);
