@@ -76,13 +76,13 @@ Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& v) {
 }
 
 /// How the pieces move, in the world.
-struct RigidMotion {
+struct MotionOfAll {
     Vec3 centre, velocity, spin;
     [[nodiscard]] Vec3 velocity_at(const Vec3& at) const { return velocity + cross(spin, at - centre); }
 };
 
-RigidMotion motion_of(const Assembly& all, const Body& body, const Pose& pose, const TurnMatrix& turn) {
-    RigidMotion motion;
+MotionOfAll motion_of(const Assembly& all, const Body& body, const Pose& pose, const TurnMatrix& turn) {
+    MotionOfAll motion;
     motion.centre = pose.position + turn * all.centre;
     const Vec3 momentum = body.velocity * body.shape.mass();
     motion.velocity = momentum * (1 / all.mass);
@@ -152,7 +152,7 @@ Result<Shattered> shatter(Bodies& bodies, Debris& debris, BodyId id, const Fract
         return result;
     }
     const std::vector<Part> parts = weighed(pieces, piece_of_whole, options.world);
-    const RigidMotion motion = motion_of(assembly_of(parts), whole, pose, turn);
+    const MotionOfAll motion = motion_of(assembly_of(parts), whole, pose, turn);
     remove_debris(bodies, debris, id);
     for (const auto& [piece, matter] : parts) {
         const Vec3 centre = pose.position + turn * piece.mass.centre, velocity = motion.velocity_at(centre);
