@@ -26,7 +26,9 @@ enum class Kind : std::uint8_t {
     kCommand,
     kLog,
     kReplay,
-    kHull
+    kHull,
+    kParts,
+    kPlayerShape
 };
 
 /// What a handle may stand for; deleted when it is released.

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Firma from C: worlds, casts, carving, differences, histories, edit logs, files. C99 and later; from C++ use the other
- * headers.
+/* Firma from C: worlds, casts, players, parts that move, carving, bodies, differences, histories, edit logs, files. C99
+ * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each
- * with its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE,
- * always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape or bytes is a handle: a struct with a number that is 0 for none. Whoever gets
+ * one releases it, each with its own function. A handle that was released, never made, or of another kind gives
+ * FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
  * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
- * firma_cast_each(), firma_cast_batch(), the same of movers, firma_cast_many()), bad numbers of the input and a room
+ * firma_cast_each(), firma_cast_batch(), the same of movers and scenes, firma_cast_many()), bad numbers of the input and a room
  * that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
  * FIRMA_ERROR_OUT_OF_RANGE for the numbers, FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces,
  * portals and materials that the world does not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing
@@ -23,7 +23,7 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs and replays are for one thread at a time. A handle must not be released while another thread is using it.
+ * edits, logs, replays and parts are for one thread at a time; parts that nobody changes meanwhile for many. A handle must not be released while another thread is using it.
  * (A visitor may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
@@ -166,6 +166,12 @@ typedef struct firma_replay {
 typedef struct firma_hull {
     uint64_t id;
 } firma_hull;
+typedef struct firma_parts {
+    uint64_t id;
+} firma_parts;
+typedef struct firma_player_shape {
+    uint64_t id;
+} firma_player_shape;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1029,6 +1035,216 @@ FIRMA_API firma_code firma_overlap_mover_each(firma_world world, const firma_mov
  * least. */
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
                                    const firma_near_options* options, firma_near* near, uint32_t* found);
+
+/* ---- parts that move -------------------------------------------------------------------------------------------- */
+
+/* Doors, lifts, trains, blades: solids of their own, each in a frame that moves from fraction 0 to 1 of the time at
+ * hand. Casts of a scene move their shape meanwhile. docs/moving.md has the contract. */
+
+/* In place of a part: the level itself, or nothing. */
+#define FIRMA_NO_PART UINT32_MAX
+
+/* The frame's origin goes straight, at an even pace, while all else turns about it, evenly as well. */
+typedef struct firma_motion {
+    double position[3]; /* of the origin at the start, metres */
+    double rotation[4]; /* x, y, z, w, at the start; not all zero */
+    double path[3];     /* of the origin, metres */
+    double turn[3];     /* axis times angle, radians, in the world's axes; at most 8 long */
+} firma_motion;
+
+typedef struct firma_part {
+    uint32_t size; /* sizeof(firma_part) */
+    uint32_t mask; /* met by what shares a bit with it, and with the face */
+    firma_world world; /* the solid in the part's frame, of one room; shared: the handle may be released */
+    firma_motion motion;
+} firma_part;
+
+/* All bits, standing at the origin, without a world. */
+FIRMA_API void firma_part_defaults(firma_part* part);
+
+/* An empty list of parts. */
+FIRMA_API firma_code firma_parts_create(firma_parts* parts);
+/* Puts a part at the end; `index` gets its number, and may be null. FIRMA_ERROR_INVALID for a world of several rooms,
+ * FIRMA_ERROR_OUT_OF_RANGE for a motion with a number that is not finite, a rotation of zero, or a turn longer than 8.
+ * Costs the bounds of the world. */
+FIRMA_API firma_code firma_parts_add(firma_parts parts, const firma_part* part, uint32_t* index);
+/* Another part in place of one: another solid, as after a cut. Numbers of the others stay. Errors as above, and
+ * FIRMA_ERROR_OUT_OF_RANGE for a part that is not there. */
+FIRMA_API firma_code firma_parts_set(firma_parts parts, uint32_t index, const firma_part* part);
+/* The motions of all parts for this tick, one each, in order: all, or none when one is refused. FIRMA_ERROR_INVALID for
+ * another count than there are parts; else errors as above. Takes no memory. */
+FIRMA_API firma_code firma_parts_set_motions(firma_parts parts, const firma_motion* motions, size_t count);
+FIRMA_API firma_code firma_parts_get_count(firma_parts parts, size_t* count);
+FIRMA_API firma_code firma_parts_release(firma_parts parts);
+
+/* A level with its parts. firma_scene_defaults() sets all, but for the world. */
+typedef struct firma_scene {
+    uint32_t size;     /* sizeof(firma_scene) */
+    uint32_t reserved; /* must be 0 */
+    firma_world world;
+    firma_parts parts; /* 0: none */
+    double from, to;   /* which stretch of the parts' motions the fractions 0 to 1 of questions stand for, itself in
+                          fractions of them, 0 <= from <= to <= 1; by default 0 and 1. Equal: they stand there */
+} firma_scene;
+
+FIRMA_API void firma_scene_defaults(firma_scene* scene);
+
+/* A hit of the level or of a part. */
+typedef struct firma_part_hit {
+    firma_hit hit;              /* face and material are those of the part's world; a corner is in its frame */
+    double surface_velocity[3]; /* of the part's surface at the touch: metres from fraction 0 to 1 at that pace */
+    uint32_t part;              /* FIRMA_NO_PART: the level, or a miss */
+    uint32_t reserved;
+} firma_part_hit;
+
+/* The first touch of a mover with the level, or with a part that moves meanwhile; of several at the same fraction the
+ * level's, then that of the part with the lowest number. A path of zero is met by parts that come. Against a part that
+ * turns a touch is at most 0.06 mm early. `room` and `passed` of the options are of the level. Status FIRMA_INVALID as
+ * firma_cast_mover(), and for a stretch of the scene that is none. Takes no memory. Costs a cast through the level, a
+ * look at each part's box or ball, and a cast through each part that is near: of one that turns, some searches for the
+ * nearest points with each face near the way. */
+FIRMA_API firma_code firma_cast_scene(const firma_scene* scene, const firma_mover* mover, const double path[3],
+                                      const firma_cast_options* options, firma_part_hit* hit);
+/* Whether there is any touch: firma_status. */
+FIRMA_API firma_code firma_cast_scene_any(const firma_scene* scene, const firma_mover* mover, const double path[3],
+                                          const firma_cast_options* options, uint32_t* status);
+
+/* What is overlapped, of the level or of a part. */
+typedef struct firma_part_near {
+    firma_near near;
+    double surface_velocity[3]; /* of the part at `near.point`, as in firma_part_hit */
+    uint32_t part;              /* FIRMA_NO_PART: of the level */
+    uint32_t reserved;
+} firma_part_near;
+
+/* The faces that a mover overlaps, the parts where they are at a fraction, 0 to 1, of the scene's stretch: those of the
+ * level first, then part by part, in no particular order within one. `count` gets how many, and the first `capacity`
+ * are written. FIRMA_ERROR_OUT_OF_RANGE also for a fraction or a stretch that is none; else as firma_overlap_mover(). */
+FIRMA_API firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* mover, double fraction,
+                                         const firma_near_options* options, firma_part_near* found, size_t capacity,
+                                         size_t* count);
+
+/* ---- players ---------------------------------------------------------------------------------------------------- */
+
+/* Upright shapes that walk, jump, crouch, climb steps, slide along walls and ride on parts. A player is plain data,
+ * copied, saved and rolled back as such; nothing is kept between moves. docs/players.md. */
+
+/* What a player is, standing and crouched; it never changes. Metres, ends of a capsule included. A null pointer takes
+ * the defaults. */
+typedef struct firma_player_size {
+    uint32_t size;     /* sizeof(firma_player_size) */
+    uint32_t reserved; /* must be 0 */
+    double radius, height, crouched_height; /* 0.3, 1.8, 1.1 */
+    double up[3];                           /* 0, 0, 1; made unit */
+} firma_player_size;
+
+FIRMA_API void firma_player_size_defaults(firma_player_size* size);
+
+/* FIRMA_ERROR_INVALID for a number that is not finite or not above zero, an `up` shorter than 1e-3, a height below twice
+ * the radius, and a crouched height above the other. */
+FIRMA_API firma_code firma_player_shape_capsule(const firma_player_size* size, firma_player_shape* shape);
+/* A box as wide and as deep as twice the radius; it may be lower than it is wide. */
+FIRMA_API firma_code firma_player_shape_box(const firma_player_size* size, firma_player_shape* shape);
+/* Spheres around a middle axis that leads up from the origin, four doubles each: centre, radius. `crouched` may be null
+ * when its count is 0: as standing. `up` may be null: 0, 0, 1. FIRMA_ERROR_INVALID for a number that is not finite, a
+ * radius that is not above zero, none, and more than 4,096. */
+FIRMA_API firma_code firma_player_shape_spheres(const double* standing, size_t standing_count, const double* crouched,
+                                                size_t crouched_count, const double up[3], firma_player_shape* shape);
+FIRMA_API firma_code firma_player_shape_release(firma_player_shape shape);
+
+/* One player between two moves. All of it may be set; firma_player_defaults() sets all, at the origin. */
+typedef struct firma_player {
+    double position[3];       /* of the feet, metres */
+    double velocity[3];       /* metres a second; on the ground over what it stands on */
+    double ground_normal[3];  /* of the face that it stands on; with on_ground */
+    double ground_velocity[3]; /* of the part that it stands on, at its feet, metres a second */
+    uint64_t world_hash;      /* firma_world_hash() of the world that it was last moved in; 0 before */
+    uint32_t mask;            /* faces that share a bit are met */
+    uint32_t room;            /* where its middle was last in air; FIRMA_NO_ROOM before */
+    uint32_t ground_part;     /* that it stands on, or FIRMA_NO_PART */
+    uint32_t on_ground, crouched; /* 0 or 1 */
+    uint32_t stuck;           /* 1: it overlaps, and no place to go was found */
+} firma_player;
+
+FIRMA_API void firma_player_defaults(firma_player* player);
+
+/* What is wished of it for one move. Zero but for `size`: to stand. */
+typedef struct firma_player_wish {
+    uint32_t size;      /* sizeof(firma_player_wish) */
+    uint32_t jump;      /* 1: from the ground */
+    uint32_t crouch;    /* 1: as long as it is set, and on as long as there is no room to stand */
+    uint32_t careful;   /* 1: it does not walk where the ground is more than firma_player_rules.max_drop lower */
+    double velocity[3]; /* metres a second; what of it is along `up` does not count */
+} firma_player_wish;
+
+/* How players move; a null pointer takes the defaults. */
+typedef struct firma_player_rules {
+    uint32_t size;              /* sizeof(firma_player_rules) */
+    uint32_t reserved;          /* must be 0 */
+    double gravity;             /* 9.81 m/s2, against `up` */
+    double max_slope;           /* a quarter of pi, radians: of faces that it walks on */
+    double step_height;         /* 0.45 m: higher steps are walls */
+    double max_drop;            /* 0.6 m; see firma_player_wish.careful */
+    double overhang;            /* 0.7 radii: so far beyond an edge its middle may be where nothing is below */
+    double jump_speed;          /* 4.4 m/s */
+    double ground_acceleration; /* 60 m/s2 */
+    double air_acceleration;    /* 12 m/s2 */
+    double crouched_speed;      /* 0.5 of the speed that is wished */
+    double max_push;            /* 4 m: so far at most it is moved out of what came where it was */
+    double contact_offset;      /* metres kept from what it touches; 0, the default, takes the world's */
+} firma_player_rules;
+
+FIRMA_API void firma_player_rules_defaults(firma_player_rules* rules);
+
+typedef enum firma_contact_kind {
+    FIRMA_CONTACT_GROUND = 0,
+    FIRMA_CONTACT_WALL = 1,
+    FIRMA_CONTACT_CEILING = 2
+} firma_contact_kind;
+
+/* What a player touched on its way. */
+typedef struct firma_player_contact {
+    double point[3];       /* metres */
+    double normal[3];      /* unit, toward the player */
+    double face_normal[3]; /* unit; of ground, of the flattest face there */
+    uint32_t kind;         /* firma_contact_kind */
+    uint32_t face;         /* FIRMA_NO_FACE of a closed portal */
+    int32_t corner[3];     /* the face's first, as in firma_hit */
+    uint32_t portal;       /* the closed one, or FIRMA_NO_PORTAL */
+    uint32_t part;         /* that the face is of; FIRMA_NO_PART: of the level */
+    uint32_t material;
+} firma_player_contact;
+
+#define FIRMA_MAX_PLAYER_CONTACTS 8
+
+/* Where a move led to. */
+typedef struct firma_player_move {
+    uint32_t size;          /* sizeof(firma_player_move) */
+    uint32_t contact_count; /* of `contacts` */
+    firma_player player;
+    double pushed[3];     /* metres: the way out of what came where it was, and what it backed off by */
+    double carried[3];    /* metres: with the part that it stood on, and out of the way of parts */
+    double landed_speed;  /* metres a second against the ground, where it came down; else 0 */
+    uint32_t pushed_by;   /* a part that came where it was, the last one; or FIRMA_NO_PART */
+    uint32_t crushed_by;  /* a part that it is pressed by without room to give way: it overlaps that, never the level. The
+                             game decides what comes of it. Or FIRMA_NO_PART */
+    uint32_t jumped, stepped; /* 0 or 1; stepped: up a step */
+    firma_player_contact contacts[FIRMA_MAX_PLAYER_CONTACTS];
+} firma_player_move;
+
+/* Moves a player by one tick of 0 to 1 seconds, among parts that go from fraction 0 to 1 of their motions meanwhile:
+ * part k has to be the same one from tick to tick. `move` gets where it is then; `player` stays, and may be
+ * &move->player. FIRMA_ERROR_OUT_OF_RANGE for a number of the player, wish, seconds, rules or scene that is not finite
+ * or out of range; FIRMA_ERROR_INVALID for a 0 or 1 that is neither. The same bits on every machine. Takes no memory.
+ * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is looked
+ * for. */
+FIRMA_API firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape, const firma_player* player,
+                                       const firma_player_wish* wish, double seconds, const firma_player_rules* rules,
+                                       firma_player_move* move);
+/* Whether there is room for a player, its middle in air: for places to begin at. Parts are where they are at `from` of
+ * the scene. `fits` gets 0 or 1. FIRMA_ERROR_OUT_OF_RANGE for a position that is not finite. Takes no memory. */
+FIRMA_API firma_code firma_player_fits(const firma_scene* scene, firma_player_shape shape, const double position[3],
+                                       uint32_t crouched, uint32_t mask, uint32_t* fits);
 
 /* ---- carving ---------------------------------------------------------------------------------------------------- */
 

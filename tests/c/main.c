@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
     test_worlds();
     test_casts();
     test_movers();
+    test_players();
     test_visitors();
     test_structs();
     test_old_names();
