@@ -213,7 +213,8 @@ firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* move
             NearOptions chosen;
             if (const firma_code code = read_options(options, chosen, function)) return code;
             if (!asked.has_stretch() || !(fraction >= 0 && fraction <= 1))
-                return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the fraction or the scene's stretch is not within 0..1");
+                return fail(FIRMA_ERROR_OUT_OF_RANGE, function,
+                            "the fraction or the scene's stretch is not within 0..1");
             std::vector<PartOverlap> all;
             const auto keep = [&](const PartOverlap& overlap) {
                 all.push_back(overlap);

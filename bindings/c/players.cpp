@@ -149,7 +149,7 @@ using namespace firma::c;
 void firma_player_size_defaults(firma_player_size* size) {
     if (!size) return;
     const PlayerSize usual;
-    *size = {sizeof(firma_player_size),   0, usual.radius, usual.height, usual.crouched_height,
+    *size = {sizeof(firma_player_size),           0, usual.radius, usual.height, usual.crouched_height,
              {usual.up.x, usual.up.y, usual.up.z}};
 }
 
@@ -160,12 +160,18 @@ void firma_player_defaults(firma_player* player) {
 void firma_player_rules_defaults(firma_player_rules* rules) {
     if (!rules) return;
     const PlayerRules usual;
-    *rules = {sizeof(firma_player_rules), 0,
-              usual.gravity,              usual.max_slope,
-              usual.step_height,          usual.max_drop,
-              usual.overhang,             usual.jump_speed,
-              usual.ground_acceleration,  usual.air_acceleration,
-              usual.crouched_speed,       usual.max_push,
+    *rules = {sizeof(firma_player_rules),
+              0,
+              usual.gravity,
+              usual.max_slope,
+              usual.step_height,
+              usual.max_drop,
+              usual.overhang,
+              usual.jump_speed,
+              usual.ground_acceleration,
+              usual.air_acceleration,
+              usual.crouched_speed,
+              usual.max_push,
               usual.contact_offset};
 }
 

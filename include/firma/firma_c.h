@@ -12,8 +12,8 @@
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
  * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
- * firma_cast_each(), firma_cast_batch(), the same of movers and scenes, firma_cast_many()), bad numbers of the input and a room
- * that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
+ * firma_cast_each(), firma_cast_batch(), the same of movers and scenes, firma_cast_many()), bad numbers of the input
+ * and a room that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
  * FIRMA_ERROR_OUT_OF_RANGE for the numbers, FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces,
  * portals and materials that the world does not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing
  * has not failed: it says so in its output.
@@ -23,8 +23,8 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs, replays and parts are for one thread at a time; parts that nobody changes meanwhile for many. A handle must not be released while another thread is using it.
- * (A visitor may release the world that it is shown.)
+ * edits, logs, replays and parts are for one thread at a time; parts that nobody changes meanwhile for many. A handle
+ * must not be released while another thread is using it. (A visitor may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -1053,8 +1053,8 @@ typedef struct firma_motion {
 } firma_motion;
 
 typedef struct firma_part {
-    uint32_t size; /* sizeof(firma_part) */
-    uint32_t mask; /* met by what shares a bit with it, and with the face */
+    uint32_t size;     /* sizeof(firma_part) */
+    uint32_t mask;     /* met by what shares a bit with it, and with the face */
     firma_world world; /* the solid in the part's frame, of one room; shared: the handle may be released */
     firma_motion motion;
 } firma_part;
@@ -1119,7 +1119,8 @@ typedef struct firma_part_near {
 
 /* The faces that a mover overlaps, the parts where they are at a fraction, 0 to 1, of the scene's stretch: those of the
  * level first, then part by part, in no particular order within one. `count` gets how many, and the first `capacity`
- * are written. FIRMA_ERROR_OUT_OF_RANGE also for a fraction or a stretch that is none; else as firma_overlap_mover(). */
+ * are written. FIRMA_ERROR_OUT_OF_RANGE also for a fraction or a stretch that is none; else as firma_overlap_mover().
+ */
 FIRMA_API firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* mover, double fraction,
                                          const firma_near_options* options, firma_part_near* found, size_t capacity,
                                          size_t* count);
@@ -1132,16 +1133,16 @@ FIRMA_API firma_code firma_overlap_scene(const firma_scene* scene, const firma_m
 /* What a player is, standing and crouched; it never changes. Metres, ends of a capsule included. A null pointer takes
  * the defaults. */
 typedef struct firma_player_size {
-    uint32_t size;     /* sizeof(firma_player_size) */
-    uint32_t reserved; /* must be 0 */
+    uint32_t size;                          /* sizeof(firma_player_size) */
+    uint32_t reserved;                      /* must be 0 */
     double radius, height, crouched_height; /* 0.3, 1.8, 1.1 */
     double up[3];                           /* 0, 0, 1; made unit */
 } firma_player_size;
 
 FIRMA_API void firma_player_size_defaults(firma_player_size* size);
 
-/* FIRMA_ERROR_INVALID for a number that is not finite or not above zero, an `up` shorter than 1e-3, a height below twice
- * the radius, and a crouched height above the other. */
+/* FIRMA_ERROR_INVALID for a number that is not finite or not above zero, an `up` shorter than 1e-3, a height below
+ * twice the radius, and a crouched height above the other. */
 FIRMA_API firma_code firma_player_shape_capsule(const firma_player_size* size, firma_player_shape* shape);
 /* A box as wide and as deep as twice the radius; it may be lower than it is wide. */
 FIRMA_API firma_code firma_player_shape_box(const firma_player_size* size, firma_player_shape* shape);
@@ -1154,16 +1155,16 @@ FIRMA_API firma_code firma_player_shape_release(firma_player_shape shape);
 
 /* One player between two moves. All of it may be set; firma_player_defaults() sets all, at the origin. */
 typedef struct firma_player {
-    double position[3];       /* of the feet, metres */
-    double velocity[3];       /* metres a second; on the ground over what it stands on */
-    double ground_normal[3];  /* of the face that it stands on; with on_ground */
-    double ground_velocity[3]; /* of the part that it stands on, at its feet, metres a second */
-    uint64_t world_hash;      /* firma_world_hash() of the world that it was last moved in; 0 before */
-    uint32_t mask;            /* faces that share a bit are met */
-    uint32_t room;            /* where its middle was last in air; FIRMA_NO_ROOM before */
-    uint32_t ground_part;     /* that it stands on, or FIRMA_NO_PART */
+    double position[3];           /* of the feet, metres */
+    double velocity[3];           /* metres a second; on the ground over what it stands on */
+    double ground_normal[3];      /* of the face that it stands on; with on_ground */
+    double ground_velocity[3];    /* of the part that it stands on, at its feet, metres a second */
+    uint64_t world_hash;          /* firma_world_hash() of the world that it was last moved in; 0 before */
+    uint32_t mask;                /* faces that share a bit are met */
+    uint32_t room;                /* where its middle was last in air; FIRMA_NO_ROOM before */
+    uint32_t ground_part;         /* that it stands on, or FIRMA_NO_PART */
     uint32_t on_ground, crouched; /* 0 or 1 */
-    uint32_t stuck;           /* 1: it overlaps, and no place to go was found */
+    uint32_t stuck;               /* 1: it overlaps, and no place to go was found */
 } firma_player;
 
 FIRMA_API void firma_player_defaults(firma_player* player);
@@ -1222,12 +1223,12 @@ typedef struct firma_player_move {
     uint32_t size;          /* sizeof(firma_player_move) */
     uint32_t contact_count; /* of `contacts` */
     firma_player player;
-    double pushed[3];     /* metres: the way out of what came where it was, and what it backed off by */
-    double carried[3];    /* metres: with the part that it stood on, and out of the way of parts */
-    double landed_speed;  /* metres a second against the ground, where it came down; else 0 */
-    uint32_t pushed_by;   /* a part that came where it was, the last one; or FIRMA_NO_PART */
-    uint32_t crushed_by;  /* a part that it is pressed by without room to give way: it overlaps that, never the level. The
-                             game decides what comes of it. Or FIRMA_NO_PART */
+    double pushed[3];    /* metres: the way out of what came where it was, and what it backed off by */
+    double carried[3];   /* metres: with the part that it stood on, and out of the way of parts */
+    double landed_speed; /* metres a second against the ground, where it came down; else 0 */
+    uint32_t pushed_by;  /* a part that came where it was, the last one; or FIRMA_NO_PART */
+    uint32_t crushed_by; /* a part that it is pressed by without room to give way: it overlaps that, never the level.
+                            The game decides what comes of it. Or FIRMA_NO_PART */
     uint32_t jumped, stepped; /* 0 or 1; stepped: up a step */
     firma_player_contact contacts[FIRMA_MAX_PLAYER_CONTACTS];
 } firma_player_move;
@@ -1236,8 +1237,8 @@ typedef struct firma_player_move {
  * part k has to be the same one from tick to tick. `move` gets where it is then; `player` stays, and may be
  * &move->player. FIRMA_ERROR_OUT_OF_RANGE for a number of the player, wish, seconds, rules or scene that is not finite
  * or out of range; FIRMA_ERROR_INVALID for a 0 or 1 that is neither. The same bits on every machine. Takes no memory.
- * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is looked
- * for. */
+ * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is
+ * looked for. */
 FIRMA_API firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape, const firma_player* player,
                                        const firma_player_wish* wish, double seconds, const firma_player_rules* rules,
                                        firma_player_move* move);
