@@ -28,7 +28,9 @@ enum class Kind : std::uint8_t {
     kReplay,
     kHull,
     kParts,
-    kPlayerShape
+    kPlayerShape,
+    kBodyShape,
+    kBodies
 };
 
 /// What a handle may stand for; deleted when it is released.

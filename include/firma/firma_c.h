@@ -3,9 +3,9 @@
  * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape or bytes is a handle: a struct with a number that is 0 for none. Whoever gets
- * one releases it, each with its own function. A handle that was released, never made, or of another kind gives
- * FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies or bytes is a handle: a struct with a number that is 0 for
+ * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
+ * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -23,7 +23,8 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs, replays and parts are for one thread at a time; parts that nobody changes meanwhile for many. A handle
+ * edits, logs, replays, parts and bodies are for one thread at a time; parts and bodies that nobody changes meanwhile
+ * for many. A handle
  * must not be released while another thread is using it. (A visitor may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
@@ -172,6 +173,12 @@ typedef struct firma_parts {
 typedef struct firma_player_shape {
     uint64_t id;
 } firma_player_shape;
+typedef struct firma_body_shape {
+    uint64_t id;
+} firma_body_shape;
+typedef struct firma_bodies {
+    uint64_t id;
+} firma_bodies;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1455,6 +1462,141 @@ typedef struct firma_rest {
  * against each other, again for each time that some are mended. */
 FIRMA_API firma_code firma_cutter_at_rest(firma_world world, const firma_pose* pose, const char* name,
                                           firma_cutter* cutter, firma_rest* rest);
+
+/* ---- bodies ----------------------------------------------------------------------------------------------------- */
+
+/* Rigid bodies of spheres that hit the world and each other, come to rest and sleep. They are held outside of worlds: a
+ * snapshot of a game is a world and a copy of its bodies. docs/bodies.md. */
+
+/* The mass of a solid ball, and of a solid box, around the origin. `half`: metres. FIRMA_ERROR_OUT_OF_RANGE for a
+ * number that is not finite or not above zero. */
+FIRMA_API firma_code firma_mass_of_ball(double radius, double density, firma_mass* mass);
+FIRMA_API firma_code firma_mass_of_box(const double half[3], double density, firma_mass* mass);
+
+/* What bodies are made of, shared by all that are: 1 to 4,096 spheres, four doubles each (centre, radius > 0), and the
+ * mass of the solid that they stand for, in the same frame. It never changes. FIRMA_ERROR_INVALID for a number that is
+ * not finite, a radius, mass or inertia that is not above zero, or another count. */
+FIRMA_API firma_code firma_body_shape_spheres(const double* spheres, size_t count, const firma_mass* mass,
+                                              firma_body_shape* shape);
+/* Bodies of a shape keep it: the handle may be released. */
+FIRMA_API firma_code firma_body_shape_release(firma_body_shape shape);
+
+/* How spheres are fitted into a solid. A null pointer, and zeros, take the defaults. */
+typedef struct firma_fit_options {
+    uint32_t size;        /* sizeof(firma_fit_options) */
+    uint32_t max_spheres; /* 1 to 4,096; 0: 64 */
+    double max_error;     /* metres that a point of the surface may be from the nearest sphere; 0: a twentieth of the
+                             longest side of the solid's box */
+    double margin;        /* metres that spheres are inside by */
+} firma_fit_options;
+
+/* Names a body, as long as it is there: a slot is used again with another number. All that take one say
+ * FIRMA_ERROR_INVALID for a body that is not there any more. */
+typedef struct firma_body_id {
+    uint32_t slot, use;
+} firma_body_id;
+
+/* In place of a slot: no body, or the world. */
+#define FIRMA_NO_BODY UINT32_MAX
+
+typedef struct firma_body {
+    uint32_t size;      /* sizeof(firma_body) */
+    uint32_t mask;      /* faces and bodies that share a bit are met */
+    double position[3]; /* of the centre of mass, metres */
+    double rotation[4]; /* x, y, z, w, of the shape's frame; not all zero */
+    double velocity[3]; /* of the centre of mass, metres a second */
+    double spin[3];     /* radians a second, in the world's axes */
+    double force[3];    /* newtons, besides gravity; kept from step to step */
+    double torque[3];   /* newton metres */
+    double friction;    /* >= 0, 0.6: of two that touch the geometric mean counts, with the world's */
+    double restitution; /* 0..1, 0.1: of two that touch the larger counts */
+    double rolling;     /* >= 0, 0.02: resistance to rolling, in radii of the sphere that rolls */
+    double mass;        /* kilograms. Told, not taken, as all below */
+    uint32_t asleep;    /* 0 or 1 */
+    uint32_t stuck;     /* 1: a sphere's centre was in solid in the last step */
+} firma_body;
+
+/* No bodies. */
+FIRMA_API firma_code firma_bodies_create(firma_bodies* bodies);
+/* Others that go the same way from here: a snapshot. Costs their arrays; shapes are shared. */
+FIRMA_API firma_code firma_bodies_copy(firma_bodies bodies, firma_bodies* copy);
+FIRMA_API firma_code firma_bodies_release(firma_bodies bodies);
+/* Of those that are there. Costs their slots, here and below. */
+FIRMA_API firma_code firma_bodies_get_count(firma_bodies bodies, size_t* count);
+/* Their names, by slot: `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_bodies_list(firma_bodies bodies, firma_body_id* ids, size_t capacity, size_t* count);
+
+/* A body at rest, with its shape's frame at a pose, whose scale does not count. FIRMA_ERROR_OUT_OF_RANGE for a pose
+ * that is not finite, or a rotation of zero. */
+FIRMA_API firma_code firma_bodies_add(firma_bodies bodies, firma_body_shape shape, const firma_pose* pose,
+                                      firma_body_id* id);
+/* A chunk as a body at rest where it came loose: spheres fitted into its solid, its mass. `fit` may be null.
+ * FIRMA_ERROR_OUT_OF_RANGE for a chunk that is not there; FIRMA_ERROR_INVALID for one without mass, one without room
+ * for spheres, and bad options. Costs the fit: some thousand searches for nearest facets, and their product with the
+ * surface's points. */
+FIRMA_API firma_code firma_bodies_add_chunk(firma_bodies bodies, firma_chunks chunks, size_t chunk,
+                                            const firma_fit_options* fit, firma_body_id* id);
+/* What it touched wakes up. */
+FIRMA_API firma_code firma_bodies_remove(firma_bodies bodies, firma_body_id id);
+FIRMA_API firma_code firma_bodies_get(firma_bodies bodies, firma_body_id id, firma_body* body);
+/* Wakes it, and what sleeps with it. What a shorter struct lacks stays. FIRMA_ERROR_OUT_OF_RANGE for a number that is
+ * not finite or out of its range, and a rotation of zero. */
+FIRMA_API firma_code firma_bodies_set(firma_bodies bodies, firma_body_id id, const firma_body* body);
+/* Where its shape's frame is, at scale 1: where to draw what the shape was made of. */
+FIRMA_API firma_code firma_bodies_get_pose(firma_bodies bodies, firma_body_id id, firma_pose* pose);
+/* Wakes what sleeps with it, too. */
+FIRMA_API firma_code firma_bodies_wake(firma_bodies bodies, firma_body_id id);
+/* A push at a point: newton seconds, metres; wakes it. FIRMA_ERROR_OUT_OF_RANGE for what is not finite. */
+FIRMA_API firma_code firma_bodies_push(firma_bodies bodies, firma_body_id id, const double impulse[3],
+                                       const double point[3]);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_step_options {
+    uint32_t size;              /* sizeof(firma_step_options) */
+    uint32_t substeps_a_second; /* at least, 1 to 10,000; 240 */
+    uint32_t max_bounces;       /* of one body on its way in one step, at most 1,000; 4 */
+    uint32_t reserved;          /* must be 0 */
+    double gravity[3];          /* 0, 0, -9.81 m/s2 */
+    double contact_friction;    /* of the world, >= 0; 0.6 */
+    double contact_offset;      /* metres that spheres may sink in; 0, the default, takes the world's */
+    double sleep_speed;         /* metres a second: what moves less at any point is still; 0.05 */
+    double sleep_after;         /* seconds still; INFINITY: never; 0.5 */
+} firma_step_options;
+
+FIRMA_API void firma_step_options_defaults(firma_step_options* options);
+
+typedef struct firma_step_report {
+    uint32_t size; /* sizeof(firma_step_report) */
+    uint32_t reserved;
+    uint64_t awake, contacts, swept, bounces, woken;
+    uint64_t stuck; /* bodies with a sphere whose centre is in solid that came where they were: they move out */
+} firma_step_report;
+
+/* Moves all bodies on. `seconds`: above zero; of more than a quarter of a second, a quarter is made. `report` may be
+ * null. No sphere of a body that was clear of the world ends deeper in it than the contact offset, and none passes a
+ * wall, at any speed. FIRMA_ERROR_OUT_OF_RANGE for seconds and options that are not finite or out of range. The same
+ * bits on every machine. Costs the bodies that are awake, with the faces near them. Takes memory; where there is none,
+ * the bodies are lost: all but releasing them says FIRMA_ERROR_NO_MEMORY from then on. */
+FIRMA_API firma_code firma_bodies_step(firma_bodies bodies, firma_world world, double seconds,
+                                       const firma_step_options* options, firma_step_report* report);
+
+/* What was pressed together in the last step. */
+typedef struct firma_body_contact {
+    firma_body_id body, other; /* slot FIRMA_NO_BODY of `other`: the world */
+    double point[3];           /* metres */
+    double normal[3];          /* unit, toward `body` */
+    double force;              /* along the normal, newtons */
+    uint32_t face;             /* of the world; FIRMA_NO_FACE of a body or a closed portal */
+    int32_t corner[3];         /* the face's first, as in firma_hit */
+    uint32_t portal;           /* a closed one, or FIRMA_NO_PORTAL */
+    uint32_t reserved;
+} firma_body_contact;
+
+/* By slot of `body`, then of `other`; `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_bodies_contacts(firma_bodies bodies, firma_body_contact* contacts, size_t capacity,
+                                           size_t* count);
+/* A hash of all that the next steps depend on. Costs all of it. */
+FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
 
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 

@@ -97,6 +97,7 @@ int main(int argc, char** argv) {
     test_old_names();
     test_carving();
     test_chunks();
+    test_bodies();
     test_matters();
     test_commands();
     test_logs(argc > 2 ? argv[2] : ".");
