@@ -30,7 +30,8 @@ enum class Kind : std::uint8_t {
     kParts,
     kPlayerShape,
     kBodyShape,
-    kBodies
+    kBodies,
+    kShotEvents
 };
 
 /// What a handle may stand for; deleted when it is released.

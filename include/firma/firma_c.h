@@ -3,9 +3,9 @@
  * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull, parts, player shape, body shape, bodies or bytes is a handle: a struct with a number that is 0 for
- * none. Whoever gets one releases it, each with its own function. A handle that was released, never made, or of another
- * kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events or bytes is a handle: a struct with a number
+ * that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released, never made,
+ * or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -23,9 +23,9 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs, replays, parts and bodies are for one thread at a time; parts and bodies that nobody changes meanwhile
- * for many. A handle
- * must not be released while another thread is using it. (A visitor may release the world that it is shown.)
+ * edits, logs, replays, parts, bodies and shot events are for one thread at a time; parts and bodies that nobody
+ * changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor may release
+ * the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -179,6 +179,9 @@ typedef struct firma_body_shape {
 typedef struct firma_bodies {
     uint64_t id;
 } firma_bodies;
+typedef struct firma_shot_events {
+    uint64_t id;
+} firma_shot_events;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1597,6 +1600,133 @@ FIRMA_API firma_code firma_bodies_contacts(firma_bodies bodies, firma_body_conta
                                            size_t* count);
 /* A hash of all that the next steps depend on. Costs all of it. */
 FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
+
+/* ---- projectiles ------------------------------------------------------------------------------------------------ */
+
+/* Thousands of fast particles that fall, ricochet, go through walls or stay in them: an array of the caller's, whose
+ * copy is a snapshot. docs/projectiles.md. */
+
+typedef enum firma_projectile_state {
+    FIRMA_PROJECTILE_FLYING = 0,
+    FIRMA_PROJECTILE_STOPPED = 1, /* at a face, in solid or at a body: its velocity is zero */
+    FIRMA_PROJECTILE_EXPIRED = 2  /* flew longer than firma_fly_options.max_age, or out of reach: 16,384 m */
+} firma_projectile_state;
+
+/* All of it may be set between steps; firma_projectile_defaults() sets all, at the origin. */
+typedef struct firma_projectile {
+    double position[3];  /* metres; to begin with in air */
+    double velocity[3];  /* metres a second; at most 2^20 */
+    double mass;         /* kilograms, > 0; 0.01 */
+    double age;          /* seconds that it flew */
+    uint64_t world_hash; /* firma_world_hash() of the world that it flew in last; 0 before */
+    uint32_t mask;       /* faces, closed portals and bodies that share a bit are met */
+    uint32_t user;       /* the caller's: no answer depends on it */
+    uint32_t state;      /* firma_projectile_state */
+    uint32_t reserved;   /* must be 0 */
+} firma_projectile;
+
+FIRMA_API void firma_projectile_defaults(firma_projectile* projectile);
+
+/* What something does to a projectile that meets it. */
+typedef struct firma_shot_terms {
+    double ricochet_below; /* radians between path and face: at less it ricochets; 0: never */
+    double restitution;    /* 0..1: what is left of the speed along the normal */
+    double friction;       /* of the change of speed along the normal, so much is lost along the face */
+    double resistance; /* newtons: joules that it loses for each metre it goes through; from 2^200 it is not entered */
+} firma_shot_terms;
+
+/* 0.25, 0.4, 0.3, and not entered. */
+FIRMA_API void firma_shot_terms_defaults(firma_shot_terms* terms);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_fly_options {
+    uint32_t size;                   /* sizeof(firma_fly_options) */
+    uint32_t max_impacts;            /* of one projectile in one step, 1 to 1,000: with the last one it stops; 8 */
+    double gravity[3];               /* 0, 0, -9.81 m/s2 */
+    double max_bow;                  /* metres: no chord of the parabola is farther from it, at any time; 0.001 */
+    double max_age;                  /* seconds; 10 */
+    double stop_speed;               /* metres a second: what an impact leaves slower stops there; 1 */
+    double max_thickness;            /* metres through solid: what would take more stops; 4 */
+    double pane_energy;              /* joules that it takes to go through a pane; 2^200: none does */
+    firma_shot_terms other;          /* of matters beyond `matters`; firma_shot_terms_defaults() */
+    firma_shot_terms bodies;         /* their resistance does not count: what does not ricochet stops; likewise */
+    const firma_shot_terms* matters; /* by number of matter of the world; may be null when the count is 0 */
+    size_t matter_count;
+} firma_fly_options;
+
+FIRMA_API void firma_fly_options_defaults(firma_fly_options* options);
+
+typedef enum firma_shot_event_kind {
+    FIRMA_SHOT_RICOCHET = 0,
+    FIRMA_SHOT_ENTERED = 1, /* went into solid: LEFT or STOPPED comes next */
+    FIRMA_SHOT_LEFT = 2,    /* came out of it */
+    FIRMA_SHOT_PASSED = 3,  /* went through a pane */
+    FIRMA_SHOT_STOPPED = 4, /* at a face, a pane or a body; after ENTERED in the solid */
+    FIRMA_SHOT_EXPIRED = 5
+} firma_shot_event_kind;
+
+typedef struct firma_shot_event {
+    double time;           /* seconds from the start of the step */
+    double point[3];       /* metres; where it stopped or left */
+    double normal[3];      /* unit, of what was met, toward where it came from; of LEFT out of the solid */
+    double velocity[3];    /* metres a second, after it */
+    double impulse[3];     /* newton seconds that it gave to what it met */
+    double energy;         /* joules that it lost */
+    double thickness;      /* metres that it went through: of LEFT, and of STOPPED in solid */
+    uint32_t kind;         /* firma_shot_event_kind */
+    uint32_t projectile;   /* its index */
+    uint32_t number;       /* among the events of this projectile in this step */
+    uint32_t face;         /* that was met, or where it came out; FIRMA_NO_FACE of portals, bodies, and none */
+    int32_t corner[3];     /* the face's first, as in firma_hit */
+    uint32_t portal;       /* a closed one, or FIRMA_NO_PORTAL */
+    firma_body_id body;    /* slot FIRMA_NO_BODY: none */
+    uint32_t material;     /* of the face or portal */
+    uint32_t matter;       /* of the face; of LEFT the last one, of STOPPED where it stopped */
+    uint32_t first_length; /* in firma_shot_view.lengths: what it went through */
+    uint32_t length_count;
+} firma_shot_event;
+
+/* A piece of a way through solid that is of one matter. */
+typedef struct firma_shot_length {
+    double from, to; /* fractions of the way */
+    uint32_t matter;
+    uint32_t reserved;
+} firma_shot_length;
+
+typedef struct firma_shot_view {
+    uint32_t size; /* sizeof(firma_shot_view) */
+    uint32_t reserved;
+    const firma_shot_event* events; /* by time, then projectile, then number */
+    size_t event_count;
+    const firma_shot_length* lengths;
+    size_t length_count;
+} firma_shot_view;
+
+/* Where firma_fly() puts what happened; made once, used for step after step. */
+FIRMA_API firma_code firma_shot_events_create(firma_shot_events* events);
+/* Of the last step that was made with it; good until the next one, or its release. */
+FIRMA_API firma_code firma_shot_events_get_view(firma_shot_events events, firma_shot_view* view);
+FIRMA_API firma_code firma_shot_events_release(firma_shot_events events);
+
+typedef struct firma_fly_report {
+    uint32_t size; /* sizeof(firma_fly_report) */
+    uint32_t reserved;
+    uint64_t flying, chords, impacts; /* flying: how many still do */
+} firma_fly_report;
+
+/* Lets projectiles fly on, those that fly. `seconds`: above zero, at most 1. `bodies`: 0 for none; what is met of them
+ * is pushed when all have flown. `events` is replaced, and may be 0; `report` may be null. FIRMA_ERROR_OUT_OF_RANGE for
+ * seconds that are not, and for a projectile with a number that is not finite or out of range, with its index;
+ * FIRMA_ERROR_INVALID for options that are out of range, a state that is none, and where firma_tasks.run does not do
+ * all of it; FIRMA_ERROR_TOO_LARGE where gravity and max_bow divide the step into more than 4,096 chords. Then nothing
+ * has moved, and the events are those of before. The same bits on every machine, however firma_set_tasks() spreads it.
+ * Takes memory: a copy of the projectiles. Costs a cast for each chord, three more for each impact, two searches for
+ * each way through solid. Where memory runs out, bodies may be lost as in firma_bodies_step(). */
+FIRMA_API firma_code firma_fly(firma_projectile* projectiles, size_t count, firma_world world, firma_bodies bodies,
+                               double seconds, const firma_fly_options* options, firma_shot_events events,
+                               firma_fly_report* report);
+/* A hash of all that the next steps depend on. FIRMA_ERROR_INVALID for a state that is none. */
+FIRMA_API firma_code firma_projectiles_hash(const firma_projectile* projectiles, size_t count, uint64_t* hash);
 
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 

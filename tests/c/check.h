@@ -50,6 +50,7 @@ void test_casts(void);
 void test_movers(void);
 void test_players(void);
 void test_bodies(void);
+void test_projectiles(void);
 void test_visitors(void);
 void test_structs(void);
 void test_old_names(void);

@@ -98,6 +98,7 @@ int main(int argc, char** argv) {
     test_carving();
     test_chunks();
     test_bodies();
+    test_projectiles();
     test_matters();
     test_commands();
     test_logs(argc > 2 ? argv[2] : ".");
