@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Bodies that move, hit the world and each other, come to rest and sleep: plain arrays outside the World. A snapshot of
-// a game is a World and a copy of its Bodies.
+// Bodies that move, hit the world, its parts that move and each other, come to rest and sleep: plain arrays outside the
+// World. A snapshot of a game is a World, its parts and a copy of its Bodies.
+//
+// Each body is kept clear of level and parts at the end of every step, at any speed. Between bodies touches are pressed
+// apart by contacts, and swept where two come fast; there an overlap may last for some steps.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +15,7 @@
 #include "firma/chunk.h"
 #include "firma/export.h"
 #include "firma/mass.h"
+#include "firma/moving_parts.h"
 #include "firma/queries.h"
 #include "firma/result.h"
 #include "firma/sphere_set.h"
@@ -79,14 +83,16 @@ struct Body {
     std::uint32_t use = 0;            ///< of its slot
     std::uint32_t island = ~0u;       ///< of those that sleep: they wake together
     bool asleep = false;
-    bool stuck = false;  ///< a sphere's centre is in solid: see StepReport::stuck
+    bool stuck = false;    ///< a sphere's centre is in solid: see StepReport::stuck
+    bool crushed = false;  ///< in the last step: see StepReport::crushed
 };
 
 /// What was pressed together where, kept from step to step: so stacks stay as they are.
 struct BodyContact {
     std::uint32_t body = 0, other = ~0u;         ///< slots; ~0u: the world
     std::uint32_t sphere = 0, other_sphere = 0;  ///< of their shapes
-    FaceRef face;                                ///< of the world; invalid of a body or a closed portal
+    std::uint32_t part = kNoPart;                ///< that it lies on: index into Scene::parts; kNoPart: none
+    FaceRef face;                                ///< of the world or the part; invalid of a body or a closed portal
     PortalId portal;                             ///< a closed one
     Vec3 point;                                  ///< metres
     Vec3 normal;                                 ///< unit, toward `body`
@@ -102,8 +108,9 @@ struct Bodies {
     std::vector<std::uint32_t> free;    ///< slots without a body, the last one is taken first
     std::vector<BodyContact> contacts;  ///< by body, other, sphere, other sphere
     std::uint64_t steps = 0;
-    std::uint64_t world_version = ~std::uint64_t{};  ///< of the world that the last step was in
-    std::uint32_t islands = 0;                       ///< numbers given so far
+    std::uint64_t world_hash = 0;            ///< hash_world() of the world that the last step was in
+    std::uint32_t islands = 0;               ///< numbers given so far
+    std::vector<std::uint64_t> part_hashes;  ///< of each part, its solid and place, as the last step began
 
     /// Null where it is not there any more.
     FIRMA_EXPORT Body* find(BodyId id);
@@ -141,7 +148,7 @@ struct StepOptions {
     double contact_offset = 0;      ///< metres that spheres may sink in; 0 takes the World's
     double sleep_speed = 0.05;      ///< metres a second: what moves less at any point is still
     double sleep_after = 0.5;       ///< seconds still; infinity: never
-    int max_bounces = 4;            ///< of one body on its way in one step
+    int max_bounces = 4;            ///< of one body on its way in one step, off level, parts and bodies together
 };
 
 /// What a step did.
@@ -150,17 +157,29 @@ struct StepReport {
     /// Bodies with a sphere whose centre is in solid, as that came where they were: filled in, put back, a level made
     /// anew. They move out the shortest way, at 4 m/s, and meet nothing until they are out.
     std::size_t stuck = 0;
+    /// Bodies that a part came upon and that could not give way: Body::crushed says which. They are never pushed into
+    /// the level; the part goes over them. One with a sphere's centre in a part is `stuck` as well, and moves out of
+    /// it as far as the level leaves room.
+    std::size_t crushed = 0;
 };
 
-/// Moves all bodies on by `seconds`.
+/// Moves all bodies on by `seconds`, while the parts go along the scene's stretch of their motions.
 ///
 /// No sphere of a body that was clear of the world ends deeper in it than the contact offset, and none passes a wall,
-/// at any speed: at the end of a step each body is swept along its way.
+/// at any speed: at the end of a step each body is swept along its way. The same holds of parts, but for what is
+/// crushed. Parts are as heavy as can be: bodies do not move them.
 ///
-/// @param seconds  above zero; of more than a quarter of a second, a quarter is made
-/// @return all 0 when seconds or gravity are not finite or the world has no face and there is nobody
-/// The same bits on every machine. Costs the bodies that are awake, with the faces near them.
-FIRMA_EXPORT StepReport step(Bodies& bodies, const World& world, double seconds, const StepOptions& options = {});
+/// @param scene    parts are known by their index: each keeps its own from step to step
+/// @param seconds  above zero; of more than a quarter of a second, a quarter is made, and as much of the motions
+/// @return all 0 when seconds or gravity are not finite, a part's motion cannot be used (see cast() of a scene), or the
+///         world has no face and there is nobody
+/// The same bits on every machine. Costs the bodies that are awake, with the faces near them, and a look at the box of
+/// each part for each.
+FIRMA_EXPORT StepReport step(Bodies& bodies, const Scene& scene, double seconds, const StepOptions& options = {});
+/// In a world without parts.
+inline StepReport step(Bodies& bodies, const World& world, double seconds, const StepOptions& options = {}) {
+    return step(bodies, Scene{world}, seconds, options);
+}
 
 /// A hash of all that the next steps depend on.
 [[nodiscard]] FIRMA_EXPORT std::uint64_t hash_bodies(const Bodies& bodies);

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Firma from C: worlds, casts, carving, differences, histories, edit logs, files. C99 and later; from C++ use the other
- * headers.
+/* Firma from C: worlds, casts, players, parts that move, carving, bodies, differences, histories, edit logs, files. C99
+ * and later; from C++ use the other headers.
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
- * log, replay, hull or bytes is a handle: a struct with a number that is 0 for none. Whoever gets one releases it, each
- * with its own function. A handle that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE,
- * always: numbers are never used twice. Releasing 0 does nothing.
+ * log, replay, hull, parts, player shape, body shape, bodies, shot events or bytes is a handle: a struct with a number
+ * that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released, never made,
+ * or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
  * be null say so; any other null, a count without its array, or a struct whose `size` cannot be right gives
  * FIRMA_ERROR_BAD_CALL. No exception leaves a function.
  * One rule says where a failure shows: where the answer has a firma_status (firma_cast(), firma_cast_any(),
- * firma_cast_each(), firma_cast_batch(), the same of movers, firma_cast_many()), bad numbers of the input and a room
- * that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
+ * firma_cast_each(), firma_cast_batch(), the same of movers and scenes, firma_cast_many()), bad numbers of the input
+ * and a room that the world does not have give FIRMA_OK with status FIRMA_INVALID; everywhere else they give a code,
  * FIRMA_ERROR_OUT_OF_RANGE for the numbers, FIRMA_ERROR_INVALID for the room. Options that make no sense, and faces,
  * portals and materials that the world does not have, give FIRMA_ERROR_INVALID everywhere. A search that finds nothing
  * has not failed: it says so in its output.
@@ -23,8 +23,9 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs and replays are for one thread at a time. A handle must not be released while another thread is using it.
- * (A visitor may release the world that it is shown.)
+ * edits, logs, replays, parts, bodies and shot events are for one thread at a time; parts and bodies that nobody
+ * changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor may release
+ * the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -166,6 +167,21 @@ typedef struct firma_replay {
 typedef struct firma_hull {
     uint64_t id;
 } firma_hull;
+typedef struct firma_parts {
+    uint64_t id;
+} firma_parts;
+typedef struct firma_player_shape {
+    uint64_t id;
+} firma_player_shape;
+typedef struct firma_body_shape {
+    uint64_t id;
+} firma_body_shape;
+typedef struct firma_bodies {
+    uint64_t id;
+} firma_bodies;
+typedef struct firma_shot_events {
+    uint64_t id;
+} firma_shot_events;
 
 /* ---- matter ----------------------------------------------------------------------------------------------------- */
 
@@ -1030,6 +1046,217 @@ FIRMA_API firma_code firma_overlap_mover_each(firma_world world, const firma_mov
 FIRMA_API firma_code firma_closest(firma_world world, const double point[3], double reach,
                                    const firma_near_options* options, firma_near* near, uint32_t* found);
 
+/* ---- parts that move -------------------------------------------------------------------------------------------- */
+
+/* Doors, lifts, trains, blades: solids of their own, each in a frame that moves from fraction 0 to 1 of the time at
+ * hand. Casts of a scene move their shape meanwhile. docs/moving.md has the contract. */
+
+/* In place of a part: the level itself, or nothing. */
+#define FIRMA_NO_PART UINT32_MAX
+
+/* The frame's origin goes straight, at an even pace, while all else turns about it, evenly as well. */
+typedef struct firma_motion {
+    double position[3]; /* of the origin at the start, metres */
+    double rotation[4]; /* x, y, z, w, at the start; not all zero */
+    double path[3];     /* of the origin, metres */
+    double turn[3];     /* axis times angle, radians, in the world's axes; at most 8 long */
+} firma_motion;
+
+typedef struct firma_part {
+    uint32_t size;     /* sizeof(firma_part) */
+    uint32_t mask;     /* met by what shares a bit with it, and with the face */
+    firma_world world; /* the solid in the part's frame, of one room; shared: the handle may be released */
+    firma_motion motion;
+} firma_part;
+
+/* All bits, standing at the origin, without a world. */
+FIRMA_API void firma_part_defaults(firma_part* part);
+
+/* An empty list of parts. */
+FIRMA_API firma_code firma_parts_create(firma_parts* parts);
+/* Puts a part at the end; `index` gets its number, and may be null. FIRMA_ERROR_INVALID for a world of several rooms,
+ * FIRMA_ERROR_OUT_OF_RANGE for a motion with a number that is not finite, a rotation of zero, or a turn longer than 8.
+ * Costs the bounds of the world. */
+FIRMA_API firma_code firma_parts_add(firma_parts parts, const firma_part* part, uint32_t* index);
+/* Another part in place of one: another solid, as after a cut. Numbers of the others stay. Errors as above, and
+ * FIRMA_ERROR_OUT_OF_RANGE for a part that is not there. */
+FIRMA_API firma_code firma_parts_set(firma_parts parts, uint32_t index, const firma_part* part);
+/* The motions of all parts for this tick, one each, in order: all, or none when one is refused. FIRMA_ERROR_INVALID for
+ * another count than there are parts; else errors as above. Takes no memory. */
+FIRMA_API firma_code firma_parts_set_motions(firma_parts parts, const firma_motion* motions, size_t count);
+FIRMA_API firma_code firma_parts_get_count(firma_parts parts, size_t* count);
+FIRMA_API firma_code firma_parts_release(firma_parts parts);
+
+/* A level with its parts. firma_scene_defaults() sets all, but for the world. */
+typedef struct firma_scene {
+    uint32_t size;     /* sizeof(firma_scene) */
+    uint32_t reserved; /* must be 0 */
+    firma_world world;
+    firma_parts parts; /* 0: none */
+    double from, to;   /* which stretch of the parts' motions the fractions 0 to 1 of questions stand for, itself in
+                          fractions of them, 0 <= from <= to <= 1; by default 0 and 1. Equal: they stand there */
+} firma_scene;
+
+FIRMA_API void firma_scene_defaults(firma_scene* scene);
+
+/* A hit of the level or of a part. */
+typedef struct firma_part_hit {
+    firma_hit hit;              /* face and material are those of the part's world; a corner is in its frame */
+    double surface_velocity[3]; /* of the part's surface at the touch: metres from fraction 0 to 1 at that pace */
+    uint32_t part;              /* FIRMA_NO_PART: the level, or a miss */
+    uint32_t reserved;
+} firma_part_hit;
+
+/* The first touch of a mover with the level, or with a part that moves meanwhile; of several at the same fraction the
+ * level's, then that of the part with the lowest number. A path of zero is met by parts that come. Against a part that
+ * turns a touch is at most 0.06 mm early. `room` and `passed` of the options are of the level. Status FIRMA_INVALID as
+ * firma_cast_mover(), and for a stretch of the scene that is none. Takes no memory. Costs a cast through the level, a
+ * look at each part's box or ball, and a cast through each part that is near: of one that turns, some searches for the
+ * nearest points with each face near the way. */
+FIRMA_API firma_code firma_cast_scene(const firma_scene* scene, const firma_mover* mover, const double path[3],
+                                      const firma_cast_options* options, firma_part_hit* hit);
+/* Whether there is any touch: firma_status. */
+FIRMA_API firma_code firma_cast_scene_any(const firma_scene* scene, const firma_mover* mover, const double path[3],
+                                          const firma_cast_options* options, uint32_t* status);
+
+/* What is overlapped, of the level or of a part. */
+typedef struct firma_part_near {
+    firma_near near;
+    double surface_velocity[3]; /* of the part at `near.point`, as in firma_part_hit */
+    uint32_t part;              /* FIRMA_NO_PART: of the level */
+    uint32_t reserved;
+} firma_part_near;
+
+/* The faces that a mover overlaps, the parts where they are at a fraction, 0 to 1, of the scene's stretch: those of the
+ * level first, then part by part, in no particular order within one. `count` gets how many, and the first `capacity`
+ * are written. FIRMA_ERROR_OUT_OF_RANGE also for a fraction or a stretch that is none; else as firma_overlap_mover().
+ */
+FIRMA_API firma_code firma_overlap_scene(const firma_scene* scene, const firma_mover* mover, double fraction,
+                                         const firma_near_options* options, firma_part_near* found, size_t capacity,
+                                         size_t* count);
+
+/* ---- players ---------------------------------------------------------------------------------------------------- */
+
+/* Upright shapes that walk, jump, crouch, climb steps, slide along walls and ride on parts. A player is plain data,
+ * copied, saved and rolled back as such; nothing is kept between moves. docs/players.md. */
+
+/* What a player is, standing and crouched; it never changes. Metres, ends of a capsule included. A null pointer takes
+ * the defaults. */
+typedef struct firma_player_size {
+    uint32_t size;                          /* sizeof(firma_player_size) */
+    uint32_t reserved;                      /* must be 0 */
+    double radius, height, crouched_height; /* 0.3, 1.8, 1.1 */
+    double up[3];                           /* 0, 0, 1; made unit */
+} firma_player_size;
+
+FIRMA_API void firma_player_size_defaults(firma_player_size* size);
+
+/* FIRMA_ERROR_INVALID for a number that is not finite or not above zero, an `up` shorter than 1e-3, a height below
+ * twice the radius, and a crouched height above the other. */
+FIRMA_API firma_code firma_player_shape_capsule(const firma_player_size* size, firma_player_shape* shape);
+/* A box as wide and as deep as twice the radius; it may be lower than it is wide. */
+FIRMA_API firma_code firma_player_shape_box(const firma_player_size* size, firma_player_shape* shape);
+/* Spheres around a middle axis that leads up from the origin, four doubles each: centre, radius. `crouched` may be null
+ * when its count is 0: as standing. `up` may be null: 0, 0, 1. FIRMA_ERROR_INVALID for a number that is not finite, a
+ * radius that is not above zero, none, and more than 4,096. */
+FIRMA_API firma_code firma_player_shape_spheres(const double* standing, size_t standing_count, const double* crouched,
+                                                size_t crouched_count, const double up[3], firma_player_shape* shape);
+FIRMA_API firma_code firma_player_shape_release(firma_player_shape shape);
+
+/* One player between two moves. All of it may be set; firma_player_defaults() sets all, at the origin. */
+typedef struct firma_player {
+    double position[3];           /* of the feet, metres */
+    double velocity[3];           /* metres a second; on the ground over what it stands on */
+    double ground_normal[3];      /* of the face that it stands on; with on_ground */
+    double ground_velocity[3];    /* of the part that it stands on, at its feet, metres a second */
+    uint64_t world_hash;          /* firma_world_hash() of the world that it was last moved in; 0 before */
+    uint32_t mask;                /* faces that share a bit are met */
+    uint32_t room;                /* where its middle was last in air; FIRMA_NO_ROOM before */
+    uint32_t ground_part;         /* that it stands on, or FIRMA_NO_PART */
+    uint32_t on_ground, crouched; /* 0 or 1 */
+    uint32_t stuck;               /* 1: it overlaps, and no place to go was found */
+} firma_player;
+
+FIRMA_API void firma_player_defaults(firma_player* player);
+
+/* What is wished of it for one move. Zero but for `size`: to stand. */
+typedef struct firma_player_wish {
+    uint32_t size;      /* sizeof(firma_player_wish) */
+    uint32_t jump;      /* 1: from the ground */
+    uint32_t crouch;    /* 1: as long as it is set, and on as long as there is no room to stand */
+    uint32_t careful;   /* 1: it does not walk where the ground is more than firma_player_rules.max_drop lower */
+    double velocity[3]; /* metres a second; what of it is along `up` does not count */
+} firma_player_wish;
+
+/* How players move; a null pointer takes the defaults. */
+typedef struct firma_player_rules {
+    uint32_t size;              /* sizeof(firma_player_rules) */
+    uint32_t reserved;          /* must be 0 */
+    double gravity;             /* 9.81 m/s2, against `up` */
+    double max_slope;           /* a quarter of pi, radians: of faces that it walks on */
+    double step_height;         /* 0.45 m: higher steps are walls */
+    double max_drop;            /* 0.6 m; see firma_player_wish.careful */
+    double overhang;            /* 0.7 radii: so far beyond an edge its middle may be where nothing is below */
+    double jump_speed;          /* 4.4 m/s */
+    double ground_acceleration; /* 60 m/s2 */
+    double air_acceleration;    /* 12 m/s2 */
+    double crouched_speed;      /* 0.5 of the speed that is wished */
+    double max_push;            /* 4 m: so far at most it is moved out of what came where it was */
+    double contact_offset;      /* metres kept from what it touches; 0, the default, takes the world's */
+} firma_player_rules;
+
+FIRMA_API void firma_player_rules_defaults(firma_player_rules* rules);
+
+typedef enum firma_contact_kind {
+    FIRMA_CONTACT_GROUND = 0,
+    FIRMA_CONTACT_WALL = 1,
+    FIRMA_CONTACT_CEILING = 2
+} firma_contact_kind;
+
+/* What a player touched on its way. */
+typedef struct firma_player_contact {
+    double point[3];       /* metres */
+    double normal[3];      /* unit, toward the player */
+    double face_normal[3]; /* unit; of ground, of the flattest face there */
+    uint32_t kind;         /* firma_contact_kind */
+    uint32_t face;         /* FIRMA_NO_FACE of a closed portal */
+    int32_t corner[3];     /* the face's first, as in firma_hit */
+    uint32_t portal;       /* the closed one, or FIRMA_NO_PORTAL */
+    uint32_t part;         /* that the face is of; FIRMA_NO_PART: of the level */
+    uint32_t material;
+} firma_player_contact;
+
+#define FIRMA_MAX_PLAYER_CONTACTS 8
+
+/* Where a move led to. */
+typedef struct firma_player_move {
+    uint32_t size;          /* sizeof(firma_player_move) */
+    uint32_t contact_count; /* of `contacts` */
+    firma_player player;
+    double pushed[3];    /* metres: the way out of what came where it was, and what it backed off by */
+    double carried[3];   /* metres: with the part that it stood on, and out of the way of parts */
+    double landed_speed; /* metres a second against the ground, where it came down; else 0 */
+    uint32_t pushed_by;  /* a part that came where it was, the last one; or FIRMA_NO_PART */
+    uint32_t crushed_by; /* a part that it is pressed by without room to give way: it overlaps that, never the level.
+                            The game decides what comes of it. Or FIRMA_NO_PART */
+    uint32_t jumped, stepped; /* 0 or 1; stepped: up a step */
+    firma_player_contact contacts[FIRMA_MAX_PLAYER_CONTACTS];
+} firma_player_move;
+
+/* Moves a player by one tick of 0 to 1 seconds, among parts that go from fraction 0 to 1 of their motions meanwhile:
+ * part k has to be the same one from tick to tick. `move` gets where it is then; `player` stays, and may be
+ * &move->player. FIRMA_ERROR_OUT_OF_RANGE for a number of the player, wish, seconds, rules or scene that is not finite
+ * or out of range; FIRMA_ERROR_INVALID for a 0 or 1 that is neither. The same bits on every machine. Takes no memory.
+ * Costs two to four casts on plain ground, some more at walls and steps; at most a few hundred where a way out is
+ * looked for. */
+FIRMA_API firma_code firma_move_player(const firma_scene* scene, firma_player_shape shape, const firma_player* player,
+                                       const firma_player_wish* wish, double seconds, const firma_player_rules* rules,
+                                       firma_player_move* move);
+/* Whether there is room for a player, its middle in air: for places to begin at. Parts are where they are at `from` of
+ * the scene. `fits` gets 0 or 1. FIRMA_ERROR_OUT_OF_RANGE for a position that is not finite. Takes no memory. */
+FIRMA_API firma_code firma_player_fits(const firma_scene* scene, firma_player_shape shape, const double position[3],
+                                       uint32_t crouched, uint32_t mask, uint32_t* fits);
+
 /* ---- carving ---------------------------------------------------------------------------------------------------- */
 
 typedef enum firma_shape {
@@ -1238,6 +1465,268 @@ typedef struct firma_rest {
  * against each other, again for each time that some are mended. */
 FIRMA_API firma_code firma_cutter_at_rest(firma_world world, const firma_pose* pose, const char* name,
                                           firma_cutter* cutter, firma_rest* rest);
+
+/* ---- bodies ----------------------------------------------------------------------------------------------------- */
+
+/* Rigid bodies of spheres that hit the world and each other, come to rest and sleep. They are held outside of worlds: a
+ * snapshot of a game is a world and a copy of its bodies. docs/bodies.md. */
+
+/* The mass of a solid ball, and of a solid box, around the origin. `half`: metres. FIRMA_ERROR_OUT_OF_RANGE for a
+ * number that is not finite or not above zero. */
+FIRMA_API firma_code firma_mass_of_ball(double radius, double density, firma_mass* mass);
+FIRMA_API firma_code firma_mass_of_box(const double half[3], double density, firma_mass* mass);
+
+/* What bodies are made of, shared by all that are: 1 to 4,096 spheres, four doubles each (centre, radius > 0), and the
+ * mass of the solid that they stand for, in the same frame. It never changes. FIRMA_ERROR_INVALID for a number that is
+ * not finite, a radius, mass or inertia that is not above zero, or another count. */
+FIRMA_API firma_code firma_body_shape_spheres(const double* spheres, size_t count, const firma_mass* mass,
+                                              firma_body_shape* shape);
+/* Bodies of a shape keep it: the handle may be released. */
+FIRMA_API firma_code firma_body_shape_release(firma_body_shape shape);
+
+/* How spheres are fitted into a solid. A null pointer, and zeros, take the defaults. */
+typedef struct firma_fit_options {
+    uint32_t size;        /* sizeof(firma_fit_options) */
+    uint32_t max_spheres; /* 1 to 4,096; 0: 64 */
+    double max_error;     /* metres that a point of the surface may be from the nearest sphere; 0: a twentieth of the
+                             longest side of the solid's box */
+    double margin;        /* metres that spheres are inside by */
+} firma_fit_options;
+
+/* Names a body, as long as it is there: a slot is used again with another number. All that take one say
+ * FIRMA_ERROR_INVALID for a body that is not there any more. */
+typedef struct firma_body_id {
+    uint32_t slot, use;
+} firma_body_id;
+
+/* In place of a slot: no body, or the world. */
+#define FIRMA_NO_BODY UINT32_MAX
+
+typedef struct firma_body {
+    uint32_t size;      /* sizeof(firma_body) */
+    uint32_t mask;      /* faces and bodies that share a bit are met */
+    double position[3]; /* of the centre of mass, metres */
+    double rotation[4]; /* x, y, z, w, of the shape's frame; not all zero */
+    double velocity[3]; /* of the centre of mass, metres a second */
+    double spin[3];     /* radians a second, in the world's axes */
+    double force[3];    /* newtons, besides gravity; kept from step to step */
+    double torque[3];   /* newton metres */
+    double friction;    /* >= 0, 0.6: of two that touch the geometric mean counts, with the world's */
+    double restitution; /* 0..1, 0.1: of two that touch the larger counts */
+    double rolling;     /* >= 0, 0.02: resistance to rolling, in radii of the sphere that rolls */
+    double mass;        /* kilograms. Told, not taken, as all below */
+    uint32_t asleep;    /* 0 or 1 */
+    uint32_t stuck;     /* 1: a sphere's centre was in solid in the last step */
+} firma_body;
+
+/* No bodies. */
+FIRMA_API firma_code firma_bodies_create(firma_bodies* bodies);
+/* Others that go the same way from here: a snapshot. Costs their arrays; shapes are shared. */
+FIRMA_API firma_code firma_bodies_copy(firma_bodies bodies, firma_bodies* copy);
+FIRMA_API firma_code firma_bodies_release(firma_bodies bodies);
+/* Of those that are there. Costs their slots, here and below. */
+FIRMA_API firma_code firma_bodies_get_count(firma_bodies bodies, size_t* count);
+/* Their names, by slot: `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_bodies_list(firma_bodies bodies, firma_body_id* ids, size_t capacity, size_t* count);
+
+/* A body at rest, with its shape's frame at a pose, whose scale does not count. FIRMA_ERROR_OUT_OF_RANGE for a pose
+ * that is not finite, or a rotation of zero. */
+FIRMA_API firma_code firma_bodies_add(firma_bodies bodies, firma_body_shape shape, const firma_pose* pose,
+                                      firma_body_id* id);
+/* A chunk as a body at rest where it came loose: spheres fitted into its solid, its mass. `fit` may be null.
+ * FIRMA_ERROR_OUT_OF_RANGE for a chunk that is not there; FIRMA_ERROR_INVALID for one without mass, one without room
+ * for spheres, and bad options. Costs the fit: some thousand searches for nearest facets, and their product with the
+ * surface's points. */
+FIRMA_API firma_code firma_bodies_add_chunk(firma_bodies bodies, firma_chunks chunks, size_t chunk,
+                                            const firma_fit_options* fit, firma_body_id* id);
+/* What it touched wakes up. */
+FIRMA_API firma_code firma_bodies_remove(firma_bodies bodies, firma_body_id id);
+FIRMA_API firma_code firma_bodies_get(firma_bodies bodies, firma_body_id id, firma_body* body);
+/* Wakes it, and what sleeps with it. What a shorter struct lacks stays. FIRMA_ERROR_OUT_OF_RANGE for a number that is
+ * not finite or out of its range, and a rotation of zero. */
+FIRMA_API firma_code firma_bodies_set(firma_bodies bodies, firma_body_id id, const firma_body* body);
+/* Where its shape's frame is, at scale 1: where to draw what the shape was made of. */
+FIRMA_API firma_code firma_bodies_get_pose(firma_bodies bodies, firma_body_id id, firma_pose* pose);
+/* Wakes what sleeps with it, too. */
+FIRMA_API firma_code firma_bodies_wake(firma_bodies bodies, firma_body_id id);
+/* A push at a point: newton seconds, metres; wakes it. FIRMA_ERROR_OUT_OF_RANGE for what is not finite. */
+FIRMA_API firma_code firma_bodies_push(firma_bodies bodies, firma_body_id id, const double impulse[3],
+                                       const double point[3]);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_step_options {
+    uint32_t size;              /* sizeof(firma_step_options) */
+    uint32_t substeps_a_second; /* at least, 1 to 10,000; 240 */
+    uint32_t max_bounces;       /* of one body on its way in one step, at most 1,000; 4 */
+    uint32_t reserved;          /* must be 0 */
+    double gravity[3];          /* 0, 0, -9.81 m/s2 */
+    double contact_friction;    /* of the world, >= 0; 0.6 */
+    double contact_offset;      /* metres that spheres may sink in; 0, the default, takes the world's */
+    double sleep_speed;         /* metres a second: what moves less at any point is still; 0.05 */
+    double sleep_after;         /* seconds still; INFINITY: never; 0.5 */
+} firma_step_options;
+
+FIRMA_API void firma_step_options_defaults(firma_step_options* options);
+
+typedef struct firma_step_report {
+    uint32_t size; /* sizeof(firma_step_report) */
+    uint32_t reserved;
+    uint64_t awake, contacts, swept, bounces, woken;
+    uint64_t stuck; /* bodies with a sphere whose centre is in solid that came where they were: they move out */
+} firma_step_report;
+
+/* Moves all bodies on. `seconds`: above zero; of more than a quarter of a second, a quarter is made. `report` may be
+ * null. No sphere of a body that was clear of the world ends deeper in it than the contact offset, and none passes a
+ * wall, at any speed. FIRMA_ERROR_OUT_OF_RANGE for seconds and options that are not finite or out of range. The same
+ * bits on every machine. Costs the bodies that are awake, with the faces near them. Takes memory; where there is none,
+ * the bodies are lost: all but releasing them says FIRMA_ERROR_NO_MEMORY from then on. */
+FIRMA_API firma_code firma_bodies_step(firma_bodies bodies, firma_world world, double seconds,
+                                       const firma_step_options* options, firma_step_report* report);
+
+/* What was pressed together in the last step. */
+typedef struct firma_body_contact {
+    firma_body_id body, other; /* slot FIRMA_NO_BODY of `other`: the world */
+    double point[3];           /* metres */
+    double normal[3];          /* unit, toward `body` */
+    double force;              /* along the normal, newtons */
+    uint32_t face;             /* of the world; FIRMA_NO_FACE of a body or a closed portal */
+    int32_t corner[3];         /* the face's first, as in firma_hit */
+    uint32_t portal;           /* a closed one, or FIRMA_NO_PORTAL */
+    uint32_t reserved;
+} firma_body_contact;
+
+/* By slot of `body`, then of `other`; `count` gets how many, the first `capacity` are written. */
+FIRMA_API firma_code firma_bodies_contacts(firma_bodies bodies, firma_body_contact* contacts, size_t capacity,
+                                           size_t* count);
+/* A hash of all that the next steps depend on. Costs all of it. */
+FIRMA_API firma_code firma_bodies_hash(firma_bodies bodies, uint64_t* hash);
+
+/* ---- projectiles ------------------------------------------------------------------------------------------------ */
+
+/* Thousands of fast particles that fall, ricochet, go through walls or stay in them: an array of the caller's, whose
+ * copy is a snapshot. docs/projectiles.md. */
+
+typedef enum firma_projectile_state {
+    FIRMA_PROJECTILE_FLYING = 0,
+    FIRMA_PROJECTILE_STOPPED = 1, /* at a face, in solid or at a body: its velocity is zero */
+    FIRMA_PROJECTILE_EXPIRED = 2  /* flew longer than firma_fly_options.max_age, or out of reach: 16,384 m */
+} firma_projectile_state;
+
+/* All of it may be set between steps; firma_projectile_defaults() sets all, at the origin. */
+typedef struct firma_projectile {
+    double position[3];  /* metres; to begin with in air */
+    double velocity[3];  /* metres a second; at most 2^20 */
+    double mass;         /* kilograms, > 0; 0.01 */
+    double age;          /* seconds that it flew */
+    uint64_t world_hash; /* firma_world_hash() of the world that it flew in last; 0 before */
+    uint32_t mask;       /* faces, closed portals and bodies that share a bit are met */
+    uint32_t user;       /* the caller's: no answer depends on it */
+    uint32_t state;      /* firma_projectile_state */
+    uint32_t reserved;   /* must be 0 */
+} firma_projectile;
+
+FIRMA_API void firma_projectile_defaults(firma_projectile* projectile);
+
+/* What something does to a projectile that meets it. */
+typedef struct firma_shot_terms {
+    double ricochet_below; /* radians between path and face: at less it ricochets; 0: never */
+    double restitution;    /* 0..1: what is left of the speed along the normal */
+    double friction;       /* of the change of speed along the normal, so much is lost along the face */
+    double resistance; /* newtons: joules that it loses for each metre it goes through; from 2^200 it is not entered */
+} firma_shot_terms;
+
+/* 0.25, 0.4, 0.3, and not entered. */
+FIRMA_API void firma_shot_terms_defaults(firma_shot_terms* terms);
+
+/* A null pointer takes the defaults. */
+typedef struct firma_fly_options {
+    uint32_t size;                   /* sizeof(firma_fly_options) */
+    uint32_t max_impacts;            /* of one projectile in one step, 1 to 1,000: with the last one it stops; 8 */
+    double gravity[3];               /* 0, 0, -9.81 m/s2 */
+    double max_bow;                  /* metres: no chord of the parabola is farther from it, at any time; 0.001 */
+    double max_age;                  /* seconds; 10 */
+    double stop_speed;               /* metres a second: what an impact leaves slower stops there; 1 */
+    double max_thickness;            /* metres through solid: what would take more stops; 4 */
+    double pane_energy;              /* joules that it takes to go through a pane; 2^200: none does */
+    firma_shot_terms other;          /* of matters beyond `matters`; firma_shot_terms_defaults() */
+    firma_shot_terms bodies;         /* their resistance does not count: what does not ricochet stops; likewise */
+    const firma_shot_terms* matters; /* by number of matter of the world; may be null when the count is 0 */
+    size_t matter_count;
+} firma_fly_options;
+
+FIRMA_API void firma_fly_options_defaults(firma_fly_options* options);
+
+typedef enum firma_shot_event_kind {
+    FIRMA_SHOT_RICOCHET = 0,
+    FIRMA_SHOT_ENTERED = 1, /* went into solid: LEFT or STOPPED comes next */
+    FIRMA_SHOT_LEFT = 2,    /* came out of it */
+    FIRMA_SHOT_PASSED = 3,  /* went through a pane */
+    FIRMA_SHOT_STOPPED = 4, /* at a face, a pane or a body; after ENTERED in the solid */
+    FIRMA_SHOT_EXPIRED = 5
+} firma_shot_event_kind;
+
+typedef struct firma_shot_event {
+    double time;           /* seconds from the start of the step */
+    double point[3];       /* metres; where it stopped or left */
+    double normal[3];      /* unit, of what was met, toward where it came from; of LEFT out of the solid */
+    double velocity[3];    /* metres a second, after it */
+    double impulse[3];     /* newton seconds that it gave to what it met */
+    double energy;         /* joules that it lost */
+    double thickness;      /* metres that it went through: of LEFT, and of STOPPED in solid */
+    uint32_t kind;         /* firma_shot_event_kind */
+    uint32_t projectile;   /* its index */
+    uint32_t number;       /* among the events of this projectile in this step */
+    uint32_t face;         /* that was met, or where it came out; FIRMA_NO_FACE of portals, bodies, and none */
+    int32_t corner[3];     /* the face's first, as in firma_hit */
+    uint32_t portal;       /* a closed one, or FIRMA_NO_PORTAL */
+    firma_body_id body;    /* slot FIRMA_NO_BODY: none */
+    uint32_t material;     /* of the face or portal */
+    uint32_t matter;       /* of the face; of LEFT the last one, of STOPPED where it stopped */
+    uint32_t first_length; /* in firma_shot_view.lengths: what it went through */
+    uint32_t length_count;
+} firma_shot_event;
+
+/* A piece of a way through solid that is of one matter. */
+typedef struct firma_shot_length {
+    double from, to; /* fractions of the way */
+    uint32_t matter;
+    uint32_t reserved;
+} firma_shot_length;
+
+typedef struct firma_shot_view {
+    uint32_t size; /* sizeof(firma_shot_view) */
+    uint32_t reserved;
+    const firma_shot_event* events; /* by time, then projectile, then number */
+    size_t event_count;
+    const firma_shot_length* lengths;
+    size_t length_count;
+} firma_shot_view;
+
+/* Where firma_fly() puts what happened; made once, used for step after step. */
+FIRMA_API firma_code firma_shot_events_create(firma_shot_events* events);
+/* Of the last step that was made with it; good until the next one, or its release. */
+FIRMA_API firma_code firma_shot_events_get_view(firma_shot_events events, firma_shot_view* view);
+FIRMA_API firma_code firma_shot_events_release(firma_shot_events events);
+
+typedef struct firma_fly_report {
+    uint32_t size; /* sizeof(firma_fly_report) */
+    uint32_t reserved;
+    uint64_t flying, chords, impacts; /* flying: how many still do */
+} firma_fly_report;
+
+/* Lets projectiles fly on, those that fly. `seconds`: above zero, at most 1. `bodies`: 0 for none; what is met of them
+ * is pushed when all have flown. `events` is replaced, and may be 0; `report` may be null. FIRMA_ERROR_OUT_OF_RANGE for
+ * seconds that are not, and for a projectile with a number that is not finite or out of range, with its index;
+ * FIRMA_ERROR_INVALID for options that are out of range, a state that is none, and where firma_tasks.run does not do
+ * all of it; FIRMA_ERROR_TOO_LARGE where gravity and max_bow divide the step into more than 4,096 chords. Then nothing
+ * has moved, and the events are those of before. The same bits on every machine, however firma_set_tasks() spreads it.
+ * Takes memory: a copy of the projectiles. Costs a cast for each chord, three more for each impact, two searches for
+ * each way through solid. Where memory runs out, bodies may be lost as in firma_bodies_step(). */
+FIRMA_API firma_code firma_fly(firma_projectile* projectiles, size_t count, firma_world world, firma_bodies bodies,
+                               double seconds, const firma_fly_options* options, firma_shot_events events,
+                               firma_fly_report* report);
+/* A hash of all that the next steps depend on. FIRMA_ERROR_INVALID for a state that is none. */
+FIRMA_API firma_code firma_projectiles_hash(const firma_projectile* projectiles, size_t count, uint64_t* hash);
 
 /* ---- differences ------------------------------------------------------------------------------------------------ */
 

@@ -32,6 +32,8 @@ struct Mover {
     InverseInertia inverse_inertia;
     /// Metres: as far as any point may go before a sphere can be deeper in the world than the skin.
     double clear = 0;
+    /// Metres: the same of parts, by how far both go together.
+    double part_clear = 0;
 
     Vec3 centre_of(std::uint32_t sphere) const { return position + matrix * shape->spheres[sphere].centre; }
     Vec3 velocity_at(const Vec3& from_centre) const { return velocity + cross(spin, from_centre); }

@@ -11,6 +11,7 @@
 #include "body/mover_islands.h"
 #include "body/pair_contacts.h"
 #include "body/rest.h"
+#include "body/step_parts.h"
 #include "body/stuck_bodies.h"
 #include "body/sweep_bodies.h"
 #include "body/world_contacts.h"
@@ -25,24 +26,31 @@ constexpr double kBounceSpeed = 0.5;
 /// One step of so many seconds, no longer than kLongestStep.
 class Step {
 public:
-    Step(Bodies& bodies, const World& world, double seconds, const StepOptions& options)
+    Step(Bodies& bodies, const Scene& scene, double seconds, const StepOptions& options)
         : bodies_(bodies),
-          world_(world),
+          world_(scene.world),
+          parts_(scene, seconds),
           options_(options),
           seconds_(seconds),
-          skin_(options.contact_offset > 0 ? options.contact_offset : world.tolerance().contact_offset),
+          skin_(options.contact_offset > 0 ? options.contact_offset : world_.tolerance().contact_offset),
           substeps_(std::max(1, int(std::ceil(seconds * options.substeps_a_second - kSubstepSlop)))) {}
 
     StepReport run() {
-        find_stuck(bodies_, world_, bodies_.world_version != world_.version());
-        report_.woken = wake_unsupported(bodies_, world_);
+        const std::uint64_t hash = hash_world(world_);
+        const bool other_world = bodies_.world_hash != hash;
+        bodies_.world_hash = hash;
+        const bool has_parts = !parts_.empty() || !bodies_.part_hashes.empty();
+        if (has_parts) parts_.compare(bodies_.part_hashes);
+        find_stuck(bodies_, world_, other_world, parts_);
+        if (other_world || has_parts) report_.woken = wake_unsupported(bodies_, world_, other_world, parts_);
+        if (has_parts) report_.woken += wake_in_the_way(bodies_, parts_, skin_);
         free_stuck();
         gather_movers();
         find_contacts();
         solve();
         sweep();
         put_back();
-        rest(bodies_, movers_of_slots_, seconds_, options_);
+        rest(bodies_, movers_of_slots_, seconds_, parts_, options_);
         ++bodies_.steps;
         return report_;
     }
@@ -50,7 +58,11 @@ public:
 private:
     void free_stuck() {
         for (Body& body : bodies_.slots)
-            if (body.shape.valid() && body.stuck) ++report_.stuck, move_out(body, world_, seconds_);
+            if (body.shape.valid() && body.stuck) {
+                ++report_.stuck;
+                move_out(body, world_, parts_, seconds_, skin_);
+                report_.crushed += body.crushed;
+            }
     }
 
     bool moves(const Body& body) const { return body.shape.valid() && !body.asleep && !body.stuck; }
@@ -72,6 +84,9 @@ private:
             length(body.velocity) + length(body.spin) * shape.reach + length(options_.gravity) * seconds_;
         return std::min(speed * seconds_, 0.5 * shape.thinnest + 2 * skin_) + 2 * skin_;
     }
+
+    /// However fast it and a part go.
+    double largest_margin(const BodyShapeData& shape) const { return 0.5 * shape.thinnest + 4 * skin_; }
 
     PlacedBody placed(std::uint32_t slot) const {
         const Body& body = bodies_.slots[slot];
@@ -119,7 +134,10 @@ private:
         for (std::uint32_t k = 0; k < movers_.size(); ++k) {
             const Body& body = bodies_.slots[movers_[k].slot];
             const std::size_t first = near_.size();
-            of_world.find(movers_[k], k, body, margin_of(body, *movers_[k].shape), near_);
+            const double margin = margin_of(body, *movers_[k].shape);
+            of_world.find(movers_[k], k, body, margin, near_);
+            if (!parts_.empty())
+                of_world.find_on_parts(parts_, movers_[k], k, body, margin, largest_margin(*movers_[k].shape), near_);
             for (std::size_t contact = first; contact < near_.size(); ++contact) {
                 near_[contact].friction = std::sqrt(body.friction * options_.contact_friction);
                 near_[contact].restitution = body.restitution;
@@ -141,8 +159,9 @@ private:
             }
         }
         sort_range(near_, [](const NearContact& a, const NearContact& b) {
-            return std::tuple(a.at.body, a.at.other, a.at.sphere, a.at.other_sphere, a.gap, a.at.face.id, a.at.portal) <
-                   std::tuple(b.at.body, b.at.other, b.at.sphere, b.at.other_sphere, b.gap, b.at.face.id, b.at.portal);
+            return std::tuple(a.at.body, a.at.other, a.at.sphere, a.at.other_sphere, a.gap, a.at.face.id, a.at.portal,
+                              a.at.part) < std::tuple(b.at.body, b.at.other, b.at.sphere, b.at.other_sphere, b.gap,
+                                                      b.at.face.id, b.at.portal, b.at.part);
         });
         report_.contacts = near_.size();
     }
@@ -158,7 +177,8 @@ private:
         const double substep = seconds_ / count;
         const std::span<Mover> movers = std::span(movers_).subspan(island.first_mover, island.movers);
         const std::span<NearContact> contacts = std::span(near_).subspan(island.first_contact, island.contacts);
-        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, substep, iterations_for(island.mass_ratio));
+        ContactSolver solver(movers_, movers, contacts, bodies_.contacts, parts_, substep,
+                             iterations_for(island.mass_ratio));
         for (int k = 0; k < count; ++k) {
             for (Mover& mover : movers) {
                 const Body& body = bodies_.slots[mover.slot];
@@ -188,11 +208,16 @@ private:
 
     void sweep() {
         const SweepRules rules{skin_, seconds_, kBounceSpeed, options_.contact_friction, options_.max_bounces};
-        BodySweep sweep(world_, bodies_, movers_, movers_of_slots_, rules);
+        BodySweep sweep(world_, parts_, bodies_, movers_, movers_of_slots_, rules);
         sweep.run();
         report_.swept = sweep.swept();
         report_.bounces = sweep.bounces();
         report_.woken += sweep.woken();
+        for (const Mover& mover : movers_) {
+            Body& body = bodies_.slots[mover.slot];
+            body.crushed = sweep.is_crushed(mover.slot);
+            report_.crushed += body.crushed;
+        }
     }
 
     void put_back() {
@@ -207,13 +232,14 @@ private:
         for (std::size_t k = 0; k < near_.size(); ++k)
             if (pressed_[k]) bodies_.contacts.push_back(near_[k].at);
         sort_range(bodies_.contacts, [](const BodyContact& a, const BodyContact& b) {
-            return std::tuple(a.body, a.other, a.sphere, a.other_sphere, a.face.id, a.portal) <
-                   std::tuple(b.body, b.other, b.sphere, b.other_sphere, b.face.id, b.portal);
+            return std::tuple(a.body, a.other, a.sphere, a.other_sphere, a.face.id, a.portal, a.part) <
+                   std::tuple(b.body, b.other, b.sphere, b.other_sphere, b.face.id, b.portal, b.part);
         });
     }
 
     Bodies& bodies_;
     const World& world_;
+    StepParts parts_;
     const StepOptions& options_;
     const double seconds_, skin_;
     const int substeps_;
@@ -227,9 +253,12 @@ private:
 
 }  // namespace
 
-StepReport step(Bodies& bodies, const World& world, double seconds, const StepOptions& options) {
-    if (!(seconds > 0) || !is_finite(seconds) || !is_finite(options.gravity)) return {};
-    return Step(bodies, world, std::min(seconds, kLongestStep), options).run();
+StepReport step(Bodies& bodies, const Scene& scene, double seconds, const StepOptions& options) {
+    if (!(seconds > 0) || !is_finite(seconds) || !is_finite(options.gravity) || !is_usable_scene(scene)) return {};
+    if (seconds <= kLongestStep) return Step(bodies, scene, seconds, options).run();
+    const double stretch = (scene.to - scene.from) * (kLongestStep / seconds);
+    const Scene shorter{scene.world, scene.parts, scene.from, scene.from + stretch};
+    return Step(bodies, shorter, kLongestStep, options).run();
 }
 
 }  // namespace firma

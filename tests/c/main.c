@@ -91,11 +91,14 @@ int main(int argc, char** argv) {
     test_worlds();
     test_casts();
     test_movers();
+    test_players();
     test_visitors();
     test_structs();
     test_old_names();
     test_carving();
     test_chunks();
+    test_bodies();
+    test_projectiles();
     test_matters();
     test_commands();
     test_logs(argc > 2 ? argv[2] : ".");

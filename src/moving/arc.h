@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "firma/cast_set.h"
+#include "firma/motion.h"
 
 namespace firma {
 
@@ -54,6 +54,6 @@ private:
 };
 
 /// Whether a motion can be worked with.
-bool is_usable(const SetMotion& motion);
+bool is_usable(const RigidMotion& motion);
 
 }  // namespace firma
