@@ -118,8 +118,9 @@ struct PlayerMove {
     Player player;
     std::array<PlayerContact, kMaxPlayerContacts> touched{};
     std::size_t contact_count = 0;
-    /// Metres: the way out of what came where the player was, before it moved; and what it backs off by, less than the
-    /// contact offset at a time, from what it has come nearer to than that.
+    /// Metres: the way out of what came where the player was, before it moved; what it backs off by, less than the
+    /// contact offset at a time, from what it has come nearer to than that; and what it slides aside by, within four
+    /// contact offsets, down to ground below. What is farther than asked is in here.
     Vec3 pushed{};
     Vec3 carried{};                     ///< metres: with the part that it stood on, and out of the way of parts
     std::uint32_t pushed_by = kNoPart;  ///< a part that came where it was, the last one

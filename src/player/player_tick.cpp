@@ -13,8 +13,12 @@ namespace {
 
 /// Slop, a share of a fall: what falls no farther than that between what it touches is held.
 constexpr double kHeld = 1e-3;
+/// In contact offsets: so far it slides down between things to ground that carries.
+constexpr double kSettling = 4;
 /// Slop, metres: what would go down or up by less stays where it is, to the bit.
 constexpr double kAtRest = 1e-7;
+/// The length of a unit normal's part sideways: one that has less is nearly level, as of a ceiling.
+constexpr double kSteep = 0.6;
 /// Slop, a cosine: what leans by less is upright.
 constexpr double kUpright = 1e-6;
 
@@ -128,7 +132,11 @@ PartHit PlayerTick::go(const Vec3& path) {
 // It stopped for something else nearer to this than the offset. Away from it again, at most half way to what is across:
 // so what has room on both sides touches neither.
 void PlayerTick::back_off(const Vec3& normal, double far) {
-    const Vec3 path = normal * far;
+    Vec3 path = normal * far;
+    // On foot level: what backs off upward comes down again, and slides aside on what it backed off from.
+    const Vec3 side = sideways(normal);
+    const double size = length(side);
+    if (player_.on_ground && size > kSteep && !ground_rules_.walkable(normal)) path = side * (far / (size * size));
     const PartHit hit = posture_.sweep(player_.position, path);
     const Vec3 way = path * std::max(hit.safe_fraction, hit.fraction * 0.5);
     player_.position += way;
@@ -208,13 +216,14 @@ void PlayerTick::settle(double far) {
     AllowedMotion below;
     std::uint32_t part = kNoPart;
     for (int slide = 0; slide < kMaxSlides; ++slide) {
-        const Vec3 path = below.nearest(up_ * (-4 * offset_));
-        if (-dot(path, up_) < 4 * offset_ * kHeld) return stand_on(up_, part);
+        const Vec3 path = below.nearest(up_ * (-kSettling * offset_));
+        if (-dot(path, up_) < kSettling * offset_ * kHeld) return stand_on(up_, part);
         const PartHit met = posture_.sweep(at, path);
         if (!met.touched()) return leave_ground();
         part = met.part;
         at += path * met.safe_fraction;
         if (const Ground under = ground_rules_.under(met, at); under.carries) {
+            move_.pushed += sideways(at - player_.position);
             player_.position = at;
             note(met, under);
             return stand_on(under.normal, met.part);

@@ -17,12 +17,13 @@
 namespace firma::reference {
 namespace {
 
-constexpr std::size_t kMaxPast = 8;  // worlds that may come back
-constexpr double kEveryEvent = 2;    // seconds between changes of the world, about
-constexpr double kEveryLife = 30;    // seconds after which the player begins elsewhere, about
-constexpr double kNear = 6;          // metres: changes are made around the player
-constexpr double kFreeWay = 0.1;     // metres
-constexpr double kFastest = 10;      // metres a second that are wished
+constexpr std::size_t kMaxPast = 8;    // worlds that may come back
+constexpr double kEveryEvent = 2;      // seconds between changes of the world, about
+constexpr double kEveryLife = 30;      // seconds after which the player begins elsewhere, about
+constexpr double kNear = 6;            // metres: changes are made around the player
+constexpr double kFreeWay = 0.1;       // metres
+constexpr double kMostPushed = 0.012;  // metres: eight slides that back off by the contact offset each, and four more
+constexpr double kFastest = 10;        // metres a second that are wished
 
 class PlayerGame {
 public:
@@ -162,13 +163,17 @@ private:
         const Vec3 way = player_.position - before.position - moved.pushed;
         const double far = std::hypot(way.x, way.y);
         verdict_.travelled += far;
-        const bool walked = before.on_ground && player_.on_ground && !moved.jumped;
+        // What is moved out of what came may have to come down again.
+        const bool walked = before.on_ground && player_.on_ground && !moved.jumped && !(moved.landed_speed > 0);
         double had = std::hypot(before.velocity.x, before.velocity.y);
         if (!walked) {  // slopes and ceilings turn what it rises and falls by sideways
             had = length(before.velocity) + (rules_.gravity + rules_.air_acceleration) / run_.rate;
             if (moved.jumped) had += rules_.jump_speed;
         }
         const double asked = std::max(std::hypot(wish_.velocity.x, wish_.velocity.y), had) / run_.rate;
+        const bool same_world = !before.stuck && before.world_hash == player_.world_hash;
+        if (same_world && length(moved.pushed) > kMostPushed)
+            fail("was pushed by " + std::to_string(length(moved.pushed)) + " m by nothing that came");
         if (far > asked * (1 + 1e-9) + 1e-9 + (moved.stepped ? 2 * world_.tolerance().contact_offset : 0))
             fail("went " + std::to_string(far) + " m sideways where " + std::to_string(asked) + " were asked");
     }
