@@ -36,7 +36,8 @@ public:
     std::string name() const override { return margin_ > 0 ? "Bullet, its margin" : "Bullet"; }
     std::string describe() const override {
         return name() + " " + std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100) +
-               ": btCompoundShape of spheres, btBvhTriangleMeshShape of margin " + std::to_string(margin_) + ", steps of 1/240 s, 10 iterations "
+               ": btCompoundShape of spheres, btBvhTriangleMeshShape of margin " + std::to_string(margin_) +
+               ", steps of 1/240 s, 10 iterations "
                "(the default), continuous collision detection from the radius of the thinnest sphere on";
     }
 

@@ -141,7 +141,8 @@ FIRMA_EXPORT BodyId add_body(Bodies& bodies, Body body);
 FIRMA_EXPORT void remove_body(Bodies& bodies, BodyId id);
 /// Wakes what sleeps with it, too. Does nothing for one that is not there.
 FIRMA_EXPORT void wake_body(Bodies& bodies, BodyId id);
-/// A push at a point: newton seconds, metres. Wakes it, and what sleeps with it. Does nothing for one that is not there.
+/// A push at a point: newton seconds, metres. Wakes it, and what sleeps with it. Does nothing for one that is not
+/// there.
 FIRMA_EXPORT void push_body(Bodies& bodies, BodyId id, const Vec3& impulse, const Vec3& point);
 
 struct StepOptions {
@@ -161,7 +162,7 @@ struct StepOptions {
 struct StepReport {
     std::size_t awake = 0;     ///< bodies that moved
     std::size_t contacts = 0;  ///< spheres near faces or each other, pressing or not
-    std::size_t swept = 0;     ///< bodies that may have gone through something, and were swept along their way
+    std::size_t swept = 0;     ///< bodies that moved far enough to pass something, swept along their way
     std::size_t bounces = 0;   ///< touches in these sweeps
     std::size_t woken = 0;     ///< sleepers that the step woke
     /// Bodies with a sphere whose centre is in solid, as that came where they were: filled in, put back, a level made

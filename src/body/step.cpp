@@ -39,8 +39,9 @@ bool lies_before(const BodyContact& a, const BodyContact& b) {
 bool are_usable(const StepOptions& options) {
     const auto is_length = [](double number) { return is_finite(number) && number >= 0 && number <= kLargestNumber; };
     return is_finite(options.gravity) && max_abs(options.gravity) <= kLargestNumber && options.substeps_a_second >= 1 &&
-           options.substeps_a_second <= kMaxSubsteps && options.max_bounces >= 0 && options.max_bounces <= kMaxBounces &&
-           is_length(options.contact_friction) && is_length(options.contact_offset);
+           options.substeps_a_second <= kMaxSubsteps && options.max_bounces >= 0 &&
+           options.max_bounces <= kMaxBounces && is_length(options.contact_friction) &&
+           is_length(options.contact_offset);
 }
 
 /// One step of so many seconds, no longer than kLongestStep.

@@ -52,7 +52,8 @@ bool is_in_part(const StepPart& part, const Body& body) {
     if (!is_met(part, body)) return false;
     bool found = false;
     each_sphere(body, pose_in(part, body), [&](const Sphere& sphere) {
-        return !(found = box_has(part.part.bounds(), sphere.centre) && is_in(part.part.world(), sphere.centre, body.mask));
+        return !(found =
+                     box_has(part.part.bounds(), sphere.centre) && is_in(part.part.world(), sphere.centre, body.mask));
     });
     return found;
 }
@@ -99,8 +100,7 @@ Vec3 free_way(const Body& body, const World& world, const Vec3& way, double skin
 
 }  // namespace
 
-void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& parts,
-                const std::vector<bool>& sound) {
+void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& parts, const std::vector<bool>& sound) {
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& body = bodies.slots[slot];
         if (!sound[slot]) continue;

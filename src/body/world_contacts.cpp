@@ -18,8 +18,8 @@
 namespace firma {
 namespace {
 
-/// Of one sphere with the level, or with a part: of more the nearest. So what a large sphere costs on a detailed mesh is
-/// no square of its faces.
+/// Of one sphere with the level, or with a part: of more the nearest. So what a large sphere costs on a detailed mesh
+/// is no square of its faces.
 constexpr std::size_t kMaxContacts = 256;
 
 /// Facets of one face, and polygons of one portal, by where they are touched and how.

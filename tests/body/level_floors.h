@@ -79,11 +79,13 @@ inline std::string name_of_blasted_level(const testing::TestParamInfo<int>& leve
 
 /// A flat part of a floor, with air above it.
 struct FloorPlace {
-    Vec3 at;             ///< its middle
-    Vec3 along;          ///< its long way: x or y
-    std::size_t faces;   ///< that it lies on
+    Vec3 at;            ///< its middle
+    Vec3 along;         ///< its long way: x or y
+    std::size_t faces;  ///< that it lies on
     friend bool operator<(const FloorPlace& a, const FloorPlace& b) {
-        const auto key = [](const FloorPlace& p) { return std::tuple(-long(p.faces), p.at.x, p.at.y, p.at.z, p.along.x); };
+        const auto key = [](const FloorPlace& p) {
+            return std::tuple(-long(p.faces), p.at.x, p.at.y, p.at.z, p.along.x);
+        };
         return key(a) < key(b);
     }
 };

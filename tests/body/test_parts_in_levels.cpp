@@ -158,8 +158,7 @@ TEST_P(PartsInLevels, ADoorThatPushesAndCrushesPutsNothingIntoTheLevel) {
             ride.tick();
             if (HasFatalFailure()) return;
         }
-        for (std::size_t k = 0; k < before.size(); ++k)
-            pushed += length(ride.bodies.slots[k].position - before[k]) > 1;
+        for (std::size_t k = 0; k < before.size(); ++k) pushed += length(ride.bodies.slots[k].position - before[k]) > 1;
         bodies += before.size();
     }
     EXPECT_GE(bodies, 4u);

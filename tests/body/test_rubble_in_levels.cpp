@@ -82,7 +82,8 @@ TEST_P(RubbleInLevels, APileWithAThousandTimesTheMassOnTopComesToRest) {
             const Chunk& chunk = *chunks[std::size_t(k) % chunks.size()];
             const double mass = std::pow(10.0, k);  // kilograms: 1, 10, 100, 1000
             double top = 0;
-            for (const Body& body : bodies.slots) top = std::max(top, body.position.z + body.shape.reach() - place.at.z);
+            for (const Body& body : bodies.slots)
+                top = std::max(top, body.position.z + body.shape.reach() - place.at.z);
             const Box box = chunk.solid.bounds();
             const double reach = length(box.high - box.low);
             const Result<Body> made = chunk_over(chunk, 40, place.at + Vec3{0, 0, top + reach + 0.05}, std::uint64_t(k),
@@ -115,15 +116,14 @@ TEST_P(RubbleInLevels, WakesWhenTheFloorIsCutAwayAndIsPutOutWhenThatIsUndone) {
     std::size_t woken = 0;
     for (const FloorPlace& place : places)
         for (std::size_t k = 0; k < 2; ++k) {
-            const Result<Body> made =
-                chunk_over(*chunks[k * (chunks.size() - 1)], 40, place.at + Vec3{0, 0, 1}, k);
+            const Result<Body> made = chunk_over(*chunks[k * (chunks.size() - 1)], 40, place.at + Vec3{0, 0, 1}, k);
             if (!made) continue;
             Bodies bodies;
             const BodyId id = add_body(bodies, made.value());
             ASSERT_LT(settle(bodies, world, 900), 900);
             const Vec3 rested = bodies.find(id)->position;
-            const CarveResult cut = carve(world, make_crater(CutterShape::kRocky, 3),
-                                          pose_at(rested.x, rested.y, place.at.z, 0.9));
+            const CarveResult cut =
+                carve(world, make_crater(CutterShape::kRocky, 3), pose_at(rested.x, rested.y, place.at.z, 0.9));
             ASSERT_TRUE(cut.done());
             if (reference::opens_way_out(world, cut.world)) continue;
             EXPECT_EQ(step(bodies, cut.world, kTick).woken, 1u);

@@ -20,8 +20,8 @@ public:
     explicit OddNumbers(std::uint64_t seed) : rng(seed) {}
 
     double number(double usual) {
-        static constexpr double kOdd[] = {0,     1,        -1,       1e-300,   5e-324,   1e9,     -1e30,  1e160,
-                                          1e300, 0x1p+200, 0x1p+199, 0x1p+28,  -0x1p+27, 8,       7.999,  1e308};
+        static constexpr double kOdd[] = {0,     1,        -1,       1e-300,  5e-324,   1e9, -1e30, 1e160,
+                                          1e300, 0x1p+200, 0x1p+199, 0x1p+28, -0x1p+27, 8,   7.999, 1e308};
         if (!rng.chance(0.08)) return usual;
         if (rng.chance(0.15)) return rng.chance(0.5) ? NAN : INFINITY;
         return kOdd[rng.below(std::uint32_t(std::size(kOdd)))];

@@ -242,8 +242,8 @@ TEST(PlayerInput, BadNumbersLeaveThePlayerAsItWas) {
 
 TEST(PlayerInput, WhateverIsGivenTheAnswerIsANumber) {
     const World world = course(map_text::box({2, -8, -1}, {3, 8, 4}, "rock"));
-    const double numbers[] = {0,      1,       -1,       1e-300,    1e30,    -1e100, 1e160,
-                              1e300,  -1e308,  NAN,      INFINITY,  0x1p+200, 0x1p+199, 5e-324};
+    const double numbers[] = {0,     1,      -1,  1e-300,   1e30,     -1e100,   1e160,
+                              1e300, -1e308, NAN, INFINITY, 0x1p+200, 0x1p+199, 5e-324};
     scenes::Rng rng(9);
     const auto number = [&](double usual) {
         return rng.chance(0.85) ? usual : numbers[rng.below(std::uint32_t(std::size(numbers)))];

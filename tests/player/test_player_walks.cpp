@@ -169,8 +169,8 @@ TEST_P(PlayerWalks, SlidesAlongAWallWithWhatIsLeft) {
     EXPECT_NEAR(walk.at().x, 2 - 0.3 - kOffset, 1e-5);
 }
 
-// Rapier's #627, with #418 and #611: characters got stuck at upright walls that they were walked against at an angle, and
-// came nearer than their offset.
+// Rapier's #627, with #418 and #611: characters got stuck at upright walls that they were walked against at an angle,
+// and came nearer than their offset.
 TEST_P(PlayerWalks, AgainstAWallAtAnyAngleItSlidesOnAndKeepsItsOffset) {
     for (int turned = 0; turned < 3; ++turned) {
         // The wall's way is no round number but for the first.
