@@ -82,7 +82,7 @@ struct PlayerWish {
     bool careful = false;  ///< it does not walk where the ground is more than PlayerRules::max_drop lower
 };
 
-/// How players move. What is not finite or below zero is refused.
+/// How players move. What is not finite, below zero or beyond 2^200 is refused.
 struct PlayerRules {
     double gravity = 9.81;                  ///< metres a second squared, against `up`
     double max_slope = 0.7853981633974483;  ///< radians: of faces that it walks on, judged by their normals
@@ -149,9 +149,10 @@ struct PlayerMove {
 /// the exterior of a world of several rooms, unless the player was there. Where there is none it is `stuck` and stays.
 ///
 /// @param seconds  0..1 of time; more is refused: divide it
-/// Parts go from fraction 0 to 1 of their motions first, in steps of at most a quarter of the radius: what the player
-/// stands on carries it, what comes pushes it. Then it moves as above, parts standing at fraction 1. Whoever steps or
-/// jumps off a part keeps its speed. Part k has to be the same one from tick to tick, as Player::ground_part names it.
+/// Parts go from fraction 0 to 1 of their motions first, in up to 64 steps of at most a quarter of the radius (what
+/// goes farther than 16 radii in a tick takes larger ones, and may pass a player): what the player stands on carries
+/// it, what comes pushes it. Then it moves as above, parts standing at fraction 1. Whoever steps or jumps off a part
+/// keeps its speed. Part k has to be the same one from tick to tick, as Player::ground_part names it.
 ///
 /// The same bits on every machine. Never allocates. Costs two to four casts on plain ground, some more at walls and
 /// steps; at most a few hundred where a way out is looked for.

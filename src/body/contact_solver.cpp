@@ -123,12 +123,17 @@ double ContactSolver::gap_now(const Row& row, const NearContact& contact) const 
     return contact.gap + dot(moved, contact.at.normal) - row.surface_moved;
 }
 
+/// While impulses are sought nothing moves.
+void ContactSolver::put_gaps() {
+    for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].gap = gap_now(rows_[k], contacts_[k]);
+}
+
 void ContactSolver::solve(bool soft) {
     const Softness softness(kOscillations, kDamping, seconds_);
     for (std::size_t k = 0; k < rows_.size(); ++k) {
         Row& row = rows_[k];
         const NearContact& contact = contacts_[k];
-        const double gap = gap_now(row, contact);
+        const double gap = row.gap;
         double bias = 0, mass_scale = 1, impulse_scale = 0;
         if (gap > 0) {
             bias = gap / seconds_;
@@ -227,6 +232,7 @@ void ContactSolver::substep() {
              row.normal * row.impulse + row.across[0] * row.across_impulse[0] + row.across[1] * row.across_impulse[1]);
         if (contacts_[k].rolling > 0) twist(contacts_[k], row.rolling);
     }
+    put_gaps();
     for (int k = 0; k < iterations_; ++k) solve(true);
     move();
     ++substeps_done_;
@@ -237,6 +243,7 @@ void ContactSolver::substep() {
         const Vec3 speed = speed_at(row, contacts_[k]);
         row.slip += (speed - row.normal * dot(speed, row.normal)) * seconds_;
     }
+    put_gaps();
     for (int k = 0; k < iterations_; ++k) solve(false);
 }
 

@@ -42,6 +42,7 @@ private:
         Vec3 rolling, slip;
         Vec3 surface, surface_spin;  ///< of the part that it lies on, in this substep
         double surface_moved = 0;    ///< along the normal since the step began
+        double gap = 0;              ///< as bodies lie now
         double max_normal = 0;
         double approach = 0;  ///< along the normal, before it first pressed
     };
@@ -57,6 +58,7 @@ private:
     void solve(bool soft);
     void move();
     void put_surfaces();
+    void put_gaps();
     double gap_now(const Row& row, const NearContact& contact) const;
 
     std::span<Mover> movers_, island_;

@@ -19,8 +19,13 @@ void each_sphere(const Body& body, const Pose& pose, const Visit& visit) {
         if (!visit(Sphere{pose.position + turn * sphere.centre, sphere.radius})) return;
 }
 
-bool is_in(const World& world, const Vec3& point) {
-    return locate(world.solid(), point) == Where::kSolid;
+/// Of what the body meets: by the nearest face.
+bool is_in(const World& world, const Vec3& point, std::uint32_t mask) {
+    if (locate(world.solid(), point) != Where::kSolid) return false;
+    if (mask == ~0u) return true;
+    const NearFace near = closest(world, point);
+    const std::optional<FaceInfo> face = near ? world.face_info(near.face) : std::nullopt;
+    return !face || (face->mask & mask);
 }
 
 /// Where a body is, in a part's frame.
@@ -47,7 +52,8 @@ bool is_in_part(const StepPart& part, const Body& body) {
     if (!is_met(part, body)) return false;
     bool found = false;
     each_sphere(body, pose_in(part, body), [&](const Sphere& sphere) {
-        return !(found = box_has(part.part.bounds(), sphere.centre) && is_in(part.part.world(), sphere.centre));
+        return !(found =
+                     box_has(part.part.bounds(), sphere.centre) && is_in(part.part.world(), sphere.centre, body.mask));
     });
     return found;
 }
@@ -57,8 +63,8 @@ Vec3 way_out(const Body& body, const Pose& pose, const World& world) {
     Vec3 way;
     double deepest = 0;
     each_sphere(body, pose, [&](const Sphere& sphere) {
-        if (!is_in(world, sphere.centre)) return true;
-        const NearFace near = closest(world, sphere.centre);
+        if (!is_in(world, sphere.centre, body.mask)) return true;
+        const NearFace near = closest(world, sphere.centre, kEverywhere, {.mask = body.mask});
         if (!near || near.distance + sphere.radius <= deepest) return true;
         deepest = near.distance + sphere.radius;
         const Vec3 to = near.point - sphere.centre;
@@ -94,10 +100,10 @@ Vec3 free_way(const Body& body, const World& world, const Vec3& way, double skin
 
 }  // namespace
 
-void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& parts) {
+void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& parts, const std::vector<bool>& sound) {
     for (std::uint32_t slot = 0; slot < bodies.slots.size(); ++slot) {
         Body& body = bodies.slots[slot];
-        if (!body.shape.valid()) continue;
+        if (!sound[slot]) continue;
         bool ask_parts = false;
         for (std::size_t k = 0; k < parts.size(); ++k)
             ask_parts = ask_parts || ((parts[k].changed || body.crushed) && is_met(parts[k], body));
@@ -105,7 +111,7 @@ void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& p
         bool stuck = false;
         if (all || body.stuck)
             each_sphere(body, pose_of(body),
-                        [&](const Sphere& sphere) { return !(stuck = is_in(world, sphere.centre)); });
+                        [&](const Sphere& sphere) { return !(stuck = is_in(world, sphere.centre, body.mask)); });
         for (std::size_t k = 0; k < parts.size() && !stuck; ++k) stuck = is_in_part(parts[k], body);
         if (stuck && body.asleep) wake_island(bodies, slot);
         body.stuck = stuck;

@@ -10,8 +10,9 @@
 namespace firma {
 
 /// Says of each body whether the centre of one of its spheres is in solid. Those that are wake up.
+/// @param sound  of slots: others are left out
 /// @param all  of all bodies; else of those that are stuck so far, and those where a part has changed
-void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& parts);
+void find_stuck(Bodies& bodies, const World& world, bool all, const StepParts& parts, const std::vector<bool>& sound);
 
 /// Moves a stuck body on its way out of what is nearest to getting rid of, at kWayOutSpeed at most.
 /// Out of a part no farther than it stays as clear of the world as it is.

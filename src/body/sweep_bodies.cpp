@@ -17,6 +17,9 @@ namespace {
 constexpr double kSlowShare = 0.5;
 /// What has met enough may be met by parts, and what these take along, so often again.
 constexpr int kMostCarries = 8;
+/// Radians: what turns farther in what is left of a step goes so far. Arcs are divided by angle, and a spin by numbers
+/// that make no sense would take hours.
+constexpr double kMaxTurn = 64;
 
 /// As far as any point of a set may go.
 double way_of(const RigidMotion& motion, double reach) {
@@ -36,12 +39,14 @@ RigidMotion motion_of(const Mover& mover) {
 }  // namespace
 
 BodySweep::BodySweep(const World& world, const StepParts& parts, Bodies& bodies, std::vector<Mover>& movers,
-                     std::vector<std::uint32_t>& movers_of_slots, const SweepRules& rules)
+                     std::vector<std::uint32_t>& movers_of_slots, const std::vector<bool>& sound,
+                     const SweepRules& rules)
     : world_(world),
       parts_(parts),
       bodies_(bodies),
       movers_(movers),
       movers_of_slots_(movers_of_slots),
+      sound_(sound),
       rules_(rules) {}
 
 void BodySweep::run() {
@@ -68,7 +73,7 @@ void BodySweep::start() {
     std::vector<BodyBall> balls;
     for (std::uint32_t slot = 0; slot < ways_.size(); ++slot) {
         const Body& body = bodies_.slots[slot];
-        if (!body.shape.valid() || body.stuck) continue;
+        if (!sound_[slot] || body.stuck) continue;
         Way& way = ways_[slot];
         way.is_there = true;
         const bool moves = movers_of_slots_[slot] != kFixed;
@@ -219,6 +224,7 @@ void BodySweep::go_on(std::uint32_t slot, double at, bool stops, std::uint32_t p
     } else if (!way.ended) {
         way.motion.path = mover.velocity * left;
         way.motion.turn = mover.spin * left;
+        if (const double angle = length(way.motion.turn); angle > kMaxTurn) way.motion.turn *= kMaxTurn / angle;
     }
     way.from = at;
     ++way.piece;

@@ -30,8 +30,9 @@ class BodySweep {
 public:
     /// @param movers           where the step would take them; a sleeper that is met joins them
     /// @param movers_of_slots  kFixed where no mover is
+    /// @param sound            of slots: others are met by nothing
     BodySweep(const World& world, const StepParts& parts, Bodies& bodies, std::vector<Mover>& movers,
-              std::vector<std::uint32_t>& movers_of_slots, const SweepRules& rules);
+              std::vector<std::uint32_t>& movers_of_slots, const std::vector<bool>& sound, const SweepRules& rules);
 
     void run();
 
@@ -61,10 +62,12 @@ private:
         std::uint32_t piece = 0, other_piece = 0;
         std::uint32_t part = kNoPart;  ///< where other is kFixed
         Vec3 point, normal;
-        /// The queue takes the greatest first.
+        /// The queue takes the greatest first. Of touches at one time the order is the same whatever the queue is made
+        /// of: those of parts come after that of the level.
         friend bool operator<(const Touching& a, const Touching& b) {
             if (a.at != b.at) return a.at > b.at;
-            return a.slot != b.slot ? a.slot > b.slot : a.other > b.other;
+            if (a.slot != b.slot) return a.slot > b.slot;
+            return a.other != b.other ? a.other > b.other : a.part + 1 > b.part + 1;
         }
     };
 
@@ -89,6 +92,7 @@ private:
     Bodies& bodies_;
     std::vector<Mover>& movers_;
     std::vector<std::uint32_t>& movers_of_slots_;
+    const std::vector<bool>& sound_;
     const SweepRules& rules_;
     std::vector<Way> ways_;  ///< of slots
     std::priority_queue<Touching> touches_;

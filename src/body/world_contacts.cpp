@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/sort.h"
 #include "body/body_tolerance.h"
@@ -16,6 +17,19 @@
 
 namespace firma {
 namespace {
+
+/// Of one sphere with the level, or with a part: of more the nearest. So what a large sphere costs on a detailed mesh
+/// is no square of its faces.
+constexpr std::size_t kMaxContacts = 256;
+
+/// Facets of one face, and polygons of one portal, by where they are touched and how.
+template <class Touch>
+bool touch_comes_before(const Touch& a, const Touch& b) {
+    const auto key = [](const Touch& of) {
+        return std::tuple(of.face.corner, of.point.x, of.point.y, of.point.z, of.normal.x, of.normal.y, of.normal.z);
+    };
+    return key(a) < key(b);
+}
 
 /// The facets near a ball, each shown once.
 template <class Show>
@@ -124,13 +138,16 @@ void WorldContacts::keep_apart(std::vector<NearContact>& found, const Mover& mov
     sort_range(touches_, [](const Touch& a, const Touch& b) {
         if (a.sphere != b.sphere) return a.sphere < b.sphere;
         if (a.gap != b.gap) return a.gap < b.gap;
-        return a.face.id != b.face.id ? a.face.id < b.face.id : a.portal < b.portal;
+        if (a.face.id != b.face.id) return a.face.id < b.face.id;
+        return a.portal != b.portal ? a.portal < b.portal : touch_comes_before(a, b);
     });
-    const std::size_t first = found.size();
+    std::size_t first = found.size();  // of the sphere's
     for (const Touch& touch : touches_) {
+        if (first < found.size() && found[first].at.sphere != touch.sphere) first = found.size();
+        if (found.size() - first == kMaxContacts) continue;
         // Behind the plane of a nearer contact of the sphere there is nothing that it could touch.
         const auto hides = [&](const NearContact& other) {
-            return other.at.sphere == touch.sphere && dot(touch.point - other.at.point, other.at.normal) < kInPlaneSlop;
+            return dot(touch.point - other.at.point, other.at.normal) < kInPlaneSlop;
         };
         if (std::any_of(found.begin() + std::ptrdiff_t(first), found.end(), hides)) continue;
         NearContact contact;

@@ -88,6 +88,7 @@ void give(Bodies& bodies, BodyId id, const BodyPush& push, double max_speed) {
     const Mover mover = make_mover(body, id.slot);
     const Vec3 velocity = push.impulse * mover.inverse_mass, spin = mover.inverse_inertia * push.twist;
     const double speed = length(velocity), turning = length(spin) * body.shape.reach();
+    if (!is_finite(speed) || !is_finite(turning)) return;  // pushes beyond all numbers
     body.velocity += velocity * (speed > max_speed ? max_speed / speed : 1);
     body.spin += spin * (turning > max_speed ? max_speed / turning : 1);
 }

@@ -13,6 +13,9 @@ constexpr double kPieceTurn = 0.5;
 /// With no more faces than this near its way a piece is not divided further.
 constexpr int kFewFaces = 8;
 constexpr int kMaxHalvings = 7;
+/// Steps of a cast: more are never needed but for numbers that make no sense, such as a capsule longer than the world.
+/// What is left then counts as met.
+constexpr std::int64_t kSpareSteps = 200'000, kStepsAFace = 64;
 /// Rounding, metres: of places up to kMaxPartReach away. Far below what kPartTouch leaves.
 constexpr double kPlaceRounding = 1e-6;
 
@@ -84,7 +87,9 @@ private:
         if (options_.counts) ++options_.counts->faces;
         const bool two_sided = face.two_sided || options_.sides == Sides::kBoth;
         const double until = first.found && first.time < to ? first.time : to;
-        const TurningTouch found = touch_turning(shape_, make_shape(face.corners), two_sided, from, until, bend);
+        steps_ += kStepsAFace;
+        const TurningTouch found =
+            touch_turning(shape_, make_shape(face.corners), two_sided, from, until, bend, steps_);
         if (!found.found) return;
         if (first.found && !(found.time < first.time || (found.time == first.time && face.id < which.id))) return;
         first = found;
@@ -94,6 +99,7 @@ private:
     const PartNow& part_;
     const TurningShape& shape_;
     const CastOptions& options_;
+    mutable std::int64_t steps_ = kSpareSteps;  ///< that may still be made
 };
 
 /// What a touch says in the world.

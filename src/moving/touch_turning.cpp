@@ -12,8 +12,6 @@ namespace {
 /// Metres from fraction 0 to 1: what comes nearer more slowly than this rests. A part of that is rounding.
 constexpr double kRestSpeed = 0x1p-30;
 constexpr double kSpeedRounding = 0x1p-47;
-/// More steps than this are never needed but for numbers that make no sense; what is left then counts as met.
-constexpr int kMaxSteps = 200'000;
 
 /// One face, and the shape at one time after the other.
 class FaceInTurn {
@@ -26,11 +24,12 @@ public:
           bend_(bend),
           touch_(touch_of(shape)) {}
 
-    TurningTouch first_touch(double from, double to) const {
+    /// @param steps  that may be made, made less by those that were
+    TurningTouch first_touch(double from, double to, std::int64_t& steps) const {
         Place now = place_at(from);
         bool left_alone = now.gap <= touch_;
         double lowest = now.gap - touch_ / 2;
-        for (int step = 0; step < kMaxSteps; ++step) {
+        for (; steps > 0; --steps) {
             double next;
             if (now.gap > touch_) {
                 left_alone = false;
@@ -171,8 +170,8 @@ private:
 }  // namespace
 
 TurningTouch touch_turning(const TurningShape& shape, const PolygonShape& face, bool two_sided, double from, double to,
-                           double bend) {
-    return FaceInTurn(shape, face, two_sided, bend).first_touch(from, to);
+                           double bend, std::int64_t& steps) {
+    return FaceInTurn(shape, face, two_sided, bend).first_touch(from, to, steps);
 }
 
 }  // namespace firma

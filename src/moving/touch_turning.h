@@ -13,6 +13,8 @@
 // separating directions); with the bound on bending no root needs to be searched for.
 #pragma once
 
+#include <cstdint>
+
 #include "firma/moving_parts.h"
 #include "geometry/polygon_shape.h"
 #include "moving/turning_shape.h"
@@ -35,8 +37,9 @@ struct TurningTouch {
 
 /// @param two_sided  met from behind as well
 /// @param bend       TurningShape::bend(from, to)
+/// @param steps      that may be made, made less by those that were: when none is left, it counts as met
 /// @return the first touch between two times, both included; what is in touch at `from` counts as left alone before
 TurningTouch touch_turning(const TurningShape& shape, const PolygonShape& face, bool two_sided, double from, double to,
-                           double bend);
+                           double bend, std::int64_t& steps);
 
 }  // namespace firma

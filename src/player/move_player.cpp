@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Players moved: what was given is judged, then one tick is made.
 #include "firma/players.h"
+
+#include "geometry/rounding.h"
 #include "moving/part_frame.h"
 #include "player/player_tick.h"
 #include "player/way_out.h"
@@ -9,14 +11,27 @@ namespace firma {
 namespace {
 
 constexpr double kMaxTick = 1;  // seconds
+/// A cosine: below that of any PlayerRules::max_slope.
+constexpr double kLeastRise = 0.01;
 /// Rounding, metres: a touch is no overlap.
 constexpr double kTouching = 1e-9;
+
+bool is_good(const Vec3& v) {
+    return is_finite(v) && max_abs(v) <= kLargestNumber;
+}
+
+/// A face that was walked on is no steeper than rules allow.
+bool is_good_ground(const Player& player, const Vec3& up) {
+    if (!player.on_ground) return is_finite(player.ground_normal);
+    return is_good(player.ground_normal) && length(player.ground_normal) < 2 &&
+           dot(player.ground_normal, up) > kLeastRise;
+}
 
 bool all_good(const PlayerRules& rules) {
     for (const double value : {rules.gravity, rules.max_slope, rules.step_height, rules.max_drop, rules.overhang,
                                rules.jump_speed, rules.ground_acceleration, rules.air_acceleration,
                                rules.crouched_speed, rules.max_push, rules.contact_offset})
-        if (!is_finite(value) || value < 0) return false;
+        if (!is_finite(value) || value < 0 || value > kLargestNumber) return false;
     return rules.max_slope < 1.5;
 }
 
@@ -27,10 +42,9 @@ PlayerMove move_player(const Scene& scene, const PlayerShape& shape, const Playe
     PlayerMove refused;
     refused.player = player;
     refused.valid = false;
-    if (!shape.valid() || !is_finite(player.position) || !is_finite(player.velocity) || !is_finite(wish.velocity))
+    if (!shape.valid() || !is_good(player.position) || !is_good(player.velocity) || !is_good(wish.velocity))
         return refused;
-    if (!is_finite(player.ground_normal) || (player.on_ground && !(dot(player.ground_normal, shape.up()) > 0)))
-        return refused;
+    if (!is_good(player.ground_velocity) || !is_good_ground(player, shape.up())) return refused;
     if (!is_finite(seconds) || seconds < 0 || seconds > kMaxTick || !all_good(rules)) return refused;
     for (const MovingPart& part : scene.parts)
         if (!is_usable_part(part)) return refused;

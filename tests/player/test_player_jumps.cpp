@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Players in the air and crouched: jumps, ceilings, gaps, low passages.
+#include <cmath>
+#include <iterator>
+
+#include "scenes/rng.h"
 #include "tests/player/player_walk.h"
 
 namespace firma::test {
@@ -234,6 +238,47 @@ TEST(PlayerInput, BadNumbersLeaveThePlayerAsItWas) {
     player.velocity = {1e30, 0, 0};
     const PlayerMove far = move_player(world, shape, player, {}, 0.01);
     EXPECT_TRUE(is_finite(far.player.position));
+}
+
+TEST(PlayerInput, WhateverIsGivenTheAnswerIsANumber) {
+    const World world = course(map_text::box({2, -8, -1}, {3, 8, 4}, "rock"));
+    const double numbers[] = {0,     1,      -1,  1e-300,   1e30,     -1e100,   1e160,
+                              1e300, -1e308, NAN, INFINITY, 0x1p+200, 0x1p+199, 5e-324};
+    scenes::Rng rng(9);
+    const auto number = [&](double usual) {
+        return rng.chance(0.85) ? usual : numbers[rng.below(std::uint32_t(std::size(numbers)))];
+    };
+    const auto vector = [&](const Vec3& usual) { return Vec3{number(usual.x), number(usual.y), number(usual.z)}; };
+    std::size_t moved = 0;
+    for (const PlayerShape& shape : player_shapes())
+        for (int k = 0; k < 20'000; ++k) {
+            Player player;
+            player.position = vector({rng.uniform(-1, 1.7), 0, rng.chance(0.5) ? kOffset : 0.5});
+            player.velocity = vector({rng.uniform(-5, 5), 0, 0});
+            player.on_ground = rng.chance(0.5);
+            player.ground_normal = vector({0, 0, 1});
+            player.ground_velocity = vector({});
+            player.world_hash = rng.chance(0.5) ? hash_world(world) : 0;
+            PlayerWish wish;
+            wish.velocity = vector({5, 1, 0});
+            wish.jump = rng.chance(0.2);
+            wish.careful = rng.chance(0.2);
+            PlayerRules rules;
+            rules.gravity = number(9.81);
+            rules.step_height = number(0.45);
+            rules.max_push = number(4);
+            rules.contact_offset = number(0);
+            rules.ground_acceleration = number(60);
+            rules.jump_speed = number(4.4);
+            rules.max_drop = number(0.6);
+            const PlayerMove move = move_player(world, shape, player, wish, number(1.0 / 60), rules);
+            if (!move.valid) continue;
+            ++moved;
+            for (const Vec3& v : {move.player.position, move.player.velocity, move.pushed, move.carried})
+                ASSERT_TRUE(is_finite(v)) << k;
+            ASSERT_TRUE(is_finite(move.player.ground_normal)) << k;
+        }
+    EXPECT_GT(moved, 1000u);
 }
 
 }  // namespace

@@ -93,6 +93,21 @@ TEST_P(PlayerParts, APlatformTakesItAlongAndItWalksOnThat) {
     EXPECT_EQ(ride.airborne, 0);
 }
 
+// Jolt's #1514: on a platform that goes down and sideways at once, users saw their character jitter sideways.
+TEST_P(PlayerParts, OnAPlatformThatGoesDownAndSidewaysItStandsStill) {
+    for (const Vec3& way : {Vec3{1, 0, -1}, {2, 1, -2}, {-1, 0, 1}, {0.25, 0, -8}, {6, -6, -0.5}}) {
+        Ride ride = Ride(course(""), slab({-2, -2, -0.5}, {2, 2, 0}), {0, 0, 12}, shape(), {0, 0, 12 + kOffset});
+        ride.ticks(30, {});
+        const Vec3 over = ride.at() - ride.part_at();
+        for (int k = 0; k < 60; ++k) {
+            ride.tick(way, {});
+            EXPECT_LT(length(ride.at() - ride.part_at() - over), 1e-6) << k;
+            EXPECT_EQ(ride.player.velocity, (Vec3{})) << k;
+        }
+        EXPECT_EQ(ride.airborne, 0) << way.z;
+    }
+}
+
 TEST_P(PlayerParts, WhoJumpsOffKeepsItsSpeed) {
     Ride ride = on_platform();
     ride.ticks(5, {5, 0, 0});

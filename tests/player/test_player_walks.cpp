@@ -169,6 +169,37 @@ TEST_P(PlayerWalks, SlidesAlongAWallWithWhatIsLeft) {
     EXPECT_NEAR(walk.at().x, 2 - 0.3 - kOffset, 1e-5);
 }
 
+// Rapier's #627, with #418 and #611: characters got stuck at upright walls that they were walked against at an angle,
+// and came nearer than their offset.
+TEST_P(PlayerWalks, AgainstAWallAtAnyAngleItSlidesOnAndKeepsItsOffset) {
+    for (int turned = 0; turned < 3; ++turned) {
+        // The wall's way is no round number but for the first.
+        const double lean = 0.37 * turned, size = std::sqrt(1 + lean * lean);
+        const Vec3 normal = Vec3{-1, lean, 0} * (1 / size), along{normal.y, -normal.x, 0};
+        const std::string wall = map_text::plane_brush(
+            {{normal, -2}, {normal * -1.0, 3}, {along, 28}, {along * -1.0, 28}, {{0, 0, 1}, 4}, {{0, 0, -1}, 1}},
+            "rock");
+        for (const double degrees : {0.01, 1.0, 7.0, 20.0, 45.0, 70.0, 89.0}) {
+            const double angle = degrees * 3.14159265358979 / 180;
+            const Vec3 wish = (along * std::cos(angle) - normal * std::sin(angle)) * 4;
+            Walk walk = this->walk(course(wall), normal * -1.0 + along * -8 + Vec3{0, 0, kOffset});
+            const bool is_box = GetParam() == 1;
+            const double reach = 0.3 * (is_box ? std::fabs(normal.x) + std::fabs(normal.y) : 1.0);
+            walk.go(normal * -4.0, 60);
+            walk.go(wish, 20);
+            for (int k = 0; k < 120; ++k) {
+                const double from = dot(walk.at(), along);
+                walk.go(wish, 1);
+                const double wished = 4 * std::cos(angle) / 60, gap = dot(walk.at(), normal) + 2 - reach;
+                EXPECT_NEAR(dot(walk.at(), along) - from, wished, 0.01 * wished) << degrees << ' ' << k;
+                // Less than the offset where it comes on by less than that in a tick, until it backs off; never none.
+                EXPECT_GT(gap, 0) << degrees << ' ' << k;
+                EXPECT_LT(gap, kOffset * 1.05) << degrees << ' ' << k;
+            }
+        }
+    }
+}
+
 TEST_P(PlayerWalks, IntoACornerItStopsStill) {
     Walk walk = this->walk(
         course(map_text::box({2, -8, -1}, {3, 8, 4}, "rock") + map_text::box({-8, 2, -1}, {2, 3, 4}, "rock")),
@@ -211,6 +242,7 @@ TEST_P(PlayerWalks, NoSeamBetweenFlatFacesHoldsIt) {
     EXPECT_NEAR(walk.at().z, 0.25 + kOffset, 1e-9);
 }
 
+// Jolt's #1860: jitter where a slope and a floor meet, over the crest here, and in the fold below.
 TEST_P(PlayerWalks, FromASlopeOntoAFloorWithoutJitter) {
     Walk walk = this->walk(course(ramp(2, 6, 2) + map_text::box({6, -4, -1}, {12, 4, 2}, "rock")), {5.8, 0, 2.5});
     walk.wait(60);
@@ -226,6 +258,33 @@ TEST_P(PlayerWalks, FromASlopeOntoAFloorWithoutJitter) {
     const Vec3 at = walk.at();
     walk.wait(120);
     EXPECT_LT(length(walk.at() - at), 1e-9);
+}
+
+TEST_P(PlayerWalks, WhereAFloorMeetsASlopeItGoesBothWaysWithoutJitter) {
+    for (const double speed : {0.2, 1.0, 4.0}) {
+        Walk walk = this->walk(course(ramp(2, 6, 2)), {1.2, 0, kOffset});
+        walk.wait(30);
+        for (const double way : {1.0, -1.0, 1.0, -1.0}) {
+            walk.airborne = 0;
+            const int ticks = int(1.6 / speed * 60);
+            double last = walk.at().z;
+            for (int k = 0; k < ticks; ++k) {
+                walk.go({way * speed, 0, 0}, 1);
+                // Up going there, down coming back, never the other way.
+                if (k > 10) {  // it has turned round by then
+                    EXPECT_GE((walk.at().z - last) * way, -1e-6) << speed << ' ' << way << ' ' << k;
+                }
+                last = walk.at().z;
+            }
+            EXPECT_EQ(walk.airborne, 0u) << speed;
+        }
+        // In the fold it stands still.
+        walk.go({1, 0, 0}, int((2 - walk.shape.radius() * 0.4 - walk.at().x) * 60));
+        walk.wait(20);
+        const Vec3 at = walk.at();
+        walk.wait(120);
+        EXPECT_LT(length(walk.at() - at), 1e-9);
+    }
 }
 
 TEST_P(PlayerWalks, OverTheEdgeOfALedgeItFalls) {

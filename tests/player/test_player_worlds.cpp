@@ -189,6 +189,7 @@ TEST_P(PlayerWorlds, AShutDoorHoldsItAndOneThatShutsOnItPutsItAside) {
     EXPECT_GE(std::fabs(walk.at().x), 0.3);
 }
 
+// PhysX's #400: a capsule stuck in small pits between the humps of a detailed mesh.
 TEST_P(PlayerWorlds, OverPitsAndHumpsOfADetailedMesh) {
     // Ground of small triangles, up and down by 12 cm every 20 cm, at random: steeper than can be walked.
     Level level = empty_level();
