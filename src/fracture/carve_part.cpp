@@ -53,7 +53,7 @@ private:
         const Result<World> alone = make_world(solid);
         if (!alone) return false;
         const auto sides = support_sides(MovingPart(alone.value(), part_.motion), options_.pieces.fraction);
-        return !touched_parts(level_, sides, options_.touch, kStopsSolid).empty();
+        return !touched_parts(level_, sides, options_.touch, options_.touch, kStopsSolid).empty();
     }
 
     std::vector<bool> held_pieces(const std::vector<Solid>& pieces, bool by_level) const {

@@ -52,12 +52,18 @@ double least_height(const std::vector<TouchedPart>& parts, double reach) {
     return lowest;
 }
 
+/// How far behind a side faces count: what is placed has as much room that way, what is put down or hangs has none.
+double behind(const Support& support, double offset) {
+    return support.thing.kind == SupportKind::kTouches ? support.reach : offset;
+}
+
 /// What holds it where it stands or hangs.
 void find_faces(const World& world, Support& support) {
     support.faces.clear();
     support.area = 0;
     const std::vector<SupportSide> sides = sides_of(support.thing, support.lowered);
-    for (const TouchedPart& part : touched_parts(world, sides, support.reach, support.thing.mask)) {
+    const double back = behind(support, world.tolerance().contact_offset);
+    for (const TouchedPart& part : touched_parts(world, sides, support.reach, back, support.thing.mask)) {
         support.faces.push_back({part.face, part.hash, part.area});
         support.area += part.area;
     }
@@ -81,7 +87,9 @@ Support support_of(const World& world, const SupportedThing& thing) {
     const double offset = world.tolerance().contact_offset;
     support.reach = thing.kind == SupportKind::kTouches ? std::max(offset, thing.reach) : offset;
     if (thing.kind != SupportKind::kTouches && thing.reach > offset) {
-        const double near = least_height(touched_parts(world, sides_of(thing, 0), thing.reach, thing.mask), thing.reach);
+        const std::vector<TouchedPart> around =
+            touched_parts(world, sides_of(thing, 0), thing.reach, offset, thing.mask);
+        const double near = least_height(around, thing.reach);
         if (near <= thing.reach && near > 0) {
             if (thing.kind == SupportKind::kStands)
                 support.lowered = near;
@@ -163,8 +171,10 @@ Result<Supports> find_supports(const World& world, const std::vector<SupportedTh
 }
 
 SupportDiff diff_supports(const Supports& before, const WorldDiff& diff, const World& after) {
+    const double offset = after.tolerance().contact_offset;
     return diff_where(before, after, [&](const Support& support) {
-        return share_a_point(box_of_sides(sides_of(support.thing, support.lowered), support.reach), diff.bounds);
+        const std::vector<SupportSide> sides = sides_of(support.thing, support.lowered);
+        return share_a_point(box_of_sides(sides, support.reach, behind(support, offset)), diff.bounds);
     });
 }
 

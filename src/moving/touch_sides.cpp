@@ -39,8 +39,9 @@ double area_of(const std::vector<Vec3>& polygon) {
 /// Seen from the first corner of a side, so that nothing is lost far from the origin.
 class SidePrism {
 public:
-    SidePrism(const SupportSide& side, double reach)
-        : side_(side), reach_(reach), behind_(std::max(side.depth, reach)), box_(box_of_sides({&side, 1}, reach)) {
+    SidePrism(const SupportSide& side, double reach, double behind)
+        : side_(side), reach_(reach), behind_(std::max(side.depth, behind)),
+          box_(box_of_sides({&side, 1}, reach, behind)) {
         const std::size_t count = side.corners.size();
         for (std::size_t k = 0; k < count; ++k) {
             const Vec3 edge = side.corners[k + 1 < count ? k + 1 : 0] - side.corners[k];
@@ -117,22 +118,22 @@ std::vector<SupportSide> sides_of_box(const Box& box) {
     return sides;
 }
 
-Box box_of_sides(std::span<const SupportSide> sides, double reach) {
+Box box_of_sides(std::span<const SupportSide> sides, double reach, double behind) {
     Box box;
     for (const SupportSide& side : sides)
         for (const Vec3& corner : side.corners) {
             box.add(corner + side.normal * reach);
-            box.add(corner - side.normal * std::max(side.depth, reach));
+            box.add(corner - side.normal * std::max(side.depth, behind));
         }
     return box;
 }
 
 std::vector<TouchedPart> touched_parts(const World& world, std::span<const SupportSide> sides, double reach,
-                                       std::uint32_t mask) {
+                                       double behind, std::uint32_t mask) {
     std::vector<TouchedPart> all;
     TouchedPart part;
     for (const SupportSide& side : sides) {
-        SidePrism prism(side, reach);
+        SidePrism prism(side, reach, behind);
         const std::size_t first = all.size();
         each_face(world, prism.box(), [&](const FaceView& face) {
             if ((face.mask & mask) != 0 && prism.clip_face(face, part)) {

@@ -23,11 +23,12 @@ struct TouchedPart {
 };
 
 /// What of the world's faces lies at sides, side by side, of each by id.
-/// @param reach  metres in front of a side
+/// @param reach   metres in front of a side
+/// @param behind  metres behind it, at least its depth
 std::vector<TouchedPart> touched_parts(const World& world, std::span<const SupportSide> sides, double reach,
-                                       std::uint32_t mask);
+                                       double behind, std::uint32_t mask);
 
 /// A box around all that touched_parts() may find.
-Box box_of_sides(std::span<const SupportSide> sides, double reach);
+Box box_of_sides(std::span<const SupportSide> sides, double reach, double behind);
 
 }  // namespace firma

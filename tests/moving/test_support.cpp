@@ -49,7 +49,8 @@ TEST(Support, ABoxOnTheGroundStandsOnItsFootprint) {
     EXPECT_NEAR(held.things[0].area, 2, 1e-9);
     EXPECT_TRUE(ground.face_info(held.things[0].faces[0].face));
     EXPECT_EQ(supports_of(ground, {thing_at({{0, 0, 0.5}, {2, 1, 1}})}).things[0].area, 0) << "half a metre above";
-    EXPECT_EQ(supports_of(ground, {thing_at({{0, 0, 0.5}, {2, 1, 1}}, SupportKind::kTouches, 0.5)}).things[0].area, 2);
+    EXPECT_NEAR(supports_of(ground, {thing_at({{0, 0, 0.5}, {2, 1, 1}}, SupportKind::kTouches, 0.5)}).things[0].area, 2,
+                1e-9);
     EXPECT_NEAR(supports_of(ground, {thing_at({{0, 0, -0.25}, {2, 1, 1}})}).things[0].area, 2, 1e-9) << "sunk in";
 }
 
@@ -136,6 +137,10 @@ TEST(Support, WhatStandsIsPutDownAndWhatHangsFindsTheNearest) {
     EXPECT_EQ(both.things[1].area, 0) << "both are farther than a metre";
     EXPECT_NEAR(both.things[2].lowered, 5, 1e-9);
     EXPECT_NEAR(both.things[2].area, 0.5, 1e-9);
+    // A floor above does not count, nor what is above it: it is put down on the one below.
+    const Supports between = supports_of(with_box(ground, {-4, -4, 4}, {8, 8, 5}),
+                                         {thing_at({{0, 0, 2}, {1, 1, 3}}, SupportKind::kStands, 100)});
+    EXPECT_NEAR(between.things[0].lowered, 2, 1e-9);
     // Without the shelf it lost its stand, although there is ground below.
     const World bare = without_box(covered, {19, -1, 1.5}, {23, 3, 3.5});
     const SupportDiff diff = diff_supports(both, diff_worlds(covered, bare), bare);
