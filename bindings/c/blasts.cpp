@@ -20,7 +20,8 @@ firma_code read_explode(const firma_explode_options* given, BlastOptions& option
     if (given && !sized(given)) return bad_call(function, kWrongSize);
     if (given) take_sized(given, whole);
     if (whole.max_pieces < 1 || whole.max_pieces > kMaxPieces || whole.max_spheres < 1 ||
-        whole.max_spheres > kMaxSpheres || !is_not_below_zero(whole.break_radius) || !is_not_below_zero(whole.min_volume))
+        whole.max_spheres > kMaxSpheres || !is_not_below_zero(whole.break_radius) ||
+        !is_not_below_zero(whole.min_volume))
         return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "an option is not finite or out of its range");
     options.max_broken = whole.max_broken;
     options.max_pieces = whole.max_pieces;
@@ -134,7 +135,8 @@ firma_code firma_exposure(firma_world world, const double from[3], const double*
             all.push_back({{spheres[4 * k], spheres[4 * k + 1], spheres[4 * k + 2]}, spheres[4 * k + 3]});
             good = good && is_finite(all[k].centre) && is_not_below_zero(all[k].radius);
         }
-        if (!good) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the point or a sphere is not finite or out of range");
+        if (!good)
+            return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "the point or a sphere is not finite or out of range");
         *seen = exposure(object->world, at, std::span<const Sphere>(all), mask);
         return FIRMA_OK;
     });

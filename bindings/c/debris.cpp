@@ -74,7 +74,8 @@ struct RulesThere {
         rules.max_to_ground = std::size_t(whole.max_to_ground);
         rules.min_to_ground = whole.min_to_ground;
         rules.max_overlap = whole.max_overlap;
-        if (const firma_code code = read_spheres(whole.keep_clear, whole.keep_clear_count, clear, function)) return code;
+        if (const firma_code code = read_spheres(whole.keep_clear, whole.keep_clear_count, clear, function))
+            return code;
         rules.keep_clear = clear;
         return FIRMA_OK;
     }
@@ -84,7 +85,8 @@ struct RulesThere {
 std::vector<DebrisFill> fills_of(const DebrisReport& report, const std::vector<std::uint32_t>& matters) {
     std::vector<DebrisFill> fills;
     for (std::size_t k = 0; k < report.fills.size(); ++k)
-        fills.push_back({report.fills[k].cutter, report.fills[k].pose, matter(report.world, matters[k]).inside.c_str()});
+        fills.push_back(
+            {report.fills[k].cutter, report.fills[k].pose, matter(report.world, matters[k]).inside.c_str()});
     return fills;
 }
 
@@ -143,8 +145,8 @@ firma_code firma_debris_add_chunk(firma_debris debris, firma_bodies bodies, firm
         const ChunksObject* const object = find<ChunksObject>(chunks.id, function);
         if (!object) return FIRMA_ERROR_BAD_HANDLE;
         if (chunk >= object->chunks.size()) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "there is no such chunk");
-        const Result<BodyId> added = there.change(
-            [&](Bodies& all, Debris& of) { return add_debris(all, of, object->chunks[chunk], chosen); });
+        const Result<BodyId> added =
+            there.change([&](Bodies& all, Debris& of) { return add_debris(all, of, object->chunks[chunk], chosen); });
         if (!added) return fail(added.error());
         *id = {added.value().slot, added.value().use};
         return FIRMA_OK;

@@ -33,7 +33,7 @@ struct DebrisObject final : Object {
     Debris debris;
     std::array<std::vector<BodyId>, kDebrisLists> named;  ///< by firma_debris_list
     std::vector<DebrisFill> fills;
-    World filled;          ///< keeps their materials' names
+    World filled;         ///< keeps their materials' names
     bool broken = false;  ///< memory ran out within a call that changed it
 
     void forget() {

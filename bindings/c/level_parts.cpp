@@ -14,8 +14,7 @@
 namespace firma::c {
 namespace {
 
-static_assert(FIRMA_BLOCKED_STOPS == int(WhenBlocked::kStops) &&
-              FIRMA_BLOCKED_RETURNS == int(WhenBlocked::kReturns) &&
+static_assert(FIRMA_BLOCKED_STOPS == int(WhenBlocked::kStops) && FIRMA_BLOCKED_RETURNS == int(WhenBlocked::kReturns) &&
               FIRMA_BLOCKED_CRUSHES == int(WhenBlocked::kCrushes));
 
 /// Where a part stands at time 0.
@@ -135,8 +134,8 @@ firma_code firma_parts_notes(firma_parts parts, uint32_t* entities, const char**
     });
 }
 
-firma_code firma_parts_portals(firma_parts parts, uint32_t index, firma_world level, uint32_t* portals,
-                               size_t capacity, size_t* count) {
+firma_code firma_parts_portals(firma_parts parts, uint32_t index, firma_world level, uint32_t* portals, size_t capacity,
+                               size_t* count) {
     return guarded(__func__, [&, function = __func__] {
         if (!count || (!portals && capacity)) return bad_call(function, kNull);
         PartThere there;

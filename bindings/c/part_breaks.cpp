@@ -29,8 +29,8 @@ firma_code read_breakable(const firma_breakable* given, Breakable& breakable, co
     take_sized(given, whole);
     if (whole.broken > 1 || whole.reserved != 0)
         return fail(FIRMA_ERROR_INVALID, function, "broken must be 0 or 1, reserved 0");
-    if (!is_finite(whole.health) || !is_not_below_zero(whole.whole) || !(whole.max_taken >= 0 && whole.max_taken <= 1) ||
-        !is_not_below_zero(whole.damage))
+    if (!is_finite(whole.health) || !is_not_below_zero(whole.whole) ||
+        !(whole.max_taken >= 0 && whole.max_taken <= 1) || !is_not_below_zero(whole.damage))
         return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "a number of the breakable is not finite or out of its range");
     breakable.health = whole.health;
     breakable.whole = whole.whole;
@@ -71,7 +71,8 @@ firma_code read_part_cut(const firma_part_cut_options* given, PartCutOptions& op
     firma_part_cut_options_defaults(&whole);
     take_sized(given, whole);
     if (whole.hold_largest > 1) return fail(FIRMA_ERROR_INVALID, function, "hold_largest must be 0 or 1");
-    if (!is_not_below_zero(whole.touch)) return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "touch is not finite, or negative");
+    if (!is_not_below_zero(whole.touch))
+        return fail(FIRMA_ERROR_OUT_OF_RANGE, function, "touch is not finite, or negative");
     options.hold = whole.hold_largest ? PartHold::kLargest : PartHold::kLevel;
     options.touch = whole.touch;
     if (whole.carve)

@@ -22,9 +22,9 @@ namespace firma {
 
 /// What a part bears, and what is left of that. A plain value.
 struct Breakable {
-    double health = 0;      ///< what is left, by its author's measure; not above 0: nothing hurts it
-    double whole = 0;       ///< cubic metres of its solid before anything was taken of it
-    double max_taken = 0.5; ///< of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never
+    double health = 0;       ///< what is left, by its author's measure; not above 0: nothing hurts it
+    double whole = 0;        ///< cubic metres of its solid before anything was taken of it
+    double max_taken = 0.5;  ///< of `whole`: what has lost a larger share breaks; 1: carving alone breaks it never
     /// Of all of it, in place of what its textures say: index into MatterTable::matters.
     std::optional<std::uint32_t> matter{};
     double damage = 0;    ///< of the explosion that it makes, by its author's measure: BrushPart::damage
@@ -62,9 +62,9 @@ struct BreakOptions {
 /// What a part broke into.
 struct BrokenPart {
     std::vector<BodyId> pieces;
-    std::size_t unfit = 0;  ///< of its solid's pieces, that could not be bodies: lost
-    std::size_t dust = 0;   ///< see Shattered
-    double dust_mass = 0;   ///< kilograms
+    std::size_t unfit = 0;         ///< of its solid's pieces, that could not be bodies: lost
+    std::size_t dust = 0;          ///< see Shattered
+    double dust_mass = 0;          ///< kilograms
     std::vector<PortalId> opened;  ///< those that it closed, ascending
     World level;                   ///< with these open; the same one where there are none
 };
@@ -100,17 +100,17 @@ struct PartCutOptions {
 /// What a cut did to a part.
 struct PartCut {
     CarveStatus status = CarveStatus::kRefused;
-    Error error;         ///< for kRefused
-    CarveReport report;  ///< of the cut; what came loose counts as chunks
+    Error error;                ///< for kRefused
+    CarveReport report;         ///< of the cut; what came loose counts as chunks
     std::vector<BodyId> loose;  ///< what the cut left that nothing holds: bodies, unbroken
     std::size_t unfit = 0;      ///< such pieces that could not be bodies: lost
-    /// What was left of the part broke, as more than Breakable::max_taken had gone; or all of it fell, as nothing
+    /// What was left of the part broke, as more than Breakable::max_taken was taken; or all of it fell, as nothing
     /// holds any of it.
     std::optional<BrokenPart> broken;
 };
 
 /// Carves a part where it stands (pose_in_part()). Where that leaves pieces that nothing holds, they leave the part
-/// exactly, and become bodies; where too much is gone, the rest breaks.
+/// exactly, and become bodies; where too much was taken, the rest breaks.
 /// @param pose       of the cutter, in the world
 /// @param breakable  may be null: then nothing breaks, but pieces fall
 /// @return kNothing and kRefused as carve(): then the part is as it was

@@ -4,8 +4,9 @@
  *
  * Handles. A world, level, cutter, job, edit, store, diff, faces, triangles, region meshes, chunks, matters, command,
  * log, replay, hull, parts, player shape, body shape, bodies, shot events, piercing, debris, supports or bytes is a
- * handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle that was released, never made,
- * or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice. Releasing 0 does nothing.
+ * handle: a struct with a number that is 0 for none. Whoever gets one releases it, each with its own function. A handle
+ * that was released, never made, or of another kind gives FIRMA_ERROR_BAD_HANDLE, always: numbers are never used twice.
+ * Releasing 0 does nothing.
  *
  * Errors. Every function that can fail returns a firma_code; then nothing was changed, and no output was written but
  * where a function says so. firma_error_message() tells the calling thread why its last call failed. Pointers that may
@@ -23,9 +24,9 @@
  * is served: what its struct lacks is taken as by default, or not given. All other structs stay as they are.
  *
  * Threads. Any thread may call anything; worlds and cutters never change and may be used by many at once. Jobs,
- * edits, logs, replays, parts, bodies, debris, piercings and shot events are for one thread at a time; parts and bodies that nobody
- * changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor may release
- * the world that it is shown.)
+ * edits, logs, replays, parts, bodies, debris, piercings and shot events are for one thread at a time; parts and bodies
+ * that nobody changes meanwhile for many. A handle must not be released while another thread is using it. (A visitor
+ * may release the world that it is shown.)
  *
  * Costs. Finding what a handle names, releasing 0, setting defaults and getting a view cost the same, however much the
  * handle holds, and take no memory. A call that gives a handle takes memory for it, and a short lock that all threads
@@ -1869,8 +1870,8 @@ typedef struct firma_debris_piece {
 /* FIRMA_ERROR_INVALID for a body that is not there, or is no debris; likewise below. */
 FIRMA_API firma_code firma_debris_get(firma_debris debris, firma_bodies bodies, firma_body_id id,
                                       firma_debris_piece* piece);
-/* Its solid as a world of one room, in the frame of the body's shape: to draw at firma_bodies_get_pose(). Materials have
- * no names there: their numbers are those of the world that it came from. Costs a look at each of its faces. */
+/* Its solid as a world of one room, in the frame of the body's shape: to draw at firma_bodies_get_pose(). Materials
+ * have no names there: their numbers are those of the world that it came from. Costs a look at each of its faces. */
 FIRMA_API firma_code firma_debris_world(firma_debris debris, firma_bodies bodies, firma_body_id id, firma_world* world);
 /* Takes the body out, too. */
 FIRMA_API firma_code firma_debris_remove(firma_debris debris, firma_bodies bodies, firma_body_id id);
@@ -1892,18 +1893,18 @@ FIRMA_API firma_code firma_debris_named(firma_debris debris, uint32_t list, firm
 typedef struct firma_shatter_options {
     uint32_t size;        /* sizeof(firma_shatter_options) */
     uint32_t max_spheres; /* of a piece, 1 to 4,096; 0: 12 */
-    firma_world world;    /* the world that it lies in, of the level that it came from: each piece is of the matter of its
-                             place there, its spheres keep clear of what is solid. 0: all are of the body's matter */
+    firma_world world; /* the world that it lies in, of the level that it came from: each piece is of the matter of its
+                          place there, its spheres keep clear of what is solid. 0: all are of the body's matter */
 } firma_shatter_options;
 
 typedef struct firma_shattered {
     uint32_t size; /* sizeof(firma_shattered) */
     uint32_t reserved;
-    uint64_t pieces;                /* FIRMA_DEBRIS_PIECES names them; the body itself where nothing divided it */
-    uint64_t dust;                  /* pieces too small to be bodies, or without room for a sphere, or buried */
-    uint64_t cracks, refused;       /* planes that divided something, and that could not be cut */
-    double dust_mass;               /* kilograms */
-    double dust_momentum[3];        /* newton seconds */
+    uint64_t pieces;                 /* FIRMA_DEBRIS_PIECES names them; the body itself where nothing divided it */
+    uint64_t dust;                   /* pieces too small to be bodies, or without room for a sphere, or buried */
+    uint64_t cracks, refused;        /* planes that divided something, and that could not be cut */
+    double dust_mass;                /* kilograms */
+    double dust_momentum[3];         /* newton seconds */
     double dust_angular_momentum[3]; /* newton metre seconds, about where the body's centre of mass was */
 } firma_shattered;
 
@@ -1915,16 +1916,16 @@ FIRMA_API firma_code firma_shatter(firma_debris debris, firma_bodies bodies, fir
 
 /* How much debris a game keeps. firma_debris_rules_defaults() sets all; a null pointer takes the same. */
 typedef struct firma_debris_rules {
-    uint32_t size;             /* sizeof(firma_debris_rules) */
-    uint32_t to_ground;        /* 1: sleepers become part of the world instead of going; 0 */
-    uint64_t max_bodies;       /* 256 */
-    uint64_t max_spheres;      /* of all debris together; 4,096 */
-    double max_age;            /* seconds: what is older goes, asleep or not; INFINITY: nothing for its age alone */
-    double max_asleep;         /* seconds; 20 */
-    uint64_t max_to_ground;    /* a call: each is an edit of the world; 1 */
-    double min_to_ground;      /* cubic metres: what is less goes; 0.01 */
-    double max_overlap;        /* metres: so deep another body may be in what becomes ground; 0.02 */
-    const double* keep_clear;  /* spheres in the world that stay clear, players say: x, y, z, radius each; may be null */
+    uint32_t size;            /* sizeof(firma_debris_rules) */
+    uint32_t to_ground;       /* 1: sleepers become part of the world instead of going; 0 */
+    uint64_t max_bodies;      /* 256 */
+    uint64_t max_spheres;     /* of all debris together; 4,096 */
+    double max_age;           /* seconds: what is older goes, asleep or not; INFINITY: nothing for its age alone */
+    double max_asleep;        /* seconds; 20 */
+    uint64_t max_to_ground;   /* a call: each is an edit of the world; 1 */
+    double min_to_ground;     /* cubic metres: what is less goes; 0.01 */
+    double max_overlap;       /* metres: so deep another body may be in what becomes ground; 0.02 */
+    const double* keep_clear; /* spheres in the world that stay clear, players say: x, y, z, radius each; may be null */
     size_t keep_clear_count;
 } firma_debris_rules;
 
@@ -1997,13 +1998,13 @@ FIRMA_API firma_code firma_blast_push(firma_world world, firma_bodies bodies, co
 
 /* A null pointer takes the defaults. */
 typedef struct firma_explode_options {
-    uint32_t size;        /* sizeof(firma_explode_options) */
-    uint32_t max_broken;  /* what broke so often does not break again; 3 */
-    uint32_t max_pieces;  /* that a body breaks into at most, 1 to 4,096; 12 */
-    uint32_t max_spheres; /* of a piece, and of what comes loose, 1 to 4,096; 12 */
-    double break_radius;  /* metres around the blast: what is seen in it breaks; 0: nothing does; 3 */
-    double min_volume;    /* cubic metres: pieces of less become dust; 0.001 */
-    uint64_t seed;        /* 1 */
+    uint32_t size;                    /* sizeof(firma_explode_options) */
+    uint32_t max_broken;              /* what broke so often does not break again; 3 */
+    uint32_t max_pieces;              /* that a body breaks into at most, 1 to 4,096; 12 */
+    uint32_t max_spheres;             /* of a piece, and of what comes loose, 1 to 4,096; 12 */
+    double break_radius;              /* metres around the blast: what is seen in it breaks; 0: nothing does; 3 */
+    double min_volume;                /* cubic metres: pieces of less become dust; 0.001 */
+    uint64_t seed;                    /* 1 */
     const firma_carve_options* carve; /* of the crater; null: the defaults, with `chunks` */
     firma_push_options push;
 } firma_explode_options;
@@ -2026,9 +2027,9 @@ typedef struct firma_explosion {
 /* A blast in one call: the crater; what comes loose becomes debris and breaks as its matter does; debris near it that
  * it sees breaks; then all bodies near it are pushed. A cutter of 0 carves nothing. Where the crater is refused all
  * else happens. `options` and `report` may be null. Errors of firma_carve() and firma_blast_push(). */
-FIRMA_API firma_code firma_explode(firma_world world, firma_debris debris, firma_bodies bodies, const firma_blast* blast,
-                                   firma_cutter crater, const firma_pose* pose, const firma_explode_options* options,
-                                   firma_world* after, firma_explosion* report);
+FIRMA_API firma_code firma_explode(firma_world world, firma_debris debris, firma_bodies bodies,
+                                   const firma_blast* blast, firma_cutter crater, const firma_pose* pose,
+                                   const firma_explode_options* options, firma_world* after, firma_explosion* report);
 
 /* ---- parts of levels -------------------------------------------------------------------------------------------- */
 
@@ -2036,8 +2037,8 @@ FIRMA_API firma_code firma_explode(firma_world world, firma_debris debris, firma
 typedef struct firma_part_stop {
     double position[3]; /* of the part's frame, metres */
     double angle;       /* radians about the path's axis */
-    double wait;        /* seconds that it stands here; INFINITY: it goes no further. At the first stop it comes first */
-    double seconds;     /* to the next stop, or from the last to the first; not above 0: it is there at once */
+    double wait;    /* seconds that it stands here; INFINITY: it goes no further. At the first stop it comes first */
+    double seconds; /* to the next stop, or from the last to the first; not above 0: it is there at once */
 } firma_part_stop;
 
 /* How a part moves by time: stops in turn, a swing, a spin. Pure data; no call changes it. */
@@ -2170,9 +2171,10 @@ FIRMA_API firma_code firma_parts_break(firma_parts parts, uint32_t index, firma_
 
 /* A null pointer takes the defaults. */
 typedef struct firma_part_cut_options {
-    uint32_t size;         /* sizeof(firma_part_cut_options) */
-    uint32_t hold_largest; /* 0: the level's faces hold what touches them; 1: the largest piece is held, by what moves it */
-    double touch;          /* metres within which a face holds; 1/32 */
+    uint32_t size; /* sizeof(firma_part_cut_options) */
+    uint32_t
+        hold_largest; /* 0: the level's faces hold what touches them; 1: the largest piece is held, by what moves it */
+    double touch;     /* metres within which a face holds; 1/32 */
     const firma_carve_options* carve; /* of the cut; null: the defaults */
     firma_break_options pieces;
 } firma_part_cut_options;
@@ -2186,13 +2188,13 @@ typedef struct firma_part_cut {
     uint64_t unfit;  /* such pieces that could be no bodies: lost */
     uint32_t broke;  /* 1: what was left broke or fell: FIRMA_DEBRIS_PIECES, and `rest` */
     uint32_t reserved;
-    double volume; /* cubic metres that the cutter took */
+    double volume;           /* cubic metres that the cutter took */
     firma_break_report rest; /* filled where its own `size` is set */
 } firma_part_cut;
 
-/* Carves a part where it stands. Pieces that nothing holds become bodies; where more than max_taken is gone, or nothing
- * holds any of it, the rest goes as by firma_parts_break(). `pose`: of the cutter, in the world. `breakable`, `options`
- * and `report` may be null. Errors of firma_carve(). */
+/* Carves a part where it stands. Pieces that nothing holds become bodies; where more than max_taken was taken, or
+ * nothing holds any of it, the rest goes as by firma_parts_break(). `pose`: of the cutter, in the world. `breakable`,
+ * `options` and `report` may be null. Errors of firma_carve(). */
 FIRMA_API firma_code firma_parts_carve(firma_parts parts, uint32_t index, firma_world level, firma_breakable* breakable,
                                        firma_cutter cutter, const firma_pose* pose, firma_debris debris,
                                        firma_bodies bodies, const firma_part_cut_options* options, firma_world* after,
@@ -2208,13 +2210,13 @@ typedef enum firma_support_kind {
 
 /* Something that faces may hold: docs/support.md. */
 typedef struct firma_supported {
-    uint32_t entity;    /* the caller's number for it */
-    uint32_t kind;      /* firma_support_kind */
-    double low[3];      /* a box, metres */
+    uint32_t entity; /* the caller's number for it */
+    uint32_t kind;   /* firma_support_kind */
+    double low[3];   /* a box, metres */
     double high[3];
-    double reach;       /* metres: from a side to what holds it; how far down; how far around */
-    uint32_t mask;      /* faces that share a bit hold; 0: those that stop walkers */
-    uint32_t reserved;  /* must be 0 */
+    double reach;      /* metres: from a side to what holds it; how far down; how far around */
+    uint32_t mask;     /* faces that share a bit hold; 0: those that stop walkers */
+    uint32_t reserved; /* must be 0 */
 } firma_supported;
 
 /* What holds things. FIRMA_ERROR_INVALID, with the thing's number, for one that is not finite or out of range. Costs
@@ -2251,17 +2253,17 @@ typedef enum firma_support_loss {
 } firma_support_loss;
 
 typedef struct firma_support_change {
-    uint32_t thing;  /* its number in the supports */
+    uint32_t thing; /* its number in the supports */
     uint32_t entity;
-    uint32_t loss;   /* firma_support_loss */
-    uint32_t buried; /* 1: its middle is in solid now: it was filled in */
-    uint64_t lost;   /* how many of the faces that held it went */
+    uint32_t loss;        /* firma_support_loss */
+    uint32_t buried;      /* 1: its middle is in solid now: it was filled in */
+    uint64_t lost;        /* how many of the faces that held it went */
     double before, after; /* square metres that hold it */
 } firma_support_change;
 
 /* The things whose supporting faces went or came between the world that `before` is of and another, by thing: `count`
  * gets how many, the first `capacity` are written. `after` gets the supports in that world, and may be null. `was`: the
- * world that `before` is of; with it only what is near the difference is looked at; 0: all is. */
+ * world that `before` is of; with it only what is near the difference is searched; 0: all is. */
 FIRMA_API firma_code firma_supports_diff(firma_supports before, firma_world was, firma_world world,
                                          firma_support_change* changes, size_t capacity, size_t* count,
                                          firma_supports* after);

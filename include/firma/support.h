@@ -67,7 +67,7 @@ struct Support {
 
 /// All that something holds or held in a world. Plain data: a snapshot of a game is a World and a copy of it.
 struct Supports {
-    std::vector<Support> things;    ///< as given
+    std::vector<Support> things;   ///< as given
     std::uint64_t world_hash = 0;  ///< hash_world() of the world that it is of
 };
 
@@ -91,9 +91,9 @@ struct SupportChange {
     std::size_t thing = 0;  ///< index into Supports::things
     std::uint32_t entity = 0;
     SupportLoss loss = SupportLoss::kNone;
-    std::vector<FaceRef> lost;      ///< of the world before, ascending by id
+    std::vector<FaceRef> lost;     ///< of the world before, ascending by id
     double before = 0, after = 0;  ///< square metres that hold it
-    bool buried = false;            ///< its middle is in solid now: it was filled in
+    bool buried = false;           ///< its middle is in solid now: it was filled in
 };
 
 /// What an edit did to things.
@@ -103,13 +103,13 @@ struct SupportDiff {
 };
 
 /// The things whose supporting faces went or came from one world to another, by an edit, a fill, an undo or a redo.
-/// Each is looked at where it stood or hung before: what would fall is not followed. A thing that nothing held is told,
+/// Each is searched where it stood or hung before: what would fall is not followed. A thing that nothing held is told,
 /// with kNone, when something does again.
 /// @param before  of the world before the change
 /// @param diff    diff_worlds() from that world to `after`
 /// Costs a look at each thing's box, and finding anew what holds those near what changed.
 [[nodiscard]] FIRMA_EXPORT SupportDiff diff_supports(const Supports& before, const WorldDiff& diff, const World& after);
-/// The same where the world before is not at hand: looks at all things anew, unless hash_world() is the same.
+/// The same where the world before is not at hand: finds anew what holds each, unless hash_world() is the same.
 [[nodiscard]] FIRMA_EXPORT SupportDiff diff_supports(const Supports& before, const World& after);
 
 /// The sides of a part where it is at a fraction of its motion: of each face of its solid one.

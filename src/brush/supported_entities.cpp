@@ -17,8 +17,8 @@ struct HeldClass {
     std::string_view begins;  ///< the class's name
     std::string_view ends;
     SupportKind kind;
-    Vec3 low, high;              ///< around its origin, units
-    double reach;                ///< units
+    Vec3 low, high;            ///< around its origin, units
+    double reach;              ///< units
     std::uint32_t floats = 0;  ///< a bit of `spawnflags`: it is held by nothing
 };
 

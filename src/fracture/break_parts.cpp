@@ -22,7 +22,7 @@ namespace {
 struct MatterWord {
     std::string_view word, matter;
 };
-constexpr MatterWord kMatterWords[] = {{"metal", "steel"}, {"stone", "rock"}, {"0", "glass"},    {"1", "wood"},
+constexpr MatterWord kMatterWords[] = {{"metal", "steel"}, {"stone", "rock"}, {"0", "glass"}, {"1", "wood"},
                                        {"2", "steel"},     {"4", "concrete"}, {"7", "glass"}, {"8", "rock"}};
 
 std::optional<std::uint32_t> named_matter(const World& world, std::string_view word) {
@@ -105,8 +105,7 @@ BrokenPart break_part(const World& level, MovingPart& part, Breakable* breakable
     if (!can_break(part, options)) return broken;
     open_portals(part, broken);
     const PartPieces pieces(level, part, options);
-    const std::uint32_t of =
-        breakable && breakable->matter ? *breakable->matter : matter_of_surface(part.world());
+    const std::uint32_t of = breakable && breakable->matter ? *breakable->matter : matter_of_surface(part.world());
     std::uint64_t number = 0;
     for (const Solid& solid : connected_pieces(part.world().solid())) {
         if (solid.rock_outside() || solid.face_count() == 0) continue;

@@ -24,7 +24,8 @@ double area_of(const Face& face) {
 std::uint32_t matter_of_surface(const World& world) {
     std::vector<double> areas(matters_of(world).matters.size());
     for (const Face& face : world.faces())
-        if (const std::optional<std::uint32_t> of = matter_of(world, face.ref()); of && face.solid && *of < areas.size())
+        if (const std::optional<std::uint32_t> of = matter_of(world, face.ref());
+            of && face.solid && *of < areas.size())
             areas[*of] += area_of(face);
     return std::uint32_t(std::max_element(areas.begin(), areas.end()) - areas.begin());
 }

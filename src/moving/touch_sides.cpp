@@ -40,7 +40,9 @@ double area_of(const std::vector<Vec3>& polygon) {
 class SidePrism {
 public:
     SidePrism(const SupportSide& side, double reach, double behind)
-        : side_(side), reach_(reach), behind_(std::max(side.depth, behind)),
+        : side_(side),
+          reach_(reach),
+          behind_(std::max(side.depth, behind)),
           box_(box_of_sides({&side, 1}, reach, behind)) {
         const std::size_t count = side.corners.size();
         for (std::size_t k = 0; k < count; ++k) {

@@ -15,7 +15,7 @@ std::vector<SupportSide> sides_of_box(const Box& box);
 
 /// A part of a face that lies at a side.
 struct TouchedPart {
-    std::uint64_t hash = 0;     ///< of the whole face
+    std::uint64_t hash = 0;  ///< of the whole face
     FaceRef face;
     std::vector<Vec3> corners;  ///< metres
     double area = 0;            ///< square metres

@@ -38,15 +38,16 @@ Supports supports_in(const BrushLevel& level) {
 }
 
 TEST(SupportedEntities, ClassesThatCount) {
-    const std::string door = "{\n\"classname\" \"func_door\"\n" + map_text::box({-40, -4, 0}, {40, 4, 100}, "door") + "}\n";
+    const std::string door =
+        "{\n\"classname\" \"func_door\"\n" + map_text::box({-40, -4, 0}, {40, 4, 100}, "door") + "}\n";
     const std::string shelf =
         "{\n\"classname\" \"func_breakable\"\n" + map_text::box({200, 100, 50}, {255, 140, 54}, "wood") + "}\n";
-    const Supports held = supports_in(hall(
-        entity("info_player_start", "0 100 60") + entity("item_health", "100 0 128") +
-        entity("weapon_railgun", "100 50 128", "\"spawnflags\" \"1\"\n") + entity("light", "-120 -120 240") +
-        entity("light", "0 0 128") + entity("target_position", "0 0 10") + entity("info_player_intermission", "0 0 40") +
-        entity("team_CTF_redflag", "-100 0 30") + entity("team_CTF_redplayer", "-100 50 30") + door + shelf +
-        "{\n\"classname\" \"item_armor\"\n}\n"));
+    const Supports held = supports_in(
+        hall(entity("info_player_start", "0 100 60") + entity("item_health", "100 0 128") +
+             entity("weapon_railgun", "100 50 128", "\"spawnflags\" \"1\"\n") + entity("light", "-120 -120 240") +
+             entity("light", "0 0 128") + entity("target_position", "0 0 10") +
+             entity("info_player_intermission", "0 0 40") + entity("team_CTF_redflag", "-100 0 30") +
+             entity("team_CTF_redplayer", "-100 50 30") + door + shelf + "{\n\"classname\" \"item_armor\"\n}\n"));
     const auto find = [&](std::uint32_t number) {
         const auto it = std::find_if(held.things.begin(), held.things.end(),
                                      [&](const Support& support) { return support.thing.entity == number; });

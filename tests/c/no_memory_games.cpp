@@ -271,9 +271,7 @@ TEST_F(GamesWithoutMemory, ProjectilesStayWhereTheyAre) {
     firma_shot_events events{77};
     EXPECT_GT(until_enough([&] { return firma_shot_events_create(&events); }, [&](long) { EXPECT_EQ(events.id, 77u); }),
               0);
-    const auto flown = [&] {
-        return firma_fly(shots, 3, world, firma_bodies{}, 1.0 / 60, nullptr, events, nullptr);
-    };
+    const auto flown = [&] { return firma_fly(shots, 3, world, firma_bodies{}, 1.0 / 60, nullptr, events, nullptr); };
     const auto unmoved = [&](long) {
         EXPECT_EQ(shots[0].position[2], 1);
         firma_shot_view view{};
@@ -288,9 +286,8 @@ TEST_F(GamesWithoutMemory, ProjectilesStayWhereTheyAre) {
 
 TEST_F(GamesWithoutMemory, PathsThroughSolid) {
     firma_piercing piercing{77};
-    EXPECT_GT(until_enough([&] { return firma_piercing_create(&piercing); },
-                           [&](long) { EXPECT_EQ(piercing.id, 77u); }),
-              0);
+    EXPECT_GT(
+        until_enough([&] { return firma_piercing_create(&piercing); }, [&](long) { EXPECT_EQ(piercing.id, 77u); }), 0);
     const double start[3] = {1, 1, 3}, path[3] = {0, 0, -20};
     std::uint32_t status = 99;
     const auto pierce = [&] { return firma_pierce(world, start, path, nullptr, piercing, &status); };
@@ -387,9 +384,10 @@ TEST_F(GamesWithoutMemory, PartsThatBreakAreUnchangedOrLost) {
             firma_code code = FIRMA_ERROR_INTERNAL;
             const std::size_t held = firma_live_handles();
             const bool out = firma::tests::runs_out(allocations, [&] {
-                code = carves ? firma_parts_carve(own, 0, world, nullptr, cutter, &high, both.debris, both.bodies, &cutting,
-                                                  &after, nullptr)
-                              : firma_parts_break(own, 0, world, nullptr, both.debris, both.bodies, &few, &after, nullptr);
+                code = carves
+                           ? firma_parts_carve(own, 0, world, nullptr, cutter, &high, both.debris, both.bodies,
+                                               &cutting, &after, nullptr)
+                           : firma_parts_break(own, 0, world, nullptr, both.debris, both.bodies, &few, &after, nullptr);
             });
             EXPECT_EQ(code, out ? FIRMA_ERROR_NO_MEMORY : FIRMA_OK) << allocations;
             EXPECT_EQ(firma_live_handles(), held + (out ? 0 : 1)) << allocations;

@@ -7,13 +7,13 @@
 
 /* A box brush of a .map, sides from low to high. */
 static size_t put_box(char* text, size_t room, const int low[3], const int high[3], const char* texture) {
-    return (size_t)snprintf(text, room,
-                            "{\n( %d 0 0 ) ( %d 1 0 ) ( %d 0 1 ) %s 0 0 0 1 1\n( %d 0 0 ) ( %d 0 1 ) ( %d 1 0 ) %s 0 0 0 1 1\n"
-                            "( 0 %d 0 ) ( 0 %d 1 ) ( 1 %d 0 ) %s 0 0 0 1 1\n( 0 %d 0 ) ( 1 %d 0 ) ( 0 %d 1 ) %s 0 0 0 1 1\n"
-                            "( 0 0 %d ) ( 1 0 %d ) ( 0 1 %d ) %s 0 0 0 1 1\n( 0 0 %d ) ( 0 1 %d ) ( 1 0 %d ) %s 0 0 0 1 1\n}\n",
-                            low[0], low[0], low[0], texture, high[0], high[0], high[0], texture, low[1], low[1], low[1],
-                            texture, high[1], high[1], high[1], texture, low[2], low[2], low[2], texture, high[2], high[2],
-                            high[2], texture);
+    return (size_t)snprintf(
+        text, room,
+        "{\n( %d 0 0 ) ( %d 1 0 ) ( %d 0 1 ) %s 0 0 0 1 1\n( %d 0 0 ) ( %d 0 1 ) ( %d 1 0 ) %s 0 0 0 1 1\n"
+        "( 0 %d 0 ) ( 0 %d 1 ) ( 1 %d 0 ) %s 0 0 0 1 1\n( 0 %d 0 ) ( 1 %d 0 ) ( 0 %d 1 ) %s 0 0 0 1 1\n"
+        "( 0 0 %d ) ( 1 0 %d ) ( 0 1 %d ) %s 0 0 0 1 1\n( 0 0 %d ) ( 0 1 %d ) ( 1 0 %d ) %s 0 0 0 1 1\n}\n",
+        low[0], low[0], low[0], texture, high[0], high[0], high[0], texture, low[1], low[1], low[1], texture, high[1],
+        high[1], high[1], texture, low[2], low[2], low[2], texture, high[2], high[2], high[2], texture);
 }
 
 /* A floor, a door that slides along y, and a crate of wood that stands; a unit is a metre. */
@@ -25,8 +25,9 @@ static firma_level make_level(void) {
     at += (size_t)snprintf(text + at, sizeof text - at,
                            "}\n{\n\"classname\" \"func_door\"\n\"angle\" \"90\"\n\"speed\" \"2\"\n\"lip\" \"1\"\n");
     at += put_box(text + at, sizeof text - at, (const int[]){4, 0, 0}, (const int[]){6, 1, 3}, "steel");
-    at += (size_t)snprintf(text + at, sizeof text - at,
-                           "}\n{\n\"classname\" \"func_breakable\"\n\"health\" \"40\"\n\"dmg\" \"7\"\n\"type\" \"wood\"\n");
+    at += (size_t)snprintf(
+        text + at, sizeof text - at,
+        "}\n{\n\"classname\" \"func_breakable\"\n\"health\" \"40\"\n\"dmg\" \"7\"\n\"type\" \"wood\"\n");
     at += put_box(text + at, sizeof text - at, (const int[]){-6, -1, 0}, (const int[]){-4, 1, 2}, "planks");
     at += (size_t)snprintf(text + at, sizeof text - at, "}\n{\n\"classname\" \"func_mystery\"\n");
     at += put_box(text + at, sizeof text - at, (const int[]){8, 8, 0}, (const int[]){9, 9, 1}, "rock");
@@ -233,8 +234,8 @@ static void test_breaks(firma_level level, firma_world world) {
     CHECK_FAILS(firma_parts_break(parts, 2, world, &foot, debris, bodies, NULL, &after, NULL), FIRMA_ERROR_INVALID,
                 "matter");
     foot.max_taken = 2;
-    CHECK_FAILS(firma_parts_break(parts, 2, world, &foot, debris, bodies, NULL, &after, NULL),
-                FIRMA_ERROR_OUT_OF_RANGE, "breakable");
+    CHECK_FAILS(firma_parts_break(parts, 2, world, &foot, debris, bodies, NULL, &after, NULL), FIRMA_ERROR_OUT_OF_RANGE,
+                "breakable");
     CHECK_FAILS(firma_breakable_hurt(&crate, NAN, &breaks), FIRMA_ERROR_OUT_OF_RANGE, "damage");
     CHECK_FAILS(firma_breakable_hurt(&crate, 1, NULL), FIRMA_ERROR_BAD_CALL, "null");
     CHECK_FAILS(firma_parts_break(parts, 9, world, NULL, debris, bodies, NULL, &after, NULL), FIRMA_ERROR_OUT_OF_RANGE,

@@ -57,9 +57,8 @@ std::string key(const std::string& name, const std::string& value) {
 }
 
 BrushPart part_of(const std::string& classname, const std::string& keys) {
-    const std::string text = map_text::world(map_text::box({-9, -9, -2}, {9, 9, 0}, "floor")) +
-                             "{\n\"classname\" \"" + classname + "\"\n" + keys +
-                             map_text::box({4, 0, 0}, {6, 1, 3}, "planks") + "}\n";
+    const std::string text = map_text::world(map_text::box({-9, -9, -2}, {9, 9, 0}, "floor")) + "{\n\"classname\" \"" +
+                             classname + "\"\n" + keys + map_text::box({4, 0, 0}, {6, 1, 3}, "planks") + "}\n";
     return make_brush_parts(read_map(text, "test.map", {.scale = 1}).value()).value().parts.at(0);
 }
 
@@ -106,8 +105,8 @@ TEST(BreakParts, PiecesAreThePart) {
     crate.motion.rotation = turn_by({0, 0, 0.5});
     Breakable breakable{.health = 10};
     const World before = crate.world();
-    const BrokenPart broken = break_part(game.level, crate, &breakable, game.bodies, game.debris,
-                                         {.impact = Vec3{3, 3, 1}, .min_volume = 0});
+    const BrokenPart broken =
+        break_part(game.level, crate, &breakable, game.bodies, game.debris, {.impact = Vec3{3, 3, 1}, .min_volume = 0});
     EXPECT_GT(broken.pieces.size(), 4u);
     EXPECT_EQ(broken.unfit, 0u);
     EXPECT_TRUE(breakable.broken);
@@ -136,7 +135,8 @@ TEST(BreakParts, PiecesAreThePart) {
     const BlastResult blast = explode(game.level, game.bodies, game.debris, {.at = {3, 4, 0.5}}, Cutter{}, {},
                                       {.break_radius = 9, .min_volume = 0});
     EXPECT_GT(blast.pieces.size(), broken.pieces.size());
-    for (const BodyId id : blast.pieces) EXPECT_EQ(matter(before, game.debris.find(game.bodies, id)->matter).name, "wood");
+    for (const BodyId id : blast.pieces)
+        EXPECT_EQ(matter(before, game.debris.find(game.bodies, id)->matter).name, "wood");
 }
 
 TEST(BreakParts, AMatterThatItsAuthorNamesAndMotion) {
@@ -193,7 +193,8 @@ TEST(BreakParts, ADoorsPortalOpens) {
         const PortalInfo info = portal_info(game.level, {k}).value();
         const Vec3 size = info.bounds.high - info.bounds.low;
         if (info.polygons == 0 || std::min({size.x, size.y, size.z}) > 0.01) continue;
-        const Vec3 middle = (info.bounds.low + info.bounds.high) * 0.5, half = size * 0.5 + Vec3{0.0625, 0.0625, 0.0625};
+        const Vec3 middle = (info.bounds.low + info.bounds.high) * 0.5,
+                   half = size * 0.5 + Vec3{0.0625, 0.0625, 0.0625};
         door = box_part(-half, half, "wood");
         door.motion.position = middle;
         const std::vector<PortalId> closes = portals_closed_by(game.level, door);
@@ -212,8 +213,8 @@ TEST(BreakParts, ADoorsPortalOpens) {
 TEST(BreakParts, ACutDividesAWallAndWhatNothingHoldsFalls) {
     Game game;
     MovingPart wall = box_part({-2, -0.25, 0}, {2, 0.25, 4}, "brick");
-    const PartCut cut = carve_part(game.level, wall, nullptr, box_cutter({-3, -1, 1}, {3, 1, 1.5}), {}, game.bodies,
-                                   game.debris);
+    const PartCut cut =
+        carve_part(game.level, wall, nullptr, box_cutter({-3, -1, 1}, {3, 1, 1.5}), {}, game.bodies, game.debris);
     ASSERT_EQ(cut.status, CarveStatus::kDone);
     EXPECT_FALSE(cut.broken);
     ASSERT_EQ(cut.loose.size(), 1u);
@@ -228,8 +229,8 @@ TEST(BreakParts, ACutDividesAWallAndWhatNothingHoldsFalls) {
     for (int k = 0; k < 30; ++k) step(game.bodies, Scene{game.level, {&wall, 1}}, 1.0 / 60);
     EXPECT_NEAR(game.bodies.find(cut.loose[0])->position.z, 2.25, 0.1);
     // A second cut of the same place does nothing.
-    const PartCut again = carve_part(game.level, wall, nullptr, box_cutter({-3, -1, 1}, {3, 1, 1.5}), {}, game.bodies,
-                                     game.debris);
+    const PartCut again =
+        carve_part(game.level, wall, nullptr, box_cutter({-3, -1, 1}, {3, 1, 1.5}), {}, game.bodies, game.debris);
     EXPECT_EQ(again.status, CarveStatus::kNothing);
 }
 
@@ -239,18 +240,18 @@ TEST(BreakParts, EachPieceIsHeldByWhatItTouches) {
     MovingPart arch(test::brush_world(map_text::box({-3, -0.5, 0}, {-2, 0.5, 3}, "concrete") +
                                       map_text::box({2, -0.5, 0}, {3, 0.5, 3}, "concrete") +
                                       map_text::box({-3, -0.5, 3}, {3, 0.5, 4}, "concrete")));
-    const PartCut middle = carve_part(game.level, arch, nullptr, box_cutter({-0.5, -1, 2.5}, {0.5, 1, 5}), {},
-                                      game.bodies, game.debris);
+    const PartCut middle =
+        carve_part(game.level, arch, nullptr, box_cutter({-0.5, -1, 2.5}, {0.5, 1, 5}), {}, game.bodies, game.debris);
     ASSERT_EQ(middle.status, CarveStatus::kDone);
     EXPECT_TRUE(middle.loose.empty());
     EXPECT_NEAR(volume_of(arch), 11, 1e-9);
-    const PartCut foot = carve_part(game.level, arch, nullptr, box_cutter({1.5, -1, -1}, {3.5, 1, 1}), {}, game.bodies,
-                                    game.debris);
+    const PartCut foot =
+        carve_part(game.level, arch, nullptr, box_cutter({1.5, -1, -1}, {3.5, 1, 1}), {}, game.bodies, game.debris);
     ASSERT_EQ(foot.loose.size(), 1u);
     EXPECT_NEAR(game.volume(foot.loose), 4.5, 1e-9);
     EXPECT_NEAR(volume_of(arch), 5.5, 1e-9);
-    const PartCut other = carve_part(game.level, arch, nullptr, box_cutter({-3.5, -1, -1}, {-1.5, 1, 1}), {},
-                                     game.bodies, game.debris);
+    const PartCut other =
+        carve_part(game.level, arch, nullptr, box_cutter({-3.5, -1, -1}, {-1.5, 1, 1}), {}, game.bodies, game.debris);
     ASSERT_TRUE(other.broken) << "nothing holds any of it: it falls, unbroken";
     EXPECT_EQ(other.broken->pieces.size(), 1u);
     EXPECT_NEAR(game.volume(other.broken->pieces), 4.5, 1e-9);

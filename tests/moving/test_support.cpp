@@ -56,8 +56,7 @@ TEST(Support, ABoxOnTheGroundStandsOnItsFootprint) {
 
 TEST(Support, AnEditTellsHowMuchItTook) {
     const World ground = test::ground();
-    const Supports held = supports_of(
-        ground, {thing_at({{0, 0, 0}, {2, 1, 1}}), thing_at({{50, 0, 0}, {51, 1, 1}})});
+    const Supports held = supports_of(ground, {thing_at({{0, 0, 0}, {2, 1, 1}}), thing_at({{50, 0, 0}, {51, 1, 1}})});
     // Far from both on the same face: other faces are in its place, and hold as much.
     const World far = without_box(ground, {20, 0, -1}, {21, 1, 1});
     SupportDiff diff = diff_supports(held, diff_worlds(ground, far), far);
@@ -68,7 +67,8 @@ TEST(Support, AnEditTellsHowMuchItTook) {
     // Half of it.
     const World half = without_box(far, {1, -1, -1}, {3, 3, 1});
     const SupportDiff less = diff_supports(diff.after, diff_worlds(far, half), half);
-    const auto first = std::find_if(less.changes.begin(), less.changes.end(), [](const auto& it) { return it.thing == 0; });
+    const auto first =
+        std::find_if(less.changes.begin(), less.changes.end(), [](const auto& it) { return it.thing == 0; });
     ASSERT_NE(first, less.changes.end());
     EXPECT_EQ(first->loss, SupportLoss::kSome);
     EXPECT_EQ(first->entity, 7u);
@@ -79,7 +79,8 @@ TEST(Support, AnEditTellsHowMuchItTook) {
     // All of it: the walls of the pit do not hold.
     const World none = without_box(half, {-1, -1, -1}, {3, 3, 1});
     const SupportDiff all = diff_supports(less.after, diff_worlds(half, none), none);
-    const auto gone = std::find_if(all.changes.begin(), all.changes.end(), [](const auto& it) { return it.thing == 0; });
+    const auto gone =
+        std::find_if(all.changes.begin(), all.changes.end(), [](const auto& it) { return it.thing == 0; });
     ASSERT_NE(gone, all.changes.end());
     EXPECT_EQ(gone->loss, SupportLoss::kAll);
     EXPECT_EQ(gone->after, 0);
@@ -193,8 +194,8 @@ std::vector<SupportedThing> scattered(const World& world, scenes::Rng& rng, std:
         Vec3 middle;
         for (const Vec3& corner : face.corners) middle += corner * (1.0 / double(face.corners.size()));
         const Vec3 half{rng.uniform(0.1, 0.5), rng.uniform(0.1, 0.5), rng.uniform(0.1, 0.5)};
-        const double out = std::fabs(face.normal.x) * half.x + std::fabs(face.normal.y) * half.y +
-                           std::fabs(face.normal.z) * half.z;
+        const double out =
+            std::fabs(face.normal.x) * half.x + std::fabs(face.normal.y) * half.y + std::fabs(face.normal.z) * half.z;
         middle += face.normal * out;
         const auto kind = SupportKind(rng.below(3));
         things.push_back(thing_at({middle - half, middle + half}, kind, kind == SupportKind::kTouches ? 0 : 2));
@@ -220,12 +221,10 @@ TEST(Support, NearAChangeAsEverywhereInTheDepot) {
     EXPECT_GT(with, 200u);
     const scenes::CutPlaces places = scenes::cut_places(world);
     for (std::uint64_t index = 0; index < 12; ++index)
-        for (const scenes::CutOrder& order :
-             scenes::level_cuts(places, scenes::LevelCuts::kSpread, 11, index)) {
+        for (const scenes::CutOrder& order : scenes::level_cuts(places, scenes::LevelCuts::kSpread, 11, index)) {
             Pose pose = order.pose;
             pose.scale *= 3;
-            const CarveResult cut =
-                index % 4 == 3 ? fill(world, order.cutter, pose) : carve(world, order.cutter, pose);
+            const CarveResult cut = index % 4 == 3 ? fill(world, order.cutter, pose) : carve(world, order.cutter, pose);
             if (!cut.done()) continue;
             const WorldDiff diff = diff_worlds(world, cut.world);
             const SupportDiff near = diff_supports(held, diff, cut.world), all = diff_supports(held, cut.world);
