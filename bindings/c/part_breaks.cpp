@@ -61,6 +61,8 @@ firma_code read_break(const firma_break_options* given, BreakOptions& options, c
     options.seconds = whole.seconds;
     options.min_volume = whole.min_volume;
     options.seed = whole.seed;
+    if (whole.portal_count && !whole.portals) return bad_call(function, "a count without its array");
+    for (std::size_t k = 0; k < whole.portal_count; ++k) options.portals.push_back({whole.portals[k]});
     return FIRMA_OK;
 }
 

@@ -52,6 +52,8 @@ struct BreakOptions {
     /// That its motion takes from fraction 0 to 1: pieces go on as it went there. 0: they begin at rest.
     double seconds = 0;
     std::optional<Vec3> impact{};  ///< in the world, metres: pieces are smallest there
+    /// Opened as well: those that it closed when it was whole. With a hole in it it covers none (portals_closed_by()).
+    std::vector<PortalId> portals{};
     bool unbroken = false;         ///< it falls as it is: a body for each of its connected_pieces()
     std::size_t max_pieces = 12;   ///< of each of these, at most; where they become dust: FractureOptions
     double min_volume = 0.001;
@@ -70,13 +72,13 @@ struct BrokenPart {
 };
 
 /// Breaks a part: its pieces become debris where it stands, and it goes. It keeps its place in Scene::parts, without a
-/// face: nothing meets it any more, what slept on it wakes in the next step. The portals that it closed where its
-/// motion begins (portals_closed_by()) are opened.
+/// face: nothing meets it any more, what slept on it wakes in the next step. The portals that it closes where its
+/// motion begins (portals_closed_by()) are opened, and those of BreakOptions::portals.
 ///
 /// Pieces are of the part's matters, by the part's world, or by `breakable`; they weigh as if all were of the matter
 /// that most of its surface is of. Their spheres keep clear of the level.
 /// @param breakable  becomes broken; may be null
-/// @return no pieces for a part without solid, or whose motion cannot be used: all is as it was
+/// @return no pieces for a part without solid; for one whose motion cannot be used all is as it was
 /// The same on every machine. Costs shatter() of each piece of its solid.
 FIRMA_EXPORT BrokenPart break_part(const World& level, MovingPart& part, Breakable* breakable, Bodies& bodies,
                                    Debris& debris, const BreakOptions& options = {});

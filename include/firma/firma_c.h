@@ -2148,6 +2148,8 @@ typedef struct firma_break_options {
     double seconds;       /* that its motion takes: pieces go on as it went; 0: they begin at rest */
     double min_volume;    /* cubic metres: pieces of less become dust; 0.001 */
     uint64_t seed;        /* 1 */
+    const uint32_t* portals; /* opened as well as those that it covers: that it closed when it was whole; may be null */
+    size_t portal_count;
 } firma_break_options;
 
 FIRMA_API void firma_break_options_defaults(firma_break_options* options);

@@ -36,7 +36,7 @@ std::optional<std::uint32_t> named_matter(const World& world, std::string_view w
 constexpr double kBefore = 1.0 / 64;
 
 bool can_break(const MovingPart& part, const BreakOptions& options) {
-    return is_usable_part(part) && options.fraction >= 0 && options.fraction <= 1 && part.world().face_count() > 0;
+    return is_usable_part(part) && options.fraction >= 0 && options.fraction <= 1;
 }
 
 void shatter_piece(const World& level, const MovingPart& part, const Breakable* breakable, Bodies& bodies,
@@ -62,11 +62,15 @@ void shatter_piece(const World& level, const MovingPart& part, const Breakable* 
     broken.dust_mass += pieces.value().dust_mass;
 }
 
-void open_portals(const MovingPart& part, BrokenPart& broken) {
-    for (const PortalId portal : portals_closed_by(broken.level, part)) {
-        if (portal_info(broken.level, portal)->open) continue;
+void open_portals(const MovingPart& part, const BreakOptions& options, BrokenPart& broken) {
+    std::vector<PortalId> portals = portals_closed_by(broken.level, part);
+    portals.insert(portals.end(), options.portals.begin(), options.portals.end());
+    std::sort(portals.begin(), portals.end());
+    for (const PortalId portal : portals) {
+        const std::optional<PortalInfo> info = portal_info(broken.level, portal);
+        if (!info || info->open) continue;
         broken.level = *set_portal_open(broken.level, portal, true);
-        broken.opened.push_back(portal);
+        if (portal_info(broken.level, portal)->open) broken.opened.push_back(portal);
     }
 }
 
@@ -103,7 +107,7 @@ BrokenPart break_part(const World& level, MovingPart& part, Breakable* breakable
     BrokenPart broken;
     broken.level = level;
     if (!can_break(part, options)) return broken;
-    open_portals(part, broken);
+    open_portals(part, options, broken);
     const PartPieces pieces(level, part, options);
     const std::uint32_t of = breakable && breakable->matter ? *breakable->matter : matter_of_surface(part.world());
     std::uint64_t number = 0;

@@ -26,19 +26,21 @@ public:
         CarveResult whole = carve(before, cutter, seen, alone);
         take(whole);
         if (!whole.done()) return std::move(result_);
+        // Those that it closed before: with a hole in it it covers none.
+        BreakOptions breaks = options_.pieces;
+        for (const PortalId portal : portals_closed_by(level_, part_)) breaks.portals.push_back(portal);
         part_.set_world(whole.world);
         const std::vector<Solid> pieces = connected_pieces(whole.world.solid());
         const std::vector<bool> held = held_pieces(pieces, was_held);
         const auto count = std::size_t(std::count(held.begin(), held.end(), true));
         if (count == 0) {
-            BreakOptions falls = options_.pieces;
-            falls.unbroken = true;
-            result_.broken = break_part(level_, part_, breakable, bodies, debris, falls);
+            breaks.unbroken = true;
+            result_.broken = break_part(level_, part_, breakable, bodies, debris, breaks);
         } else if (count < pieces.size()) {
             drop(before, cutter, seen, pieces, held, bodies, debris);
         }
         if (breakable && is_too_little(*breakable))
-            result_.broken = break_part(level_, part_, breakable, bodies, debris, options_.pieces);
+            result_.broken = break_part(level_, part_, breakable, bodies, debris, breaks);
         return std::move(result_);
     }
 

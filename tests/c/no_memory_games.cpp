@@ -4,6 +4,7 @@
 // fails on demand.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <string>
 
 #include "firma/firma_c.h"
