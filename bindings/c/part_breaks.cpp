@@ -227,12 +227,12 @@ firma_code firma_parts_carve(firma_parts parts, uint32_t index, firma_world leve
         if (!taken) return FIRMA_ERROR_BAD_HANDLE;
         PartToBreak it;
         if (const firma_code code = it.read(parts, index, level, breakable, debris, bodies, function)) return code;
-        auto object = std::make_unique<WorldObject>(*it.level);
+        auto object = std::make_unique<WorldObject>(World{});
         PartCut made = it.debris.change([&](Bodies& all, Debris& of) {
             return carve_part(*it.level, *it.there.part, it.bears(), taken->cutter, firma::c::pose_of(*pose), all, of,
                               chosen);
         });
-        if (made.broken) object->world = made.broken->level;
+        object->world = made.level;
         if (const firma_code code = give(std::move(object), after, function)) {
             it.debris.debris->broken = it.debris.bodies->broken = true;  // its world is lost
             return code;
@@ -245,6 +245,7 @@ firma_code firma_parts_carve(firma_parts parts, uint32_t index, firma_world leve
             out.unfit = made.unfit;
             out.broke = made.broken.has_value();
             out.volume = made.report.volume;
+            out.opened = made.opened.size();
             if (whole.rest.size != 0) {
                 put_sized(made.broken ? break_told(*made.broken) : firma_break_report{}, &whole.rest);
                 out.rest = whole.rest;

@@ -54,8 +54,8 @@ struct BreakOptions {
     std::optional<Vec3> impact{};  ///< in the world, metres: pieces are smallest there
     /// Opened as well: those that it closed when it was whole. With a hole in it it covers none (portals_closed_by()).
     std::vector<PortalId> portals{};
-    bool unbroken = false;         ///< it falls as it is: a body for each of its connected_pieces()
-    std::size_t max_pieces = 12;   ///< of each of these, at most; where they become dust: FractureOptions
+    bool unbroken = false;        ///< it falls as it is: a body for each of its connected_pieces()
+    std::size_t max_pieces = 12;  ///< of each of these, at most; where they become dust: FractureOptions
     double min_volume = 0.001;
     std::uint64_t seed = 1;
     std::size_t max_spheres = 12;  ///< as ShatterOptions::max_spheres; brought within its range
@@ -109,10 +109,14 @@ struct PartCut {
     /// What was left of the part broke, as more than Breakable::max_taken was taken; or all of it fell, as nothing
     /// holds any of it.
     std::optional<BrokenPart> broken;
+    /// Portals that the part closed before the cut, and that are open now, ascending: it has a hole there, or it broke.
+    std::vector<PortalId> opened;
+    World level;  ///< with these open; the same one where there are none
 };
 
 /// Carves a part where it stands (pose_in_part()). Where that leaves pieces that nothing holds, they leave the part
-/// exactly, and become bodies; where too much was taken, the rest breaks.
+/// exactly, and become bodies; where too much was taken, the rest breaks. Portals that the part closed and covers no
+/// longer are opened: it is asked at points of them not farther apart than an eighth of a metre.
 /// @param pose       of the cutter, in the world
 /// @param breakable  may be null: then nothing breaks, but pieces fall
 /// @return kNothing and kRefused as carve(): then the part is as it was

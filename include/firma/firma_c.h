@@ -2137,17 +2137,17 @@ FIRMA_API firma_code firma_parts_blast_felt(firma_parts parts, uint32_t index, f
 
 /* A null pointer takes the defaults. */
 typedef struct firma_break_options {
-    uint32_t size;        /* sizeof(firma_break_options) */
-    uint32_t max_pieces;  /* of each connected piece, at most; 1 to 4,096; 12 */
-    uint32_t max_spheres; /* of a piece; 1 to 4,096; 12 */
-    uint32_t unbroken;    /* 1: it falls as it is; 0 */
-    uint32_t has_impact;  /* 1: `impact` counts; 0 */
-    uint32_t reserved;    /* must be 0 */
-    double impact[3];     /* in the world, metres: pieces are smallest there */
-    double fraction;      /* of the part's motion, 0 to 1, where it breaks; 0 */
-    double seconds;       /* that its motion takes: pieces go on as it went; 0: they begin at rest */
-    double min_volume;    /* cubic metres: pieces of less become dust; 0.001 */
-    uint64_t seed;        /* 1 */
+    uint32_t size;           /* sizeof(firma_break_options) */
+    uint32_t max_pieces;     /* of each connected piece, at most; 1 to 4,096; 12 */
+    uint32_t max_spheres;    /* of a piece; 1 to 4,096; 12 */
+    uint32_t unbroken;       /* 1: it falls as it is; 0 */
+    uint32_t has_impact;     /* 1: `impact` counts; 0 */
+    uint32_t reserved;       /* must be 0 */
+    double impact[3];        /* in the world, metres: pieces are smallest there */
+    double fraction;         /* of the part's motion, 0 to 1, where it breaks; 0 */
+    double seconds;          /* that its motion takes: pieces go on as it went; 0: they begin at rest */
+    double min_volume;       /* cubic metres: pieces of less become dust; 0.001 */
+    uint64_t seed;           /* 1 */
     const uint32_t* portals; /* opened as well as those that it covers: that it closed when it was whole; may be null */
     size_t portal_count;
 } firma_break_options;
@@ -2190,7 +2190,8 @@ typedef struct firma_part_cut {
     uint64_t unfit;  /* such pieces that could be no bodies: lost */
     uint32_t broke;  /* 1: what was left broke or fell: FIRMA_DEBRIS_PIECES, and `rest` */
     uint32_t reserved;
-    double volume;           /* cubic metres that the cutter took */
+    double volume;   /* cubic metres that the cutter took */
+    uint64_t opened; /* portals that it closed before, and that are open now: it has a hole there, or it broke */
     firma_break_report rest; /* filled where its own `size` is set */
 } firma_part_cut;
 

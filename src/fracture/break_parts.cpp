@@ -39,18 +39,18 @@ bool can_break(const MovingPart& part, const BreakOptions& options) {
     return is_usable_part(part) && options.fraction >= 0 && options.fraction <= 1;
 }
 
-void shatter_piece(const World& level, const MovingPart& part, const Breakable* breakable, Bodies& bodies,
-                   Debris& debris, BodyId id, std::uint64_t number, const BreakOptions& options, BrokenPart& broken) {
+void shatter_piece(const MovingPart& part, const Breakable* breakable, Bodies& bodies, Debris& debris, BodyId id,
+                   std::uint64_t number, const BreakOptions& options, BrokenPart& broken) {
     const std::uint32_t of = debris.find(bodies, id)->matter;
     ShatterOptions shattering;
-    shattering.world = &level;
+    shattering.world = &broken.level;
     if (!breakable || !breakable->matter) shattering.part = &part.world();
     shattering.max_spheres = std::clamp<std::size_t>(options.max_spheres, 1, kMaxSpheres);
     shattering.fracture.impact = options.impact;
     shattering.fracture.max_pieces = std::clamp<std::size_t>(options.max_pieces, 1, kMaxPieces);
     shattering.fracture.min_volume = options.min_volume;
     shattering.fracture.seed = mix_bits(options.seed + number);
-    shattering.fracture.material = crack_material(level, of).value_or(0);
+    shattering.fracture.material = crack_material(broken.level, of).value_or(0);
     const FracturePattern pattern = fracture_pattern(matter(part.world(), of));
     const Result<Shattered> pieces = shatter(bodies, debris, id, pattern, shattering);
     if (!pieces) {
@@ -108,7 +108,7 @@ BrokenPart break_part(const World& level, MovingPart& part, Breakable* breakable
     broken.level = level;
     if (!can_break(part, options)) return broken;
     open_portals(part, options, broken);
-    const PartPieces pieces(level, part, options);
+    const PartPieces pieces(broken.level, part, options);  // a closed portal would be in their way
     const std::uint32_t of = breakable && breakable->matter ? *breakable->matter : matter_of_surface(part.world());
     std::uint64_t number = 0;
     for (const Solid& solid : connected_pieces(part.world().solid())) {
@@ -123,7 +123,7 @@ BrokenPart break_part(const World& level, MovingPart& part, Breakable* breakable
         else if (options.unbroken)
             broken.pieces.push_back(*id);
         else
-            shatter_piece(level, part, breakable, bodies, debris, *id, number, options, broken);
+            shatter_piece(part, breakable, bodies, debris, *id, number, options, broken);
         ++number;
     }
     if (breakable) breakable->broken = true;

@@ -206,6 +206,7 @@ static void test_breaks(firma_level level, firma_world world) {
     CHECK_OK(firma_parts_carve(parts, 0, world, NULL, saw, &here, debris, bodies, &cutting, &after, &cut));
     CHECK(cut.status == FIRMA_CARVE_DONE && cut.loose == 1 && !cut.broke && fabs(cut.volume - 1) < 1e-9);
     CHECK(info_of(parts, 0).high[2] == 1);
+    CHECK_OK(firma_world_release(after));
     CHECK_OK(firma_debris_named(debris, FIRMA_DEBRIS_LOOSE, &first, 1, &count));
     CHECK(count == 1);
     CHECK_OK(firma_debris_world(debris, bodies, first, &after));

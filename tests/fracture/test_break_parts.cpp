@@ -205,23 +205,35 @@ TEST(BreakParts, ADoorsPortalOpens) {
     }
     ASSERT_TRUE(portal);
     game.level = *set_portal_open(game.level, *portal, false);
-    // With a hole in it, the portal that it closed before the cut; or the one that is named.
-    MovingPart holed = door, other = door;
+    // A notch in its front lets nothing through; a hole does. What breaks with a hole in it opens what is named.
+    MovingPart holed = door;
     const Pose middle{door.motion.position, {0, 0, 0, 1}, 1};
-    Breakable weak{.health = 1, .whole = volume_of(door), .max_taken = 0};
-    const PartCut cut =
-        carve_part(game.level, holed, &weak, box_cutter({-0.25, -0.25, -0.25}, {0.25, 0.25, 0.25}), middle, game.bodies,
-                   game.debris);
-    ASSERT_TRUE(cut.broken);
-    EXPECT_EQ(cut.broken->opened, std::vector<PortalId>{*portal});
-    ASSERT_EQ(carve_part(game.level, other, nullptr, box_cutter({-0.25, -0.25, -0.25}, {0.25, 0.25, 0.25}), middle,
-                         game.bodies, game.debris)
-                  .status,
-              CarveStatus::kDone);
-    EXPECT_TRUE(portals_closed_by(game.level, other).empty());
-    EXPECT_EQ(break_part(game.level, other, nullptr, game.bodies, game.debris, {.portals = {*portal, PortalId{999999}}})
+    const Vec3 thin = door.bounds().high;
+    const int across = thin.x < thin.y && thin.x < thin.z ? 0 : thin.y < thin.z ? 1 : 2;
+    Vec3 low{-0.2, -0.2, -0.2}, high{0.2, 0.2, 0.2};
+    low[across] = 0.03125;
+    const PartCut notch =
+        carve_part(game.level, holed, nullptr, box_cutter(low, high), middle, game.bodies, game.debris);
+    ASSERT_EQ(notch.status, CarveStatus::kDone);
+    EXPECT_TRUE(notch.opened.empty());
+    EXPECT_FALSE(portal_info(notch.level, *portal)->open);
+    low[across] = -0.2;
+    Pose aside = middle;
+    aside.position[across == 2 ? 0 : 2] += 0.3;
+    const PartCut hole = carve_part(game.level, holed, nullptr, box_cutter(low, high), aside, game.bodies, game.debris);
+    ASSERT_EQ(hole.status, CarveStatus::kDone);
+    EXPECT_EQ(hole.opened, std::vector<PortalId>{*portal});
+    EXPECT_TRUE(portal_info(hole.level, *portal)->open);
+    EXPECT_EQ(break_part(game.level, holed, nullptr, game.bodies, game.debris, {.portals = {*portal, PortalId{999999}}})
                   .opened,
               std::vector<PortalId>{*portal});
+    // Cut so that it breaks at once.
+    MovingPart weak = door;
+    Breakable bears{.health = 1, .whole = volume_of(door), .max_taken = 0};
+    const PartCut cut = carve_part(game.level, weak, &bears, box_cutter(low, high), aside, game.bodies, game.debris);
+    ASSERT_TRUE(cut.broken);
+    EXPECT_EQ(cut.opened, std::vector<PortalId>{*portal});
+    EXPECT_TRUE(portal_info(cut.level, *portal)->open);
     const BrokenPart broken = break_part(game.level, door, nullptr, game.bodies, game.debris);
     EXPECT_EQ(broken.opened, std::vector<PortalId>{*portal});
     EXPECT_TRUE(portal_info(broken.level, *portal)->open);
