@@ -10,6 +10,7 @@
 #include "firma/break_parts.h"
 #include "firma/part_edits.h"
 #include "firma/rooms.h"
+#include "firma/support.h"
 #include "tests/body/simple_bodies.h"
 #include "tests/carve/cutters.h"
 #include "tests/moving/part_worlds.h"
@@ -309,6 +310,61 @@ TEST(BreakParts, WhatMovesGoesOnWithTheLargestPiece) {
         const Body& end = *game.bodies.find(cut.loose[0]);
         EXPECT_LT(length(end.position - test::part_point(leaf.motion, 0, {3.5625, 0, 1})), 2e-3);
     }
+}
+
+/// Whether a face of the level holds a piece of a part.
+bool is_held(const World& level, const Solid& piece, const RigidMotion& motion) {
+    SupportedThing thing;
+    thing.sides = support_sides(MovingPart(make_world(piece).value(), motion));
+    thing.reach = 1.0 / 32;
+    return find_supports(level, {thing}).value().things[0].area > 0;
+}
+
+/// Shots at fences on the ground, turned anyhow: nothing is lost, all is sound, and what is left stands.
+TEST(BreakParts, ShotsAtRandomLoseNothing) {
+    scenes::Rng rng(9);
+    std::size_t loose = 0, fell = 0, cuts = 0;
+    for (int fence = 0; fence < 6; ++fence) {
+        Game game;
+        std::string text = map_text::box({-4, -0.125, 2}, {4, 0.125, 2.5}, "wood");
+        for (int post = 0; post < 4; ++post)
+            text += map_text::box({-4 + 2.5 * post, -0.25, 0}, {-3.5 + 2.5 * post, 0.25, 3}, "concrete");
+        MovingPart part(test::brush_world(text));
+        part.motion.position = {rng.uniform(-5, 5), rng.uniform(-5, 5), 0};
+        part.motion.rotation = turn_by({0, 0, rng.uniform(0, 6)});
+        for (int shot = 0; shot < 24 && part.world().face_count() > 0; ++shot) {
+            Pose pose;
+            pose.position =
+                test::part_point(part.motion, 0, {rng.uniform(-4, 4), rng.uniform(-0.3, 0.3), rng.uniform(0, 3)});
+            pose.rotation = random_turn(rng.next());
+            pose.scale = rng.uniform(0.3, 0.8);
+            const double before = volume_of(part);
+            const PartCut cut = carve_part(game.level, part, nullptr, make_crater(CutterShape::kRocky, rng.next()),
+                                           pose, game.bodies, game.debris);
+            ASSERT_NE(cut.status, CarveStatus::kRefused) << cut.error.text();
+            if (cut.status == CarveStatus::kNothing) continue;
+            ++cuts;
+            EXPECT_EQ(cut.unfit, 0u);
+            const double left = before - cut.report.volume - cut.report.chunk_volume - cut.report.crumb_volume;
+            EXPECT_NEAR(game.volume(cut.loose), cut.report.chunk_volume, 1e-9);
+            loose += cut.loose.size();
+            if (cut.broken) {
+                fell += cut.broken->pieces.size();
+                EXPECT_NEAR(game.volume(cut.broken->pieces), left, 1e-9);
+                continue;
+            }
+            EXPECT_NEAR(volume_of(part), left, 1e-9) << fence << " " << shot;
+            const std::optional<WorldFault> fault = check_world(part.world());
+            EXPECT_FALSE(fault) << fault->what;
+            const std::optional<SolidFault> crack = check_solid(part.world());
+            EXPECT_FALSE(crack) << crack->what;
+            for (const Solid& piece : connected_pieces(part.world().solid()))
+                EXPECT_TRUE(is_held(game.level, piece, part.motion)) << fence << " " << shot;
+        }
+    }
+    EXPECT_GT(cuts, 50u);
+    EXPECT_GT(loose, 3u);
+    EXPECT_LT(fell, cuts);
 }
 
 TEST(BreakParts, TooMuchTakenBreaksTheRest) {
