@@ -3,7 +3,9 @@
 // Source: sizes and the way down of items and players, id Software, Quake III Arena source code, 2005,
 // code/game/g_items.c (FinishSpawningItem), bg_pmove.h.
 #include <algorithm>
+#include <optional>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "brush/entity_keys.h"
@@ -84,8 +86,9 @@ std::vector<SupportedThing> supported_entities(const BrushLevel& level, const Br
     }
     for (std::uint32_t k = 0; k < level.entities.size(); ++k)
         if (std::optional<SupportedThing> thing = held_entity(level, k)) things.push_back(std::move(*thing));
-    std::stable_sort(things.begin(), things.end(),
-                     [](const SupportedThing& a, const SupportedThing& b) { return a.entity < b.entity; });
+    std::sort(things.begin(), things.end(), [](const SupportedThing& a, const SupportedThing& b) {
+        return std::tuple(a.entity, a.kind) < std::tuple(b.entity, b.kind);
+    });
     return things;
 }
 

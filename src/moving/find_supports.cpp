@@ -2,6 +2,7 @@
 // What holds things, and what an edit took of it.
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "firma/support.h"
@@ -67,8 +68,9 @@ void find_faces(const World& world, Support& support) {
         support.faces.push_back({part.face, part.hash, part.area});
         support.area += part.area;
     }
-    std::stable_sort(support.faces.begin(), support.faces.end(),
-                     [](const SupportFace& a, const SupportFace& b) { return a.face.id < b.face.id; });
+    std::sort(support.faces.begin(), support.faces.end(), [](const SupportFace& a, const SupportFace& b) {
+        return std::tuple(a.face.id, a.hash, a.area) < std::tuple(b.face.id, b.hash, b.area);
+    });
     // A face that lies at several sides is told once.
     std::vector<SupportFace> merged;
     for (const SupportFace& face : support.faces) {
