@@ -17,12 +17,12 @@
 namespace firma {
 namespace {
 
-std::string entity(const std::string& classname, const std::string& origin, const std::string& more = "") {
+std::string entity_text(const std::string& classname, const std::string& origin, const std::string& more = "") {
     return "{\n\"classname\" \"" + classname + "\"\n\"origin\" \"" + origin + "\"\n" + more + "}\n";
 }
 
 /// A hall of 512 x 512 x 256 units in rock, with entities.
-BrushLevel hall(const std::string& entities) {
+BrushLevel hall_with(const std::string& entities) {
     const auto wall = [](const Vec3& low, const Vec3& high) { return map_text::box(low, high, "rock"); };
     return read_map(map_text::world(wall({-272, -272, -16}, {272, 272, 0}) + wall({-272, -272, 256}, {272, 272, 272}) +
                                     wall({-272, -272, 0}, {-256, 272, 256}) + wall({256, -272, 0}, {272, 272, 256}) +
@@ -42,12 +42,12 @@ TEST(SupportedEntities, ClassesThatCount) {
         "{\n\"classname\" \"func_door\"\n" + map_text::box({-40, -4, 0}, {40, 4, 100}, "door") + "}\n";
     const std::string shelf =
         "{\n\"classname\" \"func_breakable\"\n" + map_text::box({200, 100, 50}, {255, 140, 54}, "wood") + "}\n";
-    const Supports held = supports_in(
-        hall(entity("info_player_start", "0 100 60") + entity("item_health", "100 0 128") +
-             entity("weapon_railgun", "100 50 128", "\"spawnflags\" \"1\"\n") + entity("light", "-120 -120 240") +
-             entity("light", "0 0 128") + entity("target_position", "0 0 10") +
-             entity("info_player_intermission", "0 0 40") + entity("team_CTF_redflag", "-100 0 30") +
-             entity("team_CTF_redplayer", "-100 50 30") + door + shelf + "{\n\"classname\" \"item_armor\"\n}\n"));
+    const Supports held = supports_in(hall(
+        entity_text("info_player_start", "0 100 60") + entity_text("item_health", "100 0 128") +
+        entity_text("weapon_railgun", "100 50 128", "\"spawnflags\" \"1\"\n") + entity_text("light", "-120 -120 240") +
+        entity_text("light", "0 0 128") + entity_text("target_position", "0 0 10") +
+        entity_text("info_player_intermission", "0 0 40") + entity_text("team_CTF_redflag", "-100 0 30") +
+        entity_text("team_CTF_redplayer", "-100 50 30") + door + shelf + "{\n\"classname\" \"item_armor\"\n}\n"));
     const auto find = [&](std::uint32_t number) {
         const auto it = std::find_if(held.things.begin(), held.things.end(),
                                      [&](const Support& support) { return support.thing.entity == number; });

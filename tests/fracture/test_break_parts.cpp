@@ -127,8 +127,8 @@ TEST(BreakParts, PiecesAreThePart) {
         EXPECT_EQ(body.velocity, (Vec3{}));
     }
     // Nothing meets the part, and the pieces lie in a heap.
-    EXPECT_FALSE(cast(Scene{game.level, {&crate, 1}}, Ray{{3, -4, 1}, {0, 20, 0}}));
-    for (int k = 0; k < 180; ++k) step(game.bodies, Scene{game.level, {&crate, 1}}, 1.0 / 60);
+    EXPECT_FALSE(cast(firma::Scene{game.level, {&crate, 1}}, Ray{{3, -4, 1}, {0, 20, 0}}));
+    for (int k = 0; k < 180; ++k) step(game.bodies, firma::Scene{game.level, {&crate, 1}}, 1.0 / 60);
     for (const BodyId id : broken.pieces) {
         EXPECT_GT(game.bodies.find(id)->position.z, 0);
         EXPECT_LT(game.bodies.find(id)->position.z, 2);
@@ -259,7 +259,7 @@ TEST(BreakParts, ACutDividesAWallAndWhatNothingHoldsFalls) {
     const Matter& brick = matter(wall.world(), *matter_named(matters_of(wall.world()), "brick"));
     EXPECT_NEAR(above.shape.mass(), 5 * brick.density, 1e-6);
     // It falls onto what stands, and both hold: the part is met by bodies.
-    for (int k = 0; k < 30; ++k) step(game.bodies, Scene{game.level, {&wall, 1}}, 1.0 / 60);
+    for (int k = 0; k < 30; ++k) step(game.bodies, firma::Scene{game.level, {&wall, 1}}, 1.0 / 60);
     EXPECT_LT(game.bodies.find(cut.loose[0])->position.z, 2.5);
     EXPECT_GT(game.bodies.find(cut.loose[0])->position.z, 1.8);
     // A second cut of the same place does nothing.

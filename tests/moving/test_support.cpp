@@ -203,7 +203,7 @@ std::vector<SupportedThing> scattered(const World& world, scenes::Rng& rng, std:
     return things;
 }
 
-bool equal(const std::vector<SupportChange>& a, const std::vector<SupportChange>& b) {
+bool same_changes(const std::vector<SupportChange>& a, const std::vector<SupportChange>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SupportChange& p, const SupportChange& q) {
         return p.thing == q.thing && p.loss == q.loss && p.lost == q.lost && p.before == q.before && p.after == q.after;
     });
@@ -228,7 +228,7 @@ TEST(Support, NearAChangeAsEverywhereInTheDepot) {
             if (!cut.done()) continue;
             const WorldDiff diff = diff_worlds(world, cut.world);
             const SupportDiff near = diff_supports(held, diff, cut.world), all = diff_supports(held, cut.world);
-            ASSERT_TRUE(equal(near.changes, all.changes)) << index;
+            ASSERT_TRUE(same_changes(near.changes, all.changes)) << index;
             for (std::size_t k = 0; k < held.things.size(); ++k) {
                 ASSERT_EQ(near.after.things[k].faces, all.after.things[k].faces);
                 // Whoever stood on a face that went is told.
