@@ -42,7 +42,7 @@ TEST(SupportedEntities, ClassesThatCount) {
         "{\n\"classname\" \"func_door\"\n" + map_text::box({-40, -4, 0}, {40, 4, 100}, "door") + "}\n";
     const std::string shelf =
         "{\n\"classname\" \"func_breakable\"\n" + map_text::box({200, 100, 50}, {255, 140, 54}, "wood") + "}\n";
-    const Supports held = supports_in(hall(
+    const Supports held = supports_in(hall_with(
         entity_text("info_player_start", "0 100 60") + entity_text("item_health", "100 0 128") +
         entity_text("weapon_railgun", "100 50 128", "\"spawnflags\" \"1\"\n") + entity_text("light", "-120 -120 240") +
         entity_text("light", "0 0 128") + entity_text("target_position", "0 0 10") +
